@@ -1,0 +1,68 @@
+# Builds, wraps and tests the module through VTK's module system.
+
+set(AIRLIGHT_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Airlight")
+set(AIRLIGHT_HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/airlight")
+
+if (AIRLIGHT_WRAP_PYTHON)
+  # Debian's VTK installs into lib/python3/dist-packages, which Python searches below /usr only.
+  # The folder with the full version is searched below /usr and /usr/local alike.
+  vtk_module_python_default_destination(python_destination)
+  string(REPLACE "/python3/" "/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/"
+    python_destination "${python_destination}")
+  set(AIRLIGHT_PYTHON_DESTINATION "${python_destination}" CACHE STRING
+    "Folder of the Python package below the install prefix and below the build folder")
+  set(AIRLIGHT_PYTHONPATH "${CMAKE_BINARY_DIR}/${AIRLIGHT_PYTHON_DESTINATION}")
+endif ()
+
+set(enable_tests OFF)
+if (AIRLIGHT_BUILD_TESTING)
+  set(enable_tests ON)
+  enable_testing()
+  include("${VTK_DIR}/vtkModuleTesting.cmake")
+  set(ExternalData_SOURCE_ROOT "${CMAKE_CURRENT_SOURCE_DIR}")
+endif ()
+
+vtk_module_scan(
+  MODULE_FILES            "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
+  REQUEST_MODULES         Airlight::Airlight
+  PROVIDES_MODULES        modules
+  HIDE_MODULES_FROM_CACHE ON
+  ENABLE_TESTS            "${enable_tests}")
+
+# vtk_module_build() adds the folder of vtk.module by its path below CMAKE_SOURCE_DIR, which for the
+# root folder would be the project itself. One level up it becomes a sub-folder.
+set(project_source_dir "${CMAKE_SOURCE_DIR}")
+set(CMAKE_SOURCE_DIR "${CMAKE_CURRENT_SOURCE_DIR}/..")
+vtk_module_build(
+  MODULES                    ${modules}
+  PACKAGE                    Airlight
+  VERSION                    "${Airlight_VERSION}"
+  SOVERSION                  "${Airlight_VERSION_MAJOR}.${Airlight_VERSION_MINOR}"
+  INSTALL_EXPORT             Airlight
+  CMAKE_DESTINATION          "${AIRLIGHT_CMAKE_DESTINATION}"
+  HEADERS_DESTINATION        "${AIRLIGHT_HEADERS_DESTINATION}"
+  LIBRARY_DESTINATION        "${CMAKE_INSTALL_LIBDIR}"
+  ENABLE_WRAPPING            "${AIRLIGHT_WRAP_PYTHON}"
+  TEST_INPUT_DATA_DIRECTORY  "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Data"
+  TEST_OUTPUT_DATA_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Data" # data are read in place
+  TEST_OUTPUT_DIRECTORY      "${CMAKE_BINARY_DIR}/Testing/Temporary")
+set(CMAKE_SOURCE_DIR "${project_source_dir}")
+
+if (AIRLIGHT_WRAP_PYTHON)
+  vtk_module_wrap_python(
+    MODULES             ${modules}
+    TARGET              Airlight::Python
+    PYTHON_PACKAGE      airlight
+    MODULE_DESTINATION  "${AIRLIGHT_PYTHON_DESTINATION}"
+    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    CMAKE_DESTINATION   "${AIRLIGHT_CMAKE_DESTINATION}"
+    INSTALL_HEADERS     OFF
+    SOABI               "${Python3_SOABI}")
+  configure_file(Wrapping/Python/airlight/__init__.py.in
+    "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py" @ONLY)
+  install(
+    FILES       "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py"
+    DESTINATION "${AIRLIGHT_PYTHON_DESTINATION}/airlight"
+    COMPONENT   python)
+  message(STATUS "Python package airlight: PYTHONPATH=${AIRLIGHT_PYTHONPATH}")
+endif ()

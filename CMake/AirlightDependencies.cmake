@@ -1,0 +1,57 @@
+# What is looked for: VTK, with the modules that vtk.module names, and OpenVDB.
+
+# Puts the lists of vtk.module in the variables <prefix>_DEPENDS, <prefix>_TEST_DEPENDS and so on.
+function (airlight_read_vtk_module prefix)
+  file(STRINGS "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module" words REGEX "^[^#]")
+  string(REGEX MATCHALL "[^ ;]+" words "${words}")
+  set(lists DEPENDS PRIVATE_DEPENDS OPTIONAL_DEPENDS TEST_DEPENDS)
+  cmake_parse_arguments(read "" "NAME;LIBRARY_NAME" "DESCRIPTION;TEST_LABELS;${lists}" ${words})
+  foreach (name IN LISTS lists)
+    string(REPLACE "VTK::" "" modules "${read_${name}}")
+    set(${prefix}_${name} "${modules}" PARENT_SCOPE)
+  endforeach ()
+endfunction ()
+
+# VTK's Python is the system's, which need not be the first in PATH.
+if (NOT DEFINED Python3_EXECUTABLE AND NOT DEFINED VTK_DIR AND EXISTS "/usr/bin/python3")
+  set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The Python that VTK was built for")
+endif ()
+
+airlight_read_vtk_module(airlight)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS vtk.module)
+set(components ${airlight_DEPENDS} ${airlight_PRIVATE_DEPENDS})
+if (AIRLIGHT_BUILD_TESTING)
+  list(APPEND components ${airlight_TEST_DEPENDS})
+endif ()
+if (AIRLIGHT_WRAP_PYTHON)
+  list(APPEND components Python WrappingPythonCore)
+endif ()
+list(REMOVE_DUPLICATES components)
+find_package(VTK 9.1 REQUIRED COMPONENTS ${components})
+message(STATUS "VTK ${VTK_VERSION}: ${VTK_DIR}")
+
+if (AIRLIGHT_WRAP_PYTHON AND NOT VTK_WRAP_PYTHON)
+  message(FATAL_ERROR
+    "This VTK has no Python wrapping: set AIRLIGHT_WRAP_PYTHON to OFF or VTK_DIR to another VTK.")
+endif ()
+
+# Optional. Debian installs FindOpenVDB.cmake outside CMake's own folders, and it stops with an
+# error rather than an answer when Boost's iostreams are missing.
+find_path(AIRLIGHT_OPENVDB_MODULE_DIR FindOpenVDB.cmake
+  PATHS "/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB" "/usr/local/lib/cmake/OpenVDB"
+  NO_DEFAULT_PATH)
+find_path(AIRLIGHT_BOOST_IOSTREAMS_DIR boost/iostreams/filtering_stream.hpp)
+mark_as_advanced(AIRLIGHT_OPENVDB_MODULE_DIR AIRLIGHT_BOOST_IOSTREAMS_DIR)
+set(OpenVDB_FOUND OFF)
+if (AIRLIGHT_OPENVDB_MODULE_DIR AND AIRLIGHT_BOOST_IOSTREAMS_DIR)
+  list(PREPEND CMAKE_MODULE_PATH "${AIRLIGHT_OPENVDB_MODULE_DIR}")
+  set(CMAKE_MESSAGE_LOG_LEVEL WARNING) # it does not heed QUIET
+  find_package(OpenVDB QUIET)
+  unset(CMAKE_MESSAGE_LOG_LEVEL)
+  list(POP_FRONT CMAKE_MODULE_PATH)
+endif ()
+if (OpenVDB_FOUND)
+  message(STATUS "OpenVDB: ${OpenVDB_VERSION}")
+else ()
+  message(STATUS "OpenVDB: not found (optional)")
+endif ()

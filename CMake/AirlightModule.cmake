@@ -1,0 +1,41 @@
+# The VTK module Airlight::Airlight, from the lists at the top of the root CMakeLists.txt.
+
+# Libraries of headers, for our own sources only.
+find_path(AIRLIGHT_GLM_INCLUDE_DIR glm/glm.hpp)
+find_path(AIRLIGHT_EIGEN_INCLUDE_DIR Eigen/Dense PATH_SUFFIXES eigen3)
+foreach (library IN ITEMS GLM EIGEN)
+  if (NOT AIRLIGHT_${library}_INCLUDE_DIR)
+    message(FATAL_ERROR
+      "${library} was not found: install it (Debian: libglm-dev, libeigen3-dev) or set "
+      "AIRLIGHT_${library}_INCLUDE_DIR to its include folder.")
+  endif ()
+  mark_as_advanced(AIRLIGHT_${library}_INCLUDE_DIR)
+endforeach ()
+
+foreach (file IN LISTS glsl)
+  vtk_encode_string(
+    INPUT         "${file}"
+    HEADER_OUTPUT header
+    SOURCE_OUTPUT source)
+  list(APPEND private_headers "${header}")
+  list(APPEND private_sources "${source}")
+endforeach ()
+
+vtk_module_add_module(Airlight::Airlight
+  CLASSES         ${classes}
+  SOURCES         ${private_sources}
+  PRIVATE_HEADERS ${private_headers})
+
+foreach (folder IN ITEMS Module Filters Rendering)
+  vtk_module_include(Airlight::Airlight
+    PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
+endforeach ()
+vtk_module_include(Airlight::Airlight
+  PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Module/glsl")
+vtk_module_include(Airlight::Airlight SYSTEM
+  PRIVATE "${AIRLIGHT_GLM_INCLUDE_DIR}" "${AIRLIGHT_EIGEN_INCLUDE_DIR}")
+
+vtk_module_compile_features(Airlight::Airlight
+  PUBLIC cxx_std_17)
+vtk_module_compile_options(Airlight::Airlight
+  PRIVATE ${AIRLIGHT_WARNINGS})

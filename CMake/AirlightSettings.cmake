@@ -1,0 +1,32 @@
+# Compiler, warnings and where things are put.
+
+include(GNUInstallDirs)
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+
+# For our own sources; the generated Python wrappers are compiled without.
+set(AIRLIGHT_WARNINGS "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra>")
+
+find_program(AIRLIGHT_CCACHE ccache)
+mark_as_advanced(AIRLIGHT_CCACHE)
+if (AIRLIGHT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_C_COMPILER_LAUNCHER "${AIRLIGHT_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${AIRLIGHT_CCACHE}")
+endif ()
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+
+# An installed tree finds its own library wherever it is moved, and VTK where it was found.
+file(RELATIVE_PATH bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+if (APPLE)
+  set(CMAKE_INSTALL_RPATH "@loader_path" "@loader_path/${bin_to_lib}")
+else ()
+  set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/${bin_to_lib}")
+endif ()
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The program `AnimatedFog`: lamp, object and medium of a scene in motion at once, in numbered
+ * pictures or in a window. Nothing is precomputed for any of them: see FogAnimation.
+ *
+ *   AnimatedFog figure1.json --frames 240 -o frame_%04d.png
+ *   AnimatedFog figure1.json --frame 60 -o frame60.png
+ *   AnimatedFog figure1.json --live
+ */
+
+#include "FogAnimation.h"
+#include "ModelScene.h"
+#include "OptionText.h"
+#include "Picture.h"
+#include "Program.h"
+#include "UserError.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+using namespace airlight;
+
+namespace
+{
+struct AnimationOptions
+{
+  std::string SceneFile;
+  std::string Output;
+  std::string Size;
+  int Frames = 0;
+  int Frame = -1;
+  int Period = 240;
+  int Surface = -1;
+  bool Live = false;
+};
+
+std::size_t ChooseSurface(const Scene& scene, int wanted)
+{
+  const auto count = scene.Surfaces.size();
+  if (wanted >= 0 && static_cast<std::size_t>(wanted) < count)
+  {
+    return static_cast<std::size_t>(wanted);
+  }
+  if (wanted >= 0 || count == 0)
+  {
+    throw UserError(scene.FileName + ": has no surface " + std::to_string(std::max(0, wanted)) +
+      "; it has " + std::to_string(count));
+  }
+  const auto dragon =
+    std::find_if(scene.Surfaces.begin(), scene.Surfaces.end(), [](const Surface& surface) {
+      return std::filesystem::path(surface.Name).filename().string().find("dragon") !=
+        std::string::npos;
+    });
+  return dragon == scene.Surfaces.end() ? 0
+                                        : static_cast<std::size_t>(dragon - scene.Surfaces.begin());
+}
+
+void ShowProgress(int done, int all)
+{
+  constexpr int Width = 40;
+  const int filled = static_cast<int>(static_cast<long long>(Width) * done / all);
+  std::cerr << '\r' << '[' << std::string(static_cast<std::size_t>(filled), '#')
+            << std::string(static_cast<std::size_t>(Width - filled), '.') << "] " << done << '/'
+            << all << (done == all ? "\n" : "") << std::flush;
+}
+
+void WriteFrames(const AnimationOptions& options, FogAnimation& animation, RenderedScene& rendered)
+{
+  const bool single = options.Frame >= 0;
+  const int first = single ? options.Frame : 0;
+  const int count = single ? 1 : options.Frames;
+  for (int i = 0; i < count; ++i)
+  {
+    const bool numbered = !single || options.Output.find('%') != std::string::npos;
+    const std::string file =
+      numbered ? NumberFile("--output", options.Output, first + i) : options.Output;
+    animation.SetFrame(first + i);
+    RenderToFile(rendered, PictureSettings(), file);
+    if (!single)
+    {
+      ShowProgress(i + 1, count);
+    }
+  }
+}
+
+struct LiveState
+{
+  FogAnimation* Animation = nullptr;
+  vtkRenderWindow* Window = nullptr;
+  int Frame = 0;
+};
+
+void ShowNextFrame(vtkObject*, unsigned long, void* clientData, void*)
+{
+  auto* state = static_cast<LiveState*>(clientData);
+  state->Animation->SetFrame(state->Frame++);
+  state->Window->Render();
+}
+
+void ShowLive(FogAnimation& animation, RenderedScene& rendered)
+{
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  interactor->SetInteractorStyle(style);
+  interactor->SetRenderWindow(rendered.Window);
+  interactor->Initialize();
+  LiveState state{ &animation, rendered.Window, 0 };
+  vtkNew<vtkCallbackCommand> timer;
+  timer->SetCallback(ShowNextFrame);
+  timer->SetClientData(&state);
+  interactor->AddObserver(vtkCommand::TimerEvent, timer);
+  interactor->CreateRepeatingTimer(16);
+  interactor->Start();
+}
+
+void Run(const AnimationOptions& options)
+{
+  if (!options.Live)
+  {
+    if (options.Output.empty() || (options.Frames < 1 && options.Frame < 0))
+    {
+      throw UserError("give --live, or --output with --frames N or --frame K");
+    }
+    if (options.Frame < 0)
+    {
+      NumberFile("--output", options.Output, 0);
+    }
+  }
+  Scene scene = ReadSceneOrModel(options.SceneFile);
+  if (!options.Size.empty())
+  {
+    std::tie(scene.Width, scene.Height) = ParseSize("--size", options.Size);
+  }
+  if (scene.Lights.empty())
+  {
+    throw UserError(scene.FileName + ": has no lamp to move");
+  }
+  const std::size_t surface = ChooseSurface(scene, options.Surface);
+  RenderSettings settings;
+  settings.OffScreen = !options.Live;
+  settings.RecordBuffers = !options.Live && NeedsBuffers(PictureSettings(), options.Output);
+  RenderedScene rendered = BuildScene(scene, settings);
+  FogAnimation animation(scene, rendered, surface, options.Period);
+  if (options.Live)
+  {
+    ShowLive(animation, rendered);
+  }
+  else
+  {
+    WriteFrames(options, animation, rendered);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  CLI::App program("A lamp, an object and a medium in motion at once", "AnimatedFog");
+  AnimationOptions options;
+  program.add_option("SCENE", options.SceneFile, "Scene (.json) or model")->required();
+  program.add_option("-o,--output", options.Output,
+    "Pictures to write, with %d or %04d for the number of the frame");
+  CLI::Option* frames =
+    program.add_option("--frames", options.Frames, "Write this many frames, from 0 on")
+      ->check(CLI::Range(1, 1000000));
+  CLI::Option* frame = program.add_option("--frame", options.Frame, "Write this one frame")
+                         ->check(CLI::Range(0, 1000000));
+  CLI::Option* live = program.add_flag("--live", options.Live, "Show it in a window");
+  program.add_option("--period", options.Period, "Frames after which everything repeats")
+    ->check(CLI::Range(2, 1000000))
+    ->capture_default_str();
+  program
+    .add_option("--surface", options.Surface,
+      "Number of the surface that turns, from 0 on; else the one whose file is named dragon, or "
+      "the "
+      "first")
+    ->check(CLI::Range(0, 1000000));
+  program.add_option("--size", options.Size, "Size of the picture, WxH pixels");
+  frames->excludes(frame)->excludes(live);
+  frame->excludes(live);
+  program.callback([&options] { Run(options); });
+  return RunProgram(program, argc, argv);
+}

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptionText.h"
+
+#include "UserError.h"
+
+#include <vtkMath.h>
+
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+namespace airlight
+{
+
+namespace
+{
+constexpr double Unlimited = std::numeric_limits<double>::infinity();
+
+[[noreturn]] void Fail(
+  const std::string& option, const std::string& text, const std::string& expected)
+{
+  throw UserError(option + " '" + text + "': expected " + expected);
+}
+
+std::vector<std::string> Split(const std::string& text, char separator)
+{
+  std::vector<std::string> parts(1);
+  for (char c : text)
+  {
+    if (c == separator)
+    {
+      parts.emplace_back();
+    }
+    else
+    {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+// A decimal point whatever the locale; false for blanks, inf, nan and anything left over.
+bool GetNumber(const std::string& text, double& number)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  stream >> std::noskipws >> number;
+  return !stream.fail() && stream.peek() == std::istringstream::traits_type::eof() &&
+    std::isfinite(number);
+}
+
+// Comma-separated numbers; empty if one is none.
+std::vector<double> GetNumbers(const std::string& text)
+{
+  std::vector<double> numbers;
+  for (const std::string& part : Split(text, ','))
+  {
+    double number = 0.0;
+    if (!GetNumber(part, number))
+    {
+      return {};
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+bool IsInRange(const std::vector<double>& numbers, double low, double high)
+{
+  for (double number : numbers)
+  {
+    if (number < low || number > high)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Vector3 MakeVector(const std::vector<double>& numbers)
+{
+  return { numbers[0], numbers[1], numbers[2] };
+}
+
+// Any direction will do as "up" that does not run along the view.
+Vector3 ChooseViewUp(const Vector3& position, const Vector3& focalPoint, const Vector3& wanted)
+{
+  Vector3 forward;
+  vtkMath::Subtract(focalPoint.data(), position.data(), forward.data());
+  for (const Vector3& up : { wanted, Vector3{ 0.0, 1.0, 0.0 }, Vector3{ 0.0, 0.0, -1.0 } })
+  {
+    Vector3 right;
+    vtkMath::Cross(forward.data(), up.data(), right.data());
+    if (vtkMath::Norm(right.data()) >
+      1e-6 * vtkMath::Norm(forward.data()) * vtkMath::Norm(up.data()))
+    {
+      return up;
+    }
+  }
+  return wanted;
+}
+}
+
+//------------------------------------------------------------------------------
+double ParseNumber(const std::string& option, const std::string& text, double low, double high)
+{
+  double number = 0.0;
+  if (!GetNumber(text, number) || number < low || number > high)
+  {
+    std::ostringstream expected;
+    expected << "a number of at least " << low;
+    if (high < std::numeric_limits<double>::max())
+    {
+      expected << " and at most " << high;
+    }
+    Fail(option, text, expected.str());
+  }
+  return number;
+}
+
+//------------------------------------------------------------------------------
+Vector3 ParseColor(const std::string& option, const std::string& text)
+{
+  const std::vector<double> numbers = GetNumbers(text);
+  if (numbers.size() != 3 || !IsInRange(numbers, 0.0, Unlimited))
+  {
+    Fail(option, text, "r,g,b with numbers of at least 0");
+  }
+  return MakeVector(numbers);
+}
+
+//------------------------------------------------------------------------------
+std::pair<int, int> ParseSize(const std::string& option, const std::string& text)
+{
+  std::smatch match;
+  if (std::regex_match(text, match, std::regex("([1-9][0-9]{0,4})x([1-9][0-9]{0,4})")))
+  {
+    const int width = std::stoi(match[1]);
+    const int height = std::stoi(match[2]);
+    if (width <= 16384 && height <= 16384)
+    {
+      return { width, height };
+    }
+  }
+  Fail(option, text, "WxH with whole numbers from 1 to 16384");
+}
+
+//------------------------------------------------------------------------------
+LightSource ParsePoint(const std::string& option, const std::string& text)
+{
+  const std::vector<std::string> parts = Split(text, ':');
+  const std::vector<double> position = GetNumbers(parts[0]);
+  const std::vector<double> power =
+    parts.size() == 2 ? GetNumbers(parts[1]) : std::vector<double>();
+  if (position.size() != 3 || (power.size() != 1 && power.size() != 3) ||
+    !IsInRange(power, 0.0, Unlimited))
+  {
+    Fail(option, text, "x,y,z:I or x,y,z:r,g,b with intensities of at least 0");
+  }
+  LightSource light;
+  light.Position = MakeVector(position);
+  light.Power.fill(power[0]);
+  if (power.size() == 3)
+  {
+    light.Power = MakeVector(power);
+  }
+  return light;
+}
+
+//------------------------------------------------------------------------------
+CameraSettings ParseCamera(
+  const std::string& option, const std::string& text, const CameraSettings& camera)
+{
+  const std::vector<std::string> parts = Split(text, ':');
+  const std::vector<double> position = GetNumbers(parts[0]);
+  const std::vector<double> focalPoint =
+    parts.size() > 1 ? GetNumbers(parts[1]) : std::vector<double>();
+  double angle = camera.ViewAngle;
+  const bool angleFits =
+    parts.size() < 3 || (GetNumber(parts[2], angle) && angle >= 0.001 && angle <= 179.0);
+  if (parts.size() > 3 || position.size() != 3 || focalPoint.size() != 3 || !angleFits ||
+    position == focalPoint)
+  {
+    Fail(option, text,
+      "px,py,pz:fx,fy,fz or px,py,pz:fx,fy,fz:angle with two different points and an angle of at "
+      "most 179 degrees");
+  }
+  CameraSettings changed = camera;
+  changed.Position = MakeVector(position);
+  changed.FocalPoint = MakeVector(focalPoint);
+  changed.ViewUp = ChooseViewUp(changed.Position, changed.FocalPoint, camera.ViewUp);
+  changed.ViewAngle = angle;
+  return changed;
+}
+
+//------------------------------------------------------------------------------
+std::string NumberFile(const std::string& option, const std::string& fileName, int number)
+{
+  std::smatch match;
+  if (!std::regex_match(fileName, match, std::regex("([^%]*)%(0([1-9]))?d([^%]*)")))
+  {
+    Fail(option, fileName, "a name with one %d or %04d for the number of the frame");
+  }
+  std::string digits = std::to_string(number);
+  const std::size_t width = match[3].matched ? std::stoul(match[3]) : 0;
+  digits.insert(0, digits.size() < width ? width - digits.size() : 0, '0');
+  return match[1].str() + digits + match[4].str();
+}
+
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the programs render: a picture size, a camera, a medium, lamps and surfaces. Lengths are in
+ * world units (metres in the reference scenes), radiance in W/(m^2 sr).
+ *
+ * A scene comes from a scene file (ReadScene) or from a model with default lamp, camera and medium
+ * (MakeModelScene); BuildScene turns it into a window.
+ */
+
+#ifndef Scene_h
+#define Scene_h
+
+#include "Vector3.h"
+
+#include <vtkActor.h>
+#include <vtkParticipatingMedium.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+namespace airlight
+{
+
+struct CameraSettings
+{
+  Vector3 Position = { 0.0, 0.0, 1.0 };
+  Vector3 FocalPoint = { 0.0, 0.0, 0.0 };
+  Vector3 ViewUp = { 0.0, 1.0, 0.0 };
+  double ViewAngle = 30.0; ///< vertical, degrees
+};
+
+struct LightSource
+{
+  enum class Kind
+  {
+    Point,
+    Spot,
+    Directional
+  };
+
+  Kind Type = Kind::Point;
+  Vector3 Position = { 0.0, 0.0, 0.0 };   ///< point and spot
+  Vector3 Direction = { 0.0, -1.0, 0.0 }; ///< of the light's travel; spot and directional
+  Vector3 Power = { 1.0, 1.0, 1.0 };      ///< radiant intensity W/sr; directional: irradiance W/m^2
+  double ConeHalfAngle = 30.0;            ///< spot, degrees
+  double Exponent = 0.0;                  ///< spot: intensity times cos(angle to the axis)^exponent
+};
+
+struct Surface
+{
+  std::string Name; ///< the file that it came from
+  vtkSmartPointer<vtkActor> Actor;
+};
+
+struct Scene
+{
+  std::string FileName;
+  int Width = 800;
+  int Height = 600;
+  CameraSettings Camera;
+  vtkSmartPointer<vtkParticipatingMedium> Medium;
+  std::vector<LightSource> Lights;
+  std::vector<Surface> Surfaces;
+
+  /**
+   * Box around all surfaces: xmin, xmax, ymin, ymax, zmin, zmax. False if there is no surface.
+   */
+  bool GetBounds(double bounds[6]) const;
+};
+
+}
+
+#endif

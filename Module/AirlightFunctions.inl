@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The shader texts in the order in which they need one another; AirlightMath.h includes this once
+// for each precision, so the macros that depend on precision are undone first.
+
+#undef AIRLIGHT_GAUSS_COUNT
+#undef AIRLIGHT_POLE_COUNT
+#undef AIRLIGHT_SHORT_FRACTION
+#undef AIRLIGHT_REGION_UNBOUNDED
+#undef AIRLIGHT_REGION_BOX
+#undef AIRLIGHT_FAR
+#undef AIRLIGHT_POINT_CLOSED
+#undef AIRLIGHT_POINT_QUADRATURE
+#undef AIRLIGHT_DIRECTIONAL
+
+#include "AirlightExponentialIntegral.glsl"
+#include "AirlightGauss.glsl"
+#include "AirlightPhase.glsl"
+#include "AirlightPointLight.glsl"
+#include "AirlightRegion.glsl"
+#include "AirlightMedium.glsl"
+#include "AirlightScattering.glsl"

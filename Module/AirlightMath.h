@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The mathematics of the folder glsl as C++, through GLM: namespace airlight::f64 in double precision
+ * for the CPU classes, airlight::f32 in the shaders' single precision for the tests. The text of
+ * the functions is the shaders' own.
+ */
+
+#ifndef AirlightMath_h
+#define AirlightMath_h
+
+#include <glm/glm.hpp>
+
+// More poles than any fit uses.
+#define AIRLIGHT_MAX_POLES 8
+
+#define AIRLIGHT_FN inline
+#define AIRLIGHT_OUT(T) T&
+#define AIRLIGHT_IN(T) const T&
+
+namespace airlight
+{
+namespace f64
+{
+using real = double;
+using real2 = glm::dvec2;
+using real3 = glm::dvec3;
+using namespace glm;
+#define AIRLIGHT_DOUBLE
+#include "AirlightFunctions.inl"
+#undef AIRLIGHT_DOUBLE
+}
+
+namespace f32
+{
+using real = float;
+using real2 = glm::vec2;
+using real3 = glm::vec3;
+using namespace glm;
+#include "AirlightFunctions.inl"
+}
+}
+
+#undef AIRLIGHT_FN
+#undef AIRLIGHT_OUT
+#undef AIRLIGHT_IN
+
+#endif

@@ -1,0 +1,97 @@
+// Single scattering of a point light of inverse-square fall-off along a ray, in closed form.
+//
+// The ray starts where it enters the medium; t is the distance from there. The light's foot on the
+// ray is at tL, its distance from the ray is h, and r(t) = sqrt(h^2 + (t - tL)^2). With
+// s(t) = ((t - tL) + r)/h = tan(theta/2) the integral of p/r^2 exp(-sigmaT (t + r)) becomes
+// (2/h) e^(-sigmaT tL) times the integral of e^(-u s) w(s) ds, u = sigmaT h, and each pole of w
+// gives one value of g. Per unit sigmaS I:
+//
+//   tail(t) = integral_t^inf = 2 sigmaT exp(-sigmaT (t + r)) sum_k c_k g(u s, b_k u)
+
+// Below this fraction of the tail an interval counts as short: there the difference of two tails
+// loses too many digits, and the quadrature of few nodes that replaces it is exact enough.
+#ifdef AIRLIGHT_DOUBLE
+#define AIRLIGHT_SHORT_FRACTION 1e-5
+#else
+#define AIRLIGHT_SHORT_FRACTION 0.15
+#endif
+
+struct AirlightFoot
+{
+  real tL; // distance along the ray to the light's foot
+  real h;  // distance of the light from the ray, above 0
+};
+
+AIRLIGHT_FN real airlightTail(
+  AIRLIGHT_IN(AirlightPhase) phase, real sigmaT, AIRLIGHT_IN(AirlightFoot) foot, real t)
+{
+  real x = t - foot.tL;
+  real r = sqrt(foot.h * foot.h + x * x);
+  // h s(t); before the foot the sum cancels, its conjugate does not.
+  real hs = x >= real(0.0) ? x + r : foot.h * foot.h / (r - x);
+  return real(2.0) * sigmaT * exp(-sigmaT * (t + r)) *
+    airlightPhaseG(phase, sigmaT * hs, sigmaT * foot.h);
+}
+
+// One sample of the quadrature below: the light turned by `angle` from the sample at x0 = t0 - tL.
+AIRLIGHT_FN real airlightTurnedSample(AIRLIGHT_IN(AirlightPhase) phase, real sigmaT,
+  AIRLIGHT_IN(AirlightFoot) foot, real x0, real r0, real angle)
+{
+  real c = cos(angle);
+  real s = sin(angle);
+  real cosPhi = max((foot.h * c - x0 * s) / r0, real(1e-30));
+  real sinPhi = (x0 * c + foot.h * s) / r0;
+  real r = foot.h / cosPhi;
+  return airlightPhase(phase, -sinPhi) * exp(-sigmaT * (foot.tL + r * sinPhi + r));
+}
+
+// The integral over [t0, t1] by Gauss-Legendre quadrature in the angle seen from the light, where
+// the inverse square is a constant. For short intervals, in which the difference of two tails
+// would cancel.
+AIRLIGHT_FN real airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real sigmaT,
+  AIRLIGHT_IN(AirlightFoot) foot, real t0, real t1)
+{
+  real x0 = t0 - foot.tL;
+  real x1 = t1 - foot.tL;
+  real r0 = sqrt(foot.h * foot.h + x0 * x0);
+  // From cross and dot product of the two directions: a difference of two angles would cancel.
+  real turn = airlightAngle(foot.h * (t1 - t0), foot.h * foot.h + x0 * x1);
+  real sum = real(0.0);
+  for (int k = 0; k < AIRLIGHT_GAUSS_COUNT / 2; k++)
+  {
+    real2 node = airlightGaussNode(k);
+    real low = real(0.5) - real(0.5) * node.x;
+    real high = real(0.5) + real(0.5) * node.x;
+    sum += node.y *
+      (airlightTurnedSample(phase, sigmaT, foot, x0, r0, turn * low) +
+        airlightTurnedSample(phase, sigmaT, foot, x0, r0, turn * high));
+  }
+  return real(0.5) * sum * turn / foot.h;
+}
+
+// The integral over [t0, t1] per unit sigmaS I, given the tails at its ends.
+AIRLIGHT_FN real airlightSegmentFromTails(AIRLIGHT_IN(AirlightPhase) phase, real sigmaT,
+  AIRLIGHT_IN(AirlightFoot) foot, real t0, real tail0, real t1, real tail1)
+{
+  // A wide angle seen from the light with little in it: the phase function's peak lies beyond it
+  // (strong backward scattering). The quadrature has too few nodes for that, the difference has
+  // digits enough.
+  real x0 = t0 - foot.tL;
+  real x1 = t1 - foot.tL;
+  bool wide = foot.h * (t1 - t0) > real(0.5) * (foot.h * foot.h + x0 * x1);
+  real fraction = wide ? real(AIRLIGHT_SHORT_FRACTION * 0.05) : real(AIRLIGHT_SHORT_FRACTION);
+  real difference = tail0 - tail1;
+  if (difference > fraction * tail0)
+  {
+    return difference;
+  }
+  return airlightShortSegment(phase, sigmaT, foot, t0, t1);
+}
+
+// The integral over [t0, t1] per unit sigmaS I. t0 >= 0.
+AIRLIGHT_FN real airlightSegment(AIRLIGHT_IN(AirlightPhase) phase, real sigmaT,
+  AIRLIGHT_IN(AirlightFoot) foot, real t0, real t1)
+{
+  return airlightSegmentFromTails(phase, sigmaT, foot, t0,
+    airlightTail(phase, sigmaT, foot, t0), t1, airlightTail(phase, sigmaT, foot, t1));
+}

@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkParticipatingMedium.h"
+
+#include "AirlightPhaseFit.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+// Koschmieder's constant -ln(0.02): contrast 2 % at the meteorological range.
+constexpr double KoschmiederConstant = 3.912;
+// Kept in step with AIRLIGHT_MAX_POLES of the shaders.
+constexpr int MaximumPoles = 8;
+
+double Mean(const double v[3])
+{
+  return (v[0] + v[1] + v[2]) / 3.0;
+}
+}
+
+vtkStandardNewMacro(vtkParticipatingMedium);
+
+//------------------------------------------------------------------------------
+vtkParticipatingMedium::vtkParticipatingMedium() = default;
+vtkParticipatingMedium::~vtkParticipatingMedium() = default;
+
+//------------------------------------------------------------------------------
+bool vtkParticipatingMedium::SetCoefficients(
+  const char* name, double target[3], double r, double g, double b)
+{
+  const double values[3] = { r, g, b };
+  for (double value : values)
+  {
+    if (!std::isfinite(value) || value < 0.0)
+    {
+      vtkErrorMacro(<< name << " (" << r << ", " << g << ", " << b
+                    << ") must be finite and at least 0 in each channel; the old values stay.");
+      return false;
+    }
+  }
+  if (!std::equal(values, values + 3, target))
+  {
+    std::copy(values, values + 3, target);
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetScattering(double r, double g, double b)
+{
+  this->SetCoefficients("Scattering", this->Scattering, r, g, b);
+}
+
+void vtkParticipatingMedium::SetScattering(const double rgb[3])
+{
+  this->SetScattering(rgb[0], rgb[1], rgb[2]);
+}
+
+void vtkParticipatingMedium::SetAbsorption(double r, double g, double b)
+{
+  this->SetCoefficients("Absorption", this->Absorption, r, g, b);
+}
+
+void vtkParticipatingMedium::SetAbsorption(const double rgb[3])
+{
+  this->SetAbsorption(rgb[0], rgb[1], rgb[2]);
+}
+
+void vtkParticipatingMedium::SetAmbientRadiance(double r, double g, double b)
+{
+  this->SetCoefficients("AmbientRadiance", this->AmbientRadiance, r, g, b);
+}
+
+void vtkParticipatingMedium::SetAmbientRadiance(const double rgb[3])
+{
+  this->SetAmbientRadiance(rgb[0], rgb[1], rgb[2]);
+}
+
+//------------------------------------------------------------------------------
+double* vtkParticipatingMedium::GetExtinction()
+{
+  this->GetExtinction(this->Extinction);
+  return this->Extinction;
+}
+
+void vtkParticipatingMedium::GetExtinction(double rgb[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    rgb[i] = this->Scattering[i] + this->Absorption[i];
+  }
+}
+
+double* vtkParticipatingMedium::GetAlbedo()
+{
+  this->GetAlbedo(this->Albedo);
+  return this->Albedo;
+}
+
+void vtkParticipatingMedium::GetAlbedo(double rgb[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const double extinction = this->Scattering[i] + this->Absorption[i];
+    rgb[i] = extinction > 0.0 ? this->Scattering[i] / extinction : 1.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::ScaleExtinction(double meanExtinction)
+{
+  const double mean = Mean(this->GetExtinction());
+  if (mean > 0.0)
+  {
+    const double factor = meanExtinction / mean;
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Scattering[i] *= factor;
+      this->Absorption[i] *= factor;
+    }
+  }
+  else
+  {
+    std::fill_n(this->Scattering, 3, meanExtinction);
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetVisibility(double distance)
+{
+  if (!std::isfinite(distance) || distance <= 0.0)
+  {
+    vtkErrorMacro(<< "Visibility " << distance
+                  << " must be finite and above 0; the coefficients stay.");
+    return;
+  }
+  this->ScaleExtinction(KoschmiederConstant / distance);
+}
+
+double vtkParticipatingMedium::GetVisibility()
+{
+  return KoschmiederConstant * this->GetMeanFreePath();
+}
+
+void vtkParticipatingMedium::SetMeanFreePath(double distance)
+{
+  if (!std::isfinite(distance) || distance <= 0.0)
+  {
+    vtkErrorMacro(<< "MeanFreePath " << distance
+                  << " must be finite and above 0; the coefficients stay.");
+    return;
+  }
+  this->ScaleExtinction(1.0 / distance);
+}
+
+double vtkParticipatingMedium::GetMeanFreePath()
+{
+  const double mean = Mean(this->GetExtinction());
+  return mean > 0.0 ? 1.0 / mean : std::numeric_limits<double>::infinity();
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetPhaseFunction(int type)
+{
+  if (type != ISOTROPIC && type != HENYEY_GREENSTEIN)
+  {
+    vtkErrorMacro(<< "PhaseFunction " << type
+                  << " is not a phase function: use ISOTROPIC or HENYEY_GREENSTEIN.");
+    return;
+  }
+  if (this->PhaseFunction != type)
+  {
+    this->PhaseFunction = type;
+    this->PhaseFitCurrent = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetAnisotropy(double g)
+{
+  if (!(g >= -0.99 && g <= 0.99))
+  {
+    vtkErrorMacro(<< "Anisotropy " << g << " must lie in [-0.99, 0.99]; it stays "
+                  << this->Anisotropy << ".");
+    return;
+  }
+  if (this->Anisotropy != g)
+  {
+    this->Anisotropy = g;
+    this->PhaseFitCurrent = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetPhaseTolerance(double tolerance)
+{
+  if (!(tolerance >= 1e-6 && tolerance <= 0.1))
+  {
+    vtkErrorMacro(<< "PhaseTolerance " << tolerance << " must lie in [1e-6, 0.1]; it stays "
+                  << this->PhaseTolerance << ".");
+    return;
+  }
+  if (this->PhaseTolerance != tolerance)
+  {
+    this->PhaseTolerance = tolerance;
+    this->PhaseFitCurrent = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::UpdatePhaseFit()
+{
+  if (this->PhaseFitCurrent)
+  {
+    return;
+  }
+  const double g = this->PhaseFunction == HENYEY_GREENSTEIN ? this->Anisotropy : 0.0;
+  const airlight::PhaseFit fit =
+    airlight::FitHenyeyGreenstein(g, this->PhaseTolerance, MaximumPoles);
+  this->PhaseErrorBound = fit.ErrorBound;
+  this->PhasePoles.clear();
+  for (const airlight::PhasePole& pole : fit.Poles)
+  {
+    this->PhasePoles.push_back(pole.b);
+    this->PhasePoles.push_back(pole.c);
+  }
+  this->PhaseFitCurrent = true;
+}
+
+//------------------------------------------------------------------------------
+double vtkParticipatingMedium::GetPhaseErrorBound()
+{
+  this->UpdatePhaseFit();
+  return this->PhaseErrorBound;
+}
+
+int vtkParticipatingMedium::GetNumberOfPhasePoles()
+{
+  this->UpdatePhaseFit();
+  return static_cast<int>(this->PhasePoles.size() / 2);
+}
+
+void vtkParticipatingMedium::GetPhasePole(int index, double& b, double& c)
+{
+  if (index < 0 || index >= this->GetNumberOfPhasePoles())
+  {
+    vtkErrorMacro(<< "Phase pole " << index << " does not exist: there are "
+                  << this->GetNumberOfPhasePoles() << ".");
+    b = 1.0;
+    c = 0.0;
+    return;
+  }
+  b = this->PhasePoles[2 * index];
+  c = this->PhasePoles[2 * index + 1];
+}
+
+//------------------------------------------------------------------------------
+double vtkParticipatingMedium::EvaluatePhaseFunction(double cosTheta)
+{
+  if (std::isnan(cosTheta))
+  {
+    vtkErrorMacro("The cosine of the scattering angle is not a number.");
+    return 0.0;
+  }
+  const double g = this->PhaseFunction == HENYEY_GREENSTEIN ? this->Anisotropy : 0.0;
+  const double mu = std::clamp(cosTheta, -1.0, 1.0);
+  const double s = mu > -1.0 ? std::sqrt((1.0 - mu) / (1.0 + mu)) : 1e150;
+  return airlight::HenyeyGreenstein(g, s);
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetRegion(int type)
+{
+  if (type != UNBOUNDED && type != BOX)
+  {
+    vtkErrorMacro(<< "Region " << type << " is not a region: use UNBOUNDED or BOX.");
+    return;
+  }
+  if (this->Region != type)
+  {
+    this->Region = type;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetBounds(
+  double xmin, double xmax, double ymin, double ymax, double zmin, double zmax)
+{
+  const double bounds[6] = { xmin, xmax, ymin, ymax, zmin, zmax };
+  for (int i = 0; i < 6; i += 2)
+  {
+    if (!std::isfinite(bounds[i]) || !std::isfinite(bounds[i + 1]) || bounds[i] > bounds[i + 1])
+    {
+      vtkErrorMacro(<< "Bounds (" << xmin << ", " << xmax << ", " << ymin << ", " << ymax << ", "
+                    << zmin << ", " << zmax
+                    << ") must be finite, each minimum at most its maximum; the old ones stay.");
+      return;
+    }
+  }
+  if (!std::equal(bounds, bounds + 6, this->Bounds))
+  {
+    std::copy(bounds, bounds + 6, this->Bounds);
+    this->Modified();
+  }
+}
+
+void vtkParticipatingMedium::SetBounds(const double bounds[6])
+{
+  this->SetBounds(bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print3 = [&](const char* name, const double v[3])
+  { os << indent << name << ": (" << v[0] << ", " << v[1] << ", " << v[2] << ")\n"; };
+  print3("Scattering", this->Scattering);
+  print3("Absorption", this->Absorption);
+  print3("AmbientRadiance", this->AmbientRadiance);
+  os << indent << "PhaseFunction: "
+     << (this->PhaseFunction == ISOTROPIC ? "Isotropic" : "HenyeyGreenstein") << "\n";
+  os << indent << "Anisotropy: " << this->Anisotropy << "\n";
+  os << indent << "PhaseTolerance: " << this->PhaseTolerance << "\n";
+  os << indent << "PhaseErrorBound: ";
+  if (this->PhaseFitCurrent)
+  {
+    os << this->PhaseErrorBound << " (" << this->PhasePoles.size() / 2 << " poles)\n";
+  }
+  else
+  {
+    os << "(not fitted yet)\n";
+  }
+  os << indent << "Region: " << (this->Region == UNBOUNDED ? "Unbounded" : "Box") << "\n";
+  os << indent << "Bounds: (" << this->Bounds[0];
+  for (int i = 1; i < 6; ++i)
+  {
+    os << ", " << this->Bounds[i];
+  }
+  os << ")\n";
+}

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkParticipatingMedium
+ * @brief   fog, smoke, dust or water: how a volume of air or liquid scatters and absorbs light
+ *
+ * A medium is described by its scattering and absorption coefficients (per colour channel, in
+ * 1/world unit), its phase function (where scattered light goes) and its region (where it is).
+ * Add it to a vtkAirlightPass to see it, or hand it to vtkAirlight to compute with it.
+ *
+ * Three ways to say how dense a medium is:
+ *  - the coefficients themselves, SetScattering() and SetAbsorption();
+ *  - SetMeanFreePath(): the mean distance between two events, 1/extinction;
+ *  - SetVisibility(): the meteorological range, the distance at which a black object's contrast
+ *    against the horizon has fallen to 2 %: visibility = 3.912/extinction (Koschmieder 1924).
+ *
+ * The default is a clear medium: all coefficients zero, isotropic, unbounded. It changes nothing.
+ *
+ * Bad values (negative, infinite or not a number) are refused with an error and the old value
+ * stays.
+ *
+ * @sa vtkAirlightPass vtkAirlight
+ */
+
+#ifndef vtkParticipatingMedium_h
+#define vtkParticipatingMedium_h
+
+#include "vtkAirlightModule.h" // for export macro
+#include "vtkObject.h"
+
+#include <vector> // for the fitted poles
+
+class VTKAIRLIGHT_EXPORT vtkParticipatingMedium : public vtkObject
+{
+public:
+  static vtkParticipatingMedium* New();
+  vtkTypeMacro(vtkParticipatingMedium, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Scattering coefficient sigma_s per RGB channel, in 1/world unit: the fraction of light
+   * scattered per unit length. Range: finite, at least 0. Default: (0, 0, 0).
+   */
+  void SetScattering(double r, double g, double b);
+  void SetScattering(const double rgb[3]);
+  vtkGetVector3Macro(Scattering, double);
+  ///@}
+
+  ///@{
+  /**
+   * Absorption coefficient sigma_a per RGB channel, in 1/world unit: the fraction of light turned
+   * into heat per unit length. Range: finite, at least 0. Default: (0, 0, 0).
+   */
+  void SetAbsorption(double r, double g, double b);
+  void SetAbsorption(const double rgb[3]);
+  vtkGetVector3Macro(Absorption, double);
+  ///@}
+
+  ///@{
+  /**
+   * Extinction coefficient sigma_t = sigma_s + sigma_a per RGB channel, in 1/world unit.
+   */
+  double* GetExtinction() VTK_SIZEHINT(3);
+  void GetExtinction(double rgb[3]);
+  ///@}
+
+  ///@{
+  /**
+   * Single-scattering albedo sigma_s/sigma_t per RGB channel, in [0, 1]. A channel without
+   * extinction reports 1: what little there might be would only scatter.
+   */
+  double* GetAlbedo() VTK_SIZEHINT(3);
+  void GetAlbedo(double rgb[3]);
+  ///@}
+
+  /**
+   * Scale all coefficients so that the mean extinction of the three channels is 3.912/distance
+   * (meteorological range, 2 % contrast). Albedo and colour stay; a clear medium becomes purely
+   * scattering and grey. Unit: world. Range: finite, above 0.
+   */
+  void SetVisibility(double distance);
+
+  /**
+   * The meteorological range 3.912/sigma_t of the mean extinction; infinite for a clear medium.
+   */
+  double GetVisibility();
+
+  /**
+   * Scale all coefficients so that the mean extinction of the three channels is 1/distance.
+   * Albedo and colour stay; a clear medium becomes purely scattering and grey. Unit: world.
+   * Range: finite, above 0.
+   */
+  void SetMeanFreePath(double distance);
+
+  /**
+   * The mean free path 1/sigma_t of the mean extinction; infinite for a clear medium.
+   */
+  double GetMeanFreePath();
+
+  /**
+   * Phase functions: the distribution of scattered light over angle, normalised to 1 over the
+   * sphere.
+   */
+  enum PhaseFunctionType
+  {
+    ISOTROPIC = 0,        ///< 1/(4 pi): the same in all directions; exact
+    HENYEY_GREENSTEIN = 1 ///< Henyey and Greenstein 1941, one parameter, see SetAnisotropy()
+  };
+
+  ///@{
+  /**
+   * The phase function. Default: ISOTROPIC.
+   */
+  void SetPhaseFunction(int type);
+  vtkGetMacro(PhaseFunction, int);
+  void SetPhaseFunctionToIsotropic() { this->SetPhaseFunction(ISOTROPIC); }
+  void SetPhaseFunctionToHenyeyGreenstein() { this->SetPhaseFunction(HENYEY_GREENSTEIN); }
+  ///@}
+
+  ///@{
+  /**
+   * Anisotropy g of the Henyey-Greenstein function, the mean cosine of the scattering angle:
+   * above 0 forward, below 0 backward. Range: [-0.99, 0.99]. Default: 0.
+   */
+  void SetAnisotropy(double g);
+  vtkGetMacro(Anisotropy, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest relative error allowed to the fit of the phase function by poles. The error of an
+   * integral of airlight is never above it, because the integrand is positive. Smaller values use
+   * more poles and cost more time. Range: [1e-6, 0.1]. Default: 1e-3.
+   */
+  void SetPhaseTolerance(double tolerance);
+  vtkGetMacro(PhaseTolerance, double);
+  ///@}
+
+  /**
+   * The relative error that the fit reached: 0 for functions that need no fit. It can exceed the
+   * tolerance asked for only at extreme anisotropy, where GetNumberOfPhasePoles() is at its limit.
+   */
+  double GetPhaseErrorBound();
+
+  /**
+   * The phase function p(cosTheta) itself, not its fit, in 1/sr. cosTheta = 1 is forward.
+   */
+  double EvaluatePhaseFunction(double cosTheta);
+
+  ///@{
+  /**
+   * The fit: p(cosTheta) = sum_k 2 c_k/((1 - cosTheta) + b_k^2 (1 + cosTheta)). See physics in the
+   * documentation. Index range: 0 to GetNumberOfPhasePoles() - 1.
+   */
+  int GetNumberOfPhasePoles();
+  void GetPhasePole(int index, double& b, double& c);
+  ///@}
+
+  ///@{
+  /**
+   * Ambient radiance per RGB channel, W/(m^2 sr): light that arrives evenly from everywhere and
+   * stands for multiple scattering. The medium adds albedo * L * (1 - transmittance) to each ray.
+   * Range: finite, at least 0. Default: (0, 0, 0).
+   */
+  void SetAmbientRadiance(double r, double g, double b);
+  void SetAmbientRadiance(const double rgb[3]);
+  vtkGetVector3Macro(AmbientRadiance, double);
+  ///@}
+
+  /**
+   * Where the medium is.
+   */
+  enum RegionType
+  {
+    UNBOUNDED = 0, ///< everywhere
+    BOX = 1        ///< inside an axis-aligned box, see SetBounds()
+  };
+
+  ///@{
+  /**
+   * The region filled by the medium. Outside it is vacuum. Default: UNBOUNDED.
+   */
+  void SetRegion(int type);
+  vtkGetMacro(Region, int);
+  void SetRegionToUnbounded() { this->SetRegion(UNBOUNDED); }
+  void SetRegionToBox() { this->SetRegion(BOX); }
+  ///@}
+
+  ///@{
+  /**
+   * The box of SetRegionToBox(): xmin, xmax, ymin, ymax, zmin, zmax in world units, each minimum
+   * at most its maximum. Default: (-1, 1, -1, 1, -1, 1).
+   */
+  void SetBounds(
+    double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
+  void SetBounds(const double bounds[6]);
+  vtkGetVector6Macro(Bounds, double);
+  ///@}
+
+protected:
+  vtkParticipatingMedium();
+  ~vtkParticipatingMedium() override;
+
+private:
+  vtkParticipatingMedium(const vtkParticipatingMedium&) = delete;
+  void operator=(const vtkParticipatingMedium&) = delete;
+
+  bool SetCoefficients(const char* name, double target[3], double r, double g, double b);
+  void ScaleExtinction(double meanExtinction);
+  void UpdatePhaseFit();
+
+  double Scattering[3] = { 0.0, 0.0, 0.0 };
+  double Absorption[3] = { 0.0, 0.0, 0.0 };
+  double Extinction[3] = { 0.0, 0.0, 0.0 }; // returned by GetExtinction()
+  double Albedo[3] = { 1.0, 1.0, 1.0 };     // returned by GetAlbedo()
+  double AmbientRadiance[3] = { 0.0, 0.0, 0.0 };
+
+  int PhaseFunction = ISOTROPIC;
+  double Anisotropy = 0.0;
+  double PhaseTolerance = 1e-3;
+
+  bool PhaseFitCurrent = false;
+  double PhaseErrorBound = 0.0;
+  std::vector<double> PhasePoles; // b_0, c_0, b_1, c_1, ...
+
+  int Region = UNBOUNDED;
+  double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+};
+
+#endif

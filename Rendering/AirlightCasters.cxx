@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightCasters.h"
+
+#include "vtkActor.h"
+#include "vtkAirlightPass.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkCellArray.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkCompositePolyDataMapper2.h"
+#include "vtkDataSet.h"
+#include "vtkGeometryFilter.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace airlight
+{
+namespace
+{
+bool MayCast(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return prop->GetVisibility() &&
+    !(keys && keys->Has(vtkAirlightPass::CASTS_SHADOW()) &&
+      keys->Get(vtkAirlightPass::CASTS_SHADOW()) == 0);
+}
+
+// Mappers that draw their input's polygons as they are. The others (glyphs, splats, imposters)
+// draw something else in their place.
+bool DrawsItsPolygons(vtkMapper* mapper)
+{
+  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper")) &&
+    !mapper->IsA("vtkPointGaussianMapper") && !mapper->IsA("vtkOpenGLSphereMapper") &&
+    !mapper->IsA("vtkOpenGLStickMapper");
+}
+
+// The visible polygonal blocks of a composite data set.
+std::vector<vtkPolyData*> GetBlocks(vtkCompositeDataSet* composite, vtkMapper* mapper)
+{
+  std::vector<vtkPolyData*> result;
+  auto* mapper2 = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
+  vtkCompositeDataDisplayAttributes* attributes =
+    mapper2 ? mapper2->GetCompositeDataDisplayAttributes() : nullptr;
+  auto it = vtk::TakeSmartPointer(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    auto* block = vtkPolyData::SafeDownCast(it->GetCurrentDataObject());
+    const bool hidden = block && attributes && attributes->HasBlockVisibility(block) &&
+      !attributes->GetBlockVisibility(block);
+    if (block && !hidden)
+    {
+      result.push_back(block);
+    }
+  }
+  return result;
+}
+
+vtkMTimeType GetGeometryTime(vtkPolyData* data)
+{
+  return std::max({ data->GetPoints() ? data->GetPoints()->GetMTime() : 0,
+    data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime() });
+}
+
+template <typename Map>
+void EraseUnused(Map& map)
+{
+  for (auto entry = map.begin(); entry != map.end();)
+  {
+    entry = entry->second.Used ? std::next(entry) : map.erase(entry);
+  }
+}
+
+bool ToGlm(vtkMatrix4x4* matrix, glm::dmat4& result)
+{
+  result = glm::dmat4(1.0);
+  for (int row = 0; matrix && row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      result[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  // A flattened or undefined object has no shadow volume.
+  const double determinant = glm::determinant(result);
+  return std::isfinite(determinant) && determinant != 0.0;
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer)
+{
+  this->Casters.clear();
+  for (auto& entry : this->Meshes)
+  {
+    entry.second.Used = false;
+  }
+  for (auto& surface : this->Surfaces)
+  {
+    surface.second.Used = false;
+  }
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    this->AddProp(prop);
+  }
+  EraseUnused(this->Meshes);
+  EraseUnused(this->Surfaces);
+  return this->Casters;
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::Clear()
+{
+  this->Meshes.clear();
+  this->Surfaces.clear();
+  this->Casters.clear();
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddProp(vtkProp* prop)
+{
+  if (!MayCast(prop))
+  {
+    return;
+  }
+  if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    this->AddActor(actor, actor->GetMatrix());
+    return;
+  }
+  // Assemblies: their parts, each in its place.
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkAssemblyNode* node = path->GetLastNode();
+    auto* actor = node ? vtkActor::SafeDownCast(node->GetViewProp()) : nullptr;
+    if (actor && MayCast(actor))
+    {
+      this->AddActor(actor, node->GetMatrix());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddActor(vtkActor* actor, vtkMatrix4x4* matrix)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper || !DrawsItsPolygons(mapper) || mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  // Actors outside the view are not rendered, so nobody else updates them.
+  mapper->Update();
+  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE || !actor->HasOpaqueGeometry())
+  {
+    return;
+  }
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  if (auto* data = vtkPolyData::SafeDownCast(input))
+  {
+    this->AddData(data, matrix);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    for (vtkPolyData* block : GetBlocks(composite, mapper))
+    {
+      this->AddData(block, matrix);
+    }
+  }
+  else if (auto* grid = vtkDataSet::SafeDownCast(input))
+  {
+    this->AddData(this->GetSurface(grid), matrix);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* CasterCache::GetSurface(vtkDataSet* grid)
+{
+  Surface& surface = this->Surfaces[grid];
+  if (!surface.Filter)
+  {
+    surface.Filter = vtkSmartPointer<vtkGeometryFilter>::New();
+    surface.Filter->SetInputData(grid);
+  }
+  surface.Used = true;
+  surface.Filter->Update();
+  return surface.Filter->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix)
+{
+  Caster caster;
+  if (!ToGlm(matrix, caster.ToWorld))
+  {
+    return;
+  }
+  Entry& entry = this->Meshes[data];
+  const vtkMTimeType time = GetGeometryTime(data);
+  // Another data set may have got a deleted one's address.
+  if (entry.Data != data || entry.Time != time)
+  {
+    entry.Data = data;
+    entry.Time = time;
+    entry.Mesh = std::make_shared<CasterMesh>(data);
+  }
+  entry.Used = true;
+  if (!entry.Mesh->Triangles.empty())
+  {
+    caster.Mesh = entry.Mesh;
+    this->Casters.push_back(caster);
+  }
+}
+}

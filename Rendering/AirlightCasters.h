@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What casts shadows in a renderer, inside the view or not.
+ */
+
+#ifndef AirlightCasters_h
+#define AirlightCasters_h
+
+#include "AirlightCasterMesh.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/glm.hpp>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+class vtkActor;
+class vtkDataSet;
+class vtkGeometryFilter;
+class vtkMatrix4x4;
+class vtkPolyData;
+class vtkProp;
+class vtkRenderer;
+
+namespace airlight
+{
+// A mesh in its place.
+struct Caster
+{
+  std::shared_ptr<const CasterMesh> Mesh;
+  glm::dmat4 ToWorld;
+
+  bool operator==(const Caster& other) const
+  {
+    return this->Mesh == other.Mesh && this->ToWorld == other.ToWorld;
+  }
+};
+
+// Meshes are prepared once per change of their points or polygons and kept while anything in the
+// renderer shows them.
+class CasterCache
+{
+public:
+  // All visible opaque polygonal actors, parts of assemblies and blocks of composite data sets,
+  // but for those whose property keys say otherwise.
+  const std::vector<Caster>& Collect(vtkRenderer* renderer);
+
+  void Clear();
+
+private:
+  struct Entry
+  {
+    vtkWeakPointer<vtkPolyData> Data;
+    vtkMTimeType Time = 0;
+    std::shared_ptr<const CasterMesh> Mesh;
+    bool Used = false;
+  };
+
+  // The surface of a grid, extracted as vtkDataSetMapper does.
+  struct Surface
+  {
+    vtkSmartPointer<vtkGeometryFilter> Filter;
+    bool Used = false;
+  };
+
+  void AddProp(vtkProp* prop);
+  void AddActor(vtkActor* actor, vtkMatrix4x4* matrix);
+  void AddData(vtkPolyData* data, vtkMatrix4x4* matrix);
+
+  vtkPolyData* GetSurface(vtkDataSet* grid);
+
+  std::map<vtkPolyData*, Entry> Meshes;
+  std::map<vtkDataSet*, Surface> Surfaces;
+  std::vector<Caster> Casters;
+};
+}
+
+#endif

@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightFrame.h"
+
+#include "AirlightCompositeFS.h"
+#include "AirlightNoBoundaries.h"
+#include "AirlightOpenGL.h"
+#include "AirlightResolveFS.h"
+#include "AirlightViewShader.h"
+
+#include "vtkImageData.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <cmath>
+
+namespace airlight
+{
+//------------------------------------------------------------------------------
+bool Frame::Fail(const std::string& reason)
+{
+  this->Error = reason;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedium& medium,
+  const std::vector<Lamp>& lamps, const View& view, const FrameSettings& settings, int width,
+  int height)
+{
+  this->Renderer = renderer;
+  this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->Medium = medium;
+  this->Lamps = lamps;
+  this->Rays = view;
+  this->Settings = settings;
+  this->Width = width;
+  this->Height = height;
+  if (!this->Textures.Prepare(this->Window, width, height, settings.Record))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  if (settings.Shadows &&
+    !this->Lists.Prepare(this->Window, width, height, settings.MemoryLimit))
+  {
+    return this->Fail(this->Lists.GetError());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Frame::ClearTarget(float value)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglClearColor(value, value, value, value);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+}
+
+//------------------------------------------------------------------------------
+bool Frame::BindDistances()
+{
+  if (!this->Textures.Bind({ this->Textures.Distances }, this->Textures.Depth))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->ClearTarget(-1.0f);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDisable(GL_BLEND);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::BindScene()
+{
+  if (!this->Textures.Bind({ this->Textures.Scene }, this->Textures.Depth))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  // What a layer above others does not draw stays transparent.
+  this->ClearTarget(0.0f);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::ScatterLights()
+{
+  if (!this->Textures.Bind(
+        { this->Textures.Scattered, this->Textures.Lit, this->Textures.Counts }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->ClearTarget(0.0f);
+  const std::vector<Caster>* casters =
+    this->Settings.Shadows ? &this->Casters.Collect(this->Renderer) : nullptr;
+  this->Volumes.resize(this->Lamps.size());
+  for (size_t k = 0; k < this->Lamps.size(); ++k)
+  {
+    const Lamp& lamp = this->Lamps[k];
+    if (lamp.Scatters() && lamp.CastsShadows && casters &&
+      this->Volumes[k].Update(*casters, lamp.World, this->Rays->GetStart()))
+    {
+      this->Lists.SetEdges(static_cast<int>(k), this->Volumes[k].GetEdges());
+    }
+    if (lamp.Scatters() && !this->ScatterLight(static_cast<int>(k)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::ScatterLight(int index)
+{
+  const ShadowVolumes& volumes = this->Volumes[index];
+  const bool shadows = this->Settings.Shadows && this->Lamps[index].CastsShadows;
+  if (!shadows || volumes.GetEdges().empty())
+  {
+    return this->Resolve(index, nullptr, 0, this->Height);
+  }
+  for (int row = 0; row < this->Height;)
+  {
+    if (!this->Textures.Bind({}, this->Textures.Depth))
+    {
+      return this->Fail(this->Textures.GetError());
+    }
+    const int rows = this->Lists.Fill(index, volumes, this->Lamps[index].World, *this->Rays,
+      this->Textures.Distances, row, this->Height - row);
+    if (rows == 0)
+    {
+      return this->Fail(this->Lists.GetError());
+    }
+    if (!this->Resolve(index, &volumes, row, rows))
+    {
+      return false;
+    }
+    row += rows;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Resolve(int index, const ShadowVolumes* volumes, int row, int rows)
+{
+  const std::string common =
+    GetScatteringSource(this->Medium.phase.poleCount) + AirlightViewShader;
+  Quad& quad = volumes ? this->ResolveWithShadows : this->ResolveWithout;
+  vtkShaderProgram* program = quad.Ready(this->Window,
+    volumes ? "#version 430\n" + common + ShadowLists::GetBoundariesSource() + AirlightResolveFS
+            : "#version 330\n" + common + AirlightNoBoundaries + AirlightResolveFS);
+  if (!program)
+  {
+    return this->Fail("the airlight shader did not compile: " + quad.GetError());
+  }
+  if (!this->Textures.Bind(
+        { this->Textures.Scattered, this->Textures.Lit, this->Textures.Counts }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Rays->SetUniforms(program, 0, 0);
+  SetMediumUniforms(program, this->Medium);
+  SetLightUniforms(program, this->Lamps[index].Values);
+  program->SetUniformi("startCount", volumes ? volumes->GetStartCount() : 0);
+  glm::vec4 bit(0.0f);
+  if (index < MaximumShadowingLights)
+  {
+    bit[index / BitsPerChannel] = std::ldexp(1.0f, index % BitsPerChannel);
+  }
+  program->SetUniform4f("litBit", &bit.x);
+  if (volumes)
+  {
+    this->Lists.Use(program);
+  }
+
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(0, row, this->Width, rows);
+  quad.Draw({ { "distances", this->Textures.Distances } });
+  state->vtkglScissor(0, 0, this->Width, this->Height);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::ReadyComposite(bool record, int x, int y)
+{
+  const std::string source = std::string("#version 330\n") +
+    (record ? "#define AIRLIGHT_RECORD\n" : "") +
+    GetScatteringSource(this->Medium.phase.poleCount) + AirlightViewShader + AirlightCompositeFS;
+  Quad& quad = record ? this->RecordQuad : this->CompositeQuad;
+  vtkShaderProgram* program = quad.Ready(this->Window, source);
+  if (!program)
+  {
+    return this->Fail("the composite shader did not compile: " + quad.GetError());
+  }
+  SetMediumUniforms(program, this->Medium);
+  this->Rays->SetUniforms(program, x, y);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Frame::DrawComposite(Quad& quad)
+{
+  quad.Draw({ { "distances", this->Textures.Distances }, { "scene", this->Textures.Scene },
+    { "sceneDepth", this->Textures.Depth }, { "scattered", this->Textures.Scattered } });
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Composite(int x, int y, bool blend)
+{
+  // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
+  if (!this->ReadyComposite(false, x, y))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglViewport(x, y, this->Width, this->Height);
+  state->vtkglScissor(x, y, this->Width, this->Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglDepthMask(GL_TRUE);
+  if (blend)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  else
+  {
+    state->vtkglDisable(GL_BLEND);
+  }
+  this->DrawComposite(this->CompositeQuad);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Record()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  if (!this->ReadyComposite(true, 0, 0))
+  {
+    return false;
+  }
+  if (!this->Textures.Bind({ this->Textures.Radiance, this->Textures.Airlight,
+                             this->Textures.Surface, this->Textures.Transmittance },
+        nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->DrawComposite(this->RecordQuad);
+  this->Buffers["Radiance"] = this->Textures.Read(0, 0, 3);
+  this->Buffers["Airlight"] = this->Textures.Read(1, 0, 3);
+  this->Buffers["Surface"] = this->Textures.Read(2, 0, 3);
+  this->Buffers["Transmittance"] = this->Textures.Read(3, 0, 3);
+  if (!this->Textures.Bind(
+        { this->Textures.Scattered, this->Textures.Counts, this->Textures.Distances }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Buffers["LitLength"] = this->Textures.Read(0, 3, 1);
+  this->Buffers["BoundaryCount"] = this->Textures.Read(1, 0, 1);
+  this->Buffers["Depth"] = this->Textures.Read(2, 0, 1);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* Frame::GetBuffer(const std::string& name)
+{
+  const auto it = this->Buffers.find(name);
+  return it != this->Buffers.end() ? it->second.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
+{
+  SurfaceUniforms values;
+  values.Stage = stage;
+  values.Rays = &*this->Rays;
+  values.Medium = &this->Medium;
+  values.Lamps = &this->Lamps;
+  values.Lit = this->Textures.Lit;
+  values.UseLit = this->Settings.Shadows && this->Settings.SurfaceShadows;
+  return values;
+}
+
+//------------------------------------------------------------------------------
+void Frame::Release(vtkWindow* window)
+{
+  this->ResolveWithShadows.Release();
+  this->ResolveWithout.Release();
+  this->CompositeQuad.Release();
+  this->RecordQuad.Release();
+  this->Lists.Release();
+  this->Casters.Clear();
+  this->Volumes.clear();
+  this->Textures.Release(window);
+}
+}

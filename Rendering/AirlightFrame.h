@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * One frame of vtkAirlightPass, step by step, and what is kept from frame to frame:
+ *
+ *   1. distances of the opaque surfaces;
+ *   2. for each light: shadow planes into lists, lists into airlight and into the bit that says
+ *      whether the light reaches the surface;
+ *   3. colours of the scene, each light dimmed and shadowed;
+ *   4. airlight + transmittance * colours, into the caller's framebuffer.
+ */
+
+#ifndef AirlightFrame_h
+#define AirlightFrame_h
+
+#include "AirlightCasters.h"
+#include "AirlightLamps.h"
+#include "AirlightQuad.h"
+#include "AirlightShadowLists.h"
+#include "AirlightShadowVolumes.h"
+#include "AirlightSurfaceShader.h"
+#include "AirlightTargets.h"
+#include "AirlightView.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkWindow;
+
+namespace airlight
+{
+struct FrameSettings
+{
+  bool Shadows = false;
+  bool SurfaceShadows = false;
+  bool Record = false;
+  double LightRadius = 0.0;
+  std::uint64_t MemoryLimit = 0; // bytes
+};
+
+class Frame
+{
+public:
+  // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
+  bool Begin(vtkRenderer* renderer, const f64::AirlightMedium& medium,
+    const std::vector<Lamp>& lamps, const View& view, const FrameSettings& settings, int width,
+    int height);
+
+  // Step 1: binds the target that the opaque geometry is to be drawn into, cleared.
+  bool BindDistances();
+
+  // Step 2.
+  bool ScatterLights();
+
+  // Step 3: binds the target that the scene is to be drawn into.
+  bool BindScene();
+
+  // Step 4: into the framebuffer that is bound, with the viewport at x, y.
+  bool Composite(int x, int y, bool blend);
+
+  // The buffers of vtkAirlightPass::GetBuffer(), after ScatterLights() and BindScene().
+  bool Record();
+  vtkImageData* GetBuffer(const std::string& name);
+
+  SurfaceUniforms GetSurfaceUniforms(SurfaceStage stage);
+  vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Textures.GetFramebuffer(); }
+  const std::string& GetError() const { return this->Error; }
+
+  void Release(vtkWindow* window);
+
+private:
+  bool Fail(const std::string& reason);
+  bool ScatterLight(int index);
+  bool Resolve(int index, const ShadowVolumes* volumes, int row, int rows);
+  bool ReadyComposite(bool record, int x, int y);
+  void DrawComposite(Quad& quad);
+  void ClearTarget(float value);
+
+  Targets Textures;
+  ShadowLists Lists;
+  CasterCache Casters;
+  std::vector<ShadowVolumes> Volumes; // by light number
+  Quad ResolveWithShadows;
+  Quad ResolveWithout;
+  Quad CompositeQuad;
+  Quad RecordQuad;
+  std::map<std::string, vtkSmartPointer<vtkImageData>> Buffers;
+  std::string Error;
+
+  // This frame's.
+  vtkRenderer* Renderer = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  f64::AirlightMedium Medium{};
+  std::vector<Lamp> Lamps;
+  std::optional<View> Rays;
+  FrameSettings Settings;
+  int Width = 0;
+  int Height = 0;
+};
+}
+
+#endif

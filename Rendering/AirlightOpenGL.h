@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * OpenGL's functions, from whichever loader this VTK uses (GLEW before 9.4, glad since).
+ */
+
+#ifndef AirlightOpenGL_h
+#define AirlightOpenGL_h
+
+#include "vtkOpenGLError.h"
+
+#endif

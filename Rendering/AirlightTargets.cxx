@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightTargets.h"
+
+#include "AirlightOpenGL.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+Targets::Targets() = default;
+Targets::~Targets() = default;
+
+//------------------------------------------------------------------------------
+bool Targets::Allocate(vtkTextureObject* texture, int components)
+{
+  if (texture->GetHandle() == 0)
+  {
+    texture->SetContext(this->Window);
+    texture->SetFormat(components == 1 ? GL_RED : GL_RGBA);
+    texture->SetInternalFormat(components == 1 ? GL_R32F : GL_RGBA32F);
+    texture->SetDataType(GL_FLOAT);
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+    return texture->Allocate2D(this->Width, this->Height, components, VTK_FLOAT);
+  }
+  texture->Resize(this->Width, this->Height);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool record)
+{
+  const int most = vtkTextureObject::GetMaximumTextureSize(window);
+  if (width > most || height > most)
+  {
+    this->Error = "the viewport of " + std::to_string(width) + " x " + std::to_string(height) +
+      " pixels exceeds the largest texture of " + std::to_string(most);
+    return false;
+  }
+  this->Window = window;
+  this->Width = width;
+  this->Height = height;
+  this->Framebuffer->SetContext(window);
+  bool ok = this->Allocate(this->Distances, 1) && this->Allocate(this->Scene, 4) &&
+    this->Allocate(this->Scattered, 4) && this->Allocate(this->Lit, 4) &&
+    this->Allocate(this->Counts, 1);
+  if (this->Depth->GetHandle() == 0)
+  {
+    this->Depth->SetContext(window);
+    ok = ok &&
+      (window->GetStencilCapable()
+          ? this->Depth->AllocateDepthStencil(width, height)
+          : this->Depth->AllocateDepth(width, height, vtkTextureObject::Fixed32));
+  }
+  this->Depth->Resize(width, height);
+  if (record)
+  {
+    ok = ok && this->Allocate(this->Radiance, 4) && this->Allocate(this->Airlight, 4) &&
+      this->Allocate(this->Surface, 4) && this->Allocate(this->Transmittance, 4);
+  }
+  this->Error = ok ? "" : "the graphics card refused a floating-point texture";
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+bool Targets::Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObject* depth)
+{
+  this->Framebuffer->Bind();
+  const int count = static_cast<int>(colours.size());
+  for (int i = 0; i < std::max(count, this->ColourCount); ++i)
+  {
+    if (i < count)
+    {
+      this->Framebuffer->AddColorAttachment(i, colours[i]);
+    }
+    else
+    {
+      this->Framebuffer->RemoveColorAttachment(i);
+    }
+  }
+  this->ColourCount = count;
+  if (depth)
+  {
+    this->Framebuffer->AddDepthAttachment(depth);
+  }
+  else
+  {
+    this->Framebuffer->RemoveDepthAttachment();
+  }
+  if (count > 0)
+  {
+    this->Framebuffer->ActivateDrawBuffers(count);
+    this->Framebuffer->ActivateReadBuffer(0);
+  }
+  else
+  {
+    this->Framebuffer->DeactivateDrawBuffers();
+    this->Framebuffer->DeactivateReadBuffer();
+  }
+  this->Framebuffer->StartNonOrtho(this->Width, this->Height);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglViewport(0, 0, this->Width, this->Height);
+  state->vtkglScissor(0, 0, this->Width, this->Height);
+  const char* description = "";
+  if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, description))
+  {
+    this->Error = std::string("incomplete framebuffer: ") + description;
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLFramebufferObject* Targets::GetFramebuffer()
+{
+  return this->Framebuffer;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> Targets::Read(
+  unsigned int attachment, int firstComponent, int components)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(this->Width, this->Height, 1);
+  image->AllocateScalars(VTK_FLOAT, components);
+  auto* out = static_cast<float*>(image->GetScalarPointer());
+  std::vector<float> pixels(4 * static_cast<size_t>(this->Width) * this->Height);
+  this->Framebuffer->ActivateReadBuffer(attachment);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, pixels.data());
+  for (size_t i = 0; i < pixels.size() / 4; ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      out[components * i + c] = pixels[4 * i + firstComponent + c];
+    }
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
+void Targets::Release(vtkWindow* window)
+{
+  for (vtkTextureObject* texture :
+    { this->Distances.Get(), this->Depth.Get(), this->Scene.Get(), this->Scattered.Get(),
+      this->Lit.Get(), this->Counts.Get(), this->Radiance.Get(), this->Airlight.Get(),
+      this->Surface.Get(), this->Transmittance.Get() })
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->ColourCount = 0;
+}
+}

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The textures that the pass draws into, in single precision, and their framebuffers.
+ */
+
+#ifndef AirlightTargets_h
+#define AirlightTargets_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace airlight
+{
+class Targets
+{
+public:
+  Targets();
+  ~Targets();
+
+  // Makes or resizes what the next frame needs. False with a reason in GetError() where the size
+  // is beyond the graphics card.
+  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool record);
+  const std::string& GetError() const { return this->Error; }
+  void Release(vtkWindow* window);
+
+  // Binds a framebuffer over these textures and sets viewport and scissor to all of it. False with
+  // a reason in GetError() where the framebuffer is incomplete. Restore the bindings afterwards.
+  bool Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObject* depth);
+
+  // The framebuffer that the last Bind() made current.
+  vtkOpenGLFramebufferObject* GetFramebuffer();
+
+  // Reads components of a texture that the last Bind() bound as colour `attachment`.
+  vtkSmartPointer<vtkImageData> Read(unsigned int attachment, int firstComponent, int components);
+
+  vtkNew<vtkTextureObject> Distances; // R: distance along the ray, -1 without surface
+  vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkTextureObject> Scene;
+  vtkNew<vtkTextureObject> Scattered; // RGB: airlight, A: lit length
+  vtkNew<vtkTextureObject> Lit;       // bits of lights, 24 a channel
+  vtkNew<vtkTextureObject> Counts;    // R: boundaries
+  vtkNew<vtkTextureObject> Radiance;  // recorded
+  vtkNew<vtkTextureObject> Airlight;
+  vtkNew<vtkTextureObject> Surface;
+  vtkNew<vtkTextureObject> Transmittance;
+
+private:
+  bool Allocate(vtkTextureObject* texture, int components);
+
+  vtkOpenGLRenderWindow* Window = nullptr;
+  int Width = 0;
+  int Height = 0;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  int ColourCount = 0;
+  std::string Error;
+};
+}
+
+#endif

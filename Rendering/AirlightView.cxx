@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightView.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <cmath>
+
+namespace airlight
+{
+namespace
+{
+// VTK stores rows, GLM columns.
+glm::dmat4 ToGlm(vtkMatrix4x4* m)
+{
+  glm::dmat4 result;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      result[column][row] = m->GetElement(row, column);
+    }
+  }
+  return result;
+}
+
+bool IsFinite(const glm::dmat4& m)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      if (!std::isfinite(m[i][j]))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+View::View(vtkRenderer* renderer, int width, int height)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const glm::dmat4 worldToView = ToGlm(camera->GetModelViewTransformMatrix());
+  const glm::dmat4 viewToClip =
+    ToGlm(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1));
+  this->WorldToClip = viewToClip * worldToView;
+  const glm::dmat4 viewToWorld = glm::inverse(worldToView);
+  const glm::dmat4 clipToView = glm::inverse(viewToClip);
+  this->Valid = width > 0 && height > 0 && IsFinite(viewToWorld) && IsFinite(clipToView);
+  if (!this->Valid)
+  {
+    return;
+  }
+  this->Parallel = camera->GetParallelProjection() != 0;
+  this->Eye = glm::dvec3(viewToWorld[3]);
+  this->Forward = -glm::normalize(glm::dvec3(viewToWorld[2]));
+  camera->GetClippingRange(this->Near, this->Far);
+
+  // A pixel's point in view coordinates, one unit before the eye in a perspective; affine in the
+  // pixel's position.
+  const auto viewPoint = [&](double px, double py)
+  {
+    const glm::dvec4 q =
+      clipToView * glm::dvec4(2.0 * px / width - 1.0, 2.0 * py / height - 1.0, 0.0, 1.0);
+    const glm::dvec3 point = glm::dvec3(q) / q.w;
+    return this->Parallel ? glm::dvec3(point.x, point.y, 0.0) : point / -point.z;
+  };
+  const glm::dmat3 axes(viewToWorld);
+  const glm::dvec3 corner = viewPoint(0.0, 0.0);
+  const glm::dvec3 affine[3] = { axes * corner, axes * (viewPoint(width, 0.0) - corner) / static_cast<double>(width),
+    axes * (viewPoint(0.0, height) - corner) / static_cast<double>(height) };
+  for (int i = 0; i < 3; ++i)
+  {
+    this->RayOrigin[i] = this->Parallel ? glm::vec3(affine[i]) : glm::vec3(0.0f);
+    this->RayDirection[i] = this->Parallel ? glm::vec3(0.0f) : glm::vec3(affine[i]);
+  }
+  if (this->Parallel)
+  {
+    this->RayDirection[0] = glm::vec3(this->Forward);
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 View::GetStart() const
+{
+  return this->Parallel ? glm::dvec4(-this->Forward, 0.0) : glm::dvec4(this->Eye, 1.0);
+}
+
+//------------------------------------------------------------------------------
+glm::mat4 View::GetClipMatrix(const glm::dvec3& origin) const
+{
+  glm::dmat4 shift(1.0);
+  shift[3] = glm::dvec4(origin, 1.0);
+  return glm::mat4(this->WorldToClip * shift);
+}
+
+//------------------------------------------------------------------------------
+void View::SetUniforms(vtkShaderProgram* program, int x, int y) const
+{
+  const int corner[2] = { x, y };
+  const float depth[2] = { static_cast<float>(this->Near),
+    static_cast<float>(this->Far - this->Near) };
+  program->SetUniform2i("airlightViewport", corner);
+  program->SetUniform3fv("airlightRayOrigin", 3, &this->RayOrigin[0].x);
+  program->SetUniform3fv("airlightRayDirection", 3, &this->RayDirection[0].x);
+  program->SetUniform2f("airlightDepthToDistance", depth);
+  program->SetUniformi("airlightParallel", this->Parallel ? 1 : 0);
+}
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The rays of a renderer's pixels and the uniforms of glsl/AirlightView.glsl. World axes, the eye
+ * as origin: subtracted in double precision, so that single precision serves the shaders even far
+ * from the world's origin.
+ */
+
+#ifndef AirlightView_h
+#define AirlightView_h
+
+#include <glm/glm.hpp>
+
+class vtkRenderer;
+class vtkShaderProgram;
+
+namespace airlight
+{
+class View
+{
+public:
+  // Of the active camera, for a viewport of this size in pixels.
+  View(vtkRenderer* renderer, int width, int height);
+
+  bool IsValid() const { return this->Valid; }
+  bool IsParallel() const { return this->Parallel; }
+  const glm::dvec3& GetEye() const { return this->Eye; }
+  double GetNear() const { return this->Near; }
+
+  // Where every ray starts, as a homogeneous point of the world: the eye, or for parallel
+  // projection the point at infinity that the rays come from.
+  glm::dvec4 GetStart() const;
+
+  // From positions relative to `origin` [world] to clip coordinates.
+  glm::mat4 GetClipMatrix(const glm::dvec3& origin) const;
+
+  // For a target in which the viewport's lower left corner is at x, y.
+  void SetUniforms(vtkShaderProgram* program, int x, int y) const;
+
+private:
+  bool Valid = false;
+  bool Parallel = false;
+  glm::dvec3 Eye{ 0.0 };
+  glm::dvec3 Forward{ 0.0 };
+  double Near = 0.0;
+  double Far = 0.0;
+  glm::dmat4 WorldToClip{ 1.0 };
+  glm::vec3 RayOrigin[3];
+  glm::vec3 RayDirection[3];
+};
+}
+
+#endif

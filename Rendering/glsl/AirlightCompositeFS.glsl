@@ -1,0 +1,37 @@
+// Puts the medium before the scene: radiance = airlight + transmittance * scene.
+
+uniform AirlightMedium medium;
+uniform sampler2D distances;
+uniform sampler2D scene;
+uniform sampler2D sceneDepth;
+uniform sampler2D scattered;
+
+layout(location = 0) out vec4 radiance;
+#ifdef AIRLIGHT_RECORD
+layout(location = 1) out vec4 airlight;
+layout(location = 2) out vec4 surface;
+layout(location = 3) out vec4 transmittance;
+#endif
+
+void main()
+{
+  vec2 p = airlightPixel();
+  ivec2 pixel = ivec2(p);
+  float t = texelFetch(distances, pixel, 0).r;
+  vec4 colour = texelFetch(scene, pixel, 0);
+  vec2 range = airlightRegionRange(medium.region, airlightOrigin(p),
+    normalize(airlightDirection(p)), t >= 0.0 ? t : AIRLIGHT_FAR);
+  float inside = range.y - range.x;
+  vec3 passes = exp(-medium.sigmaT * inside);
+  vec3 added = texelFetch(scattered, pixel, 0).rgb + airlightAmbient(medium, inside);
+  // A picture with a transparent background becomes as opaque as the medium is.
+  float opacity = 1.0 - (1.0 - colour.a) * dot(passes, vec3(1.0 / 3.0));
+  radiance = vec4(added + passes * colour.rgb, opacity);
+#ifdef AIRLIGHT_RECORD
+  airlight = vec4(added, 1.0);
+  surface = vec4(t >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
+  transmittance = vec4(passes, 1.0);
+#else
+  gl_FragDepth = texelFetch(sceneDepth, pixel, 0).r;
+#endif
+}

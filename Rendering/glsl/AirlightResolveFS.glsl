@@ -1,0 +1,62 @@
+// One light's airlight along each pixel's ray: the sum over the ray's lit intervals. Blended
+// additively, light by light.
+
+uniform AirlightMedium medium;
+uniform AirlightLight light;
+uniform sampler2D distances;
+uniform int startCount; // shadow volumes that hold the ray's start
+uniform vec4 litBit;    // what to add where the surface is lit
+
+layout(location = 0) out vec4 airlight; // radiance; lit length
+layout(location = 1) out vec4 lit;
+layout(location = 2) out vec4 boundaryCount;
+
+void main()
+{
+  vec2 p = airlightPixel();
+  ivec2 pixel = ivec2(p);
+  float surface = texelFetch(distances, pixel, 0).r;
+  AirlightRay ray = airlightRay(medium, light, airlightOrigin(p),
+    normalize(airlightDirection(p)), surface >= 0.0 ? surface : AIRLIGHT_FAR);
+
+  float from = ray.range.x;
+  vec3 fromTail = airlightTail3(medium, light, ray, from);
+  vec3 sum = vec3(0.0);
+  float litLength = 0.0;
+  int shadows = startCount;
+  int boundaries = 0;
+
+  airlightOpenBoundaries(pixel);
+  bool more = true;
+  while (more)
+  {
+    float t;
+    int weight;
+    more = airlightNextBoundary(t, weight);
+    boundaries += more ? 1 : 0;
+    int next = shadows + weight;
+    // Only where light ends or begins does the integral change; the ray's end ends it too.
+    bool wasLit = shadows <= 0;
+    if (!more || wasLit != (next <= 0))
+    {
+      float to = more ? clamp(t, from, ray.range.y) : ray.range.y;
+      if (to > from)
+      {
+        vec3 toTail = airlightTail3(medium, light, ray, to);
+        if (wasLit)
+        {
+          sum += airlightInterval3(medium, light, ray, from, fromTail, to, toTail);
+          litLength += to - from;
+        }
+        from = to;
+        fromTail = toTail;
+      }
+    }
+    shadows = next;
+  }
+
+  // A channel that does not scatter is dark, whatever the limit of its integral.
+  airlight = vec4(mix(vec3(0.0), sum, greaterThan(medium.sigmaS, vec3(0.0))), litLength);
+  lit = shadows <= 0 ? litBit : vec4(0.0);
+  boundaryCount = vec4(float(boundaries));
+}

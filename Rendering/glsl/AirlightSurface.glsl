@@ -1,0 +1,37 @@
+// Added to the mappers' fragment shaders, before main(): what becomes of each light on its way to
+// this fragment.
+
+uniform int airlightStage; // 0: write distances, 1: write colours
+uniform AirlightRegion airlightRegion;
+uniform vec3 airlightSigmaT;
+// w 1: position; 0: arrives unattenuated, in shadow or not; -1: left as VTK shades it
+uniform vec4 airlightLamps[AIRLIGHT_LAMPS];
+uniform sampler2D airlightLit;              // bits of the lights that reach the pixel's surface
+uniform int airlightUseLit;
+
+// The share of light k that arrives: transmittance, 0 in shadow.
+vec3 airlightArrives(int k)
+{
+  if (airlightStage == 0 || airlightLamps[k].w < 0.0)
+  {
+    return vec3(1.0);
+  }
+  if (airlightUseLit != 0 && k < 4 * AIRLIGHT_BITS)
+  {
+    vec4 bits = texelFetch(airlightLit, ivec2(airlightPixel()), 0);
+    float word = bits[k / AIRLIGHT_BITS];
+    if (mod(floor(word * exp2(-float(k % AIRLIGHT_BITS))), 2.0) < 0.5)
+    {
+      return vec3(0.0);
+    }
+  }
+  if (airlightLamps[k].w == 0.0)
+  {
+    return vec3(1.0);
+  }
+  vec2 p = airlightPixel();
+  vec3 point =
+    airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
+  return exp(
+    -airlightSigmaT * airlightInsideLength(airlightRegion, point, airlightLamps[k].xyz));
+}

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAirlightPass
+ * @brief   renders a scene in fog, smoke, dust or water, with shadows through the medium
+ *
+ * One line puts a renderer's scene into a medium:
+ * @code
+ *   renderer->SetPass(pass);
+ * @endcode
+ * Every switched-on light of the renderer then lights the surfaces and the medium alike; both are
+ * attenuated on the way from the light and on the way to the eye, and every opaque polygonal actor
+ * casts a shadow through the medium and on the surfaces. Nothing is precomputed or sampled: the
+ * light scattered into a ray comes from a closed form, and the shadows' edges from geometry.
+ *
+ * All arithmetic is in linear radiance. What VTK's Phong shading shows is taken as linear; the
+ * picture is written without tone mapping. See vtkAirlight::SetRadiantIntensity() for the units of
+ * a vtkLight.
+ *
+ * Cost: the opaque scene is drawn twice (distances first, then colours); the closed form is
+ * evaluated once per pixel and light, plus once per visible edge of a shadow volume; each
+ * silhouette edge seen from a light is drawn as one quadrilateral.
+ *
+ * Limits:
+ *  - Point lights (cone angle 90 degrees or more), and directional lights in an unbounded medium.
+ *    Other lights light the surfaces as VTK does and do not scatter: the pass warns once.
+ *  - Headlights cast no shadows: they see what the camera sees.
+ *  - Translucent surfaces and volumes cast no shadows.
+ *  - One medium at a time: with several the pass reports an error and uses the first.
+ *  - Volumetric shadows need OpenGL 4.3; without it the scene is drawn with airlight and without
+ *    volumetric shadows, and one warning says so.
+ *
+ * Errors: the pass never loses the scene. Where a shader, a texture or a buffer cannot be had it
+ * reports one error and draws the scene without the medium.
+ *
+ * Sources: V. Biri, D. Arques and S. Michelin, "Real Time Rendering of Atmospheric Scattering and
+ * Volumetric Shadows", WSCG 2006 (closed form, shadow planes).
+ *
+ * @sa vtkParticipatingMedium vtkAirlight
+ */
+
+#ifndef vtkAirlightPass_h
+#define vtkAirlightPass_h
+
+#include "vtkAirlightModule.h" // for export macro
+#include "vtkDepthImageProcessingPass.h"
+
+#include <memory> // for the implementation
+#include <string> // for shader sources
+
+class vtkImageData;
+class vtkInformationIntegerKey;
+class vtkParticipatingMedium;
+
+class VTKAIRLIGHT_EXPORT vtkAirlightPass : public vtkDepthImageProcessingPass
+{
+public:
+  static vtkAirlightPass* New();
+  vtkTypeMacro(vtkAirlightPass, vtkDepthImageProcessingPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The media of the scene. Without a medium, or with a clear one, the scene keeps its look, apart
+   * from the shadows on surfaces (SetSurfaceShadows()). Null is ignored.
+   */
+  void AddMedium(vtkParticipatingMedium* medium);
+  void RemoveMedium(vtkParticipatingMedium* medium);
+  void RemoveAllMedia();
+  void SetMedium(vtkParticipatingMedium* medium);
+  int GetNumberOfMedia();
+  vtkParticipatingMedium* GetMedium(int index);
+  ///@}
+
+  /**
+   * How shadows are found.
+   */
+  enum ShadowTechniqueType
+  {
+    NONE = 0,          ///< no shadows
+    SHADOW_PLANES = 1, ///< exact, from silhouette edges; needs OpenGL 4.3
+    AUTOMATIC = 2      ///< SHADOW_PLANES where possible, else NONE with one warning
+  };
+
+  ///@{
+  /**
+   * The shadow technique. Default: AUTOMATIC.
+   */
+  void SetShadowTechnique(int technique);
+  vtkGetMacro(ShadowTechnique, int);
+  void SetShadowTechniqueToNone() { this->SetShadowTechnique(NONE); }
+  void SetShadowTechniqueToShadowPlanes() { this->SetShadowTechnique(SHADOW_PLANES); }
+  void SetShadowTechniqueToAutomatic() { this->SetShadowTechnique(AUTOMATIC); }
+  ///@}
+
+  /**
+   * The technique used in the last frame: NONE or SHADOW_PLANES.
+   */
+  int GetEffectiveShadowTechnique();
+
+  ///@{
+  /**
+   * Whether shadows also fall on surfaces. Default: true.
+   */
+  vtkSetMacro(SurfaceShadows, bool);
+  vtkGetMacro(SurfaceShadows, bool);
+  vtkBooleanMacro(SurfaceShadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of point lights in world units: rays that pass a light more closely are shaded as if
+   * they passed at this distance, which bounds the airlight near the light. 0 uses the smallest
+   * distance that single precision resolves, 1e-5 of the distance from camera to light. Range:
+   * finite, at least 0. Default: 0.
+   */
+  void SetLightRadius(double radius);
+  vtkGetMacro(LightRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Most memory in MiB that the per-pixel lists of shadow boundaries may take on the graphics
+   * card. A frame that needs more is drawn in several horizontal bands, with the same result.
+   * Range: at least 1. Default: 1024.
+   */
+  vtkSetClampMacro(MemoryLimit, int, 1, 1 << 20);
+  vtkGetMacro(MemoryLimit, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether each frame is read back into the images of GetBuffer(). It costs time. Default: false.
+   */
+  vtkSetMacro(RecordBuffers, bool);
+  vtkGetMacro(RecordBuffers, bool);
+  vtkBooleanMacro(RecordBuffers, bool);
+  ///@}
+
+  /**
+   * The last frame's buffer of this name, or null before the first recorded frame or for an
+   * unknown name. Single precision, linear, the renderer's size, bottom row first:
+   *  - "Radiance" (RGB): what reaches the eye, background included, W/(m^2 sr);
+   *  - "Airlight" (RGB): the part that the medium scattered into the ray;
+   *  - "Surface" (RGB): the part that opaque surfaces sent, attenuated; 0 where there is none;
+   *  - "Transmittance" (RGB): from the eye to the surface, or to the far side of the medium;
+   *  - "Depth": distance along the unit ray, world units; -1 where there is no surface;
+   *  - "LitLength": length of the ray inside the medium that light reaches, summed over lights;
+   *  - "BoundaryCount": number of shadow planes that the ray crosses, summed over lights.
+   */
+  vtkImageData* GetBuffer(const char* name);
+
+  /**
+   * Key for a prop's property keys: 0 keeps the prop from casting shadows. Without it props cast.
+   * @code
+   *   vtkNew<vtkInformation> keys;
+   *   keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
+   *   actor->SetPropertyKeys(keys);
+   * @endcode
+   */
+  static vtkInformationIntegerKey* CASTS_SHADOW();
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * Called by VTK's mappers while they build and use their shaders.
+   */
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
+
+protected:
+  vtkAirlightPass();
+  ~vtkAirlightPass() override;
+
+private:
+  vtkAirlightPass(const vtkAirlightPass&) = delete;
+  void operator=(const vtkAirlightPass&) = delete;
+
+  int ShadowTechnique = AUTOMATIC;
+  bool SurfaceShadows = true;
+  double LightRadius = 0.0;
+  int MemoryLimit = 1024;
+  bool RecordBuffers = false;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

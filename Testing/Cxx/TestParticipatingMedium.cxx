@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// vtkParticipatingMedium: defaults, coefficients and the quantities derived from them, refusal of
+// bad values, and the phase functions against their integrals and against their fits.
+
+#include "vtkCallbackCommand.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkParticipatingMedium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+int failures = 0;
+
+void Check(bool ok, const std::string& what)
+{
+  if (!ok)
+  {
+    std::cerr << "FAILED: " << what << "\n";
+    ++failures;
+  }
+}
+
+void CheckNear(double value, double expected, double relative, const std::string& what)
+{
+  if (!(std::abs(value - expected) <= relative * std::abs(expected)))
+  {
+    std::cerr.precision(17);
+    std::cerr << "FAILED: " << what << " is " << value << ", expected " << expected << "\n";
+    ++failures;
+  }
+}
+
+void CheckNear3(
+  const double* value, double r, double g, double b, double relative, const std::string& what)
+{
+  CheckNear(value[0], r, relative, what + "[0]");
+  CheckNear(value[1], g, relative, what + "[1]");
+  CheckNear(value[2], b, relative, what + "[2]");
+}
+
+//------------------------------------------------------------------------------
+void TestDefaults()
+{
+  vtkNew<vtkParticipatingMedium> medium;
+  CheckNear3(medium->GetScattering(), 0, 0, 0, 0, "default scattering");
+  CheckNear3(medium->GetAbsorption(), 0, 0, 0, 0, "default absorption");
+  CheckNear3(medium->GetExtinction(), 0, 0, 0, 0, "default extinction");
+  CheckNear3(medium->GetAlbedo(), 1, 1, 1, 0, "albedo of a clear medium");
+  CheckNear3(medium->GetAmbientRadiance(), 0, 0, 0, 0, "default ambient radiance");
+  Check(medium->GetVisibility() == inf, "a clear medium has infinite visibility");
+  Check(medium->GetMeanFreePath() == inf, "a clear medium has an infinite mean free path");
+  Check(medium->GetPhaseFunction() == vtkParticipatingMedium::ISOTROPIC, "default phase function");
+  CheckNear(medium->GetAnisotropy(), 0.0, 0.0, "default anisotropy");
+  CheckNear(medium->GetPhaseTolerance(), 1e-3, 0.0, "default phase tolerance");
+  Check(medium->GetRegion() == vtkParticipatingMedium::UNBOUNDED, "default region");
+  const double* bounds = medium->GetBounds();
+  for (int i = 0; i < 6; ++i)
+  {
+    CheckNear(bounds[i], i % 2 ? 1.0 : -1.0, 0.0, "default bounds");
+  }
+}
+
+//------------------------------------------------------------------------------
+void TestCoefficients()
+{
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetScattering(0.1, 0.2, 0.0);
+  medium->SetAbsorption(0.3, 0.0, 0.5);
+  CheckNear3(medium->GetExtinction(), 0.4, 0.2, 0.5, 1e-15, "extinction");
+  CheckNear3(medium->GetAlbedo(), 0.25, 1.0, 0.0, 1e-15, "albedo");
+  double rgb[3];
+  medium->GetExtinction(rgb);
+  CheckNear3(rgb, 0.4, 0.2, 0.5, 1e-15, "extinction, by argument");
+  medium->GetAlbedo(rgb);
+  CheckNear3(rgb, 0.25, 1.0, 0.0, 1e-15, "albedo, by argument");
+
+  // The derived values follow each change, and each change is a modification.
+  const vtkMTimeType before = medium->GetMTime();
+  const double scattering[3] = { 0.6, 0.8, 0.5 };
+  medium->SetScattering(scattering);
+  Check(medium->GetMTime() > before, "a new coefficient modifies the medium");
+  CheckNear3(medium->GetExtinction(), 0.9, 0.8, 1.0, 1e-15, "extinction after a change");
+  CheckNear3(medium->GetAlbedo(), 2.0 / 3.0, 1.0, 0.5, 1e-15, "albedo after a change");
+}
+
+//------------------------------------------------------------------------------
+void TestDistances()
+{
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetScattering(0.1, 0.2, 0.3);
+  medium->SetAbsorption(0.3, 0.1, 0.2);
+  // Extinctions 0.4, 0.3, 0.5: their mean is 0.4.
+  CheckNear(medium->GetMeanFreePath(), 2.5, 1e-14, "mean free path");
+  CheckNear(medium->GetVisibility(), 3.912 / 0.4, 1e-14, "visibility");
+
+  // Koschmieder: visibility 50 is a mean extinction of 3.912/50. All coefficients are scaled by
+  // 3.912/50/0.4.
+  medium->SetVisibility(50.0);
+  const double scale = 3.912 / 50.0 / 0.4;
+  CheckNear3(medium->GetScattering(), 0.1 * scale, 0.2 * scale, 0.3 * scale, 1e-14,
+    "scattering after SetVisibility");
+  CheckNear3(medium->GetAbsorption(), 0.3 * scale, 0.1 * scale, 0.2 * scale, 1e-14,
+    "absorption after SetVisibility");
+  CheckNear3(medium->GetAlbedo(), 0.25, 2.0 / 3.0, 0.6, 1e-14, "albedo after SetVisibility");
+  CheckNear(medium->GetVisibility(), 50.0, 1e-14, "visibility after SetVisibility");
+
+  medium->SetMeanFreePath(2.5); // back to where it was
+  CheckNear3(medium->GetScattering(), 0.1, 0.2, 0.3, 1e-14, "scattering after SetMeanFreePath");
+  CheckNear3(medium->GetAbsorption(), 0.3, 0.1, 0.2, 1e-14, "absorption after SetMeanFreePath");
+  CheckNear(medium->GetMeanFreePath(), 2.5, 1e-14, "mean free path after SetMeanFreePath");
+
+  // A clear medium has no colour to keep: it becomes grey and only scatters.
+  vtkNew<vtkParticipatingMedium> clear;
+  clear->SetMeanFreePath(4.0);
+  CheckNear3(clear->GetScattering(), 0.25, 0.25, 0.25, 1e-15, "scattering of grey fog");
+  CheckNear3(clear->GetAbsorption(), 0, 0, 0, 0, "absorption of grey fog");
+  vtkNew<vtkParticipatingMedium> hazy;
+  hazy->SetVisibility(1000.0);
+  CheckNear3(hazy->GetScattering(), 0.003912, 0.003912, 0.003912, 1e-14, "scattering of haze");
+}
+
+//------------------------------------------------------------------------------
+// Calls `set` with each bad value: it must emit one error event, modify nothing and leave what
+// `get` returns.
+void CheckRefused(vtkParticipatingMedium* medium, const std::string& name,
+  const std::vector<double>& badValues, const std::function<void(double)>& set,
+  const std::function<std::vector<double>()>& get)
+{
+  int errors = 0;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&errors);
+  observer->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  const unsigned long tag = medium->AddObserver(vtkCommand::ErrorEvent, observer);
+  for (double bad : badValues)
+  {
+    const std::string what = name + "(" + std::to_string(bad) + ") ";
+    const std::vector<double> old = get();
+    const vtkMTimeType time = medium->GetMTime();
+    errors = 0;
+    set(bad);
+    Check(errors == 1, what + "emits one error, not " + std::to_string(errors));
+    Check(get() == old, what + "leaves the old value");
+    Check(medium->GetMTime() == time, what + "modifies nothing");
+  }
+  medium->RemoveObserver(tag);
+}
+
+void TestBadInput()
+{
+  vtkNew<vtkParticipatingMedium> m;
+  m->SetScattering(0.1, 0.2, 0.3);
+  m->SetAbsorption(0.4, 0.5, 0.6);
+  m->SetAmbientRadiance(0.7, 0.8, 0.9);
+  m->SetPhaseFunctionToHenyeyGreenstein();
+  m->SetAnisotropy(0.5);
+  m->SetBounds(1, 2, 3, 4, 5, 6);
+  m->SetRegionToBox();
+
+  auto coefficients = [&m] {
+    std::vector<double> values(m->GetScattering(), m->GetScattering() + 3);
+    values.insert(values.end(), m->GetAbsorption(), m->GetAbsorption() + 3);
+    values.insert(values.end(), m->GetAmbientRadiance(), m->GetAmbientRadiance() + 3);
+    return values;
+  };
+  const std::vector<double> notCoefficients = { -1.0, -1e-300, inf, -inf, nan };
+  // A bad value in any channel spoils all three.
+  CheckRefused(
+    m, "SetScattering red", notCoefficients, [&m](double v) { m->SetScattering(v, 7, 7); },
+    coefficients);
+  CheckRefused(
+    m, "SetScattering blue", notCoefficients, [&m](double v) { m->SetScattering(7, 7, v); },
+    coefficients);
+  CheckRefused(
+    m, "SetAbsorption green", notCoefficients, [&m](double v) { m->SetAbsorption(7, v, 7); },
+    coefficients);
+  CheckRefused(
+    m, "SetAmbientRadiance green", notCoefficients,
+    [&m](double v) { m->SetAmbientRadiance(7, v, 7); }, coefficients);
+
+  const std::vector<double> notDistances = { 0.0, -1.0, inf, -inf, nan };
+  CheckRefused(
+    m, "SetVisibility", notDistances, [&m](double v) { m->SetVisibility(v); }, coefficients);
+  CheckRefused(
+    m, "SetMeanFreePath", notDistances, [&m](double v) { m->SetMeanFreePath(v); }, coefficients);
+
+  CheckRefused(
+    m, "SetAnisotropy", { 1.5, -1.5, 1.0, -1.0, 0.991, inf, nan },
+    [&m](double v) { m->SetAnisotropy(v); },
+    [&m] { return std::vector<double>{ m->GetAnisotropy() }; });
+  CheckRefused(
+    m, "SetPhaseTolerance", { 0.0, -1e-3, 0.2, 1e-7, inf, nan },
+    [&m](double v) { m->SetPhaseTolerance(v); },
+    [&m] { return std::vector<double>{ m->GetPhaseTolerance() }; });
+  CheckRefused(
+    m, "SetPhaseFunction", { -1, 99 }, [&m](double v) { m->SetPhaseFunction(static_cast<int>(v)); },
+    [&m] { return std::vector<double>{ double(m->GetPhaseFunction()) }; });
+  CheckRefused(
+    m, "SetRegion", { -1, 99 }, [&m](double v) { m->SetRegion(static_cast<int>(v)); },
+    [&m] { return std::vector<double>{ double(m->GetRegion()) }; });
+
+  auto bounds = [&m] { return std::vector<double>(m->GetBounds(), m->GetBounds() + 6); };
+  CheckRefused(
+    m, "SetBounds xmin", { 9.0, inf, -inf, nan },
+    [&m](double v) { m->SetBounds(v, 8, 7, 8, 7, 8); }, bounds);
+  CheckRefused(
+    m, "SetBounds zmax", { 6.0, inf, -inf, nan },
+    [&m](double v) { m->SetBounds(7, 8, 7, 8, 7, v); }, bounds);
+
+  // A box without thickness is a box.
+  m->SetBounds(1, 1, 2, 2, 3, 3);
+  Check(bounds() == std::vector<double>({ 1, 1, 2, 2, 3, 3 }), "a flat box is accepted");
+}
+
+//------------------------------------------------------------------------------
+// 2 pi times the integral of p(mu) mu^power over mu in [-1, 1], by Simpson's rule.
+double IntegrateOverSphere(vtkParticipatingMedium* medium, int power)
+{
+  const int intervals = 200000;
+  const double h = 2.0 / intervals;
+  double sum = 0.0;
+  for (int i = 0; i <= intervals; ++i)
+  {
+    const double mu = std::min(-1.0 + i * h, 1.0);
+    const double weight = (i == 0 || i == intervals) ? 1.0 : (i % 2 ? 4.0 : 2.0);
+    sum += weight * medium->EvaluatePhaseFunction(mu) * (power ? mu : 1.0);
+  }
+  return 2.0 * vtkMath::Pi() * sum * h / 3.0;
+}
+
+double EvaluateFit(vtkParticipatingMedium* medium, double mu)
+{
+  double sum = 0.0;
+  for (int i = 0; i < medium->GetNumberOfPhasePoles(); ++i)
+  {
+    double b = 0.0;
+    double c = 0.0;
+    medium->GetPhasePole(i, b, c);
+    sum += 2.0 * c / ((1.0 - mu) + b * b * (1.0 + mu));
+  }
+  return sum;
+}
+
+// Cosines in [-1, 1]: evenly spaced, and ever closer to both ends, where the functions are steep.
+std::vector<double> DenseCosines()
+{
+  std::vector<double> cosines;
+  for (int i = 0; i <= 20000; ++i)
+  {
+    cosines.push_back(std::min(-1.0 + 1e-4 * i, 1.0));
+  }
+  for (int i = 0; i <= 4000; ++i)
+  {
+    const double distance = std::pow(10.0, -12.0 * i / 4000);
+    cosines.push_back(1.0 - distance);
+    cosines.push_back(distance - 1.0);
+  }
+  return cosines;
+}
+
+void CheckFit(vtkParticipatingMedium* medium, const std::string& what)
+{
+  static const std::vector<double> cosines = DenseCosines();
+  const double bound = medium->GetPhaseErrorBound();
+  double worst = 0.0;
+  double worstAt = 0.0;
+  for (double mu : cosines)
+  {
+    const double error =
+      std::abs(EvaluateFit(medium, mu) / medium->EvaluatePhaseFunction(mu) - 1.0);
+    if (!(error <= worst)) // NaN counts
+    {
+      worst = error;
+      worstAt = mu;
+    }
+  }
+  const double rounding = 1e-13;
+  Check(worst <= bound + rounding,
+    what + ": the fit is off by " + std::to_string(worst / bound) +
+      " times its bound at cosTheta = " + std::to_string(worstAt));
+}
+
+void TestPhaseFunctions()
+{
+  vtkNew<vtkParticipatingMedium> medium;
+  const double isotropic = 1.0 / (4.0 * vtkMath::Pi());
+  for (double mu : { -1.0, -0.3, 0.0, 0.7, 1.0 })
+  {
+    CheckNear(medium->EvaluatePhaseFunction(mu), isotropic, 1e-15, "isotropic phase function");
+  }
+  CheckNear(IntegrateOverSphere(medium, 0), 1.0, 1e-12, "integral of the isotropic function");
+  CheckNear(medium->GetPhaseErrorBound(), 0.0, 0.0, "error bound of the isotropic function");
+
+  medium->SetPhaseFunctionToHenyeyGreenstein();
+  for (double g : { -0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.76, 0.9 })
+  {
+    const std::string name = "Henyey-Greenstein g = " + std::to_string(g);
+    medium->SetAnisotropy(g);
+    // p(mu) = (1 - g^2)/(4 pi (1 + g^2 - 2 g mu)^(3/2)) at both ends.
+    CheckNear(medium->EvaluatePhaseFunction(1.0), isotropic * (1 + g) / ((1 - g) * (1 - g)), 1e-13,
+      name + " forward");
+    CheckNear(medium->EvaluatePhaseFunction(-1.0), isotropic * (1 - g) / ((1 + g) * (1 + g)), 1e-13,
+      name + " backward");
+    CheckNear(IntegrateOverSphere(medium, 0), 1.0, 1e-9, name + ", integral over the sphere");
+    // g is the mean cosine.
+    Check(std::abs(IntegrateOverSphere(medium, 1) - g) <= 1e-9, name + ", mean cosine");
+
+    int previousPoles = 0;
+    for (double tolerance : { 1e-2, 1e-3, 1e-5 })
+    {
+      const std::string what = name + ", tolerance " + std::to_string(tolerance);
+      medium->SetPhaseTolerance(tolerance);
+      Check(medium->GetPhaseErrorBound() <= tolerance, what + ": the bound is within it");
+      Check(medium->GetNumberOfPhasePoles() >= previousPoles, what + ": no fewer poles");
+      previousPoles = medium->GetNumberOfPhasePoles();
+      CheckFit(medium, what);
+    }
+  }
+
+  // At the ends of the range the tolerance may be out of reach, but the bound stays honest.
+  medium->SetPhaseTolerance(1e-3);
+  for (double g : { -0.99, 0.99 })
+  {
+    medium->SetAnisotropy(g);
+    CheckFit(medium, "Henyey-Greenstein g = " + std::to_string(g));
+  }
+}
+}
+
+int TestParticipatingMedium(int, char*[])
+{
+  TestDefaults();
+  TestCoefficients();
+  TestDistances();
+  TestBadInput();
+  TestPhaseFunctions();
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,229 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The programs `airlight` and `AnimatedFog`, from the command line to the files they write.
+
+    AIRLIGHT_PROGRAM=build/bin/airlight AIRLIGHT_SOURCE_DIR=. xvfb-run -a -s \
+        "-noreset -screen 0 1280x1024x24" /usr/bin/python3 Testing/Python/TestAirlightProgram.py
+"""
+
+import json
+import unittest
+
+import numpy as np
+
+from programtest import (ANIMATED_FOG, ProgramTest, metrics, read_pfm, read_png, reference_file,
+                         scene_file, write_models, write_pfm)
+
+class TestReferenceScenes(ProgramTest):
+    """The program against scenes with exact answers (Testing/Data/Reference)."""
+
+    # Our contract, a tenth of what a renderer with a noticeable fault scores there.
+    MEDIAN = 5e-4
+    P99 = 5e-3
+    BIAS = 5e-4
+
+    def judge(self, image, name, part, mask):
+        scores = metrics(image, read_pfm(reference_file(name, part)), mask)
+        with self.subTest(scene=name, part=part):
+            self.assertEqual(scores["nonfinite"], 0)
+            self.assertLessEqual(scores["median"], self.MEDIAN, scores)
+            self.assertLessEqual(scores["p99"], self.P99, scores)
+            self.assertLessEqual(abs(scores["bias"]), self.BIAS, scores)
+
+    def judge_distances(self, name, mask):
+        """Depth, and transmittance, which follows it.
+
+        Where the surface is slanted, the depth changes within a pixel, and graphics cards place
+        vertices on a grid of 1/256 pixel. To that comes single precision on coordinates up to ten
+        times the depth.
+        """
+        depth = self.render(scene_file(name), "depth.pfm", "--buffer", "Depth")
+        expected = read_pfm(reference_file(name, "depth"))
+        inside = mask[..., 0] > 0.5
+        np.testing.assert_array_equal(depth[inside] < 0, expected[inside] < 0)
+        slope = sum(np.abs(np.gradient(expected[..., 0], axis=axis)) for axis in (0, 1))
+        tolerance = slope[..., None] / 128 + 1e-5 * np.abs(expected) + 1e-5
+        self.assertLessEqual((np.abs(depth - expected) / tolerance)[inside].max(), 1)
+
+        image = self.render(scene_file(name), "t.pfm", "--buffer", "Transmittance")
+        expected = read_pfm(reference_file(name, "transmittance"))
+        with open(scene_file(name)) as file:
+            medium = json.load(file)["medium"]
+        extinction = max(np.add(medium["sigma_s"], medium["sigma_a"]))
+        tolerance = extinction * tolerance * expected + 1e-5
+        self.assertLessEqual((np.abs(image - expected) / tolerance)[inside].max(), 1)
+
+    def check(self, name, masks):
+        buffers = {"total": "Radiance", "inscatter": "Airlight", "surface": "Surface"}
+        for part, buffer in buffers.items():
+            image = self.render(scene_file(name), part + ".pfm", "--buffer", buffer)
+            for mask in masks:
+                self.judge(image, name, part, read_pfm(reference_file(name, mask)))
+        self.judge_distances(name, read_pfm(reference_file(name, "mask")))
+
+    def test_isotropic(self):
+        self.check("S1_point_iso", ["mask"])
+
+    def test_forward_scattering(self):
+        self.check("S2_point_hg_pos06", ["mask"])
+
+    def test_shadows(self):
+        self.check("S3_ground_occluders", ["mask", "shadowmask"])
+
+    def test_options_build_the_same_scene(self):
+        """Everything that S2 says, said on the command line over a scene that says otherwise."""
+        with open(scene_file("S2_point_hg_pos06")) as file:
+            scene = json.load(file)
+        light = scene["lights"][0]
+        other = json.loads(json.dumps(scene))
+        other["image"] = {"width": 10, "height": 10}
+        other["camera"].update(position=[9, 9, 9], focal_point=[0, 1, 0], view_angle_deg=70)
+        other["medium"].update(sigma_s=[1, 1, 1], sigma_a=[0, 0, 0], phase={"type": "isotropic"})
+        other["lights"].append(dict(light, position=[2, 2, 2]))
+
+        def join(values):
+            return ",".join(map(str, values))
+
+        camera = scene["camera"]
+        image = self.render(
+            self.write("other.json", json.dumps(other)), "other.pfm", "--size", "160x120",
+            "--camera", f"{join(camera['position'])}:{join(camera['focal_point'])}:40",
+            "--scattering", join(scene["medium"]["sigma_s"]),
+            "--absorption", join(scene["medium"]["sigma_a"]), "--anisotropy", "0.6",
+            "--point", f"{join(light['position'])}:{join(light['intensity'])}")
+        self.judge(image, "S2_point_hg_pos06", "total",
+                   read_pfm(reference_file("S2_point_hg_pos06", "mask")))
+
+
+class TestPictures(ProgramTest):
+    """Formats, exposure and plain lighting."""
+
+    SCENE = scene_file("S3_ground_occluders")
+
+    def test_formats_agree(self):
+        linear = self.render(self.SCENE, "a.pfm")
+        self.assertEqual(linear.shape, (120, 160, 3))
+        picture = self.render(self.SCENE, "a.png")
+        self.assertLessEqual(np.abs(picture - linear.clip(0, 1)).max(), 1 / 255)
+        np.testing.assert_array_equal(
+            self.render(self.SCENE, "b.pfm", "--exposure", "4"), linear * 4)
+        exposed = self.render(self.SCENE, "b.png", "--exposure", "4")
+        self.assertLessEqual(np.abs(exposed - (linear * 4).clip(0, 1)).max(), 0.5001 / 255)
+        self.succeed("render", self.SCENE, "-o", self.path("a.tiff"))
+        with open(self.path("a.tiff"), "rb") as file:
+            self.assertIn(linear.astype("<f4").tobytes(), file.read())
+
+    def test_buffers(self):
+        for name, channels in (("Depth", 1), ("LitLength", 1), ("BoundaryCount", 1),
+                               ("Transmittance", 3)):
+            image = self.render(self.SCENE, name + ".pfm", "--buffer", name)
+            self.assertEqual(image.shape, (120, 160, channels), name)
+            self.assertGreater(image.max(), 0, name)
+
+    def test_shadow_technique(self):
+        with_shadows = self.render(self.SCENE, "a.pfm", "--technique", "ShadowPlanes")
+        without = self.render(self.SCENE, "b.pfm", "--technique", "None")
+        mask = read_pfm(reference_file("S3_ground_occluders", "shadowmask"))[..., 0] > 0.5
+        self.assertGreater((without - with_shadows)[mask].min(), 0)
+
+    def test_plain_lighting(self):
+        """Without medium and shadows the ground shows albedo/pi * I cos(theta)/r^2."""
+        picture = self.render(self.SCENE, "plain.png", "--no-medium")
+        mask = read_pfm(reference_file("S3_ground_occluders", "mask"))[..., 0] > 0.5
+        depth = read_pfm(reference_file("S3_ground_occluders", "depth"))[..., 0]
+        eye, target = np.array([0, 2.6, 9]), np.array([0, 1.5, 0])
+        forward = (target - eye) / np.linalg.norm(target - eye)
+        right = np.cross(forward, [0, 1, 0]) / np.linalg.norm(np.cross(forward, [0, 1, 0]))
+        up = np.cross(right, forward)
+        half = np.tan(np.radians(20))
+        x = ((np.arange(160) + 0.5) / 80 - 1) * half * 160 / 120
+        y = (1 - (np.arange(120) + 0.5) / 60) * half
+        rays = forward + x[None, :, None] * right + y[:, None, None] * up
+        rays /= np.linalg.norm(rays, axis=-1, keepdims=True)
+        points = eye + depth[..., None] * rays
+        ground = mask & (depth > 0) & (np.abs(points[..., 1]) < 1e-3)
+        self.assertGreater(ground.sum(), 5000)
+        to_light = np.array([0.13, 4.21, -0.17]) - points[ground]
+        distance = np.linalg.norm(to_light, axis=-1, keepdims=True)
+        cosine = to_light[:, 1:2] / distance
+        expected = 0.5 / np.pi * np.array([30, 28, 24]) * cosine / distance**2
+        self.assertLessEqual(np.abs(picture[ground] - expected.clip(0, 1)).max(), 1.5 / 255)
+
+    def test_montage(self):
+        left = self.render(self.SCENE, "left.png", "--exposure", "4")
+        right = self.render(self.SCENE, "right.png", "--size", "50x120")
+        self.succeed("montage", self.path("left.png"), self.path("right.png"), "-o",
+                     self.path("both.png"))
+        np.testing.assert_array_equal(
+            read_png(self.path("both.png")), np.concatenate([left, right], axis=1))
+
+    def test_animation(self):
+        """The single frame is that of the series; frame 0 is the scene; the rest moves."""
+        options = ("--period", "4", "--size", "80x60")
+        for arguments in (["--frames", "3"], ["--frame", "1"]):
+            code, _, errors = self.run_program(
+                self.SCENE, "-o", self.path(arguments[0] + "%02d.png"), *arguments, *options,
+                program=ANIMATED_FOG)
+            self.assertEqual(code, 0, errors)
+        frames = [read_png(self.path(f"--frames{i:02d}.png")) for i in range(3)]
+        np.testing.assert_array_equal(frames[1], read_png(self.path("--frame01.png")))
+        still = self.render(self.SCENE, "still.png", "--size", "80x60")
+        self.assertLessEqual(np.abs(frames[0] - still).max(), 1 / 255)
+        self.assertGreater(np.abs(frames[1] - frames[0]).max(), 0.05)
+        self.assertGreater(np.abs(frames[2] - frames[1]).max(), 0.05)
+        self.fail_with(["%04d"], self.SCENE, "-o", self.path("a.png"), "--frames", "2",
+                       program=ANIMATED_FOG)
+        self.fail_with(["no surface 9"], self.SCENE, "-o", self.path("a.png"), "--frame", "2",
+                       "--surface", "9", program=ANIMATED_FOG)
+
+
+class TestModels(ProgramTest):
+    def test_models(self):
+        """The model is in the middle, lit, and the light around the lamp is above it to the left.
+        """
+        for name in write_models(self.path):
+            with self.subTest(model=name):
+                picture = self.render(self.path(name), name + ".png", "--size", "96x72")
+                middle = np.s_[24:48, 32:64]
+                self.assertGreater(picture[middle].mean(), 0.1)
+                self.assertGreater(picture[:36, :48].mean(), picture[36:, 48:].mean())
+                plain = self.render(self.path(name), name + ".plain.png", "--size", "96x72",
+                                    "--no-medium")
+                self.assertGreater(plain[middle].mean(), 0.1)
+                self.assertEqual(plain[0].max(), 0)
+
+
+class TestCompare(ProgramTest):
+    def test_agrees_with_the_judge(self):
+        random = np.random.default_rng(1)
+        total = read_pfm(reference_file("S3_ground_occluders", "total"))
+        mask = reference_file("S3_ground_occluders", "shadowmask")
+        noisy = total * random.normal(1.01, 0.05, total.shape) + 1e-4
+        broken = noisy.copy()
+        broken[3, 4, 1] = np.nan
+        broken[70:72, 80] = np.inf
+        depth = reference_file("S3_ground_occluders", "depth")
+        black = self.path("black.pfm")
+        write_pfm(black, np.zeros_like(total))
+        reference = reference_file("S3_ground_occluders", "total")
+        for picture, other, options in (
+                (noisy, reference, []), (noisy, reference, ["--mask", mask]),
+                (broken, reference, []), (broken, reference, ["--mask", mask]),
+                (read_pfm(depth) + 0.1, depth, []), (noisy, black, [])):
+            picture_file = self.path("picture.pfm")
+            write_pfm(picture_file, picture)
+            printed = self.succeed("compare", picture_file, other, *options, "--json")
+            scores = json.loads(printed)
+            expected = metrics(read_pfm(picture_file), read_pfm(other),
+                               read_pfm(mask) if options else None)
+            self.assertEqual(list(scores), list(expected))
+            for name, value in expected.items():
+                self.assertLessEqual(abs(scores[name] - value), 1e-9 * abs(value), name)
+            line = self.succeed("compare", picture_file, other, *options).strip()
+            self.assertEqual(line, " ".join(
+                f"{k}={v:.4g}" if isinstance(v, float) else f"{k}={v}"
+                for k, v in expected.items()))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bad input to the programs: a message that names file, line and key, exit code 1, never a crash.
+
+Run it like TestAirlightProgram.py.
+"""
+
+import os
+import unittest
+
+import numpy as np
+
+from programtest import (TETRAHEDRON, ProgramTest, reference_file, scene_file, write_models,
+                         write_pfm)
+
+
+class TestBadModels(ProgramTest):
+    def test_damaged_models(self):
+        """VTK's readers crash on some of these; the program says which file it was."""
+        for name in write_models(self.path):
+            with open(self.path(name), "rb") as file:
+                content = file.read()
+            stem, extension = name.split(".")
+            pieces = [b"", b"\0" * 100, content[:20]]
+            if name not in ("a.obj", "b.obj"):  # half of one is a smaller model
+                pieces += [content[:len(content) * k // 10] for k in (3, 5, 7, 9)]
+            for i, piece in enumerate(pieces):
+                bad = self.write(f"{stem}{i}.{extension}", piece)
+                self.fail_with([bad], "render", bad, "-o", self.path("x.png"))
+                self.assertFalse(os.path.exists(self.path("x.png")))
+
+    def test_impossible_models(self):
+        for name, text, words in (
+                ("c.obj", TETRAHEDRON + "f 1 2 99\n", ["points that it does not hold"]),
+                ("c.obj", TETRAHEDRON.replace("v 1 0 0", "v nan 0 0"), ["not finite"]),
+                ("c.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n", ["no extent"]),
+                ("c.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", ["no polygons"]),
+                ("c.txt", TETRAHEDRON, ["unknown kind of model", "gltf"])):
+            bad = self.write(name, text)
+            self.fail_with([bad, *words], "render", bad, "-o", self.path("x.png"))
+
+
+class TestBadScenes(ProgramTest):
+    """Every complaint about a scene file names file, line and key."""
+
+    CASES = (
+        # (text to replace, replacement, line, words)
+        ('"sigma_s"', '"sigma_z"', 27, ["unknown key 'sigma_z' in medium", "known keys: sigma_s"]),
+        ('"camera"', '"kamera"', 8, ["unknown key 'kamera'"]),
+        ('"height": 120', '"height": 120, "depth": 3', 6, ["unknown key 'depth' in image"]),
+        ('"height": 120', '"height": 120,', 7, ["malformed JSON"]),
+        ('"g": 0.0', '"h": 0.0', 39, ["unknown key 'h' in medium.phase"]),
+        (',\n   "g": 0.0', '', 37, ["missing key 'g' in medium.phase"]),
+        ('"width": 160', '"width": -160', 5, ["image.width", "-160"]),
+        ('"width": 160', '"width": 0', 5, ["image.width"]),
+        ('"width": 160', '"width": 16385', 5, ["image.width", "16384"]),
+        ('"width": 160', '"width": 160.5', 5, ["image.width", "whole number"]),
+        ('"width": 160', '"width": "160"', 5, ["image.width"]),
+        ('"width": 160', '"width": 160, "width": 160', 5, ["'width' is given twice"]),
+        ('   0.08,\n   0.08,', '   NaN,\n   0.08,', 28, ["malformed JSON"]),
+        ('   0.08,\n   0.08,', '   0.08,\n   1e999,', 29, ["1e999"]),
+        ('   0.08,\n   0.08,', '   0.08,\n   -0.08,', 29, ["medium.sigma_s[1]", "-0.08"]),
+        ('   0.08,\n   0.08,', '   0.08,', 27, ["medium.sigma_s", "3 numbers"]),
+        ('   0.08,\n   0.08,', '   0.08,\n   null,', 29, ["medium.sigma_s[1]", "null"]),
+        ('"g": 0.0', '"g": 1.0', 39, ["medium.phase.g", "0.99"]),
+        ('"henyey_greenstein"', '"mie"', 38, ["medium.phase.type", "isotropic"]),
+        ('"box"', '"sphere"', 42, ["medium.bounds.type"]),
+        ('    -25,\n', '    26,\n', 43, ["medium.bounds.min", "max"]),
+        ('"point"', '"area"', 57, ["lights[0].type", "directional"]),
+        ('    30.0,', '    -30.0,', 64, ["lights[0].intensity[0]"]),
+        ('"view_angle_deg": 40.0', '"view_angle_deg": 180', 24, ["camera.view_angle_deg"]),
+        ('   0,\n   1,\n   0\n', '   0,\n   0,\n   0\n', 19, ["camera.view_up"]),
+        ('    0.5,\n    0.25', '    1.5,\n    0.25', 82, ["surfaces[1].albedo[0]"]),
+        ('"meshes/s3_box.ply"', '3', 80, ["surfaces[1].mesh", "string"]),
+        ('meshes/s3_box.ply', 'meshes/none.ply', 80, ["surfaces[1].mesh", "none.ply"]),
+        ('meshes/s3_box.ply', 'cut.ply', 80, ["surfaces[1].mesh", "cut.ply"]),
+        ('"surfaces": [', '"surfaces": 3, "more": [', 70, ["unknown key 'more'"]),
+    )
+
+    def test_table(self):
+        with open(scene_file("S3_ground_occluders")) as file:
+            good = file.read()
+        with open(os.path.join(os.path.dirname(scene_file("")), "..", "meshes",
+                               "s3_box.ply")) as file:
+            mesh = file.read()
+        for name in ("ground", "box", "sphere"):
+            self.write(f"meshes/s3_{name}.ply", mesh)
+        self.write("cut.ply", mesh[:len(mesh) // 2])
+        scene = self.write("bad.json", good)
+        self.succeed("render", scene, "-o", self.path("good.png"))
+        for old, new, line, words in self.CASES:
+            with self.subTest(old=old, new=new):
+                self.assertIn(old, good)
+                self.write("bad.json", good.replace(old, new, 1))
+                self.fail_with([f"{scene}:{line}: ", *words], "render", scene, "-o",
+                               self.path("x.png"))
+
+    def test_files(self):
+        output = self.path("x.png")
+        empty = self.write("empty.json", "")
+        self.fail_with([empty, "empty"], "render", empty, "-o", output)
+        self.fail_with(["none.json", "no such file"], "render", "none.json", "-o", output)
+        self.fail_with([self.folder, "folder"], "render", self.folder, "-o", output)
+        for text in ("[" * 100000, '{"a":' * 100000, "null", "[1, 2]", "\\", "\xff\xfe", "{}"):
+            bad = self.write("bad.json", text.encode("latin-1"))
+            self.fail_with([bad + ":1: "], "render", bad, "-o", output)
+
+    def test_options(self):
+        scene = scene_file("S1_point_iso")
+        output = ["-o", self.path("x.png")]
+        for options, words in (
+                (["--no-such-option"], ["--no-such-option"]),
+                (["--size", "10"], ["--size '10'", "WxH"]),
+                (["--size", "0x10"], ["--size '0x10'"]),
+                (["--size", "99999x10"], ["--size", "16384"]),
+                (["--visibility", "0"], ["--visibility '0'"]),
+                (["--visibility", "nan"], ["--visibility 'nan'"]),
+                (["--scattering", "1,2"], ["--scattering '1,2'", "r,g,b"]),
+                (["--scattering", "1,2,inf"], ["--scattering"]),
+                (["--absorption=-1,2,3"], ["--absorption '-1,2,3'"]),
+                (["--anisotropy", "1"], ["--anisotropy '1'", "0.99"]),
+                (["--point", "1,2,3"], ["--point '1,2,3'", "x,y,z:I"]),
+                (["--point", "1,2,3:4:5"], ["--point"]),
+                (["--camera", "1,2,3:1,2,3"], ["--camera"]),
+                (["--camera", "1,2,3:0,0,0:200"], ["--camera"]),
+                (["--exposure", "-1"], ["--exposure '-1'"]),
+                (["--buffer", "Nothing"], ["--buffer", "Radiance"]),
+                (["--technique", "Magic"], ["--technique", "ShadowPlanes"]),
+                (["--no-medium", "--visibility", "3"], ["--no-medium"]),
+                (["--no-medium", "--exposure", "3"], ["--no-medium"])):
+            with self.subTest(options=options):
+                self.fail_with(words, "render", scene, *output, *options)
+        self.fail_with(["x.jpg", "png, pfm, tiff"], "render", scene, "-o", "x.jpg")
+        missing = os.path.join(self.folder, "none", "x.pfm")
+        self.fail_with([missing, "folder"], "render", scene, "-o", missing)
+
+
+class TestBadImages(ProgramTest):
+    def test_compare(self):
+        total = reference_file("S1_point_iso", "total")
+        with open(total, "rb") as file:
+            content = file.read()
+        for i, (piece, word) in enumerate((
+                (b"", "empty"), (content[:50], "bytes"), (content[:-1], "bytes"),
+                (content + b"x", "bytes"), (b"P6\n1 1\n255\n123", "PF or Pf"), (b"PF\n", "header"),
+                (b"PF\n-160 120\n-1\n" + content[16:], "header"),
+                (b"PF\n160 120\nx\n" + content[16:], "header"),
+                (b"PF\n999999999 999999999\n-1\n", "header"))):
+            bad = self.write(f"{i}.pfm", piece)
+            self.fail_with([bad, word], "compare", bad, total)
+            self.fail_with([bad, word], "compare", total, total, "--mask", bad)
+        depth = reference_file("S1_point_iso", "depth")
+        self.fail_with(["160x120 pixels of 3 channels", "1 channels"], "compare", total, depth)
+        small = self.path("small.pfm")
+        write_pfm(small, np.ones((2, 3, 1)))
+        self.fail_with(["3x2", "160x120"], "compare", depth, small)
+        self.fail_with(["mask", "3x2"], "compare", depth, depth, "--mask", small)
+        nothing = self.path("nothing.pfm")
+        write_pfm(nothing, np.zeros((120, 160, 1)))
+        self.fail_with(["no pixels"], "compare", total, total, "--mask", nothing)
+
+    def test_montage(self):
+        good = self.path("good.png")
+        self.succeed("render", scene_file("S1_point_iso"), "-o", good, "--size", "40x30")
+        small = self.path("small.png")
+        self.succeed("render", scene_file("S1_point_iso"), "-o", small, "--size", "40x20")
+        with open(good, "rb") as file:
+            content = file.read()
+        output = ["-o", self.path("x.png")]
+        for i, piece in enumerate((b"", b"x" * 99, content[:20], content[:len(content) // 2])):
+            bad = self.write(f"{i}.png", piece)
+            self.fail_with([bad], "montage", good, bad, *output)
+        self.fail_with([small, "20 pixels high", "30"], "montage", good, small, *output)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Builds Airlight in build/ and renders Figure 1: a scene without a medium (a), in a medium without
+# shadows (b), and with volumetric shadows (c).
+#
+# Usage: Utilities/demo.sh [--output DIR] [--no-view]
+#
+# Writes figure1-a.png, figure1-b.png, figure1-c.png and figure1.png, the three side by side, into
+# DIR (default: the current directory). Where there is a screen it then opens the scene in the
+# viewer. AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+step_count=4
+
+usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; }
+
+output=$PWD
+view=yes
+while (($#)); do
+  case $1 in
+    --output)
+      (($# >= 2)) || die "--output needs a directory."
+      output=$2
+      shift
+      ;;
+    --output=*) output=${1#*=} ;;
+    --no-view) view=no ;;
+    -h | --help)
+      usage
+      exit
+      ;;
+    *) die "unknown option '$1'; try --help." ;;
+  esac
+  shift
+done
+mkdir -p "$output" || die "cannot make the directory '$output'."
+
+airlight=$build/bin/airlight
+scene=$root/Examples/Data/figure1.json
+if [[ -n ${DISPLAY:-} ]]; then
+  run=("$airlight")
+else
+  run=(on_virtual_display "$airlight")
+fi
+
+step "Looking for tools"
+need cmake c++
+[[ -n ${DISPLAY:-} ]] || need xvfb-run xauth
+
+step "Configuring"
+configure -DAIRLIGHT_BUILD_EXAMPLES=ON
+
+step "Building"
+compile airlight
+
+step "Rendering Figure 1 into $output"
+cd "$output"
+"${run[@]}" render "$scene" --technique None --no-medium -o figure1-a.png
+"${run[@]}" render "$scene" --technique None -o figure1-b.png
+"${run[@]}" render "$scene" -o figure1-c.png
+"${run[@]}" montage figure1-a.png figure1-b.png figure1-c.png -o figure1.png
+echo "Done: $PWD/figure1.png"
+
+if [[ -n ${DISPLAY:-} && $view == yes ]]; then
+  echo "Opening the viewer; press q to leave it."
+  "$airlight" view "$scene"
+fi

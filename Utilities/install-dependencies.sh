@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Installs what Airlight needs to build, test and run on Debian 12. Packages that are there already
+# are left as they are. Becomes root through sudo where necessary.
+#
+# Usage: Utilities/install-dependencies.sh [--with-openvdb]
+#
+#   --with-openvdb   also install OpenVDB, for reading .vdb files
+set -euo pipefail
+
+packages=(
+  # to build
+  build-essential cmake ninja-build ccache
+  libvtk9-dev libeigen3-dev libglm-dev libcli11-dev nlohmann-json3-dev
+  # Python
+  python3-vtk9 python3-numpy
+  # to render without a screen
+  xvfb xauth libgl1-mesa-dri
+)
+
+for option in "$@"; do
+  case $option in
+    --with-openvdb) packages+=(libopenvdb-dev libboost-iostreams-dev) ;;
+    -h | --help)
+      sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+      exit
+      ;;
+    *)
+      echo "error: unknown option '$option'; try --help." >&2
+      exit 1
+      ;;
+  esac
+done
+
+command -v apt-get > /dev/null || {
+  echo "error: apt-get is missing; this script is for Debian. It would have installed:" >&2
+  echo "  ${packages[*]}" >&2
+  exit 1
+}
+
+as_root=()
+if ((EUID != 0)); then
+  command -v sudo > /dev/null || {
+    echo "error: run this script as root, or install sudo." >&2
+    exit 1
+  }
+  as_root=(sudo)
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2> /dev/null) || status=
+  [[ $status == installed ]] || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+  echo "Everything is installed."
+  exit
+fi
+
+echo "[1/2] Updating the package lists"
+"${as_root[@]}" apt-get update
+echo "[2/2] Installing ${missing[*]}"
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install --yes --no-install-recommends "${missing[@]}"

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Builds Airlight in build/ and runs all its tests.
+#
+# Usage: Utilities/test.sh [CTEST OPTION...]      for example: Utilities/test.sh -R Python
+#
+# The tests run under one virtual X server, also where there is a screen, so that the result does
+# not depend on it. AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+step_count=4
+
+step "Looking for tools"
+need cmake ctest c++ xvfb-run xauth
+
+step "Configuring"
+configure -DAIRLIGHT_BUILD_TESTING=ON
+
+step "Building"
+compile all
+
+step "Testing"
+cd "$build"
+on_virtual_display ctest --output-on-failure --no-tests=error --parallel "$jobs" "$@" ||
+  die "some tests failed; see above."
