@@ -62,8 +62,7 @@ std::vector<vtkIdType> MergeByPosition(vtkPoints* points)
 //------------------------------------------------------------------------------
 CasterMesh::CasterMesh(vtkPolyData* data)
 {
-  if (!data || !data->GetPoints() ||
-    data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)
+  if (!data || !data->GetPoints() || data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)
   {
     return;
   }
@@ -88,8 +87,7 @@ void CasterMesh::ReadTriangles(vtkPolyData* data)
   }
   const std::vector<vtkIdType> merged = MergeByPosition(data->GetPoints());
   std::vector<int> compact(merged.size(), -1);
-  const auto vertex = [&](vtkIdType id) -> int
-  {
+  const auto vertex = [&](vtkIdType id) -> int {
     if (id < 0 || id >= static_cast<vtkIdType>(merged.size()) || merged[id] < 0)
     {
       return -1;
@@ -108,8 +106,8 @@ void CasterMesh::ReadTriangles(vtkPolyData* data)
   auto cell = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
   for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
   {
-    vtkIdType size;
-    const vtkIdType* ids;
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
     cell->GetCurrentCell(size, ids);
     if (size != 3)
     {
@@ -160,12 +158,12 @@ void CasterMesh::BuildEdges()
     {
       const auto a = static_cast<std::uint64_t>(this->Triangles[f][k]);
       const auto b = static_cast<std::uint64_t>(this->Triangles[f][(k + 1) % 3]);
-      uses.push_back({ std::min(a, b) << 32 | std::max(a, b),
-        static_cast<EdgeUse>(2 * f + (a < b ? 1 : 0)) });
+      uses.push_back(
+        { std::min(a, b) << 32 | std::max(a, b), static_cast<EdgeUse>(2 * f + (a < b ? 1 : 0)) });
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b)
-    { return a.Key != b.Key ? a.Key < b.Key : a.Value < b.Value; });
+  std::sort(uses.begin(), uses.end(),
+    [](const Use& a, const Use& b) { return a.Key != b.Key ? a.Key < b.Key : a.Value < b.Value; });
   this->Uses.reserve(uses.size());
   this->Edges.reserve(uses.size() / 2);
   for (size_t i = 0; i < uses.size(); ++i)

@@ -30,7 +30,7 @@ public:
 
   struct Edge
   {
-    int Low;      // vertex indices, Low < High
+    int Low; // vertex indices, Low < High
     int High;
     int FirstUse; // into Uses; the last one is before the next edge's first
   };

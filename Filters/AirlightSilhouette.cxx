@@ -16,10 +16,7 @@ int Side(const glm::dvec4& plane, const HomogeneousPoint& p)
   return (d > 0.0) - (d < 0.0);
 }
 
-glm::dvec3 Xyz(const glm::dvec4& v)
-{
-  return { v.x, v.y, v.z };
-}
+glm::dvec3 Xyz(const glm::dvec4& v) { return { v.x, v.y, v.z }; }
 
 // The straight way between two points, at least one of which is finite.
 struct Line

@@ -31,8 +31,7 @@ struct SilhouetteEdge
 // The weight of an edge is the sum of the directions in which its triangles, each turned to face
 // the light, run along it; edges of weight 0 bound nothing. Their sum is a closed chain whatever
 // the mesh, so that shadow planes never leak.
-std::vector<SilhouetteEdge> FindSilhouette(
-  const CasterMesh& mesh, const HomogeneousPoint& light);
+std::vector<SilhouetteEdge> FindSilhouette(const CasterMesh& mesh, const HomogeneousPoint& light);
 
 // Number of triangles crossed by the straight way from the light to the point, that is the number
 // of shadow volumes that hold the point. Consistent along shared edges.

@@ -39,8 +39,8 @@ public:
   // (1 + s^2)/(s^2 + b^2)/p: the pole's share relative to the function.
   Eigen::VectorXd Column(double b) const
   {
-    return ((1.0 + this->SquaredTangent.array()) /
-      (this->SquaredTangent.array() + b * b) / this->Phase.array())
+    return ((1.0 + this->SquaredTangent.array()) / (this->SquaredTangent.array() + b * b) /
+      this->Phase.array())
       .matrix();
   }
 
@@ -78,8 +78,7 @@ private:
 };
 
 // Weighted least squares for the weights c at given poles.
-Eigen::VectorXd SolveWeights(
-  const Eigen::MatrixXd& columns, const Eigen::VectorXd& sampleWeights)
+Eigen::VectorXd SolveWeights(const Eigen::MatrixXd& columns, const Eigen::VectorXd& sampleWeights)
 {
   return (sampleWeights.asDiagonal() * columns).colPivHouseholderQr().solve(sampleWeights);
 }
@@ -95,8 +94,7 @@ void Refine(const Fitter& fitter, const Eigen::VectorXd& sampleWeights, int iter
   {
     Eigen::MatrixXd jacobian(residual.size() + 2 * n, 2 * n);
     jacobian.setZero();
-    jacobian.topLeftCorner(residual.size(), n) =
-      sampleWeights.asDiagonal() * fitter.Columns(logB);
+    jacobian.topLeftCorner(residual.size(), n) = sampleWeights.asDiagonal() * fitter.Columns(logB);
     jacobian.topRightCorner(residual.size(), n) =
       sampleWeights.asDiagonal() * fitter.PoleDerivatives(logB, c);
     const Eigen::VectorXd scale = jacobian.colwise().norm();

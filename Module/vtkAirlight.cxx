@@ -16,10 +16,7 @@ using namespace airlight;
 
 namespace
 {
-glm::dvec3 Vector(const double v[3])
-{
-  return { v[0], v[1], v[2] };
-}
+glm::dvec3 Vector(const double v[3]) { return { v[0], v[1], v[2] }; }
 
 bool IsFinite(const double v[3])
 {
@@ -130,8 +127,7 @@ glm::dvec3 Integrate(const f64::AirlightMedium& medium, f64::AirlightLight light
     light.radius = distance > 0.0 ? 1e-12 * distance : 1e-12 * std::min(t1, 1.0);
     light.radius = std::max(light.radius, 1e-100);
   }
-  const f64::AirlightRay ray =
-    f64::airlightRay(medium, light, glm::dvec3(0.0), direction, t1);
+  const f64::AirlightRay ray = f64::airlightRay(medium, light, glm::dvec3(0.0), direction, t1);
   const double from = std::max(t0, ray.range.x);
   const double to = std::min(t1, ray.range.y);
   if (!(to > from))
@@ -143,8 +139,7 @@ glm::dvec3 Integrate(const f64::AirlightMedium& medium, f64::AirlightLight light
     return medium.sigmaS * light.intensity * AdaptiveQuadrature(medium, light, ray, from, to);
   }
   return f64::airlightInterval3(medium, light, ray, from,
-    f64::airlightTail3(medium, light, ray, from), to,
-    f64::airlightTail3(medium, light, ray, to));
+    f64::airlightTail3(medium, light, ray, from), to, f64::airlightTail3(medium, light, ray, to));
 }
 
 // Channels without scattering are exactly dark, whatever the limits of their integrals.
@@ -173,15 +168,15 @@ bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, const double lightPo
     return false;
   }
   const f64::AirlightMedium converted = ConvertMedium(medium, Vector(origin));
-  const f64::AirlightLight light = ConvertPointLight(
-    converted, Vector(lightPosition), Vector(radiantIntensity), Vector(origin));
+  const f64::AirlightLight light =
+    ConvertPointLight(converted, Vector(lightPosition), Vector(radiantIntensity), Vector(origin));
   Store(converted, Integrate(converted, light, unit, t0, t1), rgb);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, vtkLight* light,
-  const double origin[3], const double direction[3], double t0, double t1, double rgb[3])
+bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, vtkLight* light, const double origin[3],
+  const double direction[3], double t0, double t1, double rgb[3])
 {
   std::fill_n(rgb, 3, 0.0);
   glm::dvec3 unit;
@@ -205,7 +200,8 @@ bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, vtkLight* light,
       return true;
     case LightSupport::Unsupported:
       vtkErrorWithObjectMacro(light,
-        "vtkAirlight: spot lights (cone angle " << light->GetConeAngle()
+        "vtkAirlight: spot lights (cone angle "
+          << light->GetConeAngle()
           << " below 90) and directional lights in a bounded medium are not supported.");
       return false;
     case LightSupport::Invalid:

@@ -16,10 +16,7 @@ constexpr double KoschmiederConstant = 3.912;
 // Kept in step with AIRLIGHT_MAX_POLES of the shaders.
 constexpr int MaximumPoles = 8;
 
-double Mean(const double v[3])
-{
-  return (v[0] + v[1] + v[2]) / 3.0;
-}
+double Mean(const double v[3]) { return (v[0] + v[1] + v[2]) / 3.0; }
 }
 
 vtkStandardNewMacro(vtkParticipatingMedium);
@@ -323,13 +320,15 @@ void vtkParticipatingMedium::SetBounds(const double bounds[6])
 void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print3 = [&](const char* name, const double v[3])
-  { os << indent << name << ": (" << v[0] << ", " << v[1] << ", " << v[2] << ")\n"; };
+  const auto print3 = [&](const char* name, const double v[3]) {
+    os << indent << name << ": (" << v[0] << ", " << v[1] << ", " << v[2] << ")\n";
+  };
   print3("Scattering", this->Scattering);
   print3("Absorption", this->Absorption);
   print3("AmbientRadiance", this->AmbientRadiance);
-  os << indent << "PhaseFunction: "
-     << (this->PhaseFunction == ISOTROPIC ? "Isotropic" : "HenyeyGreenstein") << "\n";
+  os << indent
+     << "PhaseFunction: " << (this->PhaseFunction == ISOTROPIC ? "Isotropic" : "HenyeyGreenstein")
+     << "\n";
   os << indent << "Anisotropy: " << this->Anisotropy << "\n";
   os << indent << "PhaseTolerance: " << this->PhaseTolerance << "\n";
   os << indent << "PhaseErrorBound: ";

@@ -192,8 +192,7 @@ public:
    * The box of SetRegionToBox(): xmin, xmax, ymin, ymax, zmin, zmax in world units, each minimum
    * at most its maximum. Default: (-1, 1, -1, 1, -1, 1).
    */
-  void SetBounds(
-    double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
+  void SetBounds(double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
   void SetBounds(const double bounds[6]);
   vtkGetVector6Macro(Bounds, double);
   ///@}

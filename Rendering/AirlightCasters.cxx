@@ -113,7 +113,7 @@ const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer)
     surface.second.Used = false;
   }
   vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
+  vtkCollectionSimpleIterator it = nullptr;
   props->InitTraversal(it);
   while (vtkProp* prop = props->GetNextProp(it))
   {

@@ -44,8 +44,7 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedium& medium,
   {
     return this->Fail(this->Textures.GetError());
   }
-  if (settings.Shadows &&
-    !this->Lists.Prepare(this->Window, width, height, settings.MemoryLimit))
+  if (settings.Shadows && !this->Lists.Prepare(this->Window, width, height, settings.MemoryLimit))
   {
     return this->Fail(this->Lists.GetError());
   }
@@ -157,8 +156,7 @@ bool Frame::ScatterLight(int index)
 //------------------------------------------------------------------------------
 bool Frame::Resolve(int index, const ShadowVolumes* volumes, int row, int rows)
 {
-  const std::string common =
-    GetScatteringSource(this->Medium.phase.poleCount) + AirlightViewShader;
+  const std::string common = GetScatteringSource(this->Medium.phase.poleCount) + AirlightViewShader;
   Quad& quad = volumes ? this->ResolveWithShadows : this->ResolveWithout;
   vtkShaderProgram* program = quad.Ready(this->Window,
     volumes ? "#version 430\n" + common + ShadowLists::GetBoundariesSource() + AirlightResolveFS

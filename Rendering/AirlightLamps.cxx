@@ -16,8 +16,7 @@ namespace
 // What single precision resolves of the distance between a ray and a light.
 constexpr double RelativeRadius = 1e-5;
 
-Lamp MakeLamp(
-  vtkLight* light, const f64::AirlightMedium& medium, const View& view, double radius)
+Lamp MakeLamp(vtkLight* light, const f64::AirlightMedium& medium, const View& view, double radius)
 {
   Lamp lamp;
   lamp.Light = light;
@@ -28,8 +27,7 @@ Lamp MakeLamp(
     lamp.World = directional ? glm::dvec4(lamp.Values.position, 0.0)
                              : glm::dvec4(lamp.Values.position + view.GetEye(), 1.0);
     const double distance = directional ? 1.0 : glm::length(lamp.Values.position);
-    lamp.Values.radius =
-      std::max(radius, RelativeRadius * std::max(distance, view.GetNear()));
+    lamp.Values.radius = std::max(radius, RelativeRadius * std::max(distance, view.GetNear()));
     // A headlight sees what the camera sees: all its shadows lie behind what casts them.
     lamp.CastsShadows = !light->LightTypeIsHeadlight();
   }
@@ -43,7 +41,7 @@ std::vector<Lamp> CollectLamps(
 {
   std::vector<Lamp> lamps;
   vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator it;
+  vtkCollectionSimpleIterator it = nullptr;
   lights->InitTraversal(it);
   while (vtkLight* light = lights->GetNextLight(it))
   {

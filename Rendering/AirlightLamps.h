@@ -24,8 +24,8 @@ struct Lamp
 {
   vtkLight* Light;
   LightSupport Support;
-  f64::AirlightLight Values;   // relative to the eye
-  glm::dvec4 World{ 0.0 };     // homogeneous position
+  f64::AirlightLight Values; // relative to the eye
+  glm::dvec4 World{ 0.0 };   // homogeneous position
   bool CastsShadows = false;
 
   bool Scatters() const { return this->Support == LightSupport::Scatters; }

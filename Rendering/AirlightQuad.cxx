@@ -26,8 +26,8 @@ std::string GetScatteringSource(int poleCount)
 {
   return std::string(AirlightPrelude) + "#define AIRLIGHT_MAX_POLES " +
     std::to_string(AIRLIGHT_MAX_POLES) + "\n#define AIRLIGHT_POLE_COUNT " +
-    std::to_string(poleCount) + "\n" + AirlightExponentialIntegral + AirlightGauss +
-    AirlightPhase + AirlightPointLight + AirlightRegion + AirlightMedium + AirlightScattering;
+    std::to_string(poleCount) + "\n" + AirlightExponentialIntegral + AirlightGauss + AirlightPhase +
+    AirlightPointLight + AirlightRegion + AirlightMedium + AirlightScattering;
 }
 
 //------------------------------------------------------------------------------
@@ -64,8 +64,7 @@ vtkShaderProgram* Quad::Ready(vtkOpenGLRenderWindow* window, const std::string& 
   if (!this->Program || this->Source != fragmentSource)
   {
     this->Source = fragmentSource;
-    this->Program =
-      cache->ReadyShaderProgram(AirlightFullScreenVS, this->Source.c_str(), "");
+    this->Program = cache->ReadyShaderProgram(AirlightFullScreenVS, this->Source.c_str(), "");
   }
   else
   {

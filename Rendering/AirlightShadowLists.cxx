@@ -54,10 +54,7 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::string ShadowLists::GetBoundariesSource()
-{
-  return AirlightBoundaries;
-}
+std::string ShadowLists::GetBoundariesSource() { return AirlightBoundaries; }
 
 //------------------------------------------------------------------------------
 bool ShadowLists::Reserve(std::uint64_t boundaries)
@@ -97,8 +94,8 @@ bool ShadowLists::Prepare(
   if (this->HeadCount != heads)
   {
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
-    glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(heads) * 4, nullptr,
-      GL_DYNAMIC_COPY);
+    glBufferData(
+      GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(heads) * 4, nullptr, GL_DYNAMIC_COPY);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
     this->HeadCount = heads;
   }
@@ -131,8 +128,8 @@ vtkShaderProgram* ShadowLists::ReadyProgram()
 {
   const std::string fragment =
     std::string("#version 430\n") + AirlightViewShader + AirlightPlanesFS;
-  vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
-    AirlightPlanesVS, fragment.c_str(), "");
+  vtkShaderProgram* program =
+    this->Window->GetShaderCache()->ReadyShaderProgram(AirlightPlanesVS, fragment.c_str(), "");
   if (!program || !program->GetCompiled())
   {
     this->Error = program ? program->GetError() : "the shader cache returned no program";
@@ -146,8 +143,7 @@ vtkShaderProgram* ShadowLists::ReadyProgram()
 std::uint32_t ShadowLists::DrawOnce(vtkShaderProgram* program, int edgeCount, int row, int rows)
 {
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
-  glClearBufferData(
-    GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
   // The program takes the capacity as an unsigned integer, which vtkShaderProgram cannot set.
   glUniform1ui(glGetUniformLocation(program->GetHandle(), "capacity"), this->Capacity);
@@ -177,9 +173,8 @@ int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& 
   view.SetUniforms(program, 0, 0);
   glm::mat4 clip = view.GetClipMatrix(volumes.GetAnchor());
   const glm::vec3 anchor(volumes.GetAnchor() - view.GetEye());
-  const glm::vec4 fromLight = light.w != 0.0
-    ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)
-    : glm::vec4(-glm::vec3(light), 0.0f);
+  const glm::vec4 fromLight =
+    light.w != 0.0 ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : glm::vec4(-glm::vec3(light), 0.0f);
   program->SetUniformMatrix4x4("anchorToClip", &clip[0][0]);
   program->SetUniform3f("anchor", &anchor.x);
   program->SetUniform4f("fromLight", &fromLight.x);
@@ -204,8 +199,7 @@ int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& 
   while (rows > 0)
   {
     const std::uint64_t needed =
-      static_cast<std::uint64_t>(
-        this->DrawOnce(program, this->Edges[slot].Count, row, rows)) + 1;
+      static_cast<std::uint64_t>(this->DrawOnce(program, this->Edges[slot].Count, row, rows)) + 1;
     if (needed <= this->Capacity)
     {
       break;

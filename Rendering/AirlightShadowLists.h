@@ -39,8 +39,7 @@ public:
   static std::string GetBoundariesSource();
 
   // `memoryLimit` in bytes. False with a reason in GetError() where a buffer cannot be had.
-  bool Prepare(
-    vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t memoryLimit);
+  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t memoryLimit);
   const std::string& GetError() const { return this->Error; }
 
   // Uploads a light's edges; `slot` is the light's number.

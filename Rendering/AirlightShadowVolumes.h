@@ -30,8 +30,7 @@ class ShadowVolumes
 public:
   // `light` is the homogeneous world position; `start` that of the view rays' common start.
   // Returns true where the edges changed.
-  bool Update(
-    const std::vector<Caster>& casters, const glm::dvec4& light, const glm::dvec4& start);
+  bool Update(const std::vector<Caster>& casters, const glm::dvec4& light, const glm::dvec4& start);
 
   const std::vector<ShadowEdge>& GetEdges() const { return this->Edges; }
   int GetStartCount() const { return this->StartCount; }

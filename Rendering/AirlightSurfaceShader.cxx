@@ -29,6 +29,17 @@ std::string Declarations(int lampCount)
     "\n#define AIRLIGHT_BITS " + std::to_string(BitsPerChannel) + "\n" + AirlightRegion +
     AirlightViewShader + AirlightFragment + AirlightSurface + Undefine;
 }
+
+// Whether nothing but the template's own test of the final opacity can discard a fragment. Then a
+// fragment of an opaque surface is as good as drawn before it is shaded.
+bool MayLeaveEarly(const std::string& commented)
+{
+  static const std::regex comment("//[^\n]*");
+  const std::string body = std::regex_replace(commented, comment, "");
+  const size_t first = body.find("discard");
+  return (first == std::string::npos || body.find("discard", first + 1) == std::string::npos) &&
+    body.find("texture(") == std::string::npos && body.find("gl_FragDepth") == std::string::npos;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -60,10 +71,14 @@ void InjectSurfaceShader(std::string& fragmentShader, int lampCount)
   }
   const std::string lit =
     std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrives$1)");
-  fragmentShader = fragmentShader.substr(0, mainStart) + Declarations(lampCount) +
-    fragmentShader.substr(mainStart, bodyStart + 1 - mainStart) + "\n" + arrives + lit +
-    "  if (airlightStage == 0)\n  {\n    gl_FragData[0] = vec4(airlightFragmentDistance());\n  }\n" +
-    fragmentShader.substr(bodyEnd);
+  const std::string writeDistance = "    gl_FragData[0] = vec4(airlightFragmentDistance());\n";
+  const std::string early = MayLeaveEarly(body)
+    ? "  if (airlightStage == 0)\n  {\n" + writeDistance + "    return;\n  }\n"
+    : "";
+  const std::string late = "  if (airlightStage == 0)\n  {\n" + writeDistance + "  }\n";
+  fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
+    "\n" + early + arrives + lit + (early.empty() ? late : ""));
+  fragmentShader.insert(mainStart, Declarations(lampCount));
 }
 
 //------------------------------------------------------------------------------
@@ -85,7 +100,7 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   std::vector<glm::vec4> lamps;
   for (const Lamp& lamp : *values.Lamps)
   {
-    const float kind = !lamp.Scatters() ? -1.0f
+    const float kind = !lamp.Scatters()          ? -1.0f
       : lamp.Values.kind == AIRLIGHT_DIRECTIONAL ? 0.0f
                                                  : 1.0f;
     lamps.emplace_back(glm::vec3(lamp.Values.position), kind);

@@ -122,10 +122,7 @@ bool Targets::Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObje
 }
 
 //------------------------------------------------------------------------------
-vtkOpenGLFramebufferObject* Targets::GetFramebuffer()
-{
-  return this->Framebuffer;
-}
+vtkOpenGLFramebufferObject* Targets::GetFramebuffer() { return this->Framebuffer; }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> Targets::Read(
@@ -152,10 +149,9 @@ vtkSmartPointer<vtkImageData> Targets::Read(
 //------------------------------------------------------------------------------
 void Targets::Release(vtkWindow* window)
 {
-  for (vtkTextureObject* texture :
-    { this->Distances.Get(), this->Depth.Get(), this->Scene.Get(), this->Scattered.Get(),
-      this->Lit.Get(), this->Counts.Get(), this->Radiance.Get(), this->Airlight.Get(),
-      this->Surface.Get(), this->Transmittance.Get() })
+  for (vtkTextureObject* texture : { this->Distances.Get(), this->Depth.Get(), this->Scene.Get(),
+         this->Scattered.Get(), this->Lit.Get(), this->Counts.Get(), this->Radiance.Get(),
+         this->Airlight.Get(), this->Surface.Get(), this->Transmittance.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

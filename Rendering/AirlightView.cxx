@@ -65,8 +65,7 @@ View::View(vtkRenderer* renderer, int width, int height)
 
   // A pixel's point in view coordinates, one unit before the eye in a perspective; affine in the
   // pixel's position.
-  const auto viewPoint = [&](double px, double py)
-  {
+  const auto viewPoint = [&](double px, double py) {
     const glm::dvec4 q =
       clipToView * glm::dvec4(2.0 * px / width - 1.0, 2.0 * py / height - 1.0, 0.0, 1.0);
     const glm::dvec3 point = glm::dvec3(q) / q.w;
@@ -74,7 +73,8 @@ View::View(vtkRenderer* renderer, int width, int height)
   };
   const glm::dmat3 axes(viewToWorld);
   const glm::dvec3 corner = viewPoint(0.0, 0.0);
-  const glm::dvec3 affine[3] = { axes * corner, axes * (viewPoint(width, 0.0) - corner) / static_cast<double>(width),
+  const glm::dvec3 affine[3] = { axes * corner,
+    axes * (viewPoint(width, 0.0) - corner) / static_cast<double>(width),
     axes * (viewPoint(0.0, height) - corner) / static_cast<double>(height) };
   for (int i = 0; i < 3; ++i)
   {

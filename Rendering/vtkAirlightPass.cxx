@@ -19,6 +19,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkOverlayPass.h"
 #include "vtkParticipatingMedium.h"
+#include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
@@ -75,7 +76,7 @@ public:
   std::string ReportedError;
 
 private:
-  bool RenderSteps(const vtkRenderState* s, int x, int y);
+  bool RenderSteps(const vtkRenderState* s);
   vtkRenderPass* GetDelegate();
 };
 
@@ -189,8 +190,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   }
   vtkParticipatingMedium* medium = this->Media.empty() ? this->Vacuum : this->Media.front();
   const f64::AirlightMedium converted = ConvertMedium(medium, view.GetEye());
-  const std::vector<Lamp> lamps =
-    CollectLamps(renderer, converted, view, this->Self->LightRadius);
+  const std::vector<Lamp> lamps = CollectLamps(renderer, converted, view, this->Self->LightRadius);
   this->CheckLamps(lamps);
   if (static_cast<int>(lamps.size()) > this->LampCapacity)
   {
@@ -216,7 +216,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   state->PushFramebufferBindings();
   const bool ok =
     this->CurrentFrame.Begin(renderer, converted, lamps, view, settings, width, height) &&
-    this->RenderSteps(s, x, y);
+    this->RenderSteps(s);
   state->PopFramebufferBindings();
   if (!ok)
   {
@@ -236,7 +236,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
 
 //------------------------------------------------------------------------------
 // The steps inside the pass's own framebuffer.
-bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s, int, int)
+bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
 {
   vtkRenderState inner(s->GetRenderer());
   inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
@@ -315,17 +315,14 @@ void vtkAirlightPass::SetMedium(vtkParticipatingMedium* medium)
   this->AddMedium(medium);
 }
 
-int vtkAirlightPass::GetNumberOfMedia()
-{
-  return static_cast<int>(this->Impl->Media.size());
-}
+int vtkAirlightPass::GetNumberOfMedia() { return static_cast<int>(this->Impl->Media.size()); }
 
 vtkParticipatingMedium* vtkAirlightPass::GetMedium(int index)
 {
   if (index < 0 || index >= this->GetNumberOfMedia())
   {
-    vtkErrorMacro(<< "Medium " << index << " does not exist: there are "
-                  << this->GetNumberOfMedia() << ".");
+    vtkErrorMacro(<< "Medium " << index << " does not exist: there are " << this->GetNumberOfMedia()
+                  << ".");
     return nullptr;
   }
   return this->Impl->Media[index];
@@ -347,10 +344,7 @@ void vtkAirlightPass::SetShadowTechnique(int technique)
   }
 }
 
-int vtkAirlightPass::GetEffectiveShadowTechnique()
-{
-  return this->Impl->EffectiveTechnique;
-}
+int vtkAirlightPass::GetEffectiveShadowTechnique() { return this->Impl->EffectiveTechnique; }
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetLightRadius(double radius)
@@ -446,18 +440,17 @@ bool vtkAirlightPass::PostReplaceShaderValues(
 
 //------------------------------------------------------------------------------
 bool vtkAirlightPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  SetSurfaceUniforms(
-    program, this->Impl->CurrentFrame.GetSurfaceUniforms(this->Impl->Stage));
+  SurfaceUniforms values = this->Impl->CurrentFrame.GetSurfaceUniforms(this->Impl->Stage);
+  // The bits are those of the opaque surface, which lies behind a translucent one.
+  values.UseLit = values.UseLit && !prop->HasTranslucentPolygonalGeometry();
+  SetSurfaceUniforms(program, values);
   return true;
 }
 
 //------------------------------------------------------------------------------
-vtkMTimeType vtkAirlightPass::GetShaderStageMTime()
-{
-  return this->Impl->ShaderTime;
-}
+vtkMTimeType vtkAirlightPass::GetShaderStageMTime() { return this->Impl->ShaderTime; }
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
@@ -470,8 +463,8 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   }
   const char* techniques[] = { "None", "ShadowPlanes", "Automatic" };
   os << indent << "ShadowTechnique: " << techniques[this->ShadowTechnique] << "\n";
-  os << indent
-     << "EffectiveShadowTechnique: " << techniques[this->GetEffectiveShadowTechnique()] << "\n";
+  os << indent << "EffectiveShadowTechnique: " << techniques[this->GetEffectiveShadowTechnique()]
+     << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";

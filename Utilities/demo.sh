@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds Airlight in build/ and renders Figure 1: a scene without a medium (a), in a medium without
-# shadows (b), and with volumetric shadows (c).
+# Installs what is missing, builds Airlight in build/ and renders Figure 1: a scene without a medium
+# (a), in a medium without shadows (b), and with volumetric shadows (c).
 #
 # Usage: Utilities/demo.sh [--output DIR] [--no-view]
 #
@@ -43,9 +43,8 @@ else
   run=(on_virtual_display "$airlight")
 fi
 
-step "Looking for tools"
-need cmake c++
-[[ -n ${DISPLAY:-} ]] || need xvfb-run xauth
+step "Installing what is missing"
+install_missing cmake c++ xvfb-run xauth
 
 step "Configuring"
 configure -DAIRLIGHT_BUILD_EXAMPLES=ON
@@ -55,7 +54,7 @@ compile airlight
 
 step "Rendering Figure 1 into $output"
 cd "$output"
-"${run[@]}" render "$scene" --technique None --no-medium -o figure1-a.png
+"${run[@]}" render "$scene" --no-medium -o figure1-a.png
 "${run[@]}" render "$scene" --technique None -o figure1-b.png
 "${run[@]}" render "$scene" -o figure1-c.png
 "${run[@]}" montage figure1-a.png figure1-b.png figure1-c.png -o figure1.png

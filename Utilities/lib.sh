@@ -20,13 +20,18 @@ step()
   echo "[$step_number/$step_count] $*"
 }
 
-# need PROGRAM...: stops unless every program is installed.
-need()
+# install_missing PROGRAM...: installs what is missing where there is apt-get, and stops unless every
+# program is there afterwards.
+install_missing()
 {
+  if command -v apt-get > /dev/null; then
+    "$root/Utilities/install-dependencies.sh" ||
+      die "the packages could not be installed; see the message above."
+  fi
   local program
   for program in "$@"; do
     command -v "$program" > /dev/null ||
-      die "'$program' is missing. On Debian, run Utilities/install-dependencies.sh first."
+      die "'$program' is missing; Utilities/install-dependencies.sh lists all that is needed."
   done
 }
 
@@ -38,8 +43,8 @@ configure()
     generator=(-G Ninja)
   fi
   cmake -S "$root" -B "$build" "${generator[@]}" "$@" ||
-    die "CMake could not configure the build; see its message above. On Debian," \
-      "Utilities/install-dependencies.sh installs what it needs."
+    die "CMake could not configure the build; see its message above." \
+      "Utilities/install-dependencies.sh lists the packages that it needs."
 }
 
 # compile TARGET: builds one target in build/, or `all`.

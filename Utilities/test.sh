@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds Airlight in build/ and runs all its tests.
+# Installs what is missing, builds Airlight in build/ and runs all its tests.
 #
 # Usage: Utilities/test.sh [CTEST OPTION...]      for example: Utilities/test.sh -R Python
 #
@@ -10,8 +10,8 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 step_count=4
 
-step "Looking for tools"
-need cmake ctest c++ xvfb-run xauth
+step "Installing what is missing"
+install_missing cmake ctest c++ xvfb-run xauth
 
 step "Configuring"
 configure -DAIRLIGHT_BUILD_TESTING=ON

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <string>
 
 using namespace airlight;
@@ -54,13 +55,13 @@ std::size_t ChooseSurface(const Scene& scene, int wanted)
     throw UserError(scene.FileName + ": has no surface " + std::to_string(std::max(0, wanted)) +
       "; it has " + std::to_string(count));
   }
-  const auto dragon =
+  const auto bunny =
     std::find_if(scene.Surfaces.begin(), scene.Surfaces.end(), [](const Surface& surface) {
-      return std::filesystem::path(surface.Name).filename().string().find("dragon") !=
+      return std::filesystem::path(surface.Name).filename().string().find("bunny") !=
         std::string::npos;
     });
-  return dragon == scene.Surfaces.end() ? 0
-                                        : static_cast<std::size_t>(dragon - scene.Surfaces.begin());
+  return bunny == scene.Surfaces.end() ? 0
+                                        : static_cast<std::size_t>(bunny - scene.Surfaces.begin());
 }
 
 void ShowProgress(int done, int all)
@@ -158,13 +159,11 @@ void Run(const AnimationOptions& options)
     WriteFrames(options, animation, rendered);
   }
 }
-}
 
-//------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+void SetUp(CLI::App& program)
 {
-  CLI::App program("A lamp, an object and a medium in motion at once", "AnimatedFog");
-  AnimationOptions options;
+  auto shared = std::make_shared<AnimationOptions>(); // lives until the callback has run
+  AnimationOptions& options = *shared;
   program.add_option("SCENE", options.SceneFile, "Scene (.json) or model")->required();
   program.add_option("-o,--output", options.Output,
     "Pictures to write, with %d or %04d for the number of the frame");
@@ -179,13 +178,19 @@ int main(int argc, char* argv[])
     ->capture_default_str();
   program
     .add_option("--surface", options.Surface,
-      "Number of the surface that turns, from 0 on; else the one whose file is named dragon, or "
-      "the "
-      "first")
+      "Number of the surface that turns, from 0 on; by default the one whose file is named bunny, "
+      "or else the first")
     ->check(CLI::Range(0, 1000000));
   program.add_option("--size", options.Size, "Size of the picture, WxH pixels");
   frames->excludes(frame)->excludes(live);
   frame->excludes(live);
-  program.callback([&options] { Run(options); });
-  return RunProgram(program, argc, argv);
+  program.callback([shared] { Run(*shared); });
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  return RunProgram(
+    "AnimatedFog", "A lamp, an object and a medium in motion at once", SetUp, argc, argv);
 }

@@ -14,7 +14,7 @@ namespace
 {
 constexpr double RelativeRadius = 0.08; // of the lamp's circle, by the distance of the view
 constexpr double Breath = 0.5;          // largest change of the density
-constexpr double Drift = 0.25;          // largest swing of one colour
+constexpr double Drift = 0.12;          // largest swing of one colour
 
 Vector3 Sum(const Vector3& a, double s, const Vector3& b, double t, const Vector3& c)
 {
@@ -37,7 +37,6 @@ FogAnimation::FogAnimation(
   , Turn(vtkSmartPointer<vtkTransform>::New())
 {
   this->Object->SetUserTransform(this->Turn);
-  this->Object->GetCenter(); // of the bounds, computed here
   std::copy_n(this->Object->GetCenter(), 3, this->ObjectCenter.begin());
   std::copy_n(scene.Medium->GetScattering(), 3, this->Scattering.begin());
   std::copy_n(scene.Medium->GetAbsorption(), 3, this->Absorption.begin());

@@ -14,8 +14,8 @@ namespace airlight
 /**
  * Moves lamp, object and medium of a scene at once: the first lamp goes round a level circle, the
  * object turns about its own vertical axis, the medium's density rises and falls and its colour
- * drifts. Each state is a function of the frame's number alone. Frame 0 is the scene as it was read,
- * and after `period` frames everything is back there.
+ * drifts. Each state is a function of the frame's number alone. Frame 0 is the scene as it was
+ * read, and after `period` frames everything is back there.
  */
 class FogAnimation
 {

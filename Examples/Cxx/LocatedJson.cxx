@@ -93,7 +93,8 @@ void LocatedJson::CheckKeys(
   {
     if (!value.contains(key))
     {
-      this->FailAt(this->Where, "missing key '" + key + "' in " + owner);
+      this->FailAt(
+        this->Where, std::string("missing key '").append(key).append("' in ").append(owner));
     }
   }
 }

@@ -96,6 +96,7 @@ public:
       reason = reason.substr(reason.find(": ") + 2);
     }
     this->Fail("malformed JSON: " + reason);
+    return false; // never reached
   }
 
 private:

@@ -17,6 +17,7 @@ namespace airlight
 namespace
 {
 constexpr double RelativeVisibility = 10.0;      // of the diagonal
+constexpr double LightStrength = 2.0;            // radiance per albedo in clear air: fog takes most
 constexpr Vector3 LightOffset{ -0.5, 0.7, 0.7 }; // from the middle, in diagonals
 }
 
@@ -52,7 +53,7 @@ Scene MakeModelScene(const std::string& fileName)
   }
   // A surface that faces a lamp of intensity I at distance r sends albedo/pi * I/r^2.
   const double distance = vtkMath::Norm(LightOffset.data()) * diagonal;
-  light.Power.fill(vtkMath::Pi() * distance * distance);
+  light.Power.fill(LightStrength * vtkMath::Pi() * distance * distance);
   scene.Lights.push_back(light);
 
   scene.Medium = vtkSmartPointer<vtkParticipatingMedium>::New();

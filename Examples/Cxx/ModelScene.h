@@ -13,8 +13,8 @@ namespace airlight
 /**
  * A model with what it needs to be seen, by the diagonal D of the box around it:
  *  - a camera that looks along -z and sees all of it (view angle 30 degrees);
- *  - a point lamp above, to the left and in front of it, as strong as lights the middle of the model
- *    to a radiance of 1 per albedo when the air is clear;
+ *  - a point lamp above, to the left and in front of it, which would light a surface in the middle
+ *    of the model that faces it to a radiance of twice its albedo if the air were clear;
  *  - an unbounded, isotropic, purely scattering medium of visibility 10 D.
  *
  * Throws UserError if the model cannot be read or has no extent.

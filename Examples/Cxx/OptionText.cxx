@@ -6,10 +6,10 @@
 
 #include <vtkMath.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <locale>
-#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -18,6 +18,7 @@ namespace airlight
 
 namespace
 {
+constexpr int MaximumImageSize = 16384; // what graphics cards take
 constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
 [[noreturn]] void Fail(
@@ -71,14 +72,16 @@ std::vector<double> GetNumbers(const std::string& text)
 
 bool IsInRange(const std::vector<double>& numbers, double low, double high)
 {
-  for (double number : numbers)
-  {
-    if (number < low || number > high)
-    {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(numbers.begin(), numbers.end(),
+    [low, high](double number) { return number >= low && number <= high; });
+}
+
+// A whole number from 1 to 16384, in digits alone.
+bool IsWhole(const std::string& text)
+{
+  return !text.empty() && text.size() <= 5 &&
+    std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
+    std::stoi(text) >= 1 && std::stoi(text) <= MaximumImageSize;
 }
 
 Vector3 MakeVector(const std::vector<double>& numbers)
@@ -136,15 +139,10 @@ Vector3 ParseColor(const std::string& option, const std::string& text)
 //------------------------------------------------------------------------------
 std::pair<int, int> ParseSize(const std::string& option, const std::string& text)
 {
-  std::smatch match;
-  if (std::regex_match(text, match, std::regex("([1-9][0-9]{0,4})x([1-9][0-9]{0,4})")))
+  const std::vector<std::string> parts = Split(text, 'x');
+  if (parts.size() == 2 && IsWhole(parts[0]) && IsWhole(parts[1]))
   {
-    const int width = std::stoi(match[1]);
-    const int height = std::stoi(match[2]);
-    if (width <= 16384 && height <= 16384)
-    {
-      return { width, height };
-    }
+    return { std::stoi(parts[0]), std::stoi(parts[1]) };
   }
   Fail(option, text, "WxH with whole numbers from 1 to 16384");
 }
@@ -200,15 +198,23 @@ CameraSettings ParseCamera(
 //------------------------------------------------------------------------------
 std::string NumberFile(const std::string& option, const std::string& fileName, int number)
 {
-  std::smatch match;
-  if (!std::regex_match(fileName, match, std::regex("([^%]*)%(0([1-9]))?d([^%]*)")))
+  // Not left to printf, which would do whatever else the name says.
+  const std::size_t begin = fileName.find('%');
+  std::size_t end = begin == std::string::npos ? begin : begin + 1;
+  std::size_t width = 0;
+  if (end != std::string::npos && fileName[end] == '0' && fileName[end + 1] >= '1' &&
+    fileName[end + 1] <= '9')
+  {
+    width = static_cast<std::size_t>(fileName[end + 1] - '0');
+    end += 2;
+  }
+  if (end == std::string::npos || fileName[end] != 'd' || fileName.rfind('%') != begin)
   {
     Fail(option, fileName, "a name with one %d or %04d for the number of the frame");
   }
   std::string digits = std::to_string(number);
-  const std::size_t width = match[3].matched ? std::stoul(match[3]) : 0;
   digits.insert(0, digits.size() < width ? width - digits.size() : 0, '0');
-  return match[1].str() + digits + match[4].str();
+  return fileName.substr(0, begin) + digits + fileName.substr(end + 1);
 }
 
 }

@@ -120,12 +120,11 @@ vtkSmartPointer<vtkPolyData> ReadPolyDataFile(const std::string& fileName)
   reader->Update();
   auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   // Truncation is a warning to some readers and an error to others.
-  for (const std::string& text : { messages.GetFirstError(), messages.GetFirstWarning() })
+  const std::string error = messages.GetFirstError();
+  const std::string complaint = error.empty() ? messages.GetFirstWarning() : error;
+  if (!complaint.empty())
   {
-    if (!text.empty())
-    {
-      throw UserError(fileName + ": " + text);
-    }
+    throw UserError(fileName + ": " + complaint);
   }
   if (!data)
   {

@@ -5,14 +5,18 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
+
 namespace airlight
 {
 
 /**
- * Parse the command line, which runs the program's callbacks, and return the exit code: 0, or 1
- * with a message on the error stream that begins with the program's name.
+ * A command-line program: `setUp` adds options and callbacks to it, then the command line is
+ * parsed, which runs the callbacks. Returns the exit code: 0, or 1 after a message on the error
+ * stream that begins with the program's name.
  */
-int RunProgram(CLI::App& program, int argc, char** argv);
+int RunProgram(const char* name, const char* description,
+  const std::function<void(CLI::App&)>& setUp, int argc, char** argv);
 
 }
 

@@ -8,15 +8,22 @@
 #include "Commands.h"
 #include "Program.h"
 
-//------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+namespace
 {
-  CLI::App program("Light in participating media, and its volumetric shadows", "airlight");
+void SetUp(CLI::App& program)
+{
   program.set_version_flag("--version", AIRLIGHT_VERSION);
   program.require_subcommand(1);
   airlight::AddRenderCommand(program);
   airlight::AddViewCommand(program);
   airlight::AddCompareCommand(program);
   airlight::AddMontageCommand(program);
-  return airlight::RunProgram(program, argc, argv);
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  return airlight::RunProgram(
+    "airlight", "Light in participating media, and its volumetric shadows", SetUp, argc, argv);
 }

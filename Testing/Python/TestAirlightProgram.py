@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The programs `airlight` and `AnimatedFog`, from the command line to the files they write.
 
-    AIRLIGHT_PROGRAM=build/bin/airlight AIRLIGHT_SOURCE_DIR=. xvfb-run -a -s \
-        "-noreset -screen 0 1280x1024x24" /usr/bin/python3 Testing/Python/TestAirlightProgram.py
+    export AIRLIGHT_PROGRAM=build/bin/airlight AIRLIGHT_SOURCE_DIR=.
+    xvfb-run -a -s "-noreset -screen 0 1280x1024x24" python3 Testing/Python/TestAirlightProgram.py
 """
 
 import json
@@ -13,6 +13,7 @@ import numpy as np
 
 from programtest import (ANIMATED_FOG, ProgramTest, metrics, read_pfm, read_png, reference_file,
                          scene_file, write_models, write_pfm)
+
 
 class TestReferenceScenes(ProgramTest):
     """The program against scenes with exact answers (Testing/Data/Reference)."""
@@ -226,4 +227,4 @@ class TestCompare(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=[__file__])
