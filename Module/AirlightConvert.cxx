@@ -4,8 +4,10 @@
 
 #include "vtkAirlight.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkParticipatingMedium.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace airlight
@@ -17,19 +19,19 @@ bool IsFinite(const glm::dvec3& v)
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// The closed form holds where the whole leg from light to sample is inside: inverse square, and
-// the light inside the convex region.
-int PointKind(const f64::AirlightMedium& medium, const f64::AirlightLight& light)
+int ConvertRegion(int region)
 {
-  const bool inside = medium.region.kind == AIRLIGHT_REGION_UNBOUNDED ||
-    (glm::all(glm::greaterThanEqual(light.position, medium.region.boxMin)) &&
-      glm::all(glm::lessThanEqual(light.position, medium.region.boxMax)));
-  const bool inverseSquare = light.attenuation.x == 0.0 && light.attenuation.y == 0.0;
-  return inside && inverseSquare ? AIRLIGHT_POINT_CLOSED : AIRLIGHT_POINT_QUADRATURE;
-}
+  switch (region)
+  {
+    case vtkParticipatingMedium::BOX:
+      return AIRLIGHT_REGION_BOX;
+    case vtkParticipatingMedium::SPHERE:
+      return AIRLIGHT_REGION_SPHERE;
+    default:
+      return AIRLIGHT_REGION_UNBOUNDED;
+  }
 }
 
-//------------------------------------------------------------------------------
 f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dvec3& origin)
 {
   f64::AirlightMedium result{};
@@ -41,83 +43,143 @@ f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dve
   {
     medium->GetPhasePole(k, result.phase.pole[k].x, result.phase.pole[k].y);
   }
-  result.region.kind = medium->GetRegion() == vtkParticipatingMedium::BOX
-    ? AIRLIGHT_REGION_BOX
-    : AIRLIGHT_REGION_UNBOUNDED;
+  result.region.kind = ConvertRegion(medium->GetRegion());
   const double* bounds = medium->GetBounds();
   result.region.boxMin = glm::dvec3(bounds[0], bounds[2], bounds[4]) - origin;
   result.region.boxMax = glm::dvec3(bounds[1], bounds[3], bounds[5]) - origin;
+  medium->GetCenter(&result.region.centre.x);
+  result.region.centre -= origin;
+  result.region.radius = medium->GetRadius();
+  if (medium->GetDensity() == vtkParticipatingMedium::EXPONENTIAL_HEIGHT)
+  {
+    result.density = AIRLIGHT_DENSITY_HEIGHT;
+    medium->GetUp(&result.up.x);
+    result.inverseScaleHeight = 1.0 / medium->GetScaleHeight();
+    result.originHeight = glm::dot(result.up, origin) - medium->GetReferenceHeight();
+  }
+  return result;
+}
+
+bool IsInside(const f64::AirlightRegion& region, const glm::dvec3& point)
+{
+  switch (region.kind)
+  {
+    case AIRLIGHT_REGION_BOX:
+      return glm::all(glm::greaterThanEqual(point, region.boxMin)) &&
+        glm::all(glm::lessThanEqual(point, region.boxMax));
+    case AIRLIGHT_REGION_SPHERE:
+      return glm::distance(point, region.centre) <= region.radius;
+    default:
+      return true;
+  }
+}
+
+// The closed form holds for one uniform medium where the whole way from light to sample is inside:
+// inverse square, no exponent, and the light inside the convex region.
+int PointKind(const f64::AirlightMedia& media, const f64::AirlightLight& light)
+{
+  const f64::AirlightMedium& first = media.item[0];
+  const bool inverseSquare = light.attenuation.x == 0.0 && light.attenuation.y == 0.0;
+  const bool evenCone = light.cosCone < 0.0 || light.exponent == 0.0;
+  return media.count == 1 && first.density == AIRLIGHT_DENSITY_UNIFORM &&
+      IsInside(first.region, light.position) && inverseSquare && evenCone
+    ? AIRLIGHT_POINT_CLOSED
+    : AIRLIGHT_POINT_QUADRATURE;
+}
+
+int DirectionalKind(const f64::AirlightMedia& media)
+{
+  const f64::AirlightMedium& first = media.item[0];
+  const bool unbounded = first.region.kind == AIRLIGHT_REGION_UNBOUNDED;
+  if (media.count == 1 && first.density == AIRLIGHT_DENSITY_HEIGHT && unbounded)
+  {
+    return AIRLIGHT_DIRECTIONAL_HEIGHT;
+  }
+  return media.count == 1 && first.density == AIRLIGHT_DENSITY_UNIFORM &&
+      (unbounded || first.region.kind == AIRLIGHT_REGION_BOX)
+    ? AIRLIGHT_DIRECTIONAL_CLOSED
+    : AIRLIGHT_DIRECTIONAL_QUADRATURE;
+}
+}
+
+//------------------------------------------------------------------------------
+f64::AirlightMedia ConvertMedia(
+  const std::vector<vtkParticipatingMedium*>& media, const glm::dvec3& origin)
+{
+  f64::AirlightMedia result{};
+  result.count = static_cast<int>(std::min<size_t>(media.size(), AIRLIGHT_MAX_MEDIA));
+  for (int i = 0; i < result.count; ++i)
+  {
+    result.item[i] = ConvertMedium(media[i], origin);
+  }
   return result;
 }
 
 //------------------------------------------------------------------------------
-f64::AirlightLight ConvertPointLight(const f64::AirlightMedium& medium, const glm::dvec3& position,
+f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm::dvec3& position,
   const glm::dvec3& radiantIntensity, const glm::dvec3& origin)
 {
   f64::AirlightLight result{};
   result.position = position - origin;
   result.intensity = radiantIntensity;
   result.attenuation = glm::dvec3(0.0, 0.0, 1.0);
-  result.kind = PointKind(medium, result);
+  result.cosCone = -1.0;
+  result.kind = PointKind(media, result);
   return result;
 }
 
 //------------------------------------------------------------------------------
-LightSupport ConvertLight(const f64::AirlightMedium& medium, vtkLight* light,
+LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
   const glm::dvec3& origin, f64::AirlightLight& result)
 {
-  glm::dvec3 intensity;
-  vtkAirlight::GetRadiantIntensity(light, &intensity.x);
+  result = f64::AirlightLight{};
   glm::dvec3 position;
   glm::dvec3 focalPoint;
+  vtkAirlight::GetRadiantIntensity(light, &result.intensity.x);
   light->GetTransformedPosition(&position.x);
   light->GetTransformedFocalPoint(&focalPoint.x);
-  glm::dvec3 attenuation;
-  light->GetAttenuationValues(&attenuation.x);
-  if (!light->GetSwitch() || intensity == glm::dvec3(0.0))
+  light->GetAttenuationValues(&result.attenuation.x);
+  result.cosCone = -1.0;
+  result.exponent = light->GetExponent();
+  if (!light->GetSwitch() || result.intensity == glm::dvec3(0.0))
   {
     return LightSupport::Dark;
   }
-  if (!IsFinite(intensity) || !IsFinite(position) || !IsFinite(focalPoint))
+  const glm::dvec3 axis = focalPoint - position;
+  const double length = glm::length(axis);
+  if (!IsFinite(result.intensity) || !IsFinite(position) || !IsFinite(focalPoint) ||
+    !std::isfinite(result.exponent) || result.exponent < 0.0)
+  {
+    return LightSupport::Invalid;
+  }
+  const bool isSpot = light->GetPositional() && light->GetConeAngle() < 90.0;
+  if ((!light->GetPositional() || isSpot) && !(length > 0.0))
   {
     return LightSupport::Invalid;
   }
   if (!light->GetPositional())
   {
-    const glm::dvec3 toLight = position - focalPoint;
-    const double distance = glm::length(toLight);
-    if (!(distance > 0.0))
-    {
-      return LightSupport::Invalid;
-    }
-    if (medium.region.kind != AIRLIGHT_REGION_UNBOUNDED)
-    {
-      return LightSupport::Unsupported;
-    }
-    result = f64::AirlightLight{};
-    result.kind = AIRLIGHT_DIRECTIONAL;
-    result.position = toLight / distance;
-    result.intensity = intensity;
+    result.position = -axis / length;
     result.attenuation = glm::dvec3(1.0, 0.0, 0.0);
+    result.kind = DirectionalKind(media);
     return LightSupport::Scatters;
   }
-  if (light->GetConeAngle() < 90.0)
-  {
-    return LightSupport::Unsupported;
-  }
-  if (!IsFinite(attenuation) || glm::any(glm::lessThan(attenuation, glm::dvec3(0.0))) ||
-    attenuation == glm::dvec3(0.0))
+  if (!IsFinite(result.attenuation) ||
+    glm::any(glm::lessThan(result.attenuation, glm::dvec3(0.0))) ||
+    result.attenuation == glm::dvec3(0.0))
   {
     return LightSupport::Invalid;
   }
-  result = f64::AirlightLight{};
+  if (isSpot)
+  {
+    result.axis = axis / length;
+    result.cosCone = std::cos(vtkMath::RadiansFromDegrees(std::max(light->GetConeAngle(), 0.0)));
+  }
   result.position = position - origin;
-  result.intensity = intensity;
-  result.attenuation = attenuation;
-  result.kind = PointKind(medium, result);
+  result.kind = PointKind(media, result);
   if (result.kind == AIRLIGHT_POINT_CLOSED)
   {
-    result.intensity /= attenuation.z;
+    result.intensity /= result.attenuation.z;
     result.attenuation.z = 1.0;
   }
   return LightSupport::Scatters;

@@ -8,10 +8,17 @@
 #undef AIRLIGHT_SHORT_FRACTION
 #undef AIRLIGHT_REGION_UNBOUNDED
 #undef AIRLIGHT_REGION_BOX
+#undef AIRLIGHT_REGION_SPHERE
 #undef AIRLIGHT_FAR
+#undef AIRLIGHT_DENSITY_UNIFORM
+#undef AIRLIGHT_DENSITY_HEIGHT
+#undef AIRLIGHT_MEDIUM_COUNT
 #undef AIRLIGHT_POINT_CLOSED
 #undef AIRLIGHT_POINT_QUADRATURE
-#undef AIRLIGHT_DIRECTIONAL
+#undef AIRLIGHT_DIRECTIONAL_CLOSED
+#undef AIRLIGHT_DIRECTIONAL_HEIGHT
+#undef AIRLIGHT_DIRECTIONAL_QUADRATURE
+#undef AIRLIGHT_LIGHT_KIND
 
 #include "AirlightExponentialIntegral.glsl"
 #include "AirlightGauss.glsl"
@@ -19,4 +26,7 @@
 #include "AirlightPointLight.glsl"
 #include "AirlightRegion.glsl"
 #include "AirlightMedium.glsl"
+#include "AirlightMedia.glsl"
+#include "AirlightLight.glsl"
+#include "AirlightQuadrature.glsl"
 #include "AirlightScattering.glsl"

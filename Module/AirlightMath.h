@@ -13,6 +13,8 @@
 
 // More poles than any fit uses.
 #define AIRLIGHT_MAX_POLES 8
+// More media than any scene needs at once.
+#define AIRLIGHT_MAX_MEDIA 8
 
 #define AIRLIGHT_FN inline
 #define AIRLIGHT_OUT(T) T&

@@ -65,89 +65,132 @@ bool CheckRay(vtkParticipatingMedium* medium, const double origin[3], const doub
   return true;
 }
 
-// The quadrature's panels, halved until two halves agree with the whole. Samples that see kinks
-// (a leg that leaves the region through another face) converge as quickly as smooth ones that way.
-glm::dvec3 AdaptivePanel(const f64::AirlightMedium& medium, const f64::AirlightLight& light,
-  const f64::AirlightRay& ray, double v0, double v1, const glm::dvec3& whole, double scale,
-  int depth)
+// One piece of the quadrature, between ends of media. Panels are halved until two halves agree with
+// the whole: samples that see kinks (a way to the light that leaves a region through another face)
+// converge that way, too.
+class AdaptivePiece
 {
-  const double middle = 0.5 * (v0 + v1);
-  const glm::dvec3 low = f64::airlightQuadraturePanel(medium, light, ray, v0, middle);
-  const glm::dvec3 high = f64::airlightQuadraturePanel(medium, light, ray, middle, v1);
-  const glm::dvec3 error = glm::abs(low + high - whole);
-  const double worst = std::max({ error.x, error.y, error.z });
-  if (depth == 0 || worst <= 1e-12 * scale)
+public:
+  AdaptivePiece(const f64::AirlightMedia& media, const f64::AirlightLight& light,
+    const f64::AirlightRay& ray, double t0, double t1)
+    : Media(media)
+    , Light(light)
+    , Ray(ray)
   {
-    return low + high;
+    const double x0 = t0 - ray.range.x - ray.foot.tL;
+    const double x1 = t1 - ray.range.x - ray.foot.tL;
+    this->Straight = f64::airlightIsDirectional(light) ||
+      x1 - x0 < 1e-4 * std::max(std::abs(x0), ray.foot.h);
+    this->From = this->Straight ? t0 : std::asinh(x0 / ray.foot.h);
+    this->To = this->Straight ? t1 : std::asinh(x1 / ray.foot.h);
   }
-  return AdaptivePanel(medium, light, ray, v0, middle, low, scale, depth - 1) +
-    AdaptivePanel(medium, light, ray, middle, v1, high, scale, depth - 1);
-}
 
-glm::dvec3 AdaptiveQuadrature(const f64::AirlightMedium& medium, const f64::AirlightLight& light,
+  glm::dvec3 Integrate() const
+  {
+    const int panels =
+      this->Straight ? 4 : static_cast<int>((this->To - this->From) / 1.5) + 1;
+    const auto end = [&](int i) { return this->From + (this->To - this->From) * i / panels; };
+    std::vector<glm::dvec3> rough(panels);
+    glm::dvec3 total(0.0);
+    for (int i = 0; i < panels; ++i)
+    {
+      rough[i] = this->Panel(end(i), end(i + 1));
+      total += rough[i];
+    }
+    const double scale = std::max({ total.x, total.y, total.z });
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < panels; ++i)
+    {
+      sum += this->Refine(end(i), end(i + 1), rough[i], scale, MaximumDepth);
+    }
+    return sum;
+  }
+
+private:
+  static constexpr int MaximumDepth = 24;
+
+  glm::dvec3 Panel(double from, double to) const
+  {
+    return this->Straight
+      ? f64::airlightStraightPanel(this->Media, this->Light, this->Ray, from, to)
+      : f64::airlightPointPanel(this->Media, this->Light, this->Ray, from, to);
+  }
+
+  glm::dvec3 Refine(
+    double from, double to, const glm::dvec3& whole, double scale, int depth) const
+  {
+    const double middle = 0.5 * (from + to);
+    const glm::dvec3 low = this->Panel(from, middle);
+    const glm::dvec3 high = this->Panel(middle, to);
+    const glm::dvec3 error = glm::abs(low + high - whole);
+    // Written so that NaN ends it, too.
+    if (depth == 0 || !(std::max({ error.x, error.y, error.z }) > 1e-12 * scale))
+    {
+      return low + high;
+    }
+    return this->Refine(from, middle, low, scale, depth - 1) +
+      this->Refine(middle, to, high, scale, depth - 1);
+  }
+
+  const f64::AirlightMedia& Media;
+  const f64::AirlightLight& Light;
+  const f64::AirlightRay& Ray;
+  bool Straight;
+  double From;
+  double To;
+};
+
+glm::dvec3 AdaptiveQuadrature(const f64::AirlightMedia& media, const f64::AirlightLight& light,
   const f64::AirlightRay& ray, double t0, double t1)
 {
-  const double x0 = t0 - ray.range.x - ray.foot.tL;
-  const double x1 = f64::airlightQuadratureEnd(medium, t0, t1) - ray.range.x - ray.foot.tL;
-  if (x1 - x0 < 1e-4 * std::max(std::abs(x0), ray.foot.h))
-  {
-    return f64::airlightStraightPanel(medium, light, ray, x0, x1);
-  }
-  const double v0 = std::asinh(x0 / ray.foot.h);
-  const double v1 = std::asinh(x1 / ray.foot.h);
-  const int panels = static_cast<int>((v1 - v0) / 1.5) + 1;
-  std::vector<glm::dvec3> rough(panels);
-  glm::dvec3 total(0.0);
-  const auto end = [&](int i) { return v0 + (v1 - v0) * i / panels; };
-  for (int i = 0; i < panels; ++i)
-  {
-    rough[i] = f64::airlightQuadraturePanel(medium, light, ray, end(i), end(i + 1));
-    total += rough[i];
-  }
-  const double scale = std::max({ total.x, total.y, total.z });
   glm::dvec3 sum(0.0);
-  for (int i = 0; i < panels; ++i)
+  for (int i = 0; i <= 2 * media.count && t0 < t1; ++i)
   {
-    sum += AdaptivePanel(medium, light, ray, end(i), end(i + 1), rough[i], scale, 40);
+    const glm::dvec2 piece = f64::airlightNextPiece(media, ray, t0, t1);
+    sum += AdaptivePiece(media, light, ray, t0, piece.y).Integrate();
+    t0 = piece.x;
   }
   return sum;
 }
 
-// Airlight on [t0, t1] of a light that the mathematics can do. All positions are relative to the
-// ray's origin.
-glm::dvec3 Integrate(const f64::AirlightMedium& medium, f64::AirlightLight light,
+// Airlight on [t0, t1]. All positions are relative to the ray's origin.
+glm::dvec3 Integrate(const f64::AirlightMedia& media, f64::AirlightLight light,
   const glm::dvec3& direction, double t0, double t1)
 {
   t1 = std::min(t1, AIRLIGHT_FAR);
-  if (light.kind != AIRLIGHT_DIRECTIONAL)
-  {
-    // Keeps the logarithms and quotients of a light on the ray finite; far below what a double
-    // resolves of the distances involved.
-    const double distance = glm::length(light.position);
-    light.radius = distance > 0.0 ? 1e-12 * distance : 1e-12 * std::min(t1, 1.0);
-    light.radius = std::max(light.radius, 1e-100);
-  }
-  const f64::AirlightRay ray = f64::airlightRay(medium, light, glm::dvec3(0.0), direction, t1);
-  const double from = std::max(t0, ray.range.x);
-  const double to = std::min(t1, ray.range.y);
+  // Keeps the logarithms and quotients of a light on the ray finite; far below what a double
+  // resolves of the distances involved.
+  const double distance = glm::length(light.position);
+  light.radius = distance > 0.0 ? 1e-12 * distance : 1e-12 * std::min(t1, 1.0);
+  light.radius = std::max(light.radius, 1e-100);
+  const f64::AirlightRay ray =
+    f64::airlightRay(media, light, glm::dvec3(0.0), direction, t1);
+  const double from = std::max(t0, ray.lit.x);
+  const double to = std::min(t1, ray.lit.y);
   if (!(to > from))
   {
     return glm::dvec3(0.0);
   }
-  if (light.kind == AIRLIGHT_POINT_QUADRATURE)
+  if (light.kind == AIRLIGHT_POINT_QUADRATURE || light.kind == AIRLIGHT_DIRECTIONAL_QUADRATURE)
   {
-    return medium.sigmaS * light.intensity * AdaptiveQuadrature(medium, light, ray, from, to);
+    return light.intensity * AdaptiveQuadrature(media, light, ray, from, to);
   }
-  return f64::airlightInterval3(medium, light, ray, from,
-    f64::airlightTail3(medium, light, ray, from), to, f64::airlightTail3(medium, light, ray, to));
+  return f64::airlightInterval3(media, light, ray, from,
+    f64::airlightTail3(media, light, ray, from), to,
+    f64::airlightTail3(media, light, ray, to));
 }
 
 // Channels without scattering are exactly dark, whatever the limits of their integrals.
-void Store(const f64::AirlightMedium& medium, const glm::dvec3& radiance, double rgb[3])
+void Store(const f64::AirlightMedia& media, const glm::dvec3& radiance, double rgb[3])
 {
-  for (int i = 0; i < 3; ++i)
+  for (int c = 0; c < 3; ++c)
   {
-    rgb[i] = medium.sigmaS[i] > 0.0 ? radiance[i] : 0.0;
+    bool scatters = false;
+    for (int i = 0; i < media.count; ++i)
+    {
+      scatters = scatters || media.item[i].sigmaS[c] > 0.0;
+    }
+    rgb[c] = scatters ? radiance[c] : 0.0;
   }
 }
 }
@@ -167,7 +210,7 @@ bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, const double lightPo
   {
     return false;
   }
-  const f64::AirlightMedium converted = ConvertMedium(medium, Vector(origin));
+  const f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(origin));
   const f64::AirlightLight light =
     ConvertPointLight(converted, Vector(lightPosition), Vector(radiantIntensity), Vector(origin));
   Store(converted, Integrate(converted, light, unit, t0, t1), rgb);
@@ -189,7 +232,7 @@ bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, vtkLight* light, con
     vtkErrorWithObjectMacro(medium, "vtkAirlight: the light is null; give it a vtkLight.");
     return false;
   }
-  const f64::AirlightMedium converted = ConvertMedium(medium, Vector(origin));
+  const f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(origin));
   f64::AirlightLight lamp;
   switch (ConvertLight(converted, light, Vector(origin), lamp))
   {
@@ -198,19 +241,13 @@ bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, vtkLight* light, con
     case LightSupport::Scatters:
       Store(converted, Integrate(converted, lamp, unit, t0, t1), rgb);
       return true;
-    case LightSupport::Unsupported:
-      vtkErrorWithObjectMacro(light,
-        "vtkAirlight: spot lights (cone angle "
-          << light->GetConeAngle()
-          << " below 90) and directional lights in a bounded medium are not supported.");
-      return false;
     case LightSupport::Invalid:
       break;
   }
   vtkErrorWithObjectMacro(light,
     "vtkAirlight: the light's position, colour and attenuation must be finite, its attenuation at "
-    "least 0 with one term above 0, and a directional light's focal point apart from its "
-    "position.");
+    "least 0 with one term above 0, its exponent at least 0, and the focal point of a spot or a "
+    "directional light apart from its position.");
   return false;
 }
 
@@ -228,12 +265,12 @@ bool vtkAirlight::Transmittance(
   {
     return false;
   }
-  const f64::AirlightMedium converted = ConvertMedium(medium, Vector(a));
-  const double inside =
-    f64::airlightInsideLength(converted.region, glm::dvec3(0.0), Vector(b) - Vector(a));
+  const f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(a));
+  const glm::dvec3 depth =
+    f64::airlightDepthBetween(converted, glm::dvec3(0.0), Vector(b) - Vector(a));
   for (int i = 0; i < 3; ++i)
   {
-    rgb[i] = std::exp(-converted.sigmaT[i] * inside);
+    rgb[i] = std::exp(-depth[i]);
   }
   return true;
 }
@@ -248,10 +285,10 @@ bool vtkAirlight::Ambient(vtkParticipatingMedium* medium, const double origin[3]
   {
     return false;
   }
-  const f64::AirlightMedium converted = ConvertMedium(medium, Vector(origin));
-  const glm::dvec2 range = f64::airlightRegionRange(
-    converted.region, glm::dvec3(0.0), unit, std::min(std::max(t1, 0.0), AIRLIGHT_FAR));
-  Store(converted, f64::airlightAmbient(converted, range.y - range.x), rgb);
+  const f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(origin));
+  const glm::dvec3 ambient = f64::airlightAmbient(
+    converted, glm::dvec3(0.0), unit, std::min(std::max(t1, 0.0), AIRLIGHT_FAR));
+  Store(converted, ambient, rgb);
   return true;
 }
 

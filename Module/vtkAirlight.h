@@ -53,9 +53,11 @@ public:
     double t1, double rgb[3]);
 
   /**
-   * The same for a vtkLight: a point light with any attenuation, or a directional light in an
-   * unbounded medium, where it arrives unattenuated. A light that is switched off gives zeros.
-   * Spot lights (cone angle below 90 degrees) are refused with an error.
+   * The same for a vtkLight: a point light or spot with any attenuation, or a directional light. A
+   * directional light in an unbounded uniform medium arrives unattenuated. A light that is switched
+   * off gives zeros. Relative error: 1e-9 (plus the phase function's) for point lights and spots of
+   * exponent 0 with attenuation (0, 0, c) inside a uniform medium, for directional lights in a box
+   * or unbounded; 1e-6 for all others, which take quadrature.
    */
   static bool Inscatter(vtkParticipatingMedium* medium, vtkLight* light, const double origin[3],
     const double direction[3], double t0, double t1, double rgb[3]);

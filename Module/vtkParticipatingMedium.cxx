@@ -277,9 +277,9 @@ double vtkParticipatingMedium::EvaluatePhaseFunction(double cosTheta)
 //------------------------------------------------------------------------------
 void vtkParticipatingMedium::SetRegion(int type)
 {
-  if (type != UNBOUNDED && type != BOX)
+  if (type < UNBOUNDED || type > SPHERE)
   {
-    vtkErrorMacro(<< "Region " << type << " is not a region: use UNBOUNDED or BOX.");
+    vtkErrorMacro(<< "Region " << type << " is not a region: use UNBOUNDED, BOX or SPHERE.");
     return;
   }
   if (this->Region != type)
@@ -317,6 +317,101 @@ void vtkParticipatingMedium::SetBounds(const double bounds[6])
 }
 
 //------------------------------------------------------------------------------
+bool vtkParticipatingMedium::SetVector(
+  const char* name, double target[3], double x, double y, double z)
+{
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+  {
+    vtkErrorMacro(<< name << " (" << x << ", " << y << ", " << z
+                  << ") must be finite; the old one stays.");
+    return false;
+  }
+  const double values[3] = { x, y, z };
+  if (!std::equal(values, values + 3, target))
+  {
+    std::copy(values, values + 3, target);
+    this->Modified();
+  }
+  return true;
+}
+
+bool vtkParticipatingMedium::SetNumber(
+  const char* name, double& target, double value, bool accepted, const char* range)
+{
+  if (!std::isfinite(value) || !accepted)
+  {
+    vtkErrorMacro(<< name << " " << value << " must be " << range << "; it stays " << target
+                  << ".");
+    return false;
+  }
+  if (target != value)
+  {
+    target = value;
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetCenter(double x, double y, double z)
+{
+  this->SetVector("Center", this->Center, x, y, z);
+}
+
+void vtkParticipatingMedium::SetCenter(const double center[3])
+{
+  this->SetCenter(center[0], center[1], center[2]);
+}
+
+void vtkParticipatingMedium::SetRadius(double radius)
+{
+  this->SetNumber("Radius", this->Radius, radius, radius >= 0.0, "finite and at least 0");
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetDensity(int type)
+{
+  if (type != UNIFORM && type != EXPONENTIAL_HEIGHT)
+  {
+    vtkErrorMacro(<< "Density " << type
+                  << " is not a density: use UNIFORM or EXPONENTIAL_HEIGHT.");
+    return;
+  }
+  if (this->Density != type)
+  {
+    this->Density = type;
+    this->Modified();
+  }
+}
+
+void vtkParticipatingMedium::SetScaleHeight(double height)
+{
+  this->SetNumber("ScaleHeight", this->ScaleHeight, height, height > 0.0, "finite and above 0");
+}
+
+void vtkParticipatingMedium::SetReferenceHeight(double height)
+{
+  this->SetNumber("ReferenceHeight", this->ReferenceHeight, height, true, "finite");
+}
+
+void vtkParticipatingMedium::SetUp(double x, double y, double z)
+{
+  const double length = std::hypot(x, y, z);
+  if (!(length > 0.0))
+  {
+    vtkErrorMacro(<< "Up (" << x << ", " << y << ", " << z
+                  << ") must be a direction: finite and not 0; the old one stays.");
+    return;
+  }
+  this->SetVector("Up", this->Up, x / length, y / length, z / length);
+}
+
+void vtkParticipatingMedium::SetUp(const double up[3])
+{
+  this->SetUp(up[0], up[1], up[2]);
+}
+
+//------------------------------------------------------------------------------
 void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -340,11 +435,19 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << "(not fitted yet)\n";
   }
-  os << indent << "Region: " << (this->Region == UNBOUNDED ? "Unbounded" : "Box") << "\n";
+  const char* regions[] = { "Unbounded", "Box", "Sphere" };
+  os << indent << "Region: " << regions[this->Region] << "\n";
   os << indent << "Bounds: (" << this->Bounds[0];
   for (int i = 1; i < 6; ++i)
   {
     os << ", " << this->Bounds[i];
   }
   os << ")\n";
+  print3("Center", this->Center);
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Density: " << (this->Density == UNIFORM ? "Uniform" : "ExponentialHeight")
+     << "\n";
+  os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
+  os << indent << "ReferenceHeight: " << this->ReferenceHeight << "\n";
+  print3("Up", this->Up);
 }

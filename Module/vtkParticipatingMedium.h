@@ -174,7 +174,8 @@ public:
   enum RegionType
   {
     UNBOUNDED = 0, ///< everywhere
-    BOX = 1        ///< inside an axis-aligned box, see SetBounds()
+    BOX = 1,       ///< inside an axis-aligned box, see SetBounds()
+    SPHERE = 2     ///< inside a sphere, see SetCenter() and SetRadius()
   };
 
   ///@{
@@ -185,6 +186,7 @@ public:
   vtkGetMacro(Region, int);
   void SetRegionToUnbounded() { this->SetRegion(UNBOUNDED); }
   void SetRegionToBox() { this->SetRegion(BOX); }
+  void SetRegionToSphere() { this->SetRegion(SPHERE); }
   ///@}
 
   ///@{
@@ -197,6 +199,70 @@ public:
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
+  ///@{
+  /**
+   * The centre of SetRegionToSphere() in world coordinates. Range: finite. Default: (0, 0, 0).
+   */
+  void SetCenter(double x, double y, double z);
+  void SetCenter(const double center[3]);
+  vtkGetVector3Macro(Center, double);
+  ///@}
+
+  ///@{
+  /**
+   * The radius of SetRegionToSphere(), world units. Range: finite, at least 0. Default: 1.
+   */
+  void SetRadius(double radius);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  /**
+   * How the density varies inside the region.
+   */
+  enum DensityType
+  {
+    UNIFORM = 0,           ///< the same everywhere
+    EXPONENTIAL_HEIGHT = 1 ///< exp(-(height - reference height)/scale height), as in the atmosphere
+  };
+
+  ///@{
+  /**
+   * The density. All coefficients are those at density 1. Default: UNIFORM.
+   */
+  void SetDensity(int type);
+  vtkGetMacro(Density, int);
+  void SetDensityToUniform() { this->SetDensity(UNIFORM); }
+  void SetDensityToExponentialHeight() { this->SetDensity(EXPONENTIAL_HEIGHT); }
+  ///@}
+
+  ///@{
+  /**
+   * The height over which SetDensityToExponentialHeight() falls to 1/e, world units. Range:
+   * finite, above 0. Default: 1.
+   */
+  void SetScaleHeight(double height);
+  vtkGetMacro(ScaleHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * The height at which SetDensityToExponentialHeight() is 1: dot(up, point) there, world units.
+   * Range: finite. Default: 0.
+   */
+  void SetReferenceHeight(double height);
+  vtkGetMacro(ReferenceHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * The direction in which heights are measured; it is normalised. Range: finite, not 0. Default:
+   * (0, 1, 0).
+   */
+  void SetUp(double x, double y, double z);
+  void SetUp(const double up[3]);
+  vtkGetVector3Macro(Up, double);
+  ///@}
+
 protected:
   vtkParticipatingMedium();
   ~vtkParticipatingMedium() override;
@@ -206,6 +272,9 @@ private:
   void operator=(const vtkParticipatingMedium&) = delete;
 
   bool SetCoefficients(const char* name, double target[3], double r, double g, double b);
+  bool SetVector(const char* name, double target[3], double x, double y, double z);
+  bool SetNumber(
+    const char* name, double& target, double value, bool accepted, const char* range);
   void ScaleExtinction(double meanExtinction);
   void UpdatePhaseFit();
 
@@ -225,6 +294,13 @@ private:
 
   int Region = UNBOUNDED;
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  double Radius = 1.0;
+
+  int Density = UNIFORM;
+  double ScaleHeight = 1.0;
+  double ReferenceHeight = 0.0;
+  double Up[3] = { 0.0, 1.0, 0.0 };
 };
 
 #endif

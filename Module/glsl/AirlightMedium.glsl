@@ -1,19 +1,27 @@
-// The medium: coefficients, phase function and region.
+// One medium: coefficients, phase function, region and how its density varies in it.
+
+#define AIRLIGHT_DENSITY_UNIFORM 0
+#define AIRLIGHT_DENSITY_HEIGHT 1 // exp(-height/scaleHeight)
 
 struct AirlightMedium
 {
-  real3 sigmaS;  // scattering coefficient, 1/world
-  real3 sigmaT;  // extinction coefficient, 1/world
+  real3 sigmaS;  // scattering coefficient at density 1, 1/world
+  real3 sigmaT;  // extinction coefficient at density 1, 1/world
   real3 ambient; // ambient radiance
   AirlightPhase phase;
   AirlightRegion region;
+  int density;
+  real3 up;               // unit vector
+  real inverseScaleHeight;
+  real originHeight;      // of the origin of coordinates above the height of density 1
 };
 
-// (1 - exp(-sigma l))/sigma, the optical length of a way of length l; its limit l for sigma -> 0.
+// (1 - exp(-sigma l))/sigma, the optical length of a way of length l along which density falls
+// (or rises, sigma < 0) exponentially; l where sigma is 0.
 AIRLIGHT_FN real airlightOpticalLength(real sigma, real l)
 {
   real depth = sigma * l;
-  if (depth < real(0.02))
+  if (abs(depth) < real(0.02))
   {
     return l *
       (real(1.0) -
@@ -23,16 +31,57 @@ AIRLIGHT_FN real airlightOpticalLength(real sigma, real l)
         depth * (real(0.0083333333333333333) -
         depth * (real(0.0013888888888888889) - depth * real(0.00019841269841269841)))))));
   }
-  return (real(1.0) - exp(-depth)) / sigma;
+  return (real(1.0) - exp(-max(depth, real(-80.0)))) / sigma;
 }
 
-// Ambient radiance scattered into `inside` units of the ray: albedo L (1 - transmittance).
-AIRLIGHT_FN real3 airlightAmbient(AIRLIGHT_IN(AirlightMedium) medium, real inside)
+AIRLIGHT_FN real airlightHeight(AIRLIGHT_IN(AirlightMedium) medium, real3 point)
 {
-  return medium.sigmaS * medium.ambient *
-    real3(airlightOpticalLength(medium.sigmaT.x, inside),
-      airlightOpticalLength(medium.sigmaT.y, inside),
-      airlightOpticalLength(medium.sigmaT.z, inside));
+  return medium.originHeight + dot(medium.up, point);
+}
+
+// Density at a point inside the region.
+AIRLIGHT_FN real airlightDensity(AIRLIGHT_IN(AirlightMedium) medium, real3 point)
+{
+  if (medium.density == AIRLIGHT_DENSITY_UNIFORM)
+  {
+    return real(1.0);
+  }
+  // Deep below, the medium is opaque anyway; the bound keeps numbers finite.
+  return exp(min(-airlightHeight(medium, point) * medium.inverseScaleHeight, real(80.0)));
+}
+
+// Integral of the density along [from, to] of a ray, all of it inside the region.
+AIRLIGHT_FN real airlightInsideDepth(
+  AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real from, real to)
+{
+  if (medium.density == AIRLIGHT_DENSITY_UNIFORM)
+  {
+    return to - from;
+  }
+  return airlightDensity(medium, origin + from * direction) *
+    airlightOpticalLength(dot(medium.up, direction) * medium.inverseScaleHeight, to - from);
+}
+
+// Integral of the density along the part of [0, l] of a ray that is inside the region: times
+// sigmaT it is the optical depth.
+AIRLIGHT_FN real airlightPathDepth(
+  AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real l)
+{
+  real2 range = airlightRegionRange(medium.region, origin, direction, l);
+  return airlightInsideDepth(medium, origin, direction, range.x, range.y);
+}
+
+// The same on the way to a light at infinity. An unbounded uniform medium would swallow it: there
+// the light is taken as unattenuated.
+AIRLIGHT_FN real airlightSunDepth(
+  AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 toLight)
+{
+  if (medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
+    medium.density == AIRLIGHT_DENSITY_UNIFORM)
+  {
+    return real(0.0);
+  }
+  return min(airlightPathDepth(medium, point, toLight, real(AIRLIGHT_FAR)), real(1e30));
 }
 
 // True where all channels fade alike, so that one of them serves for three.

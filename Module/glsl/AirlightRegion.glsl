@@ -1,8 +1,9 @@
-// Where the medium is. Positions are relative to an origin of the caller's choice, in single
-// precision best the camera.
+// Where a medium is. Positions are relative to an origin of the caller's choice, in single
+// precision best the camera. All regions here are convex: a ray is inside on one interval.
 
 #define AIRLIGHT_REGION_UNBOUNDED 0
 #define AIRLIGHT_REGION_BOX 1
+#define AIRLIGHT_REGION_SPHERE 2
 
 // Farther than any scene; squares of it are still finite.
 #define AIRLIGHT_FAR 1e18
@@ -12,6 +13,8 @@ struct AirlightRegion
   int kind;
   real3 boxMin;
   real3 boxMax;
+  real3 centre; // of the sphere
+  real radius;
 };
 
 // Clips the range (from, to) of a line to one pair of the box's planes.
@@ -26,7 +29,7 @@ AIRLIGHT_FN real2 airlightClipSlab(real2 range, real o, real d, real lo, real hi
   return real2(max(range.x, min(a, b)), min(range.y, max(a, b)));
 }
 
-// The part (from, to) of [0, t1] in which the ray is inside the medium; to <= from: nowhere.
+// The part (from, to) of [0, t1] in which the ray is inside the region; to <= from: nowhere.
 AIRLIGHT_FN real2 airlightRegionRange(
   AIRLIGHT_IN(AirlightRegion) region, real3 origin, real3 direction, real t1)
 {
@@ -37,17 +40,14 @@ AIRLIGHT_FN real2 airlightRegionRange(
     range = airlightClipSlab(range, origin.y, direction.y, region.boxMin.y, region.boxMax.y);
     range = airlightClipSlab(range, origin.z, direction.z, region.boxMin.z, region.boxMax.z);
   }
-  return real2(range.x, max(range.x, range.y));
-}
-
-// Length inside the medium of the straight way from a to b.
-AIRLIGHT_FN real airlightInsideLength(AIRLIGHT_IN(AirlightRegion) region, real3 a, real3 b)
-{
-  real l = length(b - a);
-  if (region.kind == AIRLIGHT_REGION_UNBOUNDED || l <= real(0.0))
+  else if (region.kind == AIRLIGHT_REGION_SPHERE)
   {
-    return l;
+    // From the foot of the centre on the ray, so that distant spheres keep their digits.
+    real3 toCentre = region.centre - origin;
+    real foot = dot(toCentre, direction);
+    real h = length(cross(toCentre, direction));
+    real halfChord = sqrt(max((region.radius - h) * (region.radius + h), real(0.0)));
+    range = real2(max(range.x, foot - halfChord), min(range.y, foot + halfChord));
   }
-  real2 range = airlightRegionRange(region, a, (b - a) / l, l);
-  return range.y - range.x;
+  return real2(range.x, max(range.x, range.y));
 }
