@@ -12,9 +12,13 @@ namespace airlight
 {
 namespace
 {
-bool IsFinite(const glm::dvec3& v)
+// Squares of larger numbers overflow.
+constexpr double Largest = 1e100;
+
+// False for NaN, too.
+bool IsModerate(const glm::dvec3& v)
 {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(Largest)));
 }
 
 // The closed form holds where the whole leg from light to sample is inside: inverse square, and
@@ -78,7 +82,7 @@ LightSupport ConvertLight(const f64::AirlightMedium& medium, vtkLight* light,
   {
     return LightSupport::Dark;
   }
-  if (!IsFinite(intensity) || !IsFinite(position) || !IsFinite(focalPoint))
+  if (!IsModerate(intensity) || !IsModerate(position) || !IsModerate(focalPoint))
   {
     return LightSupport::Invalid;
   }
@@ -105,7 +109,7 @@ LightSupport ConvertLight(const f64::AirlightMedium& medium, vtkLight* light,
   {
     return LightSupport::Unsupported;
   }
-  if (!IsFinite(attenuation) || glm::any(glm::lessThan(attenuation, glm::dvec3(0.0))) ||
+  if (!IsModerate(attenuation) || glm::any(glm::lessThan(attenuation, glm::dvec3(0.0))) ||
     attenuation == glm::dvec3(0.0))
   {
     return LightSupport::Invalid;

@@ -18,19 +18,30 @@ namespace
 {
 glm::dvec3 Vector(const double v[3]) { return { v[0], v[1], v[2] }; }
 
-bool IsFinite(const double v[3])
+// Squares of larger numbers overflow.
+constexpr double Largest = 1e100;
+
+// False for NaN, too.
+bool IsModerate(const double v[3])
 {
-  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  return std::abs(v[0]) <= Largest && std::abs(v[1]) <= Largest && std::abs(v[2]) <= Largest;
+}
+
+// The unit vector in a direction of any length but 0; 0 for 0.
+glm::dvec3 Normalize(const glm::dvec3& v)
+{
+  const double largest = std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
+  return largest > 0.0 ? glm::normalize(v / largest) : v;
 }
 
 // Reports what is wrong with a vector argument, in the medium's name.
 bool CheckVector(vtkParticipatingMedium* medium, const char* name, const double v[3])
 {
-  if (!IsFinite(v))
+  if (!IsModerate(v))
   {
     vtkErrorWithObjectMacro(medium,
       "vtkAirlight: " << name << " (" << v[0] << ", " << v[1] << ", " << v[2]
-                      << ") must be finite.");
+                      << ") must be finite and at most 1e100.");
     return false;
   }
   return true;
@@ -45,12 +56,12 @@ bool CheckRay(vtkParticipatingMedium* medium, const double origin[3], const doub
     vtkGenericWarningMacro("vtkAirlight: the medium is null; give it a vtkParticipatingMedium.");
     return false;
   }
-  if (!CheckVector(medium, "origin", origin) || !CheckVector(medium, "direction", direction))
+  unit = Normalize(Vector(direction));
+  if (!CheckVector(medium, "origin", origin) || !CheckVector(medium, "direction", &unit.x))
   {
     return false;
   }
-  const double length = glm::length(Vector(direction));
-  if (!(length > 0.0))
+  if (unit == glm::dvec3(0.0))
   {
     vtkErrorWithObjectMacro(medium, "vtkAirlight: the direction has length 0.");
     return false;
@@ -61,7 +72,6 @@ bool CheckRay(vtkParticipatingMedium* medium, const double origin[3], const doub
       medium, "vtkAirlight: the interval [" << t0 << ", " << t1 << "] is not a number.");
     return false;
   }
-  unit = Vector(direction) / length;
   return true;
 }
 
@@ -76,7 +86,7 @@ glm::dvec3 AdaptivePanel(const f64::AirlightMedium& medium, const f64::AirlightL
   const glm::dvec3 high = f64::airlightQuadraturePanel(medium, light, ray, middle, v1);
   const glm::dvec3 error = glm::abs(low + high - whole);
   const double worst = std::max({ error.x, error.y, error.z });
-  if (depth == 0 || worst <= 1e-12 * scale)
+  if (depth == 0 || !(worst > 1e-12 * scale))
   {
     return low + high;
   }
@@ -108,7 +118,7 @@ glm::dvec3 AdaptiveQuadrature(const f64::AirlightMedium& medium, const f64::Airl
   glm::dvec3 sum(0.0);
   for (int i = 0; i < panels; ++i)
   {
-    sum += AdaptivePanel(medium, light, ray, end(i), end(i + 1), rough[i], scale, 40);
+    sum += AdaptivePanel(medium, light, ray, end(i), end(i + 1), rough[i], scale, 24);
   }
   return sum;
 }
@@ -147,7 +157,7 @@ void Store(const f64::AirlightMedium& medium, const glm::dvec3& radiance, double
 {
   for (int i = 0; i < 3; ++i)
   {
-    rgb[i] = medium.sigmaS[i] > 0.0 ? radiance[i] : 0.0;
+    rgb[i] = medium.sigmaS[i] > 0.0 && std::isfinite(radiance[i]) ? radiance[i] : 0.0;
   }
 }
 }
