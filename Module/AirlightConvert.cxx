@@ -14,9 +14,13 @@ namespace airlight
 {
 namespace
 {
-bool IsFinite(const glm::dvec3& v)
+// Squares of larger numbers overflow.
+constexpr double Largest = 1e100;
+
+// False for NaN, too.
+bool IsModerate(const glm::dvec3& v)
 {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(Largest)));
 }
 
 int ConvertRegion(int region)
@@ -147,7 +151,7 @@ LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
   }
   const glm::dvec3 axis = focalPoint - position;
   const double length = glm::length(axis);
-  if (!IsFinite(result.intensity) || !IsFinite(position) || !IsFinite(focalPoint) ||
+  if (!IsModerate(result.intensity) || !IsModerate(position) || !IsModerate(focalPoint) ||
     !std::isfinite(result.exponent) || result.exponent < 0.0)
   {
     return LightSupport::Invalid;
@@ -164,7 +168,7 @@ LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
     result.kind = DirectionalKind(media);
     return LightSupport::Scatters;
   }
-  if (!IsFinite(result.attenuation) ||
+  if (!IsModerate(result.attenuation) ||
     glm::any(glm::lessThan(result.attenuation, glm::dvec3(0.0))) ||
     result.attenuation == glm::dvec3(0.0))
   {

@@ -18,19 +18,30 @@ namespace
 {
 glm::dvec3 Vector(const double v[3]) { return { v[0], v[1], v[2] }; }
 
-bool IsFinite(const double v[3])
+// Squares of larger numbers overflow.
+constexpr double Largest = 1e100;
+
+// False for NaN, too.
+bool IsModerate(const double v[3])
 {
-  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  return std::abs(v[0]) <= Largest && std::abs(v[1]) <= Largest && std::abs(v[2]) <= Largest;
+}
+
+// The unit vector in a direction of any length but 0; 0 for 0.
+glm::dvec3 Normalize(const glm::dvec3& v)
+{
+  const double largest = std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
+  return largest > 0.0 ? glm::normalize(v / largest) : v;
 }
 
 // Reports what is wrong with a vector argument, in the medium's name.
 bool CheckVector(vtkParticipatingMedium* medium, const char* name, const double v[3])
 {
-  if (!IsFinite(v))
+  if (!IsModerate(v))
   {
     vtkErrorWithObjectMacro(medium,
       "vtkAirlight: " << name << " (" << v[0] << ", " << v[1] << ", " << v[2]
-                      << ") must be finite.");
+                      << ") must be finite and at most 1e100.");
     return false;
   }
   return true;
@@ -45,12 +56,12 @@ bool CheckRay(vtkParticipatingMedium* medium, const double origin[3], const doub
     vtkGenericWarningMacro("vtkAirlight: the medium is null; give it a vtkParticipatingMedium.");
     return false;
   }
-  if (!CheckVector(medium, "origin", origin) || !CheckVector(medium, "direction", direction))
+  unit = Normalize(Vector(direction));
+  if (!CheckVector(medium, "origin", origin) || !CheckVector(medium, "direction", &unit.x))
   {
     return false;
   }
-  const double length = glm::length(Vector(direction));
-  if (!(length > 0.0))
+  if (unit == glm::dvec3(0.0))
   {
     vtkErrorWithObjectMacro(medium, "vtkAirlight: the direction has length 0.");
     return false;
@@ -61,7 +72,6 @@ bool CheckRay(vtkParticipatingMedium* medium, const double origin[3], const doub
       medium, "vtkAirlight: the interval [" << t0 << ", " << t1 << "] is not a number.");
     return false;
   }
-  unit = Vector(direction) / length;
   return true;
 }
 
@@ -190,7 +200,7 @@ void Store(const f64::AirlightMedia& media, const glm::dvec3& radiance, double r
     {
       scatters = scatters || media.item[i].sigmaS[c] > 0.0;
     }
-    rgb[c] = scatters ? radiance[c] : 0.0;
+    rgb[c] = scatters && std::isfinite(radiance[c]) ? radiance[c] : 0.0;
   }
 }
 }

@@ -13,7 +13,7 @@
  * is normalised). t is the distance from the origin in world units. Radiance is in W/(m^2 sr) per
  * RGB channel when lights are given in W/sr and lengths in metres.
  *
- * Errors: values that are not finite, a direction of length 0 or a null medium give an error that
+ * Errors: values that are not finite or above 1e100, a direction of length 0 or a null medium give an error that
  * names the value, an answer of zeros, and the return value false. A reversed or empty interval
  * gives zeros and true. Nothing is ever NaN.
  *

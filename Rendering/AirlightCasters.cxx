@@ -8,14 +8,16 @@
 #include "vtkAssemblyPath.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkCompositePolyDataMapper2.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -48,25 +50,41 @@ bool DrawsItsPolygons(vtkMapper* mapper)
     !mapper->IsA("vtkOpenGLStickMapper");
 }
 
-// The visible polygonal blocks of a composite data set.
-std::vector<vtkPolyData*> GetBlocks(vtkCompositeDataSet* composite, vtkMapper* mapper)
+// The visible polygonal blocks below a node of a composite data set. A hidden node hides what is
+// below it, unless that is made visible of its own.
+void AddBlocks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attributes, bool visible,
+  std::vector<vtkPolyData*>& blocks)
 {
-  std::vector<vtkPolyData*> result;
-  auto* mapper2 = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
-  vtkCompositeDataDisplayAttributes* attributes =
-    mapper2 ? mapper2->GetCompositeDataDisplayAttributes() : nullptr;
-  auto it = vtk::TakeSmartPointer(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  if (attributes && attributes->HasBlockVisibility(node))
   {
-    auto* block = vtkPolyData::SafeDownCast(it->GetCurrentDataObject());
-    const bool hidden = block && attributes && attributes->HasBlockVisibility(block) &&
-      !attributes->GetBlockVisibility(block);
-    if (block && !hidden)
+    visible = attributes->GetBlockVisibility(node);
+  }
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(node))
+  {
+    auto it = vtk::TakeSmartPointer(tree->NewTreeIterator());
+    it->VisitOnlyLeavesOff();
+    it->TraverseSubTreeOff();
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
     {
-      result.push_back(block);
+      AddBlocks(it->GetCurrentDataObject(), attributes, visible, blocks);
     }
   }
-  return result;
+  else if (auto* data = vtkPolyData::SafeDownCast(node))
+  {
+    if (visible)
+    {
+      blocks.push_back(data);
+    }
+  }
+}
+
+std::vector<vtkPolyData*> GetBlocks(vtkCompositeDataSet* composite, vtkMapper* mapper)
+{
+  auto* mapper2 = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
+  std::vector<vtkPolyData*> blocks;
+  AddBlocks(
+    composite, mapper2 ? mapper2->GetCompositeDataDisplayAttributes() : nullptr, true, blocks);
+  return blocks;
 }
 
 vtkMTimeType GetGeometryTime(vtkPolyData* data)
@@ -171,21 +189,24 @@ void CasterCache::AddActor(vtkActor* actor, vtkMatrix4x4* matrix)
   {
     return;
   }
+  vtkProperty* property = actor->GetProperty();
+  const bool hidesFaces = property->GetBackfaceCulling() || property->GetFrontfaceCulling() ||
+    (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0);
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   if (auto* data = vtkPolyData::SafeDownCast(input))
   {
-    this->AddData(data, matrix);
+    this->AddData(data, matrix, hidesFaces);
   }
   else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
     for (vtkPolyData* block : GetBlocks(composite, mapper))
     {
-      this->AddData(block, matrix);
+      this->AddData(block, matrix, hidesFaces);
     }
   }
   else if (auto* grid = vtkDataSet::SafeDownCast(input))
   {
-    this->AddData(this->GetSurface(grid), matrix);
+    this->AddData(this->GetSurface(grid), matrix, hidesFaces);
   }
 }
 
@@ -204,9 +225,10 @@ vtkPolyData* CasterCache::GetSurface(vtkDataSet* grid)
 }
 
 //------------------------------------------------------------------------------
-void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix)
+void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, bool hidesFaces)
 {
   Caster caster;
+  caster.HidesFaces = hidesFaces;
   if (!ToGlm(matrix, caster.ToWorld))
   {
     return;

@@ -34,10 +34,12 @@ struct Caster
 {
   std::shared_ptr<const CasterMesh> Mesh;
   glm::dmat4 ToWorld;
+  bool HidesFaces = false; // culled or clipped: rays can go through parts of it that cast
 
   bool operator==(const Caster& other) const
   {
-    return this->Mesh == other.Mesh && this->ToWorld == other.ToWorld;
+    return this->Mesh == other.Mesh && this->ToWorld == other.ToWorld &&
+      this->HidesFaces == other.HidesFaces;
   }
 };
 
@@ -70,7 +72,7 @@ private:
 
   void AddProp(vtkProp* prop);
   void AddActor(vtkActor* actor, vtkMatrix4x4* matrix);
-  void AddData(vtkPolyData* data, vtkMatrix4x4* matrix);
+  void AddData(vtkPolyData* data, vtkMatrix4x4* matrix, bool hidesFaces);
 
   vtkPolyData* GetSurface(vtkDataSet* grid);
 

@@ -16,6 +16,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace airlight
@@ -44,9 +45,10 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedium& medium,
   {
     return this->Fail(this->Textures.GetError());
   }
-  if (settings.Shadows && !this->Lists.Prepare(this->Window, width, height, settings.MemoryLimit))
+  if (settings.Shadows &&
+    !this->Boundaries.Prepare(this->Window, width, height, settings.MemoryLimit))
   {
-    return this->Fail(this->Lists.GetError());
+    return this->Fail(this->Boundaries.GetError());
   }
   return true;
 }
@@ -111,9 +113,9 @@ bool Frame::ScatterLights()
   {
     const Lamp& lamp = this->Lamps[k];
     if (lamp.Scatters() && lamp.CastsShadows && casters &&
-      this->Volumes[k].Update(*casters, lamp.World, this->Rays->GetStart()))
+      this->Volumes[k].Update(*casters, lamp.World, *this->Rays))
     {
-      this->Lists.SetEdges(static_cast<int>(k), this->Volumes[k].GetEdges());
+      this->Boundaries.SetVolumes(static_cast<int>(k), this->Volumes[k]);
     }
     if (lamp.Scatters() && !this->ScatterLight(static_cast<int>(k)))
     {
@@ -128,9 +130,9 @@ bool Frame::ScatterLight(int index)
 {
   const ShadowVolumes& volumes = this->Volumes[index];
   const bool shadows = this->Settings.Shadows && this->Lamps[index].CastsShadows;
-  if (!shadows || volumes.GetEdges().empty())
+  if (!shadows || !volumes.HasPlanes())
   {
-    return this->Resolve(index, nullptr, 0, this->Height);
+    return this->Resolve(index, Lists::None, 0, this->Height);
   }
   for (int row = 0; row < this->Height;)
   {
@@ -138,15 +140,27 @@ bool Frame::ScatterLight(int index)
     {
       return this->Fail(this->Textures.GetError());
     }
-    const int rows = this->Lists.Fill(index, volumes, this->Lamps[index].World, *this->Rays,
+    const int rows = this->Boundaries.Fill(index, volumes, this->Lamps[index].World, *this->Rays,
       this->Textures.Distances, row, this->Height - row);
     if (rows == 0)
     {
-      return this->Fail(this->Lists.GetError());
+      return this->Fail(this->Boundaries.GetError());
     }
-    if (!this->Resolve(index, &volumes, row, rows))
+    if (!this->Resolve(index, Lists::Short, row, rows))
     {
       return false;
+    }
+    const int draws = this->Boundaries.GetLongDraws();
+    if (draws > 0 && !this->Boundaries.Sort())
+    {
+      return this->Fail(this->Boundaries.GetError());
+    }
+    for (int draw = 0; draw < draws; ++draw)
+    {
+      if (!this->Resolve(index, draw == 0 ? Lists::Long : Lists::LongRest, row, rows))
+      {
+        return false;
+      }
     }
     row += rows;
   }
@@ -154,13 +168,16 @@ bool Frame::ScatterLight(int index)
 }
 
 //------------------------------------------------------------------------------
-bool Frame::Resolve(int index, const ShadowVolumes* volumes, int row, int rows)
+bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
-  const std::string common = GetScatteringSource(this->Medium.phase.poleCount) + AirlightViewShader;
-  Quad& quad = volumes ? this->ResolveWithShadows : this->ResolveWithout;
-  vtkShaderProgram* program = quad.Ready(this->Window,
-    volumes ? "#version 430\n" + common + ShadowLists::GetBoundariesSource() + AirlightResolveFS
-            : "#version 330\n" + common + AirlightNoBoundaries + AirlightResolveFS);
+  const bool shadows = lists != Lists::None;
+  const std::string source = (shadows ? "#version 430\n" : "#version 330\n") +
+    GetScatteringSource(this->Medium.phase.poleCount) + AirlightViewShader +
+    (shadows ? ShadowLists::GetBoundariesSource(lists != Lists::Short) : AirlightNoBoundaries) +
+    AirlightResolveFS;
+  Quad& quad =
+    this->ResolveQuads[std::min(static_cast<size_t>(lists), this->ResolveQuads.size() - 1)];
+  vtkShaderProgram* program = quad.Ready(this->Window, source);
   if (!program)
   {
     return this->Fail("the airlight shader did not compile: " + quad.GetError());
@@ -173,16 +190,18 @@ bool Frame::Resolve(int index, const ShadowVolumes* volumes, int row, int rows)
   this->Rays->SetUniforms(program, 0, 0);
   SetMediumUniforms(program, this->Medium);
   SetLightUniforms(program, this->Lamps[index].Values);
-  program->SetUniformi("startCount", volumes ? volumes->GetStartCount() : 0);
+  program->SetUniformi("startCount", shadows ? this->Volumes[index].GetStartCount() : 0);
   glm::vec4 bit(0.0f);
   if (index < MaximumShadowingLights)
   {
     bit[index / BitsPerChannel] = std::ldexp(1.0f, index % BitsPerChannel);
   }
   program->SetUniform4f("litBit", &bit.x);
-  if (volumes)
+  if (shadows)
   {
-    this->Lists.Use(program);
+    this->Boundaries.Use(program);
+    program->SetUniformi("resume", lists == Lists::LongRest ? 1 : 0);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
 
   vtkOpenGLState* state = this->Window->GetState();
@@ -307,11 +326,13 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
 //------------------------------------------------------------------------------
 void Frame::Release(vtkWindow* window)
 {
-  this->ResolveWithShadows.Release();
-  this->ResolveWithout.Release();
+  for (Quad& quad : this->ResolveQuads)
+  {
+    quad.Release();
+  }
   this->CompositeQuad.Release();
   this->RecordQuad.Release();
-  this->Lists.Release();
+  this->Boundaries.Release();
   this->Casters.Clear();
   this->Volumes.clear();
   this->Textures.Release(window);

@@ -22,6 +22,7 @@
 #include "AirlightTargets.h"
 #include "AirlightView.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -77,17 +78,26 @@ public:
 private:
   bool Fail(const std::string& reason);
   bool ScatterLight(int index);
-  bool Resolve(int index, const ShadowVolumes* volumes, int row, int rows);
+
+  // Which pixels a draw of the resolve does.
+  enum class Lists
+  {
+    None,    // all, without shadows
+    Short,   // those with lists that it sorts itself
+    Long,    // the others, sorted beforehand
+    LongRest // what the draw before left of them
+  };
+  bool Resolve(int index, Lists lists, int row, int rows);
+
   bool ReadyComposite(bool record, int x, int y);
   void DrawComposite(Quad& quad);
   void ClearTarget(float value);
 
   Targets Textures;
-  ShadowLists Lists;
+  ShadowLists Boundaries;
   CasterCache Casters;
   std::vector<ShadowVolumes> Volumes; // by light number
-  Quad ResolveWithShadows;
-  Quad ResolveWithout;
+  std::array<Quad, 3> ResolveQuads;   // by Lists; the last two share one
   Quad CompositeQuad;
   Quad RecordQuad;
   std::map<std::string, vtkSmartPointer<vtkImageData>> Buffers;

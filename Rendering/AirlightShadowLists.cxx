@@ -6,6 +6,7 @@
 #include "AirlightOpenGL.h"
 #include "AirlightPlanesFS.h"
 #include "AirlightPlanesVS.h"
+#include "AirlightSortFS.h"
 #include "AirlightView.h"
 #include "AirlightViewShader.h"
 
@@ -23,20 +24,24 @@ namespace
 {
 constexpr std::uint64_t NodeSize = 12;
 // Room for a few boundaries on each pixel of a usual window.
-std::uint32_t InitialCapacity = 1u << 21;
+constexpr std::uint64_t InitialCapacity = 1u << 21;
+// Lists up to this length are sorted where they are read.
+constexpr std::uint32_t ShortList = 24;
+// Boundaries of a longer list that one draw reads.
+constexpr std::uint32_t Chunk = 128;
+// The heads begin with the counter of boundaries and the longest list's length.
+constexpr int HeadOffset = 2;
 
 // Bindings of the shaders' buffers.
 constexpr GLuint EdgeBinding = 0;
 constexpr GLuint NodeBinding = 1;
 constexpr GLuint HeadBinding = 2;
-}
 
-//------------------------------------------------------------------------------
-ShadowLists::~ShadowLists() = default;
-
-void ShadowLists::SetInitialCapacity(std::uint32_t capacity)
+std::string DefineLengths()
 {
-  InitialCapacity = std::max(capacity, 2u);
+  return "#define AIRLIGHT_SHORT_LIST " + std::to_string(ShortList) + "\n#define AIRLIGHT_CHUNK " +
+    std::to_string(Chunk) + "\n";
+}
 }
 
 //------------------------------------------------------------------------------
@@ -54,7 +59,10 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::string ShadowLists::GetBoundariesSource() { return AirlightBoundaries; }
+std::string ShadowLists::GetBoundariesSource(bool sorted)
+{
+  return DefineLengths() + (sorted ? "#define AIRLIGHT_SORTED\n" : "") + AirlightBoundaries;
+}
 
 //------------------------------------------------------------------------------
 bool ShadowLists::Reserve(std::uint64_t boundaries)
@@ -90,7 +98,7 @@ bool ShadowLists::Prepare(
     glGenBuffers(1, &this->Nodes);
     glGenBuffers(1, &this->Heads);
   }
-  const int heads = width * height + 1;
+  const int heads = width * height + HeadOffset;
   if (this->HeadCount != heads)
   {
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
@@ -99,32 +107,44 @@ bool ShadowLists::Prepare(
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
     this->HeadCount = heads;
   }
-  return this->Capacity > 0 ||
-    this->Reserve(std::min<std::uint64_t>(InitialCapacity, memoryLimit / NodeSize));
+  const bool fits = this->Capacity > 0 && this->Capacity * NodeSize <= memoryLimit;
+  return fits || this->Reserve(std::min(InitialCapacity, memoryLimit / NodeSize));
 }
 
 //------------------------------------------------------------------------------
-void ShadowLists::SetEdges(int slot, const std::vector<ShadowEdge>& edges)
+void ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t size)
 {
-  if (static_cast<size_t>(slot) >= this->Edges.size())
-  {
-    this->Edges.resize(slot + 1);
-  }
-  EdgeBuffer& buffer = this->Edges[slot];
   if (buffer.Handle == 0)
   {
     glGenBuffers(1, &buffer.Handle);
   }
-  buffer.Count = static_cast<int>(edges.size());
+  buffer.Count = static_cast<int>(count);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.Handle);
-  glBufferData(GL_SHADER_STORAGE_BUFFER,
-    static_cast<GLsizeiptr>(std::max<size_t>(edges.size(), 1) * sizeof(ShadowEdge)),
-    edges.empty() ? nullptr : edges.data(), GL_STATIC_DRAW);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(std::max<size_t>(count, 1) * size),
+    count > 0 ? data : nullptr, GL_STATIC_DRAW);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* ShadowLists::ReadyProgram()
+void ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
+{
+  if (static_cast<size_t>(slot) >= this->Edges.size())
+  {
+    this->Edges.resize(slot + 1);
+    this->NearEdges.resize(slot + 1);
+    this->Caps.resize(slot + 1);
+  }
+  const auto upload = [this](Buffer& buffer, const auto& records) {
+    this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
+  };
+  upload(this->Edges[slot], volumes.GetEdges());
+  upload(this->NearEdges[slot], volumes.GetNearEdges());
+  upload(this->Caps[slot], volumes.GetCaps());
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* ShadowLists::ReadyPlanes(const ShadowVolumes& volumes, const glm::dvec4& light,
+  const View& view, vtkTextureObject* distances)
 {
   const std::string fragment =
     std::string("#version 430\n") + AirlightViewShader + AirlightPlanesFS;
@@ -135,41 +155,6 @@ vtkShaderProgram* ShadowLists::ReadyProgram()
     this->Error = program ? program->GetError() : "the shader cache returned no program";
     return nullptr;
   }
-  return program;
-}
-
-//------------------------------------------------------------------------------
-// Draws all planes, clipped to some rows, and returns how many boundaries there were.
-std::uint32_t ShadowLists::DrawOnce(vtkShaderProgram* program, int edgeCount, int row, int rows)
-{
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
-  glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-  this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
-  // The program takes the capacity as an unsigned integer, which vtkShaderProgram cannot set.
-  glUniform1ui(glGetUniformLocation(program->GetHandle(), "capacity"), this->Capacity);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  glBindVertexArray(this->VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, 6 * edgeCount);
-  glBindVertexArray(0);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  GLuint count = 0;
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
-  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(count), &count);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-  return count;
-}
-
-//------------------------------------------------------------------------------
-int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& light,
-  const View& view, vtkTextureObject* distances, int row, int rows)
-{
-  vtkShaderProgram* program = this->ReadyProgram();
-  if (!program)
-  {
-    return 0;
-  }
   view.SetUniforms(program, 0, 0);
   glm::mat4 clip = view.GetClipMatrix(volumes.GetAnchor());
   const glm::vec3 anchor(volumes.GetAnchor() - view.GetEye());
@@ -178,31 +163,59 @@ int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& 
   program->SetUniformMatrix4x4("anchorToClip", &clip[0][0]);
   program->SetUniform3f("anchor", &anchor.x);
   program->SetUniform4f("fromLight", &fromLight.x);
-  program->SetUniformi("width", this->Width);
-  distances->Activate();
   program->SetUniformi("distances", distances->GetTextureUnit());
+  return program;
+}
 
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  glEnable(GL_DEPTH_CLAMP);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(-2.0f, -8.0f);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, this->Edges[slot].Handle);
+//------------------------------------------------------------------------------
+std::uint32_t ShadowLists::ReadHead(int index)
+{
+  GLuint value = 0;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glGetBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, index * static_cast<GLintptr>(sizeof(value)), sizeof(value), &value);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  return value;
+}
 
+//------------------------------------------------------------------------------
+// Draws all planes and caps, clipped to some rows, and returns how many boundaries there were, the
+// unused one included.
+std::uint64_t ShadowLists::DrawOnce(vtkShaderProgram* program, int slot, int row, int rows)
+{
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
+  this->Use(program);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  glBindVertexArray(this->VertexArray);
+  const auto draw = [program](const Buffer& buffer, int kind, float nearer, int vertices) {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, buffer.Handle);
+    program->SetUniformi("kind", kind);
+    program->SetUniformf("nearer", nearer);
+    glDrawArrays(GL_TRIANGLES, 0, vertices * buffer.Count);
+  };
+  draw(this->Edges[slot], 0, 1.0f, 6);
+  // The surface that the ray ends on is none that it goes through.
+  draw(this->Caps[slot], 1, 1.0f - 1e-5f, 3);
+  draw(this->NearEdges[slot], 2, 1.0f, 3);
+  glBindVertexArray(0);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  return static_cast<std::uint64_t>(this->ReadHead(0)) + 1;
+}
+
+//------------------------------------------------------------------------------
+int ShadowLists::DrawRows(vtkShaderProgram* program, int slot, int row, int rows)
+{
   const std::uint64_t most =
     std::min<std::uint64_t>(this->MemoryLimit / NodeSize, 0x7fffffffu / 3u);
   while (rows > 0)
   {
-    const std::uint64_t needed =
-      static_cast<std::uint64_t>(this->DrawOnce(program, this->Edges[slot].Count, row, rows)) + 1;
+    const std::uint64_t needed = this->DrawOnce(program, slot, row, rows);
     if (needed <= this->Capacity)
     {
-      break;
+      return rows;
     }
     // A quarter more than asked for, so that a scene in motion does not grow it each frame.
     if (needed <= most && this->Reserve(std::min(needed + needed / 4, most)))
@@ -211,28 +224,87 @@ int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& 
     }
     if (this->Capacity == 0)
     {
-      this->Reserve(std::min<std::uint64_t>(InitialCapacity, most));
+      this->Reserve(std::min(InitialCapacity, most));
     }
-    this->Error = "one row of pixels crosses more shadow boundaries than the memory limit allows";
     rows = this->Capacity > 0 ? rows / 2 : 0;
   }
+  this->Error = "one row of pixels crosses more shadow boundaries than the memory limit allows";
+  return 0;
+}
 
-  glPolygonOffset(0.0f, 0.0f);
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  glDisable(GL_DEPTH_CLAMP);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
-  state->vtkglDepthMask(GL_TRUE);
+//------------------------------------------------------------------------------
+int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& light,
+  const View& view, vtkTextureObject* distances, int row, int rows)
+{
+  distances->Activate();
+  vtkShaderProgram* program = this->ReadyPlanes(volumes, light, view, distances);
+  int done = 0;
+  if (program)
+  {
+    vtkOpenGLState* state = this->Window->GetState();
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    glEnable(GL_DEPTH_CLAMP);
+    // Lenient: what the depth buffer's rounding leaves open, the shader's own test decides.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-2.0f, -8.0f);
+    done = this->DrawRows(program, slot, row, rows);
+    glPolygonOffset(0.0f, 0.0f);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_DEPTH_CLAMP);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
+    state->vtkglDepthMask(GL_TRUE);
+  }
   distances->Deactivate();
-  return rows;
+  return done;
 }
 
 //------------------------------------------------------------------------------
 void ShadowLists::Use(vtkShaderProgram* program)
 {
   program->SetUniformi("width", this->Width);
+  // An unsigned integer, which vtkShaderProgram cannot set.
   glUniform1ui(glGetUniformLocation(program->GetHandle(), "capacity"), this->Capacity);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
+}
+
+//------------------------------------------------------------------------------
+int ShadowLists::GetLongDraws()
+{
+  // One more, for lists whose length is a multiple of the chunk.
+  const std::uint32_t longest = this->ReadHead(1);
+  return longest > 0 ? static_cast<int>(longest / Chunk) + 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::Sort()
+{
+  const std::uint32_t longest = this->ReadHead(1);
+  vtkShaderProgram* program =
+    this->SortQuad.Ready(this->Window, "#version 430\n" + DefineLengths() + AirlightSortFS);
+  if (!program)
+  {
+    this->Error = "the sort shader did not compile: " + this->SortQuad.GetError();
+    return false;
+  }
+  this->Use(program);
+  vtkOpenGLState* state = this->Window->GetState();
+  vtkOpenGLState::ScopedglColorMask maskSaver(state);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  for (std::uint64_t run = 1; run < longest; run *= 2)
+  {
+    glUniform1ui(glGetUniformLocation(program->GetHandle(), "run"), static_cast<GLuint>(run));
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    this->SortQuad.Draw({});
+  }
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -245,11 +317,16 @@ void ShadowLists::Release()
   glDeleteVertexArrays(1, &this->VertexArray);
   glDeleteBuffers(1, &this->Nodes);
   glDeleteBuffers(1, &this->Heads);
-  for (EdgeBuffer& buffer : this->Edges)
+  for (size_t slot = 0; slot < this->Edges.size(); ++slot)
   {
-    glDeleteBuffers(1, &buffer.Handle);
+    glDeleteBuffers(1, &this->Edges[slot].Handle);
+    glDeleteBuffers(1, &this->NearEdges[slot].Handle);
+    glDeleteBuffers(1, &this->Caps[slot].Handle);
   }
   this->Edges.clear();
+  this->NearEdges.clear();
+  this->Caps.clear();
+  this->SortQuad.Release();
   this->VertexArray = this->Nodes = this->Heads = 0;
   this->Capacity = 0;
   this->HeadCount = 0;

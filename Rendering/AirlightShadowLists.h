@@ -11,6 +11,7 @@
 #ifndef AirlightShadowLists_h
 #define AirlightShadowLists_h
 
+#include "AirlightQuad.h"
 #include "AirlightShadowVolumes.h"
 
 #include <cstdint>
@@ -30,20 +31,21 @@ class View;
 class ShadowLists
 {
 public:
-  ~ShadowLists();
-
   // Whether the window's OpenGL has what this needs: 4.3.
   static bool IsSupported(vtkOpenGLRenderWindow* window);
 
-  // Fragment source that reads the lists, after a "#version 430".
-  static std::string GetBoundariesSource();
+  // Fragment source that reads the lists, after a "#version 430". A first draw does the pixels
+  // with short lists. Where GetLongDraws() is above 0 afterwards, there are others: Sort() puts
+  // them in order and that many draws of the source for sorted lists do them, all but the first
+  // with the uniform "resume" set.
+  static std::string GetBoundariesSource(bool sorted);
 
   // `memoryLimit` in bytes. False with a reason in GetError() where a buffer cannot be had.
   bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t memoryLimit);
   const std::string& GetError() const { return this->Error; }
 
-  // Uploads a light's edges; `slot` is the light's number.
-  void SetEdges(int slot, const std::vector<ShadowEdge>& edges);
+  // Uploads a light's edges and caps; `slot` is the light's number.
+  void SetVolumes(int slot, const ShadowVolumes& volumes);
 
   // Fills the lists of the rows [row, row + rows) into the bound framebuffer, which has the
   // scene's depth. Returns the number of rows done, fewer where the memory limit asks for it; 0
@@ -54,15 +56,29 @@ public:
   // For a program with the source above: binds the lists and sets its uniforms.
   void Use(vtkShaderProgram* program);
 
-  // Boundaries that fit before a buffer has to grow. For tests; the default serves all scenes.
-  static void SetInitialCapacity(std::uint32_t capacity);
+  // Number of draws for the lists that the first draw left out; 0 where it left out none.
+  int GetLongDraws();
+
+  // Sorts the long lists. Draws nothing into the bound framebuffer. False with a reason in
+  // GetError() where the shader does not compile.
+  bool Sort();
 
   void Release();
 
 private:
+  struct Buffer
+  {
+    unsigned int Handle = 0;
+    int Count = 0;
+  };
+
+  void Upload(Buffer& buffer, const void* data, size_t count, size_t size);
   bool Reserve(std::uint64_t boundaries);
-  std::uint32_t DrawOnce(vtkShaderProgram* program, int edgeCount, int row, int rows);
-  vtkShaderProgram* ReadyProgram();
+  vtkShaderProgram* ReadyPlanes(const ShadowVolumes& volumes, const glm::dvec4& light,
+    const View& view, vtkTextureObject* distances);
+  std::uint64_t DrawOnce(vtkShaderProgram* program, int slot, int row, int rows);
+  int DrawRows(vtkShaderProgram* program, int slot, int row, int rows);
+  std::uint32_t ReadHead(int index);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   int Width = 0;
@@ -73,12 +89,10 @@ private:
   unsigned int Heads = 0;
   int HeadCount = 0;
   unsigned int VertexArray = 0;
-  struct EdgeBuffer
-  {
-    unsigned int Handle = 0;
-    int Count = 0;
-  };
-  std::vector<EdgeBuffer> Edges; // by slot
+  std::vector<Buffer> Edges; // by slot
+  std::vector<Buffer> NearEdges;
+  std::vector<Buffer> Caps;
+  Quad SortQuad;
   std::string Error;
 };
 }

@@ -3,16 +3,49 @@
 #include "AirlightShadowVolumes.h"
 
 #include "AirlightSilhouette.h"
+#include "AirlightView.h"
 
-#include <utility>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace airlight
 {
 namespace
 {
+// Relative to the distances involved: where single precision begins to lose on which side of a
+// plane the eye is.
+constexpr double PlaneTolerance = 2e-5;
+// An eye on a plane is on neither side of it. Where it counts, the eye is this much beside itself,
+// in a direction without symmetry.
+constexpr double AsideLength = 1e-11;
+const glm::dvec3 AsideDirection{ 0.61, 0.47, 0.64 };
+
 glm::dvec3 Transform(const glm::dmat4& matrix, const glm::dvec3& point)
 {
   return glm::dvec3(matrix * glm::dvec4(point, 1.0));
+}
+
+bool IsMirrored(const Caster& caster) { return glm::determinant(caster.ToWorld) < 0.0; }
+
+// Whether rays may go through a part of the caster that is not drawn.
+bool NeedsCaps(const Caster& caster, const View& view)
+{
+  if (caster.HidesFaces)
+  {
+    return true;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 local(corner & 1 ? caster.Mesh->BoundsMin.x : caster.Mesh->BoundsMax.x,
+      corner & 2 ? caster.Mesh->BoundsMin.y : caster.Mesh->BoundsMax.y,
+      corner & 4 ? caster.Mesh->BoundsMin.z : caster.Mesh->BoundsMax.z);
+    const glm::dvec3 point = Transform(caster.ToWorld, local) - view.GetEye();
+    nearest = std::min(nearest, glm::dot(point, view.GetForward()));
+  }
+  return nearest < view.GetNear();
 }
 }
 
@@ -30,21 +63,25 @@ void ShadowVolumes::SetAnchor(const std::vector<Caster>& casters)
 }
 
 //------------------------------------------------------------------------------
-std::vector<ShadowEdge> ShadowVolumes::MakeEdges(const Caster& caster) const
+// Rounded to single precision vertex by vertex, planes that share a vertex share its position to
+// the last bit and leave no gap.
+glm::dvec3 ShadowVolumes::Place(const Caster& caster, int point) const
 {
-  const CasterMesh& mesh = *caster.Mesh;
-  const glm::dvec4 localLight = glm::inverse(caster.ToWorld) * this->Light;
+  return Transform(caster.ToWorld, caster.Mesh->Points[point]) - this->Anchor;
+}
+
+//------------------------------------------------------------------------------
+void ShadowVolumes::MakeEdges(Part& part) const
+{
+  const Caster& caster = part.Source;
   // A mirrored caster's triangles turn the other way in the world.
-  const bool mirrored = glm::determinant(caster.ToWorld) < 0.0;
-  std::vector<ShadowEdge> edges;
-  for (const SilhouetteEdge& edge : FindSilhouette(mesh, localLight))
+  const bool mirrored = IsMirrored(caster);
+  part.Edges.clear();
+  for (const SilhouetteEdge& edge :
+    FindSilhouette(*caster.Mesh, glm::inverse(caster.ToWorld) * this->Light))
   {
-    // Rounded to single precision vertex by vertex, so that planes that share a vertex share its
-    // position to the last bit and leave no gap.
-    const glm::dvec3 a =
-      Transform(caster.ToWorld, mesh.Points[mirrored ? edge.B : edge.A]) - this->Anchor;
-    const glm::dvec3 b =
-      Transform(caster.ToWorld, mesh.Points[mirrored ? edge.A : edge.B]) - this->Anchor;
+    const glm::dvec3 a = this->Place(caster, mirrored ? edge.B : edge.A);
+    const glm::dvec3 b = this->Place(caster, mirrored ? edge.A : edge.B);
     const glm::dvec3 away = this->Light.w != 0.0 ? a : -glm::dvec3(this->Light);
     glm::dvec3 normal = glm::cross(away, b - a);
     const double length = glm::length(normal);
@@ -52,52 +89,163 @@ std::vector<ShadowEdge> ShadowVolumes::MakeEdges(const Caster& caster) const
     {
       normal /= length;
     }
-    edges.push_back({ glm::vec4(glm::vec3(a), static_cast<float>(edge.Weight)),
+    part.Edges.push_back({ glm::vec4(glm::vec3(a), static_cast<float>(edge.Weight)),
       glm::vec4(glm::vec3(b), 0.0f), glm::vec4(glm::vec3(normal), 0.0f) });
   }
-  return edges;
+}
+
+//------------------------------------------------------------------------------
+void ShadowVolumes::MakeCaps(Part& part) const
+{
+  part.Caps.clear();
+  if (!part.Capped)
+  {
+    return;
+  }
+  const Caster& caster = part.Source;
+  const CasterMesh& mesh = *caster.Mesh;
+  const bool mirrored = IsMirrored(caster);
+  const glm::dvec4 localLight = glm::inverse(caster.ToWorld) * this->Light;
+  for (size_t f = 0; f < mesh.Triangles.size(); ++f)
+  {
+    const double side = glm::dot(mesh.Planes[f], localLight) * (mirrored ? -1.0 : 1.0);
+    const float sign = static_cast<float>((side > 0.0) - (side < 0.0));
+    const std::array<int, 3>& t = mesh.Triangles[f];
+    part.Caps.push_back({ glm::vec4(glm::vec3(this->Place(caster, t[0])), sign),
+      glm::vec4(glm::vec3(this->Place(caster, t[mirrored ? 2 : 1])), 0.0f),
+      glm::vec4(glm::vec3(this->Place(caster, t[mirrored ? 1 : 2])), 0.0f) });
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ShadowVolumes::UpdateParts(const std::vector<Caster>& casters, const View& view, bool moved)
+{
+  bool changed = casters.size() != this->Parts.size();
+  this->Parts.resize(casters.size());
+  for (size_t i = 0; i < casters.size(); ++i)
+  {
+    Part& part = this->Parts[i];
+    const bool capped = NeedsCaps(casters[i], view);
+    const bool remake = moved || !(part.Source == casters[i]);
+    if (remake)
+    {
+      part.Source = casters[i];
+      this->MakeEdges(part);
+    }
+    if (remake || capped != part.Capped)
+    {
+      part.Capped = capped;
+      this->MakeCaps(part);
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+//------------------------------------------------------------------------------
+void ShadowVolumes::CollectEdges()
+{
+  this->Edges.clear();
+  this->NearEdges.clear();
+  this->Caps.clear();
+  for (const Part& part : this->Parts)
+  {
+    this->Edges.insert(this->Edges.end(), part.Edges.begin(), part.Edges.end());
+    this->Caps.insert(this->Caps.end(), part.Caps.begin(), part.Caps.end());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether a point, relative to the anchor, lies on the plane beyond its edge, within tolerance.
+bool ShadowVolumes::IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) const
+{
+  const glm::dvec3 a(edge.A);
+  const glm::dvec3 b(edge.B);
+  const glm::dvec3 n(edge.Normal);
+  const bool isPoint = this->Light.w != 0.0;
+  const glm::dvec3 toEye = isPoint ? eye : eye - a;
+  const double tolerance = PlaneTolerance * (glm::length(eye) + glm::length(a));
+  if (std::abs(glm::dot(n, toEye)) > tolerance)
+  {
+    return false;
+  }
+  // Between the two sides of the plane, and farther from the light than the edge.
+  const glm::dvec3 away = -glm::dvec3(this->Light);
+  const glm::dvec3 sideA = isPoint ? a : away;
+  const glm::dvec3 sideB = isPoint ? b : away;
+  const glm::dvec3 along = b - a;
+  const double reach = tolerance * (glm::length(sideA) + glm::length(sideB));
+  const double fromA = glm::dot(glm::cross(sideA, isPoint ? eye : eye - a), n);
+  const double fromB = glm::dot(glm::cross(isPoint ? eye : eye - b, sideB), n);
+  const double beyond = glm::dot(glm::cross(eye - a, along), n);
+  return fromA >= -reach && fromB >= -reach && beyond >= -tolerance * glm::length(along);
+}
+
+//------------------------------------------------------------------------------
+// Moves the edges whose planes the eye lies on to a list of their own. True where there are any.
+bool ShadowVolumes::SplitNearEdges(const View& view)
+{
+  // In parallel projection rays do not meet in an eye.
+  if (view.IsParallel())
+  {
+    return false;
+  }
+  const glm::dvec3 eye = view.GetEye() - this->Anchor;
+  const auto split = std::stable_partition(this->Edges.begin(), this->Edges.end(),
+    [&](const ShadowEdge& edge) { return !this->IsOnPlane(edge, eye); });
+  this->NearEdges.assign(split, this->Edges.end());
+  this->Edges.erase(split, this->Edges.end());
+  const glm::dvec3 aside = eye + AsideLength * glm::length(eye) * AsideDirection;
+  for (ShadowEdge& edge : this->NearEdges)
+  {
+    const glm::dvec3 a(edge.A);
+    const glm::dvec3 b(edge.B);
+    const glm::dvec3 away = this->Light.w != 0.0 ? a : -glm::dvec3(this->Light);
+    const glm::dvec3 normal = glm::normalize(glm::cross(away, b - a));
+    edge.Normal = glm::vec4(glm::vec3(normal), 0.0f);
+    edge.B.w = static_cast<float>(glm::dot(normal, a - aside));
+  }
+  return !this->NearEdges.empty();
+}
+
+//------------------------------------------------------------------------------
+void ShadowVolumes::CountAtStart(const View& view)
+{
+  const double distance = glm::length(view.GetEye() - this->Anchor);
+  const glm::dvec4 start = view.IsParallel()
+    ? view.GetStart()
+    : view.GetStart() + glm::dvec4(AsideLength * distance * AsideDirection, 0.0);
+  this->StartCount = 0;
+  for (const Part& part : this->Parts)
+  {
+    const glm::dmat4 toLocal = glm::inverse(part.Source.ToWorld);
+    this->StartCount += CountShadowsAt(*part.Source.Mesh, toLocal * this->Light, toLocal * start);
+  }
 }
 
 //------------------------------------------------------------------------------
 bool ShadowVolumes::Update(
-  const std::vector<Caster>& casters, const glm::dvec4& light, const glm::dvec4& start)
+  const std::vector<Caster>& casters, const glm::dvec4& light, const View& view)
 {
-  const bool lightMoved = this->Light != light;
-  const bool startMoved = this->Start != start;
-  this->Light = light;
-  this->Start = start;
   const glm::dvec3 oldAnchor = this->Anchor;
+  const bool lightMoved = this->Light != light;
+  this->Light = light;
   this->SetAnchor(casters);
-  const bool anchorMoved = oldAnchor != this->Anchor;
-
-  bool edgesChanged = casters.size() != this->Parts.size();
-  this->Parts.resize(casters.size());
-  this->StartCount = 0;
-  for (size_t i = 0; i < casters.size(); ++i)
+  const bool partsChanged =
+    this->UpdateParts(casters, view, lightMoved || oldAnchor != this->Anchor);
+  const bool viewMoved = this->Start != view.GetStart();
+  this->Start = view.GetStart();
+  // Edges that were near at the old eye go back among the others.
+  bool changed = partsChanged || (viewMoved && !this->NearEdges.empty());
+  if (changed)
   {
-    Part& part = this->Parts[i];
-    const bool casterChanged = !(part.Source == casters[i]);
-    if (casterChanged || lightMoved || anchorMoved)
-    {
-      part.Source = casters[i];
-      part.Edges = this->MakeEdges(casters[i]);
-      edgesChanged = true;
-    }
-    if (casterChanged || lightMoved || startMoved)
-    {
-      const glm::dmat4 toLocal = glm::inverse(casters[i].ToWorld);
-      part.StartCount = CountShadowsAt(*casters[i].Mesh, toLocal * light, toLocal * start);
-    }
-    this->StartCount += part.StartCount;
+    this->CollectEdges();
   }
-  if (edgesChanged)
+  if (changed || viewMoved)
   {
-    this->Edges.clear();
-    for (const Part& part : this->Parts)
-    {
-      this->Edges.insert(this->Edges.end(), part.Edges.begin(), part.Edges.end());
-    }
+    changed = this->SplitNearEdges(view) || changed;
+    this->CountAtStart(view);
   }
-  return edgesChanged;
+  return changed;
 }
 }

@@ -17,6 +17,8 @@
 
 namespace airlight
 {
+class View;
+
 // As glsl/AirlightPlanesVS.glsl reads it. Positions are relative to the anchor.
 struct ShadowEdge
 {
@@ -25,35 +27,63 @@ struct ShadowEdge
   glm::vec4 Normal;
 };
 
+// A caster's triangle, for rays that go through it: where its front faces are culled, where it is
+// cut away, and before the near clipping plane.
+struct ShadowCap
+{
+  glm::vec4 A; // w: 1 where the light is on the side of the normal, -1 behind, 0 edge-on
+  glm::vec4 B;
+  glm::vec4 C;
+};
+
 class ShadowVolumes
 {
 public:
-  // `light` is the homogeneous world position; `start` that of the view rays' common start.
-  // Returns true where the edges changed.
-  bool Update(const std::vector<Caster>& casters, const glm::dvec4& light, const glm::dvec4& start);
+  // `light` is the homogeneous world position. Returns true where edges, near edges or caps changed.
+  bool Update(const std::vector<Caster>& casters, const glm::dvec4& light, const View& view);
 
   const std::vector<ShadowEdge>& GetEdges() const { return this->Edges; }
+  const std::vector<ShadowCap>& GetCaps() const { return this->Caps; }
+  bool HasPlanes() const
+  {
+    return !this->Edges.empty() || !this->NearEdges.empty() || !this->Caps.empty();
+  }
   int GetStartCount() const { return this->StartCount; }
 
-  // The light itself; the first caster where the light is at infinity. World coordinates.
+  // The edges whose planes the eye lies on or nearly so, which it sees edge-on. They are not among
+  // GetEdges(). B.w is the plane's offset from the eye.
+  const std::vector<ShadowEdge>& GetNearEdges() const { return this->NearEdges; }
+
+  // The world position that edges and caps are relative to: the light, or where it is at infinity
+  // the first caster.
   const glm::dvec3& GetAnchor() const { return this->Anchor; }
 
 private:
   struct Part
   {
     Caster Source;
+    bool Capped = false;
     std::vector<ShadowEdge> Edges;
-    int StartCount = 0;
+    std::vector<ShadowCap> Caps;
   };
 
   void SetAnchor(const std::vector<Caster>& casters);
-  std::vector<ShadowEdge> MakeEdges(const Caster& caster) const;
+  glm::dvec3 Place(const Caster& caster, int point) const;
+  void MakeEdges(Part& part) const;
+  void MakeCaps(Part& part) const;
+  void CollectEdges();
+  bool UpdateParts(const std::vector<Caster>& casters, const View& view, bool moved);
+  bool IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) const;
+  bool SplitNearEdges(const View& view);
+  void CountAtStart(const View& view);
 
   glm::dvec4 Light{ 0.0 };
   glm::dvec4 Start{ 0.0 };
   glm::dvec3 Anchor{ 0.0 };
   std::vector<Part> Parts; // in the order of the casters
   std::vector<ShadowEdge> Edges;
+  std::vector<ShadowEdge> NearEdges;
+  std::vector<ShadowCap> Caps;
   int StartCount = 0;
 };
 }

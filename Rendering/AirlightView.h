@@ -26,6 +26,7 @@ public:
   bool IsParallel() const { return this->Parallel; }
   const glm::dvec3& GetEye() const { return this->Eye; }
   double GetNear() const { return this->Near; }
+  const glm::dvec3& GetForward() const { return this->Forward; }
 
   // Where every ray starts, as a homogeneous point of the world: the eye, or for parallel
   // projection the point at infinity that the rays come from.

@@ -25,7 +25,7 @@
  *  - Point lights (cone angle 90 degrees or more), and directional lights in an unbounded medium.
  *    Other lights light the surfaces as VTK does and do not scatter: the pass warns once.
  *  - Headlights cast no shadows: they see what the camera sees.
- *  - Translucent surfaces and volumes cast no shadows.
+ *  - Translucent surfaces and volumes cast no shadows, and are fogged as what lies behind them.
  *  - One medium at a time: with several the pass reports an error and uses the first.
  *  - Volumetric shadows need OpenGL 4.3; without it the scene is drawn with airlight and without
  *    volumetric shadows, and one warning says so.

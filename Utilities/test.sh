@@ -21,5 +21,5 @@ compile all
 
 step "Testing"
 cd "$build"
-on_virtual_display ctest --output-on-failure --no-tests=error --parallel "$jobs" "$@" ||
+on_virtual_display ctest --output-on-failure --no-tests=error --timeout 600 --parallel "$jobs" "$@" ||
   die "some tests failed; see above."

@@ -40,13 +40,13 @@ AIRLIGHT_FN real airlightGSeries(real x, real y)
   real b1 = real(0.0);
   real b2 = real(0.0);
 #ifdef AIRLIGHT_DOUBLE
-  const int terms = 34;
+  const int terms = 30;
 #else
   const int terms = 10;
 #endif
   // a_k = (-1)^k/(k k!), from the last one upwards: a_(k-1) = -a_k k^2/(k - 1).
 #ifdef AIRLIGHT_DOUBLE
-  real a = real(9.962228045650476e-41); // 1/(34 34!)
+  real a = real(1.256662542938635e-34); // 1/(30 30!)
 #else
   real a = real(2.755731922398589e-8); // 1/(10 10!)
 #endif
@@ -83,33 +83,35 @@ AIRLIGHT_FN real airlightGFar(real x, real y)
   return im / (re * re + y * y * im * im);
 }
 #else
-// Away from the origin, single precision: the Stieltjes form with the exponential replaced by seven
+// Away from the origin, single precision: the Stieltjes form with the exponential replaced by eight
 // positive poles, fitted by least squares with Lawson's weights: no cancellation, relative error
-// 1.1e-6 for |z| >= 1.
+// 6e-7 for |z| >= 1.
 AIRLIGHT_FN real airlightGFar(real x, real y)
 {
   real y2 = y * y;
-  real p0 = x + real(0.0407207922);
-  real p1 = x + real(0.208319056);
-  real p2 = x + real(0.523196564);
-  real p3 = x + real(1.04932559);
-  real p4 = x + real(1.90414295);
-  real p5 = x + real(3.3802489);
-  real p6 = x + real(6.19638865);
-  return real(0.0990407837) / (p0 * p0 + y2) +
-    real(0.18985485) / (p1 * p1 + y2) +
-    real(0.241309209) / (p2 * p2 + y2) +
-    real(0.23190966) / (p3 * p3 + y2) +
-    real(0.162807122) / (p4 * p4 + y2) +
-    real(0.0669245564) / (p5 * p5 + y2) +
-    real(0.00815273612) / (p6 * p6 + y2);
+  real p0 = x + real(0.0356820929);
+  real p1 = x + real(0.170044082);
+  real p2 = x + real(0.403992495);
+  real p3 = x + real(0.789397065);
+  real p4 = x + real(1.38302551);
+  real p5 = x + real(2.30068582);
+  real p6 = x + real(3.85542917);
+  real p7 = x + real(6.79779735);
+  return real(0.0855436166) / (p0 * p0 + y2) +
+    real(0.149942807) / (p1 * p1 + y2) +
+    real(0.200909055) / (p2 * p2 + y2) +
+    real(0.217074451) / (p3 * p3 + y2) +
+    real(0.182159801) / (p4 * p4 + y2) +
+    real(0.116040211) / (p5 * p5 + y2) +
+    real(0.0436835825) / (p6 * p6 + y2) +
+    real(0.00464619177) / (p7 * p7 + y2);
 }
 #endif
 
 AIRLIGHT_FN real airlightG(real x, real y)
 {
 #ifdef AIRLIGHT_DOUBLE
-  const real switchRadius = real(3.0);
+  const real switchRadius = real(2.0);
 #else
   const real switchRadius = real(1.0);
 #endif

@@ -11,9 +11,11 @@
 // Below this fraction of the tail an interval counts as short: there the difference of two tails
 // loses too many digits, and the quadrature of few nodes that replaces it is exact enough.
 #ifdef AIRLIGHT_DOUBLE
-#define AIRLIGHT_SHORT_FRACTION 1e-5
+#define AIRLIGHT_SHORT_FRACTION 1e-3
+#define AIRLIGHT_WIDE_TURN 0.1
 #else
 #define AIRLIGHT_SHORT_FRACTION 0.15
+#define AIRLIGHT_WIDE_TURN 0.5
 #endif
 
 struct AirlightFoot
@@ -56,32 +58,27 @@ AIRLIGHT_FN real airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real sig
   real r0 = sqrt(foot.h * foot.h + x0 * x0);
   // From cross and dot product of the two directions: a difference of two angles would cancel.
   real turn = airlightAngle(foot.h * (t1 - t0), foot.h * foot.h + x0 * x1);
+  // A wide angle with little in it: the phase function's peak lies beyond it (strong backward
+  // scattering), and its flank takes more nodes.
+  int panels = turn > real(AIRLIGHT_WIDE_TURN) ? 4 : 1;
+  real reach = real(0.5) * turn / real(panels);
   real sum = real(0.0);
-  for (int k = 0; k < AIRLIGHT_GAUSS_COUNT / 2; k++)
+  for (int i = 0; i < panels * AIRLIGHT_GAUSS_COUNT; i++)
   {
-    real2 node = airlightGaussNode(k);
-    real low = real(0.5) - real(0.5) * node.x;
-    real high = real(0.5) + real(0.5) * node.x;
-    sum += node.y *
-      (airlightTurnedSample(phase, sigmaT, foot, x0, r0, turn * low) +
-        airlightTurnedSample(phase, sigmaT, foot, x0, r0, turn * high));
+    real2 node = airlightGaussNode((i % AIRLIGHT_GAUSS_COUNT) / 2);
+    real middle = real(2 * (i / AIRLIGHT_GAUSS_COUNT) + 1) * reach;
+    real angle = middle + (i % 2 == 0 ? reach : -reach) * node.x;
+    sum += node.y * airlightTurnedSample(phase, sigmaT, foot, x0, r0, angle);
   }
-  return real(0.5) * sum * turn / foot.h;
+  return sum * reach / foot.h;
 }
 
 // The integral over [t0, t1] per unit sigmaS I, given the tails at its ends.
 AIRLIGHT_FN real airlightSegmentFromTails(AIRLIGHT_IN(AirlightPhase) phase, real sigmaT,
   AIRLIGHT_IN(AirlightFoot) foot, real t0, real tail0, real t1, real tail1)
 {
-  // A wide angle seen from the light with little in it: the phase function's peak lies beyond it
-  // (strong backward scattering). The quadrature has too few nodes for that, the difference has
-  // digits enough.
-  real x0 = t0 - foot.tL;
-  real x1 = t1 - foot.tL;
-  bool wide = foot.h * (t1 - t0) > real(0.5) * (foot.h * foot.h + x0 * x1);
-  real fraction = wide ? real(AIRLIGHT_SHORT_FRACTION * 0.05) : real(AIRLIGHT_SHORT_FRACTION);
   real difference = tail0 - tail1;
-  if (difference > fraction * tail0)
+  if (difference > real(AIRLIGHT_SHORT_FRACTION) * tail0)
   {
     return difference;
   }

@@ -19,6 +19,8 @@ void main()
   ivec2 pixel = ivec2(p);
   float t = texelFetch(distances, pixel, 0).r;
   vec4 colour = texelFetch(scene, pixel, 0);
+  // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
+  colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
   vec2 range = airlightRegionRange(medium.region, airlightOrigin(p),
     normalize(airlightDirection(p)), t >= 0.0 ? t : AIRLIGHT_FAR);
   float inside = range.y - range.x;

@@ -9,16 +9,35 @@ layout(std430, binding = 1) writeonly buffer AirlightNodes
 };
 layout(std430, binding = 2) buffer AirlightHeads
 {
-  uint heads[]; // one a pixel, after the counter
+  uint heads[]; // counter of boundaries, length of the longest list, one head a pixel
 };
 
 uniform sampler2D distances;
+uniform float nearer; // a boundary counts where t < nearer * surface
 uniform uint capacity; // boundaries that fit
 uniform int width;
+uniform int kind;       // as in AirlightPlanesVS.glsl
+uniform vec3 anchor;    // from the eye
+uniform vec4 fromLight; // directional: the light's direction and w 0; point: w 1
 
 flat in vec3 planeNormal;
 flat in float planeOffset;
 flat in int planeWeight;
+flat in vec3 planeA;
+flat in vec3 planeB;
+
+// Whether a point of the plane, from the anchor, lies beyond the edge and between its two sides.
+bool isBehindEdge(vec3 point)
+{
+  bool isPoint = fromLight.w != 0.0;
+  vec3 sideA = isPoint ? planeA : fromLight.xyz;
+  vec3 sideB = isPoint ? planeB : fromLight.xyz;
+  vec3 apexA = isPoint ? vec3(0.0) : planeA;
+  vec3 apexB = isPoint ? vec3(0.0) : planeB;
+  return dot(cross(sideA, point - apexA), planeNormal) >= 0.0 &&
+    dot(cross(point - apexB, sideB), planeNormal) >= 0.0 &&
+    dot(cross(point - planeA, planeB - planeA), planeNormal) >= 0.0;
+}
 
 void main()
 {
@@ -26,10 +45,19 @@ void main()
   vec3 origin = airlightOrigin(p);
   vec3 direction = normalize(airlightDirection(p));
   float t = (planeOffset - dot(planeNormal, origin)) / dot(planeNormal, direction);
+  bool enters = gl_FrontFacing;
+  if (kind == 2)
+  {
+    enters = planeOffset < 0.0;
+    if (!(t > 0.0) || !isBehindEdge(t * direction - anchor))
+    {
+      return;
+    }
+  }
   ivec2 pixel = ivec2(p);
   float surface = texelFetch(distances, pixel, 0).r;
   // The depth test, made lenient, rejects most of what the surface hides; this is the exact one.
-  if (surface >= 0.0 && !(t < surface))
+  if (surface >= 0.0 && !(t < nearer * surface))
   {
     return;
   }
@@ -41,9 +69,9 @@ void main()
   uint index = atomicAdd(heads[0], 1u) + 1u;
   if (index < capacity)
   {
-    uint next = atomicExchange(heads[1 + pixel.y * width + pixel.x], index);
+    uint next = atomicExchange(heads[2 + pixel.y * width + pixel.x], index);
     nodes[3u * index] = floatBitsToUint(t);
-    nodes[3u * index + 1u] = uint(gl_FrontFacing ? planeWeight : -planeWeight);
+    nodes[3u * index + 1u] = uint(enters ? planeWeight : -planeWeight);
     nodes[3u * index + 2u] = next;
   }
 }

@@ -1,9 +1,13 @@
 #version 430
 // Shadow planes: each silhouette edge, pulled out of a buffer, becomes the quadrilateral from the
-// edge to infinity, away from the light.
+// edge to infinity, away from the light. Caps: a caster's own triangles, where rays go through
+// them. Near planes: those that the eye lies on, which it would see edge-on; a triangle over the
+// whole view lets the fragments find out which rays cross them.
 
-// Per edge: A and its weight, B, the plane's normal; relative to the anchor (the light itself, or
-// for a directional light any point).
+// Relative to the anchor (the light itself, or for a directional light any point). Per edge: A and
+// its weight, B, the plane's normal. Per cap: A and the side of the light (1: where the triangle's
+// normal points, -1: behind), B, C. Per near plane: as an edge, B with the plane's offset from the
+// eye, which single precision could not find out.
 layout(std430, binding = 0) readonly buffer AirlightEdges
 {
   vec4 edges[];
@@ -12,16 +16,30 @@ layout(std430, binding = 0) readonly buffer AirlightEdges
 uniform mat4 anchorToClip;
 uniform vec3 anchor;     // from the eye
 uniform vec4 fromLight;  // directional: the light's direction and w 0; point: w 1
+uniform int kind; // 0: planes, 1: caps, 2: near planes
 
 flat out vec3 planeNormal;
 flat out float planeOffset; // dot(normal, x) = offset on the plane, x from the eye
 flat out int planeWeight;
+flat out vec3 planeA; // the edge, from the anchor
+flat out vec3 planeB;
 
-void main()
+void drawCap()
 {
-  vec4 a = edges[3 * (gl_VertexID / 6)];
-  vec4 b = edges[3 * (gl_VertexID / 6) + 1];
-  planeNormal = edges[3 * (gl_VertexID / 6) + 2].xyz;
+  int first = 3 * (gl_VertexID / 3);
+  vec3 a = edges[first].xyz;
+  planeNormal = normalize(cross(edges[first + 1].xyz - a, edges[first + 2].xyz - a));
+  planeWeight = int(edges[first].w);
+  planeOffset = dot(planeNormal, anchor + a);
+  gl_Position = anchorToClip * vec4(edges[gl_VertexID].xyz, 1.0);
+}
+
+void drawPlane()
+{
+  int first = 3 * (gl_VertexID / 6);
+  vec4 a = edges[first];
+  vec4 b = edges[first + 1];
+  planeNormal = edges[first + 2].xyz;
   planeWeight = int(a.w);
   // Through the light, which spares the offset of the edge its rounding.
   planeOffset = dot(planeNormal, fromLight.w == 0.0 ? anchor + a.xyz : anchor);
@@ -32,4 +50,34 @@ void main()
   bool far = corner == 1 || corner == 4 || corner == 5;
   gl_Position = anchorToClip *
     (far ? vec4(fromLight.w == 0.0 ? fromLight.xyz : near, 0.0) : vec4(near, 1.0));
+}
+
+void drawNearPlane()
+{
+  int first = 3 * (gl_VertexID / 3);
+  int corner = gl_VertexID % 3;
+  planeA = edges[first].xyz;
+  planeB = edges[first + 1].xyz;
+  planeWeight = int(edges[first].w);
+  planeOffset = edges[first + 1].w;
+  planeNormal = edges[first + 2].xyz;
+  gl_Position = vec4(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0, -1.0, 1.0);
+}
+
+void main()
+{
+  planeA = vec3(0.0);
+  planeB = vec3(0.0);
+  if (kind == 0)
+  {
+    drawPlane();
+  }
+  else if (kind == 1)
+  {
+    drawCap();
+  }
+  else
+  {
+    drawNearPlane();
+  }
 }

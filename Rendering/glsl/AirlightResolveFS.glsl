@@ -20,21 +20,29 @@ void main()
     normalize(airlightDirection(p)), surface >= 0.0 ? surface : AIRLIGHT_FAR);
 
   float from = ray.range.x;
+  int shadows = startCount;
+  if (!airlightOpenBoundaries(pixel, from, shadows))
+  {
+    discard;
+  }
   vec3 fromTail = airlightTail3(medium, light, ray, from);
   vec3 sum = vec3(0.0);
   float litLength = 0.0;
-  int shadows = startCount;
   int boundaries = 0;
 
-  airlightOpenBoundaries(pixel);
-  bool more = true;
-  while (more)
+  int state = AIRLIGHT_MORE;
+  while (state == AIRLIGHT_MORE)
   {
     float t;
     int weight;
-    more = airlightNextBoundary(t, weight);
+    state = airlightNextBoundary(t, weight);
+    if (state == AIRLIGHT_PAUSE)
+    {
+      break;
+    }
+    bool more = state == AIRLIGHT_MORE;
+    int next = more ? shadows + weight : shadows;
     boundaries += more ? 1 : 0;
-    int next = shadows + weight;
     // Only where light ends or begins does the integral change; the ray's end ends it too.
     bool wasLit = shadows <= 0;
     if (!more || wasLit != (next <= 0))
@@ -54,9 +62,10 @@ void main()
     }
     shadows = next;
   }
+  airlightCloseBoundaries(pixel, state, from, shadows);
 
   // A channel that does not scatter is dark, whatever the limit of its integral.
   airlight = vec4(mix(vec3(0.0), sum, greaterThan(medium.sigmaS, vec3(0.0))), litLength);
-  lit = shadows <= 0 ? litBit : vec4(0.0);
+  lit = state == AIRLIGHT_END && shadows <= 0 ? litBit : vec4(0.0);
   boundaryCount = vec4(float(boundaries));
 }

@@ -1,0 +1,76 @@
+// One step of a merge sort of the pixels' long lists, in place: runs of `run` boundaries that are in
+// order become runs of twice as many. Linked lists are merged by changing links only (R. Sedgewick,
+// Algorithms, on merge sort of lists). A step walks each list twice; the number of steps is the
+// logarithm of the longest list's length. Split into draws because some software renderers bound
+// the iterations of all loops of one shader run together.
+
+layout(std430, binding = 1) buffer AirlightNodes
+{
+  uint nodes[];
+};
+layout(std430, binding = 2) buffer AirlightHeads
+{
+  uint heads[];
+};
+
+uniform int width;
+uniform uint run;
+
+// By distance; at one distance entries before exits.
+bool airlightBefore(uint a, uint b)
+{
+  float ta = uintBitsToFloat(nodes[3u * a]);
+  float tb = uintBitsToFloat(nodes[3u * b]);
+  return ta < tb || (ta == tb && int(nodes[3u * a + 1u]) >= int(nodes[3u * b + 1u]));
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  int headIndex = 2 + pixel.y * width + pixel.x;
+  uint left = heads[headIndex];
+  if (left == 0u)
+  {
+    return;
+  }
+  uint head = 0u;
+  uint tail = 0u;
+  while (left != 0u)
+  {
+    uint right = left;
+    uint leftSize = 0u;
+    for (; leftSize < run && right != 0u; leftSize++)
+    {
+      right = nodes[3u * right + 2u];
+    }
+    uint rightSize = run;
+    while (leftSize > 0u || (rightSize > 0u && right != 0u))
+    {
+      bool takeLeft = leftSize > 0u &&
+        (rightSize == 0u || right == 0u || airlightBefore(left, right));
+      uint taken = takeLeft ? left : right;
+      if (takeLeft)
+      {
+        left = nodes[3u * left + 2u];
+        leftSize--;
+      }
+      else
+      {
+        right = nodes[3u * right + 2u];
+        rightSize--;
+      }
+      if (tail == 0u)
+      {
+        head = taken;
+      }
+      else
+      {
+        nodes[3u * tail + 2u] = taken;
+      }
+      tail = taken;
+    }
+    left = right;
+  }
+  nodes[3u * tail + 2u] = 0u;
+  heads[headIndex] = head;
+}

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What a ray ought to see, by brute force and in double precision: each triangle's shadow is cut
+ * out of the ray by four planes, the lit intervals are the complement of the union, and each lit
+ * interval's airlight comes from vtkAirlight::Inscatter(), which its own tests verify. Nothing
+ * here knows of silhouettes, edges or lists.
+ */
+
+#ifndef AirlightBruteForce_h
+#define AirlightBruteForce_h
+
+#include "vtkAirlight.h"
+#include "vtkLight.h"
+#include "vtkParticipatingMedium.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace airlighttest
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+struct Triangle
+{
+  glm::dvec3 A, B, C;
+  bool FrontCulled = false; // drawn only where seen from behind
+  bool Casts = true;
+};
+
+struct Ray
+{
+  glm::dvec3 Origin;
+  glm::dvec3 Direction; // of unit length
+  double Nearest = 0.0; // where the camera's near plane lets surfaces be seen
+};
+
+struct Interval
+{
+  double From, To;
+};
+
+struct Answer
+{
+  glm::dvec3 Airlight{ 0.0 };
+  glm::dvec3 Unshadowed{ 0.0 };
+  glm::dvec3 Surface{ 0.0 };
+  double LitLength = 0.0;
+  double Depth = -1.0; // without surface
+};
+
+//------------------------------------------------------------------------------
+// Keeps the part of the ray where dot(normal, x - point) >= 0.
+inline void Clip(Interval& part, const Ray& ray, const glm::dvec3& normal, const glm::dvec3& point)
+{
+  const double slope = glm::dot(normal, ray.Direction);
+  const double offset = glm::dot(normal, ray.Origin - point);
+  if (slope == 0.0)
+  {
+    part.To = offset >= 0.0 ? part.To : part.From;
+    return;
+  }
+  double& end = slope > 0.0 ? part.From : part.To;
+  const double t = -offset / slope;
+  end = slope > 0.0 ? std::max(end, t) : std::min(end, t);
+}
+
+//------------------------------------------------------------------------------
+// The part of the ray from which the triangle hides the light (w = 0: at infinity): behind the
+// triangle's plane and inside the cone of the three planes through the light and an edge.
+inline bool FindShadow(const Triangle& t, const glm::dvec4& light, const Ray& ray, Interval& shadow)
+{
+  const glm::dvec3 corners[3] = { t.A, t.B, t.C };
+  const glm::dvec3 normal = glm::cross(t.B - t.A, t.C - t.A);
+  const glm::dvec3 toLight = glm::dvec3(light) - light.w * t.A;
+  const double facing = glm::dot(normal, toLight);
+  // Seen edge-on, or not a triangle at all (also where something is not a number): no shadow.
+  if (!(std::abs(facing) > 1e-12 * glm::length(normal) * glm::length(toLight)))
+  {
+    return false;
+  }
+  shadow = { 0.0, Infinity };
+  Clip(shadow, ray, facing > 0.0 ? -normal : normal, t.A);
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3& p = corners[i];
+    glm::dvec3 inward = glm::cross(corners[(i + 1) % 3] - p, glm::dvec3(light) - light.w * p);
+    inward *= glm::dot(inward, corners[(i + 2) % 3] - p) < 0.0 ? -1.0 : 1.0;
+    Clip(shadow, ray, inward, p);
+  }
+  return shadow.From < shadow.To;
+}
+
+//------------------------------------------------------------------------------
+// Distance to the triangle; infinite where the ray does not see it.
+inline double Hit(const Triangle& t, const Ray& ray)
+{
+  const glm::dvec3 e1 = t.B - t.A;
+  const glm::dvec3 e2 = t.C - t.A;
+  const glm::dvec3 p = glm::cross(ray.Direction, e2);
+  const double determinant = glm::dot(e1, p);
+  const glm::dvec3 s = ray.Origin - t.A;
+  const glm::dvec3 q = glm::cross(s, e1);
+  const double u = glm::dot(s, p) / determinant;
+  const double v = glm::dot(ray.Direction, q) / determinant;
+  const double distance = glm::dot(e2, q) / determinant;
+  const bool culled = t.FrontCulled && glm::dot(glm::cross(e1, e2), ray.Direction) < 0.0;
+  return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > ray.Nearest && !culled ? distance
+                                                                                   : Infinity;
+}
+
+//------------------------------------------------------------------------------
+// The complement of the union of intervals on [0, end].
+inline std::vector<Interval> Complement(std::vector<Interval> parts, double end)
+{
+  std::sort(parts.begin(), parts.end(),
+    [](const Interval& a, const Interval& b) { return a.From < b.From; });
+  std::vector<Interval> result;
+  double from = 0.0;
+  for (const Interval& part : parts)
+  {
+    if (part.From > from && from < end)
+    {
+      result.push_back({ from, std::min(part.From, end) });
+    }
+    from = std::max(from, part.To);
+  }
+  if (from < end)
+  {
+    result.push_back({ from, end });
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// Length of a part of the ray inside the medium.
+inline double LengthInside(vtkParticipatingMedium* medium, const Ray& ray, Interval part)
+{
+  const double* b = medium->GetBounds();
+  for (int i = 0; i < 3 && medium->GetRegion() == vtkParticipatingMedium::BOX; ++i)
+  {
+    glm::dvec3 normal(0.0);
+    normal[i] = 1.0;
+    Clip(part, ray, normal, glm::dvec3(b[0], b[2], b[4]));
+    Clip(part, ray, -normal, glm::dvec3(b[1], b[3], b[5]));
+  }
+  return std::max(part.To - part.From, 0.0);
+}
+
+//------------------------------------------------------------------------------
+// Homogeneous position; w = 0 where the light is directional.
+inline glm::dvec4 GetPosition(vtkLight* light)
+{
+  glm::dvec3 position;
+  glm::dvec3 focus;
+  light->GetPosition(&position.x);
+  light->GetFocalPoint(&focus.x);
+  return light->GetPositional() ? glm::dvec4(position, 1.0)
+                                : glm::dvec4(glm::normalize(position - focus), 0.0);
+}
+
+//------------------------------------------------------------------------------
+// What a white diffuse surface at x sends, before it is attenuated: c cos(theta)/r^2 with VTK's
+// c = I/pi, times the transmittance from the lamp.
+inline glm::dvec3 Shade(vtkParticipatingMedium* medium, vtkLight* light, const glm::dvec3& x,
+  const glm::dvec3& normalToEye)
+{
+  const glm::dvec4 position = GetPosition(light);
+  const glm::dvec3 toLight = glm::dvec3(position) - position.w * x;
+  const double r = glm::length(toLight);
+  glm::dvec3 colour;
+  light->GetDiffuseColor(&colour.x);
+  colour *= light->GetIntensity() * std::max(0.0, glm::dot(normalToEye, toLight) / r);
+  glm::dvec3 passes(1.0);
+  if (position.w != 0.0)
+  {
+    const double r2 = r * r;
+    vtkAirlight::Transmittance(medium, &x.x, &position.x, &passes.x);
+    passes /= r2;
+  }
+  return colour * passes;
+}
+
+//------------------------------------------------------------------------------
+inline Answer Trace(const std::vector<Triangle>& triangles, const std::vector<vtkLight*>& lights,
+  vtkParticipatingMedium* medium, const Ray& ray)
+{
+  Answer answer;
+  double end = Infinity;
+  glm::dvec3 normal(0.0);
+  for (const Triangle& t : triangles)
+  {
+    const double distance = Hit(t, ray);
+    if (distance < end)
+    {
+      end = distance;
+      normal = glm::normalize(glm::cross(t.B - t.A, t.C - t.A));
+    }
+  }
+  const glm::dvec3 x = ray.Origin + std::min(end, 1e9) * ray.Direction;
+  normal *= glm::dot(normal, ray.Direction) > 0.0 ? -1.0 : 1.0;
+  for (vtkLight* light : lights)
+  {
+    std::vector<Interval> shadows;
+    for (const Triangle& t : triangles)
+    {
+      Interval shadow;
+      if (t.Casts && FindShadow(t, GetPosition(light), ray, shadow))
+      {
+        shadows.push_back(shadow);
+      }
+    }
+    const auto add = [&](const Interval& part, glm::dvec3& sum) {
+      glm::dvec3 rgb;
+      vtkAirlight::Inscatter(
+        medium, light, &ray.Origin.x, &ray.Direction.x, part.From, part.To, &rgb.x);
+      sum += rgb;
+    };
+    double lastLit = 0.0;
+    for (const Interval& part : Complement(shadows, end))
+    {
+      add(part, answer.Airlight);
+      answer.LitLength += LengthInside(medium, ray, part);
+      lastLit = part.To;
+    }
+    add({ 0.0, end }, answer.Unshadowed);
+    // The surface is lit as the air just before it: its own shadow begins or ends at it.
+    if (end < Infinity && lastLit > end * (1.0 - 1e-9))
+    {
+      answer.Surface += Shade(medium, light, x, normal);
+    }
+  }
+  if (end < Infinity)
+  {
+    glm::dvec3 passes;
+    vtkAirlight::Transmittance(medium, &ray.Origin.x, &x.x, &passes.x);
+    answer.Surface *= passes;
+    answer.Depth = end;
+  }
+  return answer;
+}
+}
+
+#endif

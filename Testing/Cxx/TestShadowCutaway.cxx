@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Rays that go on through a caster, because the camera does not show the side that they meet: the
+// ray then crosses the caster's own surface, not only the planes from its silhouette. Against brute
+// force (see AirlightBruteForce.h).
+
+#include "AirlightCompareScene.h"
+
+#include "vtkCubeSource.h"
+#include "vtkSphereSource.h"
+
+#include <cstdlib>
+
+using namespace airlighttest;
+
+namespace
+{
+void AddBody(Scene& scene)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(12);
+  sphere->SetPhiResolution(12);
+  sphere->SetRadius(0.7);
+  scene.Add(sphere);
+}
+
+//------------------------------------------------------------------------------
+// A room seen from outside, the walls between it and the camera culled; the lamp hangs inside.
+void TestCulledRoom()
+{
+  Scene scene;
+  scene.AddPointLight({ 1, 2, 1 });
+  AddBody(scene);
+  vtkNew<vtkCubeSource> room;
+  room->SetBounds(-4, 4, -2.5, 3, -4, 4);
+  const size_t first = scene.Triangles.size();
+  scene.Add(room)->GetProperty()->FrontfaceCullingOn();
+  for (size_t i = first; i < scene.Triangles.size(); ++i)
+  {
+    scene.Triangles[i].FrontCulled = true;
+  }
+  CompareScene("room with culled walls", scene);
+}
+
+// A body that the near plane cuts open, lit from before the cut and from behind it.
+void TestNearPlane()
+{
+  for (const double z : { 2.0, 12.0 })
+  {
+    Scene scene;
+    scene.AddPointLight({ 3, 3, z });
+    AddBody(scene);
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(0.4, 0.6, 7);
+    sphere->SetRadius(1.0);
+    sphere->SetThetaResolution(16);
+    sphere->SetPhiResolution(16);
+    scene.Add(sphere);
+    scene.Renderer->GetActiveCamera()->SetClippingRange(2.9, 200.0);
+    CompareScene("body cut by the near plane, light at z = " + std::to_string(z), scene);
+  }
+}
+
+// The same in a parallel projection, with bodies behind the camera's plane too.
+void TestParallelNearPlane()
+{
+  Scene scene;
+  scene.AddPointLight({ 1, 2, 16 });
+  AddBody(scene);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  for (const glm::dvec3& p :
+    { glm::dvec3(-1, 1.5, 12), glm::dvec3(1.5, 1, 13.2), glm::dvec3(0, -1, 8) })
+  {
+    scene.Add(sphere, [&](vtkActor* actor) { actor->SetPosition(p.x, p.y, p.z); });
+  }
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(4.0);
+  scene.Renderer->GetActiveCamera()->SetClippingRange(2.0, 50.0);
+  CompareScene("parallel projection, bodies behind and cut by the near plane", scene);
+}
+}
+
+//------------------------------------------------------------------------------
+int TestShadowCutaway(int, char*[])
+{
+  TestCulledRoom();
+  TestNearPlane();
+  TestParallelNearPlane();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Shadows for parallel projection, directional lights, several lights and bounded media, and for
+// cameras on a shadow's very edge, against brute force (see AirlightBruteForce.h).
+
+#include "AirlightCompareScene.h"
+
+#include "vtkConeSource.h"
+#include "vtkCubeSource.h"
+#include "vtkSphereSource.h"
+
+#include <cstdlib>
+
+using namespace airlighttest;
+
+namespace
+{
+void AddBodies(Scene& scene)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(-8, 8, -2.6, -2.5, -8, 6);
+  scene.Add(cube);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(14);
+  sphere->SetPhiResolution(14);
+  scene.Add(sphere, [](vtkActor* actor) { actor->SetPosition(-1.5, 0, 0.3); });
+  vtkNew<vtkConeSource> cone;
+  cone->SetHeight(2.0);
+  cone->CappingOff();
+  scene.Add(cone, [](vtkActor* actor) {
+    actor->SetPosition(1.5, 0.4, 0);
+    actor->RotateZ(50);
+  });
+}
+
+void SetParallel(Scene& scene, double scale)
+{
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(scale);
+}
+
+//------------------------------------------------------------------------------
+void TestParallelPoint()
+{
+  Scene scene;
+  scene.AddPointLight({ 2, 4, 3 });
+  AddBodies(scene);
+  SetParallel(scene, 4.0);
+  CompareScene("parallel projection, point light", scene);
+}
+
+void TestParallelInShadow()
+{
+  // The rays start inside shadows of what stands before and behind the camera's plane.
+  Scene scene;
+  scene.AddPointLight({ 1, 2, 16 });
+  AddBodies(scene);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  scene.Add(sphere, [](vtkActor* actor) { actor->SetPosition(-1, 1.5, 12); });
+  scene.Add(sphere, [](vtkActor* actor) { actor->SetPosition(1.5, 1, 13.2); });
+  SetParallel(scene, 4.0);
+  CompareScene("parallel projection, rays that start in shadow", scene);
+}
+
+void TestParallelDirectional()
+{
+  Scene scene;
+  scene.AddDirectionalLight({ 1, 2, 0.5 });
+  AddBodies(scene);
+  SetParallel(scene, 4.0);
+  CompareScene("parallel projection, directional light", scene);
+}
+
+//------------------------------------------------------------------------------
+void TestDirectional()
+{
+  Scene scene;
+  scene.AddDirectionalLight({ 0.7, 2, 0.5 });
+  AddBodies(scene);
+  CompareScene("directional light", scene);
+}
+
+void TestDirectionalFromBehind()
+{
+  // The camera and the rays' beginning are in the shadow of a plate behind the camera.
+  Scene scene;
+  scene.AddDirectionalLight({ 0.1, 0.5, 2 });
+  AddBodies(scene);
+  vtkNew<vtkCubeSource> plate;
+  plate->SetBounds(-0.5, 1.5, 0.5, 2.5, 12, 12.2);
+  scene.Add(plate);
+  CompareScene("directional light, camera in shadow", scene);
+}
+
+//------------------------------------------------------------------------------
+void TestTwoLights()
+{
+  Scene scene;
+  scene.AddPointLight({ 3, 4, 2 });
+  scene.AddPointLight({ -4, 2, 3 }, { 10, 30, 50 });
+  AddBodies(scene);
+  CompareScene("two point lights", scene);
+}
+
+void TestThreeLightsOfTwoKinds()
+{
+  Scene scene;
+  scene.AddPointLight({ 3, 4, 2 });
+  scene.AddDirectionalLight({ -1, 1, 0.3 }, { 0.5, 0.2, 0.1 });
+  scene.AddPointLight({ 0, 2, -3 }, { 10, 30, 50 });
+  AddBodies(scene);
+  CompareScene("two point lights and a directional one", scene);
+}
+
+//------------------------------------------------------------------------------
+void SetBox(Scene& scene)
+{
+  scene.Medium->SetRegionToBox();
+  scene.Medium->SetBounds(-4, 3, -2, 5, -3, 4);
+}
+
+void TestBoxWithLight()
+{
+  Scene scene;
+  scene.AddPointLight({ 2, 4, 2 });
+  AddBodies(scene);
+  SetBox(scene);
+  CompareScene("box of medium that holds the light", scene);
+}
+
+void TestBoxWithoutLight()
+{
+  Scene scene;
+  scene.AddPointLight({ 5, 6, 3 });
+  AddBodies(scene);
+  SetBox(scene);
+  CompareScene("box of medium beside the light", scene);
+}
+
+//------------------------------------------------------------------------------
+void TestPhaseFunction()
+{
+  Scene scene;
+  scene.AddPointLight({ 1, 2, -3 });
+  AddBodies(scene);
+  scene.Medium->SetPhaseFunctionToHenyeyGreenstein();
+  scene.Medium->SetAnisotropy(0.7);
+  CompareScene("forward scattering medium", scene);
+}
+
+//------------------------------------------------------------------------------
+// A plate above the camera ends in the plane that holds camera and light: the rays to its side
+// start in shadow, the others in light.
+void TestCameraOnEdge()
+{
+  Scene scene;
+  scene.AddPointLight({ 0, 8, 10 });
+  AddBodies(scene);
+  scene.Add(MakeSoup(
+    { { { 0, 4, 6 }, { 3, 4, 6 }, { 3, 4, 13 } }, { { 0, 4, 6 }, { 3, 4, 13 }, { 0, 4, 13 } } }));
+  CompareScene("camera on the edge of a shadow", scene);
+}
+
+// The same a little to either side, where single precision cannot tell.
+void TestCameraNearEdge()
+{
+  for (const double x : { -1e-7, 1e-7, -1e-5, 1e-5 })
+  {
+    Scene scene;
+    scene.AddPointLight({ 0, 8, 10 });
+    AddBodies(scene);
+    scene.Add(MakeSoup(
+      { { { x, 4, 6 }, { 3, 4, 6 }, { 3, 4, 13 } }, { { x, 4, 6 }, { 3, 4, 13 }, { x, 4, 13 } } }));
+    CompareScene("camera at " + std::to_string(1e6 * x) + "e-6 of a shadow's edge", scene);
+  }
+}
+
+// Everything a million units from the origin.
+void TestFarFromOrigin()
+{
+  const glm::dvec3 shift(1e6, -2e6, 5e5);
+  Scene scene;
+  scene.Look(shift + glm::dvec3(0, 1, 10), shift);
+  scene.AddPointLight(shift + glm::dvec3(3, 4, 2));
+  vtkNew<vtkSphereSource> sphere;
+  for (double x : { -1.5, 1.5 })
+  {
+    scene.Add(sphere, [&](vtkActor* actor) { actor->SetPosition(shift.x + x, shift.y, shift.z); });
+  }
+  CompareScene("a million units from the origin", scene);
+}
+}
+
+//------------------------------------------------------------------------------
+int TestShadowLights(int, char*[])
+{
+  TestParallelPoint();
+  TestParallelInShadow();
+  TestParallelDirectional();
+  TestDirectional();
+  TestDirectionalFromBehind();
+  TestTwoLights();
+  TestThreeLightsOfTwoKinds();
+  TestBoxWithLight();
+  TestBoxWithoutLight();
+  TestPhaseFunction();
+  TestCameraOnEdge();
+  TestCameraNearEdge();
+  TestFarFromOrigin();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Long lists of shadow boundaries: exact against brute force, the same bits whatever the memory
+// they are given, and the same bits each time.
+
+#include "AirlightCompareScene.h"
+
+#include <cstdlib>
+
+using namespace airlighttest;
+
+namespace
+{
+// Thin upright strips beside the view, one behind another; the light from the side draws their
+// shadows across it. Each ray enters and leaves each shadow.
+void AddStrips(Scene& scene, int count)
+{
+  std::vector<Triangle> triangles;
+  const double step = 48.0 / count;
+  for (int i = 0; i < count; ++i)
+  {
+    const double front = 8.0 - step * i;
+    const double back = front - 0.5 * step;
+    triangles.push_back({ { 30, -40, front }, { 30, -40, back }, { 30, 40, back } });
+    triangles.push_back({ { 30, -40, front }, { 30, 40, back }, { 30, 40, front } });
+  }
+  scene.Add(MakeSoup(triangles));
+  scene.AddPointLight({ 60, 1, -10 }, { 3000, 2000, 1000 });
+}
+
+double GetLargest(vtkImageData* image) { return image->GetScalarRange()[1]; }
+
+double Sum(vtkImageData* image)
+{
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    sum += image->GetPointData()->GetScalars()->GetComponent(i, 0);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+void TestLongLists()
+{
+  Scene scene(32, 24);
+  AddStrips(scene, 1200);
+  CompareScene("1200 strips", scene, 120);
+  const double most = GetLargest(scene.GetBuffer("BoundaryCount"));
+  std::cout << "  " << most << " boundaries on one pixel\n";
+  Check(most > 1000.0, "more than 1000 boundaries on a pixel");
+}
+
+//------------------------------------------------------------------------------
+// More boundaries than the first buffer of 2^21 holds.
+void TestGrowth()
+{
+  Scene scene(300, 200);
+  AddStrips(scene, 40);
+  CompareScene("buffer that grows", scene, 500);
+  const double boundaries = Sum(scene.GetBuffer("BoundaryCount"));
+  std::cout << "  " << boundaries << " boundaries in the picture\n";
+  Check(boundaries > (1 << 21), "more boundaries than the first buffer holds");
+  const Buffers first = scene.CopyBuffers();
+  scene.Window->Render();
+  CheckSame(first, scene.CopyBuffers(), "second frame after the buffer grew");
+
+  Scene limited(300, 200);
+  AddStrips(limited, 40);
+  limited.Pass->SetMemoryLimit(1);
+  limited.Window->Render();
+  CheckSame(first, limited.CopyBuffers(), "frame drawn in bands");
+  limited.Window->Render();
+  CheckSame(first, limited.CopyBuffers(), "second frame drawn in bands");
+  limited.Pass->SetMemoryLimit(1024);
+  limited.Window->Render();
+  CheckSame(first, limited.CopyBuffers(), "limit raised");
+  limited.Pass->SetMemoryLimit(1);
+  limited.Window->Render();
+  CheckSame(first, limited.CopyBuffers(), "limit lowered");
+}
+
+//------------------------------------------------------------------------------
+// Two windows in turns, each with its own pass.
+void TestTwoWindows()
+{
+  Scene first(120, 90);
+  AddStrips(first, 100);
+  first.AddPointLight({ -20, 10, 5 }, { 500, 400, 300 });
+  Scene second(120, 90);
+  AddStrips(second, 100);
+  second.AddPointLight({ -20, 10, 5 }, { 500, 400, 300 });
+  first.Window->Render();
+  second.Window->Render();
+  const Buffers buffers = first.CopyBuffers();
+  CheckSame(buffers, second.CopyBuffers(), "second window");
+  first.Window->Render();
+  CheckSame(buffers, first.CopyBuffers(), "first window again");
+  second.Window->SetSize(60, 40);
+  second.Window->Render();
+  second.Window->SetSize(120, 90);
+  second.Window->Render();
+  CheckSame(buffers, second.CopyBuffers(), "second window after a change of size");
+}
+}
+
+//------------------------------------------------------------------------------
+int TestShadowLists(int, char*[])
+{
+  TestLongLists();
+  TestGrowth();
+  TestTwoWindows();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
