@@ -29,13 +29,13 @@ bool Frame::Fail(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedium& medium,
+bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   const std::vector<Lamp>& lamps, const View& view, const FrameSettings& settings, int width,
   int height)
 {
   this->Renderer = renderer;
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  this->Medium = medium;
+  this->Media = media;
   this->Lamps = lamps;
   this->Rays = view;
   this->Settings = settings;
@@ -98,14 +98,26 @@ bool Frame::BindScene()
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkTextureObject*> Frame::GetScatterTargets()
+{
+  std::vector<vtkTextureObject*> targets = { this->Textures.Scattered, this->Textures.Lit,
+    this->Textures.Counts };
+  if (this->Settings.Record)
+  {
+    targets.push_back(this->Textures.Single);
+  }
+  return targets;
+}
+
+//------------------------------------------------------------------------------
 bool Frame::ScatterLights()
 {
-  if (!this->Textures.Bind(
-        { this->Textures.Scattered, this->Textures.Lit, this->Textures.Counts }, nullptr))
+  if (!this->Textures.Bind(this->GetScatterTargets(), nullptr))
   {
     return this->Fail(this->Textures.GetError());
   }
   this->ClearTarget(0.0f);
+  this->Buffers.clear();
   const std::vector<Caster>* casters =
     this->Settings.Shadows ? &this->Casters.Collect(this->Renderer) : nullptr;
   this->Volumes.resize(this->Lamps.size());
@@ -121,7 +133,24 @@ bool Frame::ScatterLights()
     {
       return false;
     }
+    if (this->Settings.Record && !this->RecordSingle(static_cast<int>(k)))
+    {
+      return false;
+    }
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Reads one light's airlight and clears its target for the next one.
+bool Frame::RecordSingle(int index)
+{
+  if (!this->Textures.Bind({ this->Textures.Single }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Buffers["Airlight:" + std::to_string(index)] = this->Textures.Read(0, 0, 3);
+  this->ClearTarget(0.0f);
   return true;
 }
 
@@ -172,7 +201,7 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
   const bool shadows = lists != Lists::None;
   const std::string source = (shadows ? "#version 430\n" : "#version 330\n") +
-    GetScatteringSource(this->Medium.phase.poleCount) + AirlightViewShader +
+    GetScatteringSource(this->Media, this->Lamps[index].Values.kind) + AirlightViewShader +
     (shadows ? ShadowLists::GetBoundariesSource(lists != Lists::Short) : AirlightNoBoundaries) +
     AirlightResolveFS;
   Quad& quad =
@@ -182,13 +211,12 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
   {
     return this->Fail("the airlight shader did not compile: " + quad.GetError());
   }
-  if (!this->Textures.Bind(
-        { this->Textures.Scattered, this->Textures.Lit, this->Textures.Counts }, nullptr))
+  if (!this->Textures.Bind(this->GetScatterTargets(), nullptr))
   {
     return this->Fail(this->Textures.GetError());
   }
   this->Rays->SetUniforms(program, 0, 0);
-  SetMediumUniforms(program, this->Medium);
+  SetMediaUniforms(program, "media", this->Media);
   SetLightUniforms(program, this->Lamps[index].Values);
   program->SetUniformi("startCount", shadows ? this->Volumes[index].GetStartCount() : 0);
   glm::vec4 bit(0.0f);
@@ -220,14 +248,14 @@ bool Frame::ReadyComposite(bool record, int x, int y)
 {
   const std::string source = std::string("#version 330\n") +
     (record ? "#define AIRLIGHT_RECORD\n" : "") +
-    GetScatteringSource(this->Medium.phase.poleCount) + AirlightViewShader + AirlightCompositeFS;
+    GetScatteringSource(this->Media, AIRLIGHT_POINT_CLOSED) + AirlightViewShader + AirlightCompositeFS;
   Quad& quad = record ? this->RecordQuad : this->CompositeQuad;
   vtkShaderProgram* program = quad.Ready(this->Window, source);
   if (!program)
   {
     return this->Fail("the composite shader did not compile: " + quad.GetError());
   }
-  SetMediumUniforms(program, this->Medium);
+  SetMediaUniforms(program, "media", this->Media);
   this->Rays->SetUniforms(program, x, y);
   return true;
 }
@@ -316,7 +344,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   SurfaceUniforms values;
   values.Stage = stage;
   values.Rays = &*this->Rays;
-  values.Medium = &this->Medium;
+  values.Media = &this->Media;
   values.Lamps = &this->Lamps;
   values.Lit = this->Textures.Lit;
   values.UseLit = this->Settings.Shadows && this->Settings.SurfaceShadows;

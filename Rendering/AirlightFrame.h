@@ -32,6 +32,7 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+class vtkTextureObject;
 class vtkWindow;
 
 namespace airlight
@@ -49,7 +50,7 @@ class Frame
 {
 public:
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
-  bool Begin(vtkRenderer* renderer, const f64::AirlightMedium& medium,
+  bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
     const std::vector<Lamp>& lamps, const View& view, const FrameSettings& settings, int width,
     int height);
 
@@ -78,6 +79,7 @@ public:
 private:
   bool Fail(const std::string& reason);
   bool ScatterLight(int index);
+  bool RecordSingle(int index);
 
   // Which pixels a draw of the resolve does.
   enum class Lists
@@ -91,6 +93,7 @@ private:
 
   bool ReadyComposite(bool record, int x, int y);
   void DrawComposite(Quad& quad);
+  std::vector<vtkTextureObject*> GetScatterTargets();
   void ClearTarget(float value);
 
   Targets Textures;
@@ -106,7 +109,7 @@ private:
   // This frame's.
   vtkRenderer* Renderer = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
-  f64::AirlightMedium Medium{};
+  f64::AirlightMedia Media{};
   std::vector<Lamp> Lamps;
   std::optional<View> Rays;
   FrameSettings Settings;

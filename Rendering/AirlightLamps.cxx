@@ -16,14 +16,14 @@ namespace
 // What single precision resolves of the distance between a ray and a light.
 constexpr double RelativeRadius = 1e-5;
 
-Lamp MakeLamp(vtkLight* light, const f64::AirlightMedium& medium, const View& view, double radius)
+Lamp MakeLamp(vtkLight* light, const f64::AirlightMedia& media, const View& view, double radius)
 {
   Lamp lamp;
   lamp.Light = light;
-  lamp.Support = ConvertLight(medium, light, view.GetEye(), lamp.Values);
+  lamp.Support = ConvertLight(media, light, view.GetEye(), lamp.Values);
   if (lamp.Scatters())
   {
-    const bool directional = lamp.Values.kind == AIRLIGHT_DIRECTIONAL;
+    const bool directional = f64::airlightIsDirectional(lamp.Values);
     lamp.World = directional ? glm::dvec4(lamp.Values.position, 0.0)
                              : glm::dvec4(lamp.Values.position + view.GetEye(), 1.0);
     const double distance = directional ? 1.0 : glm::length(lamp.Values.position);
@@ -37,7 +37,7 @@ Lamp MakeLamp(vtkLight* light, const f64::AirlightMedium& medium, const View& vi
 
 //------------------------------------------------------------------------------
 std::vector<Lamp> CollectLamps(
-  vtkRenderer* renderer, const f64::AirlightMedium& medium, const View& view, double radius)
+  vtkRenderer* renderer, const f64::AirlightMedia& media, const View& view, double radius)
 {
   std::vector<Lamp> lamps;
   vtkLightCollection* lights = renderer->GetLights();
@@ -47,7 +47,7 @@ std::vector<Lamp> CollectLamps(
   {
     if (light->GetSwitch())
     {
-      lamps.push_back(MakeLamp(light, medium, view, radius));
+      lamps.push_back(MakeLamp(light, media, view, radius));
     }
   }
   return lamps;

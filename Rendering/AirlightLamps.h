@@ -34,7 +34,7 @@ struct Lamp
 // The switched-on lights, in the order in which VTK's mappers number them. `radius` is the light
 // radius asked for, 0 for the smallest that single precision resolves.
 std::vector<Lamp> CollectLamps(
-  vtkRenderer* renderer, const f64::AirlightMedium& medium, const View& view, double radius);
+  vtkRenderer* renderer, const f64::AirlightMedia& media, const View& view, double radius);
 }
 
 #endif

@@ -5,12 +5,15 @@
 #include "AirlightExponentialIntegral.h"
 #include "AirlightFullScreenVS.h"
 #include "AirlightGauss.h"
+#include "AirlightLight.h"
 #include "AirlightMath.h"
+#include "AirlightMedia.h"
 #include "AirlightMedium.h"
 #include "AirlightOpenGL.h"
 #include "AirlightPhase.h"
 #include "AirlightPointLight.h"
 #include "AirlightPrelude.h"
+#include "AirlightQuadrature.h"
 #include "AirlightRegion.h"
 #include "AirlightScattering.h"
 
@@ -21,30 +24,65 @@
 
 namespace airlight
 {
-//------------------------------------------------------------------------------
-std::string GetScatteringSource(int poleCount)
+namespace
 {
-  return std::string(AirlightPrelude) + "#define AIRLIGHT_MAX_POLES " +
-    std::to_string(AIRLIGHT_MAX_POLES) + "\n#define AIRLIGHT_POLE_COUNT " +
-    std::to_string(poleCount) + "\n" + AirlightExponentialIntegral + AirlightGauss + AirlightPhase +
-    AirlightPointLight + AirlightRegion + AirlightMedium + AirlightScattering;
+std::string Define(const std::string& name, int value)
+{
+  return "#define " + name + " " + std::to_string(value) + "\n";
 }
 
-//------------------------------------------------------------------------------
-void SetMediumUniforms(vtkShaderProgram* program, const f64::AirlightMedium& medium)
+void SetRegionUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightRegion& region)
 {
-  program->SetUniform3f("medium.sigmaS", &medium.sigmaS.x);
-  program->SetUniform3f("medium.sigmaT", &medium.sigmaT.x);
-  program->SetUniform3f("medium.ambient", &medium.ambient.x);
-  program->SetUniformi("medium.region.kind", medium.region.kind);
-  program->SetUniform3f("medium.region.boxMin", &medium.region.boxMin.x);
-  program->SetUniform3f("medium.region.boxMax", &medium.region.boxMax.x);
+  program->SetUniformi((name + ".kind").c_str(), region.kind);
+  program->SetUniform3f((name + ".boxMin").c_str(), &region.boxMin.x);
+  program->SetUniform3f((name + ".boxMax").c_str(), &region.boxMax.x);
+  program->SetUniform3f((name + ".centre").c_str(), &region.centre.x);
+  program->SetUniformf((name + ".radius").c_str(), static_cast<float>(region.radius));
+}
+
+void SetMediumUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightMedium& medium)
+{
+  program->SetUniform3f((name + ".sigmaS").c_str(), &medium.sigmaS.x);
+  program->SetUniform3f((name + ".sigmaT").c_str(), &medium.sigmaT.x);
+  program->SetUniform3f((name + ".ambient").c_str(), &medium.ambient.x);
+  program->SetUniformi((name + ".density").c_str(), medium.density);
+  program->SetUniform3f((name + ".up").c_str(), &medium.up.x);
+  program->SetUniformf(
+    (name + ".inverseScaleHeight").c_str(), static_cast<float>(medium.inverseScaleHeight));
+  program->SetUniformf((name + ".originHeight").c_str(), static_cast<float>(medium.originHeight));
+  SetRegionUniforms(program, name + ".region", medium.region);
   glm::vec2 poles[AIRLIGHT_MAX_POLES];
   for (int k = 0; k < medium.phase.poleCount; ++k)
   {
     poles[k] = glm::vec2(medium.phase.pole[k]);
   }
-  program->SetUniform2fv("medium.phase.pole", medium.phase.poleCount, &poles[0].x);
+  program->SetUniform2fv((name + ".phase.pole").c_str(), medium.phase.poleCount, &poles[0].x);
+  program->SetUniformi((name + ".phase.poleCount").c_str(), medium.phase.poleCount);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind)
+{
+  return std::string(AirlightPrelude) + Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) +
+    Define("AIRLIGHT_MAX_MEDIA", media.count) + Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
+    (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) : "") +
+    (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") +
+    AirlightExponentialIntegral + AirlightGauss + AirlightPhase + AirlightPointLight +
+    AirlightRegion + AirlightMedium + AirlightMedia + AirlightLight + AirlightQuadrature +
+    AirlightScattering;
+}
+
+//------------------------------------------------------------------------------
+void SetMediaUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media)
+{
+  for (int i = 0; i < media.count; ++i)
+  {
+    SetMediumUniforms(program, name + ".item[" + std::to_string(i) + "]", media.item[i]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -55,6 +93,9 @@ void SetLightUniforms(vtkShaderProgram* program, const f64::AirlightLight& light
   program->SetUniform3f("light.intensity", &light.intensity.x);
   program->SetUniform3f("light.attenuation", &light.attenuation.x);
   program->SetUniformf("light.radius", static_cast<float>(light.radius));
+  program->SetUniform3f("light.axis", &light.axis.x);
+  program->SetUniformf("light.cosCone", static_cast<float>(light.cosCone));
+  program->SetUniformf("light.exponent", static_cast<float>(light.exponent));
 }
 
 //------------------------------------------------------------------------------

@@ -20,14 +20,17 @@ namespace airlight
 namespace f64
 {
 struct AirlightLight;
-struct AirlightMedium;
+struct AirlightMedia;
 }
 
-// The texts of the mathematics in the order in which they need one another, compiled for a phase
-// function of this many poles.
-std::string GetScatteringSource(int poleCount);
+// The texts of the mathematics in the order in which they need one another, compiled for as many
+// media, and where there is one for as many poles, as there are. `lightKind` is the kind of light
+// that the text is to handle, below 0 for all.
+std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind);
 
-void SetMediumUniforms(vtkShaderProgram* program, const f64::AirlightMedium& medium);
+// Sets a uniform AirlightMedia of this name.
+void SetMediaUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media);
 void SetLightUniforms(vtkShaderProgram* program, const f64::AirlightLight& light);
 
 class Quad

@@ -3,8 +3,7 @@
 #include "AirlightSurfaceShader.h"
 
 #include "AirlightFragment.h"
-#include "AirlightPrelude.h"
-#include "AirlightRegion.h"
+#include "AirlightQuad.h"
 #include "AirlightSurface.h"
 #include "AirlightView.h"
 #include "AirlightViewShader.h"
@@ -23,11 +22,11 @@ namespace
 // The prelude's words must not reach the mapper's own text.
 const char* Undefine = "#undef real\n#undef real2\n#undef real3\n";
 
-std::string Declarations(int lampCount)
+std::string Declarations(int lampCount, const std::string& mathematics)
 {
-  return std::string(AirlightPrelude) + "#define AIRLIGHT_LAMPS " + std::to_string(lampCount) +
-    "\n#define AIRLIGHT_BITS " + std::to_string(BitsPerChannel) + "\n" + AirlightRegion +
-    AirlightViewShader + AirlightFragment + AirlightSurface + Undefine;
+  return mathematics + "#define AIRLIGHT_LAMPS " + std::to_string(lampCount) +
+    "\n#define AIRLIGHT_BITS " + std::to_string(BitsPerChannel) + "\n" + AirlightViewShader +
+    AirlightFragment + AirlightSurface + Undefine;
 }
 
 // Whether nothing but the template's own test of the final opacity can discard a fragment. Then a
@@ -43,7 +42,8 @@ bool MayLeaveEarly(const std::string& commented)
 }
 
 //------------------------------------------------------------------------------
-void InjectSurfaceShader(std::string& fragmentShader, int lampCount)
+void InjectSurfaceShader(
+  std::string& fragmentShader, int lampCount, const std::string& mathematics)
 {
   const size_t mainStart = fragmentShader.find("void main");
   const size_t bodyStart = fragmentShader.find('{', mainStart);
@@ -78,7 +78,7 @@ void InjectSurfaceShader(std::string& fragmentShader, int lampCount)
   const std::string late = "  if (airlightStage == 0)\n  {\n" + writeDistance + "  }\n";
   fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
     "\n" + early + arrives + lit + (early.empty() ? late : ""));
-  fragmentShader.insert(mainStart, Declarations(lampCount));
+  fragmentShader.insert(mainStart, Declarations(lampCount, mathematics));
 }
 
 //------------------------------------------------------------------------------
@@ -92,16 +92,12 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     return;
   }
-  const f64::AirlightMedium& medium = *values.Medium;
-  program->SetUniform3f("airlightSigmaT", &medium.sigmaT.x);
-  program->SetUniformi("airlightRegion.kind", medium.region.kind);
-  program->SetUniform3f("airlightRegion.boxMin", &medium.region.boxMin.x);
-  program->SetUniform3f("airlightRegion.boxMax", &medium.region.boxMax.x);
+  SetMediaUniforms(program, "airlightMedia", *values.Media);
   std::vector<glm::vec4> lamps;
   for (const Lamp& lamp : *values.Lamps)
   {
     const float kind = !lamp.Scatters()          ? -1.0f
-      : lamp.Values.kind == AIRLIGHT_DIRECTIONAL ? 0.0f
+      : f64::airlightIsDirectional(lamp.Values) ? 0.0f
                                                  : 1.0f;
     lamps.emplace_back(glm::vec3(lamp.Values.position), kind);
   }

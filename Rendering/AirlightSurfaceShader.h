@@ -31,17 +31,19 @@ enum class SurfaceStage
 constexpr int BitsPerChannel = 24;
 constexpr int MaximumShadowingLights = 4 * BitsPerChannel;
 
-// Rewrites a mapper's fragment shader for up to `lampCount` lights. Every mention of a light's
+// Rewrites a mapper's fragment shader for up to `lampCount` lights; `mathematics` is the text of
+// GetScatteringSource(). Every mention of a light's
 // colour in main() is multiplied by what arrives of the light, which leaves the mapper's shading
 // model, whatever it is, as it was. Shaders without main() are left alone.
-void InjectSurfaceShader(std::string& fragmentShader, int lampCount);
+void InjectSurfaceShader(
+  std::string& fragmentShader, int lampCount, const std::string& mathematics);
 
 // The state that the added text reads.
 struct SurfaceUniforms
 {
   SurfaceStage Stage = SurfaceStage::Distance;
   const View* Rays = nullptr;
-  const f64::AirlightMedium* Medium = nullptr;
+  const f64::AirlightMedia* Media = nullptr;
   const std::vector<Lamp>* Lamps = nullptr;
   vtkTextureObject* Lit = nullptr; // an active texture in any case
   bool UseLit = false;             // false: all surfaces are lit

@@ -49,6 +49,7 @@ public:
   vtkNew<vtkTextureObject> Scattered; // RGB: airlight, A: lit length
   vtkNew<vtkTextureObject> Lit;       // bits of lights, 24 a channel
   vtkNew<vtkTextureObject> Counts;    // R: boundaries
+  vtkNew<vtkTextureObject> Single;    // recorded: one light's airlight
   vtkNew<vtkTextureObject> Radiance;  // recorded
   vtkNew<vtkTextureObject> Airlight;
   vtkNew<vtkTextureObject> Surface;

@@ -60,6 +60,7 @@ public:
   SurfaceStage Stage = SurfaceStage::Colour;
   int EffectiveTechnique = NONE;
   int LampCapacity = 4; // array size in the mappers' shaders
+  std::string SurfaceSource;
   vtkTimeStamp ShaderTime;
   std::string Error;
 
@@ -77,6 +78,7 @@ public:
 
 private:
   bool RenderSteps(const vtkRenderState* s);
+  void UpdateSurfaceShader(const f64::AirlightMedia& media, int lampCount);
   vtkRenderPass* GetDelegate();
 };
 
@@ -112,13 +114,12 @@ void vtkAirlightPass::Internals::WarnOnce(bool& warned, const std::string& text)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::Internals::CheckMedia()
 {
-  if (this->Media.size() > 1 && !this->WarnedMedia)
+  if (this->Media.size() > AIRLIGHT_MAX_MEDIA && !this->WarnedMedia)
   {
     this->WarnedMedia = true;
     vtkErrorWithObjectMacro(this->Self,
-      "There are " << this->Media.size()
-                   << " media and this version draws one: the first is used. Call SetMedium() with "
-                      "the one to see.");
+      "There are " << this->Media.size() << " media and at most " << AIRLIGHT_MAX_MEDIA
+                   << " are drawn: the first ones are. Call RemoveMedium() for those not needed.");
   }
 }
 
@@ -127,19 +128,12 @@ void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
 {
   for (const Lamp& lamp : lamps)
   {
-    if (lamp.Support == LightSupport::Unsupported)
-    {
-      this->WarnOnce(this->WarnedLights,
-        "A spot light, or a directional light in a bounded medium, lights surfaces only: the "
-        "medium does not scatter it and it casts no shadows. Use point lights (cone angle 90), "
-        "or directional lights in an unbounded medium.");
-    }
-    else if (lamp.Support == LightSupport::Invalid)
+    if (lamp.Support == LightSupport::Invalid)
     {
       this->WarnOnce(this->WarnedLights,
         "A light is left out of the medium: its position, colour and attenuation must be finite, "
-        "its attenuation at least 0 with one term above 0, and a directional light's focal point "
-        "apart from its position.");
+        "its attenuation at least 0 with one term above 0, its exponent at least 0, and the focal "
+        "point of a spot or a directional light apart from its position.");
     }
   }
   if (static_cast<int>(lamps.size()) > MaximumShadowingLights)
@@ -174,6 +168,20 @@ int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
+// The text added to the mappers' shaders depends on the numbers of lights and media.
+void vtkAirlightPass::Internals::UpdateSurfaceShader(
+  const f64::AirlightMedia& media, int lampCount)
+{
+  const std::string source = GetScatteringSource(media, AIRLIGHT_POINT_CLOSED);
+  if (lampCount > this->LampCapacity || source != this->SurfaceSource)
+  {
+    this->LampCapacity = std::max(this->LampCapacity, 2 * lampCount);
+    this->SurfaceSource = source;
+    this->ShaderTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkAirlightPass::Internals::RenderFrame(
   const vtkRenderState* s, int x, int y, int width, int height)
 {
@@ -188,15 +196,15 @@ bool vtkAirlightPass::Internals::RenderFrame(
     this->Error = "the camera's matrices are not finite or cannot be inverted";
     return false;
   }
-  vtkParticipatingMedium* medium = this->Media.empty() ? this->Vacuum : this->Media.front();
-  const f64::AirlightMedium converted = ConvertMedium(medium, view.GetEye());
+  std::vector<vtkParticipatingMedium*> media(this->Media.begin(), this->Media.end());
+  if (media.empty())
+  {
+    media.push_back(this->Vacuum);
+  }
+  const f64::AirlightMedia converted = ConvertMedia(media, view.GetEye());
   const std::vector<Lamp> lamps = CollectLamps(renderer, converted, view, this->Self->LightRadius);
   this->CheckLamps(lamps);
-  if (static_cast<int>(lamps.size()) > this->LampCapacity)
-  {
-    this->LampCapacity = 2 * static_cast<int>(lamps.size());
-    this->ShaderTime.Modified();
-  }
+  this->UpdateSurfaceShader(converted, static_cast<int>(lamps.size()));
 
   this->EffectiveTechnique = this->ChooseTechnique(window);
   FrameSettings settings;
@@ -434,7 +442,8 @@ void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
 bool vtkAirlightPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  InjectSurfaceShader(fragmentShader, this->Impl->LampCapacity);
+  InjectSurfaceShader(
+    fragmentShader, this->Impl->LampCapacity, this->Impl->SurfaceSource);
   return true;
 }
 

@@ -22,11 +22,10 @@
  * silhouette edge seen from a light is drawn as one quadrilateral.
  *
  * Limits:
- *  - Point lights (cone angle 90 degrees or more), and directional lights in an unbounded medium.
- *    Other lights light the surfaces as VTK does and do not scatter: the pass warns once.
+ *  - A directional light in an unbounded uniform medium arrives unattenuated.
  *  - Headlights cast no shadows: they see what the camera sees.
  *  - Translucent surfaces and volumes cast no shadows, and are fogged as what lies behind them.
- *  - One medium at a time: with several the pass reports an error and uses the first.
+ *  - At most eight media; where they overlap, their coefficients add.
  *  - Volumetric shadows need OpenGL 4.3; without it the scene is drawn with airlight and without
  *    volumetric shadows, and one warning says so.
  *
@@ -146,7 +145,9 @@ public:
    *  - "Transmittance" (RGB): from the eye to the surface, or to the far side of the medium;
    *  - "Depth": distance along the unit ray, world units; -1 where there is no surface;
    *  - "LitLength": length of the ray inside the medium that light reaches, summed over lights;
-   *  - "BoundaryCount": number of shadow planes that the ray crosses, summed over lights.
+   *  - "BoundaryCount": number of shadow planes that the ray crosses, summed over lights;
+   *  - "Airlight:0", "Airlight:1", ... (RGB): the airlight of each switched-on light, in the order
+   *    of the renderer's lights.
    */
   vtkImageData* GetBuffer(const char* name);
 

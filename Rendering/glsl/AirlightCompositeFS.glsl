@@ -1,6 +1,6 @@
 // Puts the medium before the scene: radiance = airlight + transmittance * scene.
 
-uniform AirlightMedium medium;
+uniform AirlightMedia media;
 uniform sampler2D distances;
 uniform sampler2D scene;
 uniform sampler2D sceneDepth;
@@ -21,11 +21,12 @@ void main()
   vec4 colour = texelFetch(scene, pixel, 0);
   // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
   colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
-  vec2 range = airlightRegionRange(medium.region, airlightOrigin(p),
-    normalize(airlightDirection(p)), t >= 0.0 ? t : AIRLIGHT_FAR);
-  float inside = range.y - range.x;
-  vec3 passes = exp(-medium.sigmaT * inside);
-  vec3 added = texelFetch(scattered, pixel, 0).rgb + airlightAmbient(medium, inside);
+  vec3 origin = airlightOrigin(p);
+  vec3 direction = normalize(airlightDirection(p));
+  float end = t >= 0.0 ? t : AIRLIGHT_FAR;
+  vec3 passes = exp(-airlightDepth(media, origin, direction, end));
+  vec3 added =
+    texelFetch(scattered, pixel, 0).rgb + airlightAmbient(media, origin, direction, end);
   // A picture with a transparent background becomes as opaque as the medium is.
   float opacity = 1.0 - (1.0 - colour.a) * dot(passes, vec3(1.0 / 3.0));
   radiance = vec4(added + passes * colour.rgb, opacity);

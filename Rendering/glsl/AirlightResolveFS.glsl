@@ -1,7 +1,7 @@
 // One light's airlight along each pixel's ray: the sum over the ray's lit intervals. Blended
 // additively, light by light.
 
-uniform AirlightMedium medium;
+uniform AirlightMedia media;
 uniform AirlightLight light;
 uniform sampler2D distances;
 uniform int startCount; // shadow volumes that hold the ray's start
@@ -10,22 +10,23 @@ uniform vec4 litBit;    // what to add where the surface is lit
 layout(location = 0) out vec4 airlight; // radiance; lit length
 layout(location = 1) out vec4 lit;
 layout(location = 2) out vec4 boundaryCount;
+layout(location = 3) out vec4 single; // this light's own
 
 void main()
 {
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
   float surface = texelFetch(distances, pixel, 0).r;
-  AirlightRay ray = airlightRay(medium, light, airlightOrigin(p),
+  AirlightRay ray = airlightRay(media, light, airlightOrigin(p),
     normalize(airlightDirection(p)), surface >= 0.0 ? surface : AIRLIGHT_FAR);
 
-  float from = ray.range.x;
+  float from = ray.lit.x;
   int shadows = startCount;
   if (!airlightOpenBoundaries(pixel, from, shadows))
   {
     discard;
   }
-  vec3 fromTail = airlightTail3(medium, light, ray, from);
+  vec3 fromTail = airlightTail3(media, light, ray, from);
   vec3 sum = vec3(0.0);
   float litLength = 0.0;
   int boundaries = 0;
@@ -47,13 +48,13 @@ void main()
     bool wasLit = shadows <= 0;
     if (!more || wasLit != (next <= 0))
     {
-      float to = more ? clamp(t, from, ray.range.y) : ray.range.y;
+      float to = more ? clamp(t, from, ray.lit.y) : ray.lit.y;
       if (to > from)
       {
-        vec3 toTail = airlightTail3(medium, light, ray, to);
+        vec3 toTail = airlightTail3(media, light, ray, to);
         if (wasLit)
         {
-          sum += airlightInterval3(medium, light, ray, from, fromTail, to, toTail);
+          sum += airlightInterval3(media, light, ray, from, fromTail, to, toTail);
           litLength += to - from;
         }
         from = to;
@@ -65,7 +66,13 @@ void main()
   airlightCloseBoundaries(pixel, state, from, shadows);
 
   // A channel that does not scatter is dark, whatever the limit of its integral.
-  airlight = vec4(mix(vec3(0.0), sum, greaterThan(medium.sigmaS, vec3(0.0))), litLength);
+  vec3 sigmaS = vec3(0.0);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    sigmaS += media.item[i].sigmaS;
+  }
+  airlight = vec4(mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0))), litLength);
+  single = airlight;
   lit = state == AIRLIGHT_END && shadows <= 0 ? litBit : vec4(0.0);
   boundaryCount = vec4(float(boundaries));
 }

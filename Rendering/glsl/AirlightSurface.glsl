@@ -2,9 +2,8 @@
 // this fragment.
 
 uniform int airlightStage; // 0: write distances, 1: write colours
-uniform AirlightRegion airlightRegion;
-uniform vec3 airlightSigmaT;
-// w 1: position; 0: arrives unattenuated, in shadow or not; -1: left as VTK shades it
+uniform AirlightMedia airlightMedia;
+// w 1: position; 0: direction towards a light at infinity; -1: left as VTK shades it
 uniform vec4 airlightLamps[AIRLIGHT_LAMPS];
 uniform sampler2D airlightLit;              // bits of the lights that reach the pixel's surface
 uniform int airlightUseLit;
@@ -25,13 +24,10 @@ vec3 airlightArrives(int k)
       return vec3(0.0);
     }
   }
-  if (airlightLamps[k].w == 0.0)
-  {
-    return vec3(1.0);
-  }
   vec2 p = airlightPixel();
   vec3 point =
     airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
-  return exp(
-    -airlightSigmaT * airlightInsideLength(airlightRegion, point, airlightLamps[k].xyz));
+  return exp(-(airlightLamps[k].w == 0.0
+      ? airlightSunDepths(airlightMedia, point, airlightLamps[k].xyz)
+      : airlightDepthBetween(airlightMedia, point, airlightLamps[k].xyz)));
 }

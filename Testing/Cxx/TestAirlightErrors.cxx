@@ -192,7 +192,12 @@ void TestBadLights(vtkParticipatingMedium* medium)
   CheckRefused(
     "null light", medium, [&](double* rgb) { return a.Inscatter(medium, nullptr, rgb); });
   const std::pair<const char*, std::function<void(vtkLight*)>> cases[] = {
-    { "spot light", [](vtkLight* light) { light->SetConeAngle(30.0); } },
+    { "spot light that shines nowhere",
+      [](vtkLight* light) {
+        light->SetConeAngle(30.0);
+        light->SetPosition(1.0, 2.0, 3.0);
+        light->SetFocalPoint(1.0, 2.0, 3.0);
+      } },
     { "attenuation (0, 0, 0)", [](vtkLight* l) { l->SetAttenuationValues(0.0, 0.0, 0.0); } },
     { "negative attenuation", [](vtkLight* l) { l->SetAttenuationValues(1.0, -1.0, 1.0); } },
     { "attenuation nan", [](vtkLight* l) { l->SetAttenuationValues(nan, 0.0, 1.0); } },

@@ -74,8 +74,8 @@ void TestScenes()
   CheckStage(
     "empty scene", 0, 0, [](Stage& s) { s.Renderer->RemoveAllViewProps(); }, false);
   CheckStage("no light", 0, 0, [](Stage& s) { s.Renderer->RemoveAllLights(); });
-  CheckStage("several media", 1, 0, [](Stage& s) {
-    for (int i = 0; i < 2; ++i)
+  CheckStage("more media than are drawn", 1, 0, [](Stage& s) {
+    for (int i = 0; i < 9; ++i)
     {
       vtkNew<vtkParticipatingMedium> medium;
       s.Pass->AddMedium(medium);
@@ -108,9 +108,9 @@ void TestScenes()
 //------------------------------------------------------------------------------
 void TestLights()
 {
-  CheckStage("spot light", 0, 1, [](Stage& s) {
+  CheckStage("spot light without direction", 0, 1, [](Stage& s) {
     s.Lights[0]->SetConeAngle(30.0);
-    s.Lights[0]->SetFocalPoint(0, 0, 0);
+    s.Lights[0]->SetFocalPoint(s.Lights[0]->GetPosition());
   });
   CheckStage("light at an undefined place", 0, 1, [](Stage& s) { s.AddPointLight({ nan, 0, 0 }); });
   CheckStage("light of undefined intensity", 0, 1, [](Stage& s) {

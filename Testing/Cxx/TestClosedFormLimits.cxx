@@ -149,7 +149,9 @@ void CheckDouble(const Scene& s, vtkParticipatingMedium* medium, Comparison& com
 // documents, and the interval inside [0, 1e18].
 void CheckFloat(const Scene& s, vtkParticipatingMedium* m, Comparison& comparison)
 {
-  f32::AirlightMedium medium{};
+  f32::AirlightMedia media{};
+  media.count = 1;
+  f32::AirlightMedium& medium = media.item[0];
   medium.sigmaS = glm::vec3(glm::make_vec3(m->GetScattering()));
   medium.sigmaT = glm::vec3(glm::make_vec3(m->GetExtinction()));
   medium.phase.poleCount = m->GetNumberOfPhasePoles();
@@ -162,6 +164,7 @@ void CheckFloat(const Scene& s, vtkParticipatingMedium* m, Comparison& compariso
   }
   f32::AirlightLight light{};
   light.kind = AIRLIGHT_POINT_CLOSED;
+  light.cosCone = -1.0f;
   light.position = glm::vec3(s.Scale * glm::make_vec3(s.Light));
   light.intensity = glm::vec3(1.0f);
   light.attenuation = glm::vec3(0.0f, 0.0f, 1.0f);
@@ -169,9 +172,9 @@ void CheckFloat(const Scene& s, vtkParticipatingMedium* m, Comparison& compariso
   const float t0 = static_cast<float>(std::clamp(s.Scale * s.T0, 0.0, 1e18));
   const float t1 = static_cast<float>(std::clamp(s.Scale * s.T1, 0.0, 1e18));
   const f32::AirlightRay ray =
-    f32::airlightRay(medium, light, glm::vec3(0.0f), glm::vec3(1.0f, 0.0f, 0.0f), t1);
-  const glm::vec3 value = f32::airlightInterval3(medium, light, ray, t0,
-    f32::airlightTail3(medium, light, ray, t0), t1, f32::airlightTail3(medium, light, ray, t1));
+    f32::airlightRay(media, light, glm::vec3(0.0f), glm::vec3(1.0f, 0.0f, 0.0f), t1);
+  const glm::vec3 value = f32::airlightInterval3(media, light, ray, t0,
+    f32::airlightTail3(media, light, ray, t0), t1, f32::airlightTail3(media, light, ray, t1));
   const double rgb[3] = { value.x, value.y, value.z };
   // Reversed intervals are the caller's to leave out.
   comparison.Add(t1 < t0 || IsSound(rgb, s, m) ? 0.0 : 1.0, 0.5,
