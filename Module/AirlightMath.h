@@ -27,6 +27,7 @@ namespace f64
 using real = double;
 using real2 = glm::dvec2;
 using real3 = glm::dvec3;
+using real4 = glm::dvec4;
 using namespace glm;
 #define AIRLIGHT_DOUBLE
 #include "AirlightFunctions.inl"
@@ -38,6 +39,7 @@ namespace f32
 using real = float;
 using real2 = glm::vec2;
 using real3 = glm::vec3;
+using real4 = glm::vec4;
 using namespace glm;
 #include "AirlightFunctions.inl"
 }

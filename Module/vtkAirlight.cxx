@@ -86,38 +86,62 @@ public:
     : Media(media)
     , Light(light)
     , Ray(ray)
+    , T0(t0)
+    , T1(t1)
   {
     const double x0 = t0 - ray.range.x - ray.foot.tL;
-    const double x1 = t1 - ray.range.x - ray.foot.tL;
     this->Straight = f64::airlightIsDirectional(light) ||
-      x1 - x0 < 1e-4 * std::max(std::abs(x0), ray.foot.h);
-    this->From = this->Straight ? t0 : std::asinh(x0 / ray.foot.h);
-    this->To = this->Straight ? t1 : std::asinh(x1 / ray.foot.h);
+      t1 - t0 < 1e-4 * std::max(std::abs(x0), ray.foot.h);
   }
 
-  glm::dvec3 Integrate() const
+  glm::dvec3 Integrate()
   {
-    const int panels =
-      this->Straight ? 4 : static_cast<int>((this->To - this->From) / 1.5) + 1;
-    const auto end = [&](int i) { return this->From + (this->To - this->From) * i / panels; };
-    std::vector<glm::dvec3> rough(panels);
-    glm::dvec3 total(0.0);
-    for (int i = 0; i < panels; ++i)
+    const std::vector<double> ends = this->ChooseEnds();
+    std::vector<glm::dvec3> rough(ends.size());
+    for (size_t i = 1; i < ends.size(); ++i)
     {
-      rough[i] = this->Panel(end(i), end(i + 1));
-      total += rough[i];
+      rough[i] = this->Panel(ends[i - 1], ends[i]);
+      this->Total += rough[i];
     }
-    const double scale = std::max({ total.x, total.y, total.z });
     glm::dvec3 sum(0.0);
-    for (int i = 0; i < panels; ++i)
+    for (size_t i = 1; i < ends.size(); ++i)
     {
-      sum += this->Refine(end(i), end(i + 1), rough[i], scale, MaximumDepth);
+      sum += this->Refine(ends[i - 1], ends[i], rough[i], MaximumDepth);
     }
     return sum;
   }
 
 private:
-  static constexpr int MaximumDepth = 24;
+  static constexpr int MaximumDepth = 40;
+
+  // The variable of the quadrature: v of x = h sinh v, or t itself.
+  double Variable(double t) const
+  {
+    const double x = t - this->Ray.range.x - this->Ray.foot.tL;
+    return this->Straight ? t : std::asinh(x / this->Ray.foot.h);
+  }
+
+  std::vector<double> ChooseEnds() const
+  {
+    const double from = this->Variable(this->T0);
+    const double to = this->Variable(this->T1);
+    const int panels =
+      this->Straight ? 4 : static_cast<int>(std::min((to - from) / 1.5, 1000.0)) + 1;
+    std::vector<double> ends;
+    for (int i = 0; i <= panels; ++i)
+    {
+      ends.push_back(from + (to - from) * i / panels);
+    }
+    // Dense media let light in only near their surface: smaller panels towards both ends.
+    for (double part = 0.1; part > 1e-9; part *= 0.1)
+    {
+      const double step = part * (this->T1 - this->T0);
+      ends.push_back(std::clamp(this->Variable(this->T0 + step), from, to));
+      ends.push_back(std::clamp(this->Variable(this->T1 - step), from, to));
+    }
+    std::sort(ends.begin(), ends.end());
+    return ends;
+  }
 
   glm::dvec3 Panel(double from, double to) const
   {
@@ -126,28 +150,32 @@ private:
       : f64::airlightPointPanel(this->Media, this->Light, this->Ray, from, to);
   }
 
-  glm::dvec3 Refine(
-    double from, double to, const glm::dvec3& whole, double scale, int depth) const
+  glm::dvec3 Refine(double from, double to, const glm::dvec3& whole, int depth)
   {
     const double middle = 0.5 * (from + to);
     const glm::dvec3 low = this->Panel(from, middle);
     const glm::dvec3 high = this->Panel(middle, to);
-    const glm::dvec3 error = glm::abs(low + high - whole);
-    // Written so that NaN ends it, too.
-    if (depth == 0 || !(std::max({ error.x, error.y, error.z }) > 1e-12 * scale))
+    const glm::dvec3 change = low + high - whole;
+    this->Total += change;
+    // Written so that NaN ends it, too. The last term is far below anything that counts.
+    if (depth == 0 ||
+      !glm::any(glm::greaterThan(glm::abs(change), 1e-12 * this->Total + 1e-290)))
     {
       return low + high;
     }
-    return this->Refine(from, middle, low, scale, depth - 1) +
-      this->Refine(middle, to, high, scale, depth - 1);
+    return this->Refine(from, middle, low, depth - 1) +
+      this->Refine(middle, to, high, depth - 1);
   }
 
   const f64::AirlightMedia& Media;
   const f64::AirlightLight& Light;
   const f64::AirlightRay& Ray;
+  double T0;
+  double T1;
   bool Straight;
-  double From;
-  double To;
+  // The best estimate so far: the first one may have missed a narrow peak by orders of magnitude,
+  // and a tolerance taken from it would never be reached.
+  glm::dvec3 Total{ 0.0 };
 };
 
 glm::dvec3 AdaptiveQuadrature(const f64::AirlightMedia& media, const f64::AirlightLight& light,

@@ -29,6 +29,20 @@ AIRLIGHT_FN real airlightPhase(AIRLIGHT_IN(AirlightPhase) phase, real cosTheta)
   return p;
 }
 
+// How much larger the poles' terms are than their sum, far from and near the direction of s = 0:
+// what rounding is amplified by. 1 for a single pole.
+AIRLIGHT_FN real airlightPhaseCancellation(AIRLIGHT_IN(AirlightPhase) phase)
+{
+  real4 sum = real4(real(0.0));
+  for (int k = 0; k < AIRLIGHT_POLE_COUNT; k++)
+  {
+    real c = phase.pole[k].y;
+    real c0 = c / (phase.pole[k].x * phase.pole[k].x);
+    sum += real4(c, abs(c), c0, abs(c0));
+  }
+  return max(sum.y / sum.x, sum.w / sum.z);
+}
+
 // sum_k c_k g(x, b_k y): the phase function's share of the scattering integral, see
 // AirlightPointLight.glsl.
 AIRLIGHT_FN real airlightPhaseG(AIRLIGHT_IN(AirlightPhase) phase, real x, real y)

@@ -8,15 +8,24 @@
 //
 //   tail(t) = integral_t^inf = 2 sigmaT exp(-sigmaT (t + r)) sum_k c_k g(u s, b_k u)
 
-// Below this fraction of the tail an interval counts as short: there the difference of two tails
-// loses too many digits, and the quadrature of few nodes that replaces it is exact enough.
+// Wider angles take more nodes in the quadrature of short intervals.
 #ifdef AIRLIGHT_DOUBLE
-#define AIRLIGHT_SHORT_FRACTION 1e-3
 #define AIRLIGHT_WIDE_TURN 0.1
 #else
-#define AIRLIGHT_SHORT_FRACTION 0.15
 #define AIRLIGHT_WIDE_TURN 0.5
 #endif
+
+// Below this fraction of the tail an interval counts as short: there the difference of two tails
+// loses too many digits, and the quadrature of few nodes that replaces it is exact enough. In
+// single precision the digits lost depend on how much the phase function's poles cancel.
+AIRLIGHT_FN real airlightShortFraction(AIRLIGHT_IN(AirlightPhase) phase)
+{
+#ifdef AIRLIGHT_DOUBLE
+  return real(1e-3);
+#else
+  return clamp(real(0.02) * airlightPhaseCancellation(phase), real(0.02), real(0.6));
+#endif
+}
 
 struct AirlightFoot
 {
@@ -78,7 +87,7 @@ AIRLIGHT_FN real airlightSegmentFromTails(AIRLIGHT_IN(AirlightPhase) phase, real
   AIRLIGHT_IN(AirlightFoot) foot, real t0, real tail0, real t1, real tail1)
 {
   real difference = tail0 - tail1;
-  if (difference > real(AIRLIGHT_SHORT_FRACTION) * tail0)
+  if (difference > airlightShortFraction(phase) * tail0)
   {
     return difference;
   }

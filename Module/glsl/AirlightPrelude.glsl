@@ -2,6 +2,7 @@
 #define real float
 #define real2 vec2
 #define real3 vec3
+#define real4 vec4
 #define AIRLIGHT_FN
 #define AIRLIGHT_OUT(T) out T
 #define AIRLIGHT_IN(T) T

@@ -221,12 +221,6 @@ void TestBadLights(vtkParticipatingMedium* medium)
     one.second(light);
     CheckRefused(one.first, light, [&](double* rgb) { return a.Inscatter(medium, light, rgb); });
   }
-  vtkNew<vtkLight> sun;
-  sun->PositionalOff();
-  medium->SetRegionToBox();
-  CheckRefused(
-    "directional light in a box", sun, [&](double* rgb) { return a.Inscatter(medium, sun, rgb); });
-  medium->SetRegionToUnbounded();
 }
 
 //------------------------------------------------------------------------------
