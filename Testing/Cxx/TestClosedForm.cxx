@@ -215,8 +215,8 @@ void CompareSum(const Setting& s, Random& random, Comparison& comparison)
   const double whole = f64::airlightSegment(Isotropic(), s.SigmaT, foot, s.T0, s.T1);
   if (whole > Underflow)
   {
-    comparison.Add(std::abs(sum - whole) / whole, 2e-9,
-      [&] { return Text(s.Describe(), ", middle ", middle); });
+    comparison.Add(
+      std::abs(sum - whole) / whole, 2e-9, [&] { return Text(s.Describe(), ", middle ", middle); });
   }
 }
 
