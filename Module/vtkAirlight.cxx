@@ -90,8 +90,8 @@ public:
     , T1(t1)
   {
     const double x0 = t0 - ray.range.x - ray.foot.tL;
-    this->Straight = f64::airlightIsDirectional(light) ||
-      t1 - t0 < 1e-4 * std::max(std::abs(x0), ray.foot.h);
+    this->Straight =
+      f64::airlightIsDirectional(light) || t1 - t0 < 1e-4 * std::max(std::abs(x0), ray.foot.h);
   }
 
   glm::dvec3 Integrate()
@@ -158,13 +158,11 @@ private:
     const glm::dvec3 change = low + high - whole;
     this->Total += change;
     // Written so that NaN ends it, too. The last term is far below anything that counts.
-    if (depth == 0 ||
-      !glm::any(glm::greaterThan(glm::abs(change), 1e-12 * this->Total + 1e-290)))
+    if (depth == 0 || !glm::any(glm::greaterThan(glm::abs(change), 1e-12 * this->Total + 1e-290)))
     {
       return low + high;
     }
-    return this->Refine(from, middle, low, depth - 1) +
-      this->Refine(middle, to, high, depth - 1);
+    return this->Refine(from, middle, low, depth - 1) + this->Refine(middle, to, high, depth - 1);
   }
 
   const f64::AirlightMedia& Media;
@@ -201,8 +199,7 @@ glm::dvec3 Integrate(const f64::AirlightMedia& media, f64::AirlightLight light,
   const double distance = glm::length(light.position);
   light.radius = distance > 0.0 ? 1e-12 * distance : 1e-12 * std::min(t1, 1.0);
   light.radius = std::max(light.radius, 1e-100);
-  const f64::AirlightRay ray =
-    f64::airlightRay(media, light, glm::dvec3(0.0), direction, t1);
+  const f64::AirlightRay ray = f64::airlightRay(media, light, glm::dvec3(0.0), direction, t1);
   const double from = std::max(t0, ray.lit.x);
   const double to = std::min(t1, ray.lit.y);
   if (!(to > from))
@@ -214,8 +211,7 @@ glm::dvec3 Integrate(const f64::AirlightMedia& media, f64::AirlightLight light,
     return light.intensity * AdaptiveQuadrature(media, light, ray, from, to);
   }
   return f64::airlightInterval3(media, light, ray, from,
-    f64::airlightTail3(media, light, ray, from), to,
-    f64::airlightTail3(media, light, ray, to));
+    f64::airlightTail3(media, light, ray, from), to, f64::airlightTail3(media, light, ray, to));
 }
 
 // Channels without scattering are exactly dark, whatever the limits of their integrals.

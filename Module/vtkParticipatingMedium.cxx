@@ -373,8 +373,7 @@ void vtkParticipatingMedium::SetDensity(int type)
 {
   if (type != UNIFORM && type != EXPONENTIAL_HEIGHT)
   {
-    vtkErrorMacro(<< "Density " << type
-                  << " is not a density: use UNIFORM or EXPONENTIAL_HEIGHT.");
+    vtkErrorMacro(<< "Density " << type << " is not a density: use UNIFORM or EXPONENTIAL_HEIGHT.");
     return;
   }
   if (this->Density != type)
@@ -406,10 +405,7 @@ void vtkParticipatingMedium::SetUp(double x, double y, double z)
   this->SetVector("Up", this->Up, x / length, y / length, z / length);
 }
 
-void vtkParticipatingMedium::SetUp(const double up[3])
-{
-  this->SetUp(up[0], up[1], up[2]);
-}
+void vtkParticipatingMedium::SetUp(const double up[3]) { this->SetUp(up[0], up[1], up[2]); }
 
 //------------------------------------------------------------------------------
 void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)

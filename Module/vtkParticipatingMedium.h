@@ -273,8 +273,7 @@ private:
 
   bool SetCoefficients(const char* name, double target[3], double r, double g, double b);
   bool SetVector(const char* name, double target[3], double x, double y, double z);
-  bool SetNumber(
-    const char* name, double& target, double value, bool accepted, const char* range);
+  bool SetNumber(const char* name, double& target, double value, bool accepted, const char* range);
   void ScaleExtinction(double meanExtinction);
   void UpdatePhaseFit();
 

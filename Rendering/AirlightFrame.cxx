@@ -248,7 +248,8 @@ bool Frame::ReadyComposite(bool record, int x, int y)
 {
   const std::string source = std::string("#version 330\n") +
     (record ? "#define AIRLIGHT_RECORD\n" : "") +
-    GetScatteringSource(this->Media, AIRLIGHT_POINT_CLOSED) + AirlightViewShader + AirlightCompositeFS;
+    GetScatteringSource(this->Media, AIRLIGHT_POINT_CLOSED) + AirlightViewShader +
+    AirlightCompositeFS;
   Quad& quad = record ? this->RecordQuad : this->CompositeQuad;
   vtkShaderProgram* program = quad.Ready(this->Window, source);
   if (!program)

@@ -50,9 +50,8 @@ class Frame
 {
 public:
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
-  bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
-    const std::vector<Lamp>& lamps, const View& view, const FrameSettings& settings, int width,
-    int height);
+  bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps,
+    const View& view, const FrameSettings& settings, int width, int height);
 
   // Step 1: binds the target that the opaque geometry is to be drawn into, cleared.
   bool BindDistances();

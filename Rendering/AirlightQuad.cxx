@@ -69,10 +69,9 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind)
   return std::string(AirlightPrelude) + Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) +
     Define("AIRLIGHT_MAX_MEDIA", media.count) + Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
     (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) : "") +
-    (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") +
-    AirlightExponentialIntegral + AirlightGauss + AirlightPhase + AirlightPointLight +
-    AirlightRegion + AirlightMedium + AirlightMedia + AirlightLight + AirlightQuadrature +
-    AirlightScattering;
+    (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") + AirlightExponentialIntegral +
+    AirlightGauss + AirlightPhase + AirlightPointLight + AirlightRegion + AirlightMedium +
+    AirlightMedia + AirlightLight + AirlightQuadrature + AirlightScattering;
 }
 
 //------------------------------------------------------------------------------

@@ -42,8 +42,7 @@ bool MayLeaveEarly(const std::string& commented)
 }
 
 //------------------------------------------------------------------------------
-void InjectSurfaceShader(
-  std::string& fragmentShader, int lampCount, const std::string& mathematics)
+void InjectSurfaceShader(std::string& fragmentShader, int lampCount, const std::string& mathematics)
 {
   const size_t mainStart = fragmentShader.find("void main");
   const size_t bodyStart = fragmentShader.find('{', mainStart);
@@ -96,9 +95,9 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   std::vector<glm::vec4> lamps;
   for (const Lamp& lamp : *values.Lamps)
   {
-    const float kind = !lamp.Scatters()          ? -1.0f
+    const float kind = !lamp.Scatters()         ? -1.0f
       : f64::airlightIsDirectional(lamp.Values) ? 0.0f
-                                                 : 1.0f;
+                                                : 1.0f;
     lamps.emplace_back(glm::vec3(lamp.Values.position), kind);
   }
   if (!lamps.empty())

@@ -66,8 +66,9 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool
   this->Depth->Resize(width, height);
   if (record)
   {
-    ok = ok && this->Allocate(this->Single, 4) && this->Allocate(this->Radiance, 4) && this->Allocate(this->Airlight, 4) &&
-      this->Allocate(this->Surface, 4) && this->Allocate(this->Transmittance, 4);
+    ok = ok && this->Allocate(this->Single, 4) && this->Allocate(this->Radiance, 4) &&
+      this->Allocate(this->Airlight, 4) && this->Allocate(this->Surface, 4) &&
+      this->Allocate(this->Transmittance, 4);
   }
   this->Error = ok ? "" : "the graphics card refused a floating-point texture";
   return ok;
@@ -149,9 +150,10 @@ vtkSmartPointer<vtkImageData> Targets::Read(
 //------------------------------------------------------------------------------
 void Targets::Release(vtkWindow* window)
 {
-  for (vtkTextureObject* texture : { this->Distances.Get(), this->Depth.Get(), this->Scene.Get(),
-         this->Scattered.Get(), this->Lit.Get(), this->Counts.Get(), this->Single.Get(), this->Radiance.Get(),
-         this->Airlight.Get(), this->Surface.Get(), this->Transmittance.Get() })
+  for (vtkTextureObject* texture :
+    { this->Distances.Get(), this->Depth.Get(), this->Scene.Get(), this->Scattered.Get(),
+      this->Lit.Get(), this->Counts.Get(), this->Single.Get(), this->Radiance.Get(),
+      this->Airlight.Get(), this->Surface.Get(), this->Transmittance.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

@@ -169,8 +169,7 @@ int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
 
 //------------------------------------------------------------------------------
 // The text added to the mappers' shaders depends on the numbers of lights and media.
-void vtkAirlightPass::Internals::UpdateSurfaceShader(
-  const f64::AirlightMedia& media, int lampCount)
+void vtkAirlightPass::Internals::UpdateSurfaceShader(const f64::AirlightMedia& media, int lampCount)
 {
   const std::string source = GetScatteringSource(media, AIRLIGHT_POINT_CLOSED);
   if (lampCount > this->LampCapacity || source != this->SurfaceSource)
@@ -442,8 +441,7 @@ void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
 bool vtkAirlightPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  InjectSurfaceShader(
-    fragmentShader, this->Impl->LampCapacity, this->Impl->SurfaceSource);
+  InjectSurfaceShader(fragmentShader, this->Impl->LampCapacity, this->Impl->SurfaceSource);
   return true;
 }
 

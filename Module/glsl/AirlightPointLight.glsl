@@ -16,14 +16,14 @@
 #endif
 
 // Below this fraction of the tail an interval counts as short: there the difference of two tails
-// loses too many digits, and the quadrature of few nodes that replaces it is exact enough. In
-// single precision the digits lost depend on how much the phase function's poles cancel.
+// loses too many digits, and the quadrature of few nodes that replaces it is exact enough. The
+// digits lost depend on how much the phase function's poles cancel, the least on the exponential.
 AIRLIGHT_FN real airlightShortFraction(AIRLIGHT_IN(AirlightPhase) phase)
 {
 #ifdef AIRLIGHT_DOUBLE
-  return real(1e-3);
+  return clamp(real(1e-4) * airlightPhaseCancellation(phase), real(1e-3), real(1e-2));
 #else
-  return clamp(real(0.02) * airlightPhaseCancellation(phase), real(0.02), real(0.6));
+  return clamp(real(0.02) * airlightPhaseCancellation(phase), real(0.1), real(0.5));
 #endif
 }
 

@@ -22,6 +22,7 @@ class TestReferenceScenes(ProgramTest):
     MEDIAN = 5e-4
     P99 = 5e-3
     BIAS = 5e-4
+    LEAK = 1e-4
 
     def judge(self, image, name, part, mask):
         scores = metrics(image, read_pfm(reference_file(name, part)), mask)
@@ -30,6 +31,9 @@ class TestReferenceScenes(ProgramTest):
             self.assertLessEqual(scores["median"], self.MEDIAN, scores)
             self.assertLessEqual(scores["p99"], self.P99, scores)
             self.assertLessEqual(abs(scores["bias"]), self.BIAS, scores)
+            # No light leaks into pixels that must be black.
+            bright = np.percentile(read_pfm(reference_file(name, part)), 99)
+            self.assertLessEqual(scores["dark_max_abs"], max(self.LEAK * bright, 1e-9), scores)
 
     def judge_distances(self, name, mask):
         """Depth, and transmittance, which follows it.
@@ -70,6 +74,12 @@ class TestReferenceScenes(ProgramTest):
 
     def test_shadows(self):
         self.check("S3_ground_occluders", ["mask", "shadowmask"])
+
+    def test_spot(self):
+        self.check("S5_spot_slats", ["mask", "shadowmask"])
+
+    def test_sun(self):
+        self.check("S6_sun_window", ["mask", "shadowmask"])
 
     def test_options_build_the_same_scene(self):
         """Everything that S2 says, said on the command line over a scene that says otherwise."""
