@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlight.h"
 
+#include "AirlightAdaptive.h"
 #include "AirlightConvert.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 using namespace airlight;
 
@@ -73,120 +73,6 @@ bool CheckRay(vtkParticipatingMedium* medium, const double origin[3], const doub
     return false;
   }
   return true;
-}
-
-// One piece of the quadrature, between ends of media. Panels are halved until two halves agree with
-// the whole: samples that see kinks (a way to the light that leaves a region through another face)
-// converge that way, too.
-class AdaptivePiece
-{
-public:
-  AdaptivePiece(const f64::AirlightMedia& media, const f64::AirlightLight& light,
-    const f64::AirlightRay& ray, double t0, double t1)
-    : Media(media)
-    , Light(light)
-    , Ray(ray)
-    , T0(t0)
-    , T1(t1)
-  {
-    const double x0 = t0 - ray.range.x - ray.foot.tL;
-    this->Straight =
-      f64::airlightIsDirectional(light) || t1 - t0 < 1e-4 * std::max(std::abs(x0), ray.foot.h);
-  }
-
-  glm::dvec3 Integrate()
-  {
-    const std::vector<double> ends = this->ChooseEnds();
-    std::vector<glm::dvec3> rough(ends.size());
-    for (size_t i = 1; i < ends.size(); ++i)
-    {
-      rough[i] = this->Panel(ends[i - 1], ends[i]);
-      this->Total += rough[i];
-    }
-    glm::dvec3 sum(0.0);
-    for (size_t i = 1; i < ends.size(); ++i)
-    {
-      sum += this->Refine(ends[i - 1], ends[i], rough[i], MaximumDepth);
-    }
-    return sum;
-  }
-
-private:
-  static constexpr int MaximumDepth = 40;
-
-  // The variable of the quadrature: v of x = h sinh v, or t itself.
-  double Variable(double t) const
-  {
-    const double x = t - this->Ray.range.x - this->Ray.foot.tL;
-    return this->Straight ? t : std::asinh(x / this->Ray.foot.h);
-  }
-
-  std::vector<double> ChooseEnds() const
-  {
-    const double from = this->Variable(this->T0);
-    const double to = this->Variable(this->T1);
-    const int panels =
-      this->Straight ? 4 : static_cast<int>(std::min((to - from) / 1.5, 1000.0)) + 1;
-    std::vector<double> ends;
-    for (int i = 0; i <= panels; ++i)
-    {
-      ends.push_back(from + (to - from) * i / panels);
-    }
-    // Dense media let light in only near their surface: smaller panels towards both ends.
-    for (double part = 0.1; part > 1e-9; part *= 0.1)
-    {
-      const double step = part * (this->T1 - this->T0);
-      ends.push_back(std::clamp(this->Variable(this->T0 + step), from, to));
-      ends.push_back(std::clamp(this->Variable(this->T1 - step), from, to));
-    }
-    std::sort(ends.begin(), ends.end());
-    return ends;
-  }
-
-  glm::dvec3 Panel(double from, double to) const
-  {
-    return this->Straight
-      ? f64::airlightStraightPanel(this->Media, this->Light, this->Ray, from, to)
-      : f64::airlightPointPanel(this->Media, this->Light, this->Ray, from, to);
-  }
-
-  glm::dvec3 Refine(double from, double to, const glm::dvec3& whole, int depth)
-  {
-    const double middle = 0.5 * (from + to);
-    const glm::dvec3 low = this->Panel(from, middle);
-    const glm::dvec3 high = this->Panel(middle, to);
-    const glm::dvec3 change = low + high - whole;
-    this->Total += change;
-    // Written so that NaN ends it, too. The last term is far below anything that counts.
-    if (depth == 0 || !glm::any(glm::greaterThan(glm::abs(change), 1e-12 * this->Total + 1e-290)))
-    {
-      return low + high;
-    }
-    return this->Refine(from, middle, low, depth - 1) + this->Refine(middle, to, high, depth - 1);
-  }
-
-  const f64::AirlightMedia& Media;
-  const f64::AirlightLight& Light;
-  const f64::AirlightRay& Ray;
-  double T0;
-  double T1;
-  bool Straight;
-  // The best estimate so far: the first one may have missed a narrow peak by orders of magnitude,
-  // and a tolerance taken from it would never be reached.
-  glm::dvec3 Total{ 0.0 };
-};
-
-glm::dvec3 AdaptiveQuadrature(const f64::AirlightMedia& media, const f64::AirlightLight& light,
-  const f64::AirlightRay& ray, double t0, double t1)
-{
-  glm::dvec3 sum(0.0);
-  for (int i = 0; i <= 2 * media.count && t0 < t1; ++i)
-  {
-    const glm::dvec2 piece = f64::airlightNextPiece(media, ray, t0, t1);
-    sum += AdaptivePiece(media, light, ray, t0, piece.y).Integrate();
-    t0 = piece.x;
-  }
-  return sum;
 }
 
 // Airlight on [t0, t1]. All positions are relative to the ray's origin.

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAirlightPassInternals.h"
+
+#include "AirlightOpenGL.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cstdint>
+
+using namespace airlight;
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkAirlightPass::Internals::GetDelegate()
+{
+  if (this->Self->DelegatePass)
+  {
+    return this->Self->DelegatePass;
+  }
+  this->CameraPass->SetDelegatePass(this->ScenePass);
+  return this->CameraPass;
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::RenderPlain(const vtkRenderState* s)
+{
+  vtkRenderPass* delegate = this->GetDelegate();
+  delegate->Render(s);
+  this->Self->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::WarnOnce(bool& warned, const std::string& text)
+{
+  if (!warned)
+  {
+    warned = true;
+    vtkWarningWithObjectMacro(this->Self, << text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::CheckMedia()
+{
+  if (this->Media.size() > AIRLIGHT_MAX_MEDIA && !this->WarnedMedia)
+  {
+    this->WarnedMedia = true;
+    vtkErrorWithObjectMacro(this->Self,
+      "There are " << this->Media.size() << " media and at most " << AIRLIGHT_MAX_MEDIA
+                   << " are drawn: the first ones are. Call RemoveMedium() for those not needed.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
+{
+  for (const Lamp& lamp : lamps)
+  {
+    if (lamp.Support == LightSupport::Invalid)
+    {
+      this->WarnOnce(this->WarnedLights,
+        "A light is left out of the medium: its position, colour and attenuation must be finite, "
+        "its attenuation at least 0 with one term above 0, its exponent at least 0, and the focal "
+        "point of a spot or a directional light apart from its position.");
+    }
+  }
+  if (static_cast<int>(lamps.size()) > MaximumShadowingLights)
+  {
+    this->WarnOnce(this->WarnedLightCount,
+      "There are " + std::to_string(lamps.size()) + " lights; those after the first " +
+        std::to_string(MaximumShadowingLights) + " cast no shadows on surfaces.");
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
+{
+  if (this->Self->ShadowTechnique == NONE)
+  {
+    return NONE;
+  }
+  if (ShadowLists::IsSupported(window))
+  {
+    return SHADOW_PLANES;
+  }
+  const std::string text =
+    "Shadow planes need OpenGL 4.3 with storage buffers, which this window lacks: the picture has "
+    "airlight and no shadows. Update the graphics driver, or call SetShadowTechniqueToNone().";
+  if (this->Self->ShadowTechnique == SHADOW_PLANES && !this->WarnedOpenGL)
+  {
+    this->WarnedOpenGL = true;
+    vtkErrorWithObjectMacro(this->Self, << text);
+  }
+  this->WarnOnce(this->WarnedOpenGL, text);
+  return NONE;
+}
+
+//------------------------------------------------------------------------------
+// The text added to the mappers' shaders depends on the numbers of lights and media.
+void vtkAirlightPass::Internals::UpdateSurfaceShader(const f64::AirlightMedia& media, int lampCount)
+{
+  const std::string source = GetScatteringSource(media, AIRLIGHT_POINT_CLOSED);
+  if (lampCount > this->LampCapacity || source != this->SurfaceSource)
+  {
+    this->LampCapacity = std::max(this->LampCapacity, 2 * lampCount);
+    this->SurfaceSource = source;
+    this->ShaderTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::RenderFrame(
+  const vtkRenderState* s, int x, int y, int width, int height)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  renderer->GetActiveCamera(); // makes one where there is none
+  this->ScenePass->PrepareLights(renderer);
+
+  const View view(renderer, width, height);
+  if (!view.IsValid())
+  {
+    this->Error = "the camera's matrices are not finite or cannot be inverted";
+    return false;
+  }
+  std::vector<vtkParticipatingMedium*> media(this->Media.begin(), this->Media.end());
+  if (media.empty())
+  {
+    media.push_back(this->Vacuum);
+  }
+  const f64::AirlightMedia converted = ConvertMedia(media, view.GetEye());
+  const std::vector<Lamp> lamps = CollectLamps(renderer, converted, view, this->Self->LightRadius);
+  this->CheckLamps(lamps);
+  this->UpdateSurfaceShader(converted, static_cast<int>(lamps.size()));
+
+  this->EffectiveTechnique = this->ChooseTechnique(window);
+  FrameSettings settings;
+  settings.Shadows = this->EffectiveTechnique == SHADOW_PLANES;
+  settings.SurfaceShadows = this->Self->SurfaceShadows;
+  settings.Record = this->Self->RecordBuffers;
+  settings.LightRadius = this->Self->LightRadius;
+  settings.MemoryLimit = static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20;
+
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport viewportSaver(state);
+  vtkOpenGLState::ScopedglScissor scissorSaver(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTestSaver(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable depthSaver(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
+  state->PushFramebufferBindings();
+  const bool ok =
+    this->CurrentFrame.Begin(renderer, converted, lamps, view, settings, width, height) &&
+    this->RenderSteps(s);
+  state->PopFramebufferBindings();
+  if (!ok)
+  {
+    this->Error = this->CurrentFrame.GetError();
+    return false;
+  }
+  if (!this->CurrentFrame.Composite(
+        x, y, renderer->GetPreserveColorBuffer() || renderer->Transparent()))
+  {
+    this->Error = this->CurrentFrame.GetError();
+    return false;
+  }
+  // Annotations were drawn with the scene and fogged; drawn again they are not.
+  this->OverlayPass->Render(s);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The steps inside the pass's own framebuffer.
+bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
+{
+  vtkRenderState inner(s->GetRenderer());
+  inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
+  inner.SetFrameBuffer(this->CurrentFrame.GetFramebuffer());
+
+  vtkTextureObject* lit = this->CurrentFrame.GetSurfaceUniforms(SurfaceStage::Colour).Lit;
+  this->Self->PreRender(s);
+  lit->Activate();
+  this->Stage = SurfaceStage::Distance;
+  bool ok = this->CurrentFrame.BindDistances();
+  if (ok)
+  {
+    this->OpaquePass->Render(&inner);
+  }
+  lit->Deactivate();
+  ok = ok && this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
+  this->Stage = SurfaceStage::Colour;
+  if (ok)
+  {
+    lit->Activate();
+    vtkRenderPass* delegate = this->GetDelegate();
+    delegate->Render(&inner);
+    this->Self->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
+    lit->Deactivate();
+  }
+  this->Self->PostRender(s);
+  return ok && (!this->Self->RecordBuffers || this->CurrentFrame.Record());
+}

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What vtkAirlightPass keeps from frame to frame, and how it draws one.
+ */
+
+#ifndef vtkAirlightPassInternals_h
+#define vtkAirlightPassInternals_h
+
+#include "AirlightFrame.h"
+#include "AirlightScenePass.h"
+#include "vtkAirlightPass.h"
+
+#include "vtkCameraPass.h"
+#include "vtkNew.h"
+#include "vtkOpaquePass.h"
+#include "vtkOverlayPass.h"
+#include "vtkParticipatingMedium.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
+
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkRenderPass;
+class vtkRenderState;
+
+class vtkAirlightPass::Internals
+{
+public:
+  explicit Internals(vtkAirlightPass* self)
+    : Self(self)
+  {
+  }
+
+  // Draws the scene as if the pass were not there.
+  void RenderPlain(const vtkRenderState* s);
+
+  // The whole frame. False with a reason in Error where it could not be done.
+  bool RenderFrame(const vtkRenderState* s, int x, int y, int width, int height);
+
+  void WarnOnce(bool& warned, const std::string& text);
+  void CheckMedia();
+  void CheckLamps(const std::vector<airlight::Lamp>& lamps);
+  int ChooseTechnique(vtkOpenGLRenderWindow* window);
+
+  vtkAirlightPass* Self;
+  std::vector<vtkSmartPointer<vtkParticipatingMedium>> Media;
+  airlight::Frame CurrentFrame;
+  airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
+  int EffectiveTechnique = NONE;
+  int LampCapacity = 4; // array size in the mappers' shaders
+  std::string SurfaceSource;
+  vtkTimeStamp ShaderTime;
+  std::string Error;
+
+  vtkNew<AirlightScenePass> ScenePass;
+  vtkNew<vtkCameraPass> CameraPass;
+  vtkNew<vtkOpaquePass> OpaquePass;
+  vtkNew<vtkOverlayPass> OverlayPass;
+  vtkNew<vtkParticipatingMedium> Vacuum;
+
+  bool WarnedOpenGL = false;
+  bool WarnedMedia = false;
+  bool WarnedLights = false;
+  bool WarnedLightCount = false;
+  std::string ReportedError;
+
+private:
+  bool RenderSteps(const vtkRenderState* s);
+  void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media, int lampCount);
+  vtkRenderPass* GetDelegate();
+};
+
+#endif
