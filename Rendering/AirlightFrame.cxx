@@ -218,6 +218,14 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
   this->Rays->SetUniforms(program, 0, 0);
   SetMediaUniforms(program, "media", this->Media);
   SetLightUniforms(program, this->Lamps[index].Values);
+  if (f64::airlightIsDirectional(this->Lamps[index].Values))
+  {
+    program->SetUniformi("lightHasPixel", 0);
+  }
+  else
+  {
+    this->Rays->SetFootUniforms(program, this->Lamps[index].Values.position);
+  }
   program->SetUniformi("startCount", shadows ? this->Volumes[index].GetStartCount() : 0);
   glm::vec4 bit(0.0f);
   if (index < MaximumShadowingLights)

@@ -73,13 +73,13 @@ View::View(vtkRenderer* renderer, int width, int height)
   };
   const glm::dmat3 axes(viewToWorld);
   const glm::dvec3 corner = viewPoint(0.0, 0.0);
-  const glm::dvec3 affine[3] = { axes * corner,
-    axes * (viewPoint(width, 0.0) - corner) / static_cast<double>(width),
-    axes * (viewPoint(0.0, height) - corner) / static_cast<double>(height) };
+  this->Affine[0] = axes * corner;
+  this->Affine[1] = axes * (viewPoint(width, 0.0) - corner) / static_cast<double>(width);
+  this->Affine[2] = axes * (viewPoint(0.0, height) - corner) / static_cast<double>(height);
   for (int i = 0; i < 3; ++i)
   {
-    this->RayOrigin[i] = this->Parallel ? glm::vec3(affine[i]) : glm::vec3(0.0f);
-    this->RayDirection[i] = this->Parallel ? glm::vec3(0.0f) : glm::vec3(affine[i]);
+    this->RayOrigin[i] = this->Parallel ? glm::vec3(this->Affine[i]) : glm::vec3(0.0f);
+    this->RayDirection[i] = this->Parallel ? glm::vec3(0.0f) : glm::vec3(this->Affine[i]);
   }
   if (this->Parallel)
   {
@@ -112,5 +112,33 @@ void View::SetUniforms(vtkShaderProgram* program, int x, int y) const
   program->SetUniform3fv("airlightRayDirection", 3, &this->RayDirection[0].x);
   program->SetUniform2f("airlightDepthToDistance", depth);
   program->SetUniformi("airlightParallel", this->Parallel ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void View::SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position) const
+{
+  // In a perspective the light is a multiple of one pixel's direction; in parallel projection it is
+  // one pixel's origin plus a multiple of the common direction.
+  const glm::dvec3 along = this->Parallel ? this->Forward : position;
+  const glm::dmat3 basis(
+    this->Affine[1], this->Affine[2], this->Parallel ? this->Forward : this->Affine[0]);
+  const glm::dvec3 solution =
+    glm::inverse(basis) * (this->Parallel ? position - this->Affine[0] : position);
+  const glm::dvec2 pixel =
+    this->Parallel ? glm::dvec2(solution) : glm::dvec2(solution) / solution.z;
+  // A light far outside the view passes no ray closely.
+  const bool isNear = std::abs(pixel.x) < 1e5 && std::abs(pixel.y) < 1e5;
+  const glm::vec2 whole(glm::floor(pixel));
+  const glm::vec2 rest(pixel - glm::floor(pixel));
+  const glm::vec3 crossX(glm::cross(along, this->Affine[1]));
+  const glm::vec3 crossY(glm::cross(along, this->Affine[2]));
+  program->SetUniformi("lightHasPixel", isNear ? 1 : 0);
+  if (isNear)
+  {
+    program->SetUniform2f("lightPixel", &whole.x);
+    program->SetUniform2f("lightPixelRest", &rest.x);
+    program->SetUniform3f("lightPerX", &crossX.x);
+    program->SetUniform3f("lightPerY", &crossY.x);
+  }
 }
 }

@@ -35,6 +35,11 @@ public:
   // From positions relative to `origin` [world] to clip coordinates.
   glm::mat4 GetClipMatrix(const glm::dvec3& origin) const;
 
+  // For glsl/AirlightResolveFS.glsl: what the distance of a pixel's ray from a light at `position`
+  // [from the eye] is made of. It vanishes, linearly, at the light's own pixel, and is taken from
+  // there: as a cross product of long vectors it would be lost in single precision near the light.
+  void SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position) const;
+
   // For a target in which the viewport's lower left corner is at x, y.
   void SetUniforms(vtkShaderProgram* program, int x, int y) const;
 
@@ -46,6 +51,7 @@ private:
   double Near = 0.0;
   double Far = 0.0;
   glm::dmat4 WorldToClip{ 1.0 };
+  glm::dvec3 Affine[3]; // constant, per x, per y: the rays' directions; parallel: their origins
   glm::vec3 RayOrigin[3];
   glm::vec3 RayDirection[3];
 };

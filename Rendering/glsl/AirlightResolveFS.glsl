@@ -7,10 +7,25 @@ uniform sampler2D distances;
 uniform int startCount; // shadow volumes that hold the ray's start
 uniform vec4 litBit;    // what to add where the surface is lit
 
+// The light's own pixel, its whole part and the rest, and what the distance between light and ray
+// grows by per pixel away from it.
+uniform int lightHasPixel;
+uniform vec2 lightPixel;
+uniform vec2 lightPixelRest;
+uniform vec3 lightPerX;
+uniform vec3 lightPerY;
+
 layout(location = 0) out vec4 airlight; // radiance; lit length
 layout(location = 1) out vec4 lit;
 layout(location = 2) out vec4 boundaryCount;
 layout(location = 3) out vec4 single; // this light's own
+
+float lightDistance(vec2 p)
+{
+  vec2 q = (p - lightPixel) - lightPixelRest;
+  float l = length(q.x * lightPerX + q.y * lightPerY);
+  return airlightParallel != 0 ? l : l / length(airlightDirection(p));
+}
 
 void main()
 {
@@ -19,6 +34,11 @@ void main()
   float surface = texelFetch(distances, pixel, 0).r;
   AirlightRay ray = airlightRay(media, light, airlightOrigin(p),
     normalize(airlightDirection(p)), surface >= 0.0 ? surface : AIRLIGHT_FAR);
+
+  if (lightHasPixel != 0)
+  {
+    ray.foot.h = max(lightDistance(p), light.radius);
+  }
 
   float from = ray.lit.x;
   int shadows = startCount;
