@@ -28,6 +28,7 @@ using real = double;
 using real2 = glm::dvec2;
 using real3 = glm::dvec3;
 using real4 = glm::dvec4;
+using bool3 = glm::bvec3;
 using namespace glm;
 #define AIRLIGHT_DOUBLE
 #include "AirlightFunctions.inl"
@@ -40,6 +41,7 @@ using real = float;
 using real2 = glm::vec2;
 using real3 = glm::vec3;
 using real4 = glm::vec4;
+using bool3 = glm::bvec3;
 using namespace glm;
 #include "AirlightFunctions.inl"
 }

@@ -26,7 +26,7 @@ constexpr std::uint64_t NodeSize = 12;
 // Room for a few boundaries on each pixel of a usual window.
 constexpr std::uint64_t InitialCapacity = 1u << 21;
 // Lists up to this length are sorted where they are read.
-constexpr std::uint32_t ShortList = 24;
+constexpr std::uint32_t ShortList = 64;
 // Boundaries of a longer list that one draw reads.
 constexpr std::uint32_t Chunk = 128;
 // The heads begin with the counter of boundaries and the longest list's length.

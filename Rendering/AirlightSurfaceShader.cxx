@@ -20,7 +20,7 @@ namespace airlight
 namespace
 {
 // The prelude's words must not reach the mapper's own text.
-const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n";
+const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef bool3\n";
 
 std::string Declarations(int lampCount, const std::string& mathematics)
 {

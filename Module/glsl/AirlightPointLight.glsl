@@ -44,8 +44,9 @@ AIRLIGHT_FN real airlightTail(
     airlightPhaseG(phase, sigmaT * hs, sigmaT * foot.h);
 }
 
-// One sample of the quadrature below: the light turned by `angle` from the sample at x0 = t0 - tL.
-AIRLIGHT_FN real airlightTurnedSample(AIRLIGHT_IN(AirlightPhase) phase, real sigmaT,
+// One sample of the quadrature below, for each channel: the light turned by `angle` from the sample
+// at x0 = t0 - tL.
+AIRLIGHT_FN real3 airlightTurnedSample(AIRLIGHT_IN(AirlightPhase) phase, real3 sigmaT,
   AIRLIGHT_IN(AirlightFoot) foot, real x0, real r0, real angle)
 {
   real c = cos(angle);
@@ -59,7 +60,7 @@ AIRLIGHT_FN real airlightTurnedSample(AIRLIGHT_IN(AirlightPhase) phase, real sig
 // The integral over [t0, t1] by Gauss-Legendre quadrature in the angle seen from the light, where
 // the inverse square is a constant. For short intervals, in which the difference of two tails
 // would cancel.
-AIRLIGHT_FN real airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real sigmaT,
+AIRLIGHT_FN real3 airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real3 sigmaT,
   AIRLIGHT_IN(AirlightFoot) foot, real t0, real t1)
 {
   real x0 = t0 - foot.tL;
@@ -71,33 +72,41 @@ AIRLIGHT_FN real airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real sig
   // scattering), and its flank takes more nodes.
   int panels = turn > real(AIRLIGHT_WIDE_TURN) ? 4 : 1;
   real reach = real(0.5) * turn / real(panels);
-  real sum = real(0.0);
-  for (int i = 0; i < panels * AIRLIGHT_GAUSS_COUNT; i++)
+  real3 sum = real3(real(0.0));
+  for (int i = 0; i < panels; i++)
   {
-    real2 node = airlightGaussNode((i % AIRLIGHT_GAUSS_COUNT) / 2);
-    real middle = real(2 * (i / AIRLIGHT_GAUSS_COUNT) + 1) * reach;
-    real angle = middle + (i % 2 == 0 ? reach : -reach) * node.x;
-    sum += node.y * airlightTurnedSample(phase, sigmaT, foot, x0, r0, angle);
+    real middle = real(2 * i + 1) * reach;
+    // A loop of its own, of constant length: compilers unroll it and fold the nodes.
+    for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
+    {
+      real2 node = airlightGaussNode(k / 2);
+      real angle = middle + (k % 2 == 0 ? reach : -reach) * node.x;
+      sum += node.y * airlightTurnedSample(phase, sigmaT, foot, x0, r0, angle);
+    }
   }
-  return sum * reach / foot.h;
+  return sum * (reach / foot.h);
 }
 
-// The integral over [t0, t1] per unit sigmaS I, given the tails at its ends.
-AIRLIGHT_FN real airlightSegmentFromTails(AIRLIGHT_IN(AirlightPhase) phase, real sigmaT,
-  AIRLIGHT_IN(AirlightFoot) foot, real t0, real tail0, real t1, real tail1)
+// The integral over [t0, t1] per unit sigmaS I, given the tails at its ends, for each channel.
+AIRLIGHT_FN real3 airlightSegmentFromTails(AIRLIGHT_IN(AirlightPhase) phase, real3 sigmaT,
+  AIRLIGHT_IN(AirlightFoot) foot, real t0, real3 tail0, real t1, real3 tail1)
 {
-  real difference = tail0 - tail1;
-  if (difference > airlightShortFraction(phase) * tail0)
+  real3 result = tail0 - tail1;
+  real3 least = airlightShortFraction(phase) * tail0;
+  // Written so that differences that are not numbers count as short, too.
+  bool3 enough = greaterThan(result, least);
+  if (!all(enough))
   {
-    return difference;
+    result = mix(airlightShortSegment(phase, sigmaT, foot, t0, t1), result, enough);
   }
-  return airlightShortSegment(phase, sigmaT, foot, t0, t1);
+  return result;
 }
 
-// The integral over [t0, t1] per unit sigmaS I. t0 >= 0.
+// The integral over [t0, t1] per unit sigmaS I, for one channel. t0 >= 0.
 AIRLIGHT_FN real airlightSegment(AIRLIGHT_IN(AirlightPhase) phase, real sigmaT,
   AIRLIGHT_IN(AirlightFoot) foot, real t0, real t1)
 {
-  return airlightSegmentFromTails(phase, sigmaT, foot, t0,
-    airlightTail(phase, sigmaT, foot, t0), t1, airlightTail(phase, sigmaT, foot, t1));
+  return airlightSegmentFromTails(phase, real3(sigmaT), foot, t0,
+    real3(airlightTail(phase, sigmaT, foot, t0)), t1,
+    real3(airlightTail(phase, sigmaT, foot, t1))).x;
 }

@@ -22,24 +22,6 @@ AIRLIGHT_FN real3 airlightTail3(AIRLIGHT_IN(AirlightMedia) media,
     airlightTail(media.item[0].phase, media.item[0].sigmaT.z, ray.foot, x));
 }
 
-// The closed form's interval for each channel.
-AIRLIGHT_FN real3 airlightClosedInterval(AIRLIGHT_IN(AirlightMedium) medium,
-  AIRLIGHT_IN(AirlightRay) ray, real t0, real3 tail0, real t1, real3 tail1)
-{
-  real x0 = t0 - ray.range.x;
-  real x1 = t1 - ray.range.x;
-  real red = airlightSegmentFromTails(
-    medium.phase, medium.sigmaT.x, ray.foot, x0, tail0.x, x1, tail1.x);
-  if (airlightIsGrey(medium))
-  {
-    return real3(red);
-  }
-  return real3(red,
-    airlightSegmentFromTails(medium.phase, medium.sigmaT.y, ray.foot, x0, tail0.y, x1, tail1.y),
-    airlightSegmentFromTails(
-      medium.phase, medium.sigmaT.z, ray.foot, x0, tail0.z, x1, tail1.z));
-}
-
 // The light's way inside the box from a point of the ray, as a function of t: the least of three
 // straight lines, one for each pair of faces. Component i of the result: line i at t = 0, its
 // slope.
@@ -141,7 +123,8 @@ AIRLIGHT_FN real3 airlightInterval3(AIRLIGHT_IN(AirlightMedia) media,
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED)
   {
     integral = media.item[0].sigmaS *
-      airlightClosedInterval(media.item[0], ray, t0, tail0, t1, tail1);
+      airlightSegmentFromTails(media.item[0].phase, media.item[0].sigmaT, ray.foot,
+        t0 - ray.range.x, tail0, t1 - ray.range.x, tail1);
   }
   else if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_CLOSED)
   {
