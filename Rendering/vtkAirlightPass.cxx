@@ -9,6 +9,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
@@ -116,6 +117,34 @@ void vtkAirlightPass::SetLightRadius(double radius)
     this->LightRadius = radius;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetLightScatters(vtkLight* light, bool scatters)
+{
+  if (!light)
+  {
+    vtkErrorMacro("SetLightScatters() needs a light; it got null.");
+    return;
+  }
+  if (this->GetLightScatters(light) != scatters)
+  {
+    auto& quiet = this->Impl->QuietLights;
+    const auto gone = std::remove_if(quiet.begin(), quiet.end(),
+      [light](const vtkWeakPointer<vtkLight>& other) { return !other || other == light; });
+    quiet.erase(gone, quiet.end());
+    if (!scatters)
+    {
+      quiet.emplace_back(light);
+    }
+    this->Modified();
+  }
+}
+
+bool vtkAirlightPass::GetLightScatters(vtkLight* light)
+{
+  const auto& quiet = this->Impl->QuietLights;
+  return std::find(quiet.begin(), quiet.end(), light) == quiet.end();
 }
 
 //------------------------------------------------------------------------------

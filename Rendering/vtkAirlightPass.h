@@ -49,6 +49,7 @@
 
 class vtkImageData;
 class vtkInformationIntegerKey;
+class vtkLight;
 class vtkParticipatingMedium;
 
 class VTKAIRLIGHT_EXPORT vtkAirlightPass : public vtkDepthImageProcessingPass
@@ -134,6 +135,16 @@ public:
   vtkSetMacro(RecordBuffers, bool);
   vtkGetMacro(RecordBuffers, bool);
   vtkBooleanMacro(RecordBuffers, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the medium scatters this light. A light that does not lights surfaces alone, attenuated
+   * and with shadows as the others: for lamps that are there to show an object, not the air.
+   * Default: true for all lights.
+   */
+  void SetLightScatters(vtkLight* light, bool scatters);
+  bool GetLightScatters(vtkLight* light);
   ///@}
 
   /**

@@ -135,7 +135,14 @@ bool vtkAirlightPass::Internals::RenderFrame(
     media.push_back(this->Vacuum);
   }
   const f64::AirlightMedia converted = ConvertMedia(media, view.GetEye());
-  const std::vector<Lamp> lamps = CollectLamps(renderer, converted, view, this->Self->LightRadius);
+  std::vector<Lamp> lamps = CollectLamps(renderer, converted, view, this->Self->LightRadius);
+  for (Lamp& lamp : lamps)
+  {
+    if (!this->Self->GetLightScatters(lamp.Light))
+    {
+      lamp.Values.intensity = glm::dvec3(0.0);
+    }
+  }
   this->CheckLamps(lamps);
   this->UpdateSurfaceShader(converted, static_cast<int>(lamps.size()));
 

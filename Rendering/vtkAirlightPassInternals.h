@@ -12,12 +12,14 @@
 #include "vtkAirlightPass.h"
 
 #include "vtkCameraPass.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
 #include "vtkOverlayPass.h"
 #include "vtkParticipatingMedium.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
 
 #include <string>
 #include <vector>
@@ -47,6 +49,7 @@ public:
 
   vtkAirlightPass* Self;
   std::vector<vtkSmartPointer<vtkParticipatingMedium>> Media;
+  std::vector<vtkWeakPointer<vtkLight>> QuietLights; // those that do not scatter
   airlight::Frame CurrentFrame;
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
   int EffectiveTechnique = NONE;

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkAirlightPass.SetLightScatters(): a light that lights surfaces and not the air."""
+
+import unittest
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer,
+                                         vtkRenderWindow)
+
+import airlight
+
+
+class TestLightScatters(unittest.TestCase):
+    def setUp(self):
+        self.renderer = vtkRenderer()
+        sphere = vtkSphereSource()
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(sphere.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        self.renderer.AddActor(actor)
+        self.lights = []
+        for x in (-2, 2):
+            light = vtkLight()
+            airlight.vtkAirlight.SetRadiantIntensity(light, (5, 5, 5))
+            light.SetPosition(x, 1, 2)
+            self.renderer.AddLight(light)
+            self.lights.append(light)
+        medium = airlight.vtkParticipatingMedium()
+        medium.SetVisibility(20)
+        self.render_pass = airlight.vtkAirlightPass()
+        self.render_pass.SetMedium(medium)
+        self.render_pass.RecordBuffersOn()
+        self.renderer.SetPass(self.render_pass)
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(1)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(60, 50)
+        self.window.AddRenderer(self.renderer)
+
+    def buffers(self, *names):
+        self.window.Render()
+        return [vtk_to_numpy(self.render_pass.GetBuffer(name).GetPointData().GetScalars()).copy()
+                for name in names]
+
+    def test_quiet_light(self):
+        surface, second = self.buffers("Surface", "Airlight:1")
+        self.render_pass.SetLightScatters(self.lights[0], False)
+        self.assertFalse(self.render_pass.GetLightScatters(self.lights[0]))
+        self.assertTrue(self.render_pass.GetLightScatters(self.lights[1]))
+        names = ("Surface", "Airlight:0", "Airlight:1", "Airlight")
+        quiet_surface, quiet, loud, total = self.buffers(*names)
+        np.testing.assert_array_equal(quiet_surface, surface)  # surfaces keep the light
+        self.assertEqual(quiet.max(), 0)
+        np.testing.assert_array_equal(loud, second)
+        np.testing.assert_array_equal(total, second)
+        self.render_pass.SetLightScatters(self.lights[0], True)
+        self.assertGreater(self.buffers("Airlight:0")[0].min(), 0)
+
+    def test_null(self):
+        errors = []
+        self.render_pass.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+        self.render_pass.SetLightScatters(None, False)
+        self.assertEqual(len(errors), 1)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[__file__])
