@@ -68,9 +68,10 @@ private:
       ends.push_back(from + (to - from) * i / panels);
     }
     // Dense media let light in only near their surface: smaller panels towards both ends.
-    for (double part = 0.1; part > 1e-9; part *= 0.1)
+    double step = this->T1 - this->T0;
+    for (int decade = 1; decade < 9; ++decade)
     {
-      const double step = part * (this->T1 - this->T0);
+      step *= 0.1;
       ends.push_back(std::clamp(this->Variable(this->T0 + step), from, to));
       ends.push_back(std::clamp(this->Variable(this->T1 - step), from, to));
     }
