@@ -23,6 +23,8 @@
  *
  * Limits:
  *  - A directional light in an unbounded uniform medium arrives unattenuated.
+ *  - Lights outside the region of a bounded medium take quadrature in single precision: within 1e-3
+ *    but on rays whose way to the light grazes a face, where it can be some 1e-3.
  *  - Headlights cast no shadows: they see what the camera sees.
  *  - Translucent surfaces and volumes cast no shadows, and are fogged as what lies behind them.
  *  - At most eight media; where they overlap, their coefficients add.

@@ -16,12 +16,12 @@ struct AirlightMedium
   real originHeight;      // of the origin of coordinates above the height of density 1
 };
 
-// (1 - exp(-sigma l))/sigma, the optical length of a way of length l along which density falls
-// (or rises, sigma < 0) exponentially; l where sigma is 0.
+// (1 - exp(-sigma l))/sigma, sigma >= 0: the optical length of a way of length l along which density
+// falls exponentially; l where sigma is 0.
 AIRLIGHT_FN real airlightOpticalLength(real sigma, real l)
 {
   real depth = sigma * l;
-  if (abs(depth) < real(0.02))
+  if (depth < real(0.02))
   {
     return l *
       (real(1.0) -
@@ -31,7 +31,21 @@ AIRLIGHT_FN real airlightOpticalLength(real sigma, real l)
         depth * (real(0.0083333333333333333) -
         depth * (real(0.0013888888888888889) - depth * real(0.00019841269841269841)))))));
   }
-  return (real(1.0) - exp(-max(depth, real(-80.0)))) / sigma;
+  return (real(1.0) - exp(-depth)) / sigma;
+}
+
+// The integral of exp(-(depth + rate u)) over u in [0, l], for each channel. From whichever end is
+// less deep: a rate below 0 would grow beyond all numbers before it is made small again.
+AIRLIGHT_FN real airlightFading(real depth, real rate, real l)
+{
+  return rate >= real(0.0) ? exp(-depth) * airlightOpticalLength(rate, l)
+                           : exp(-(depth + rate * l)) * airlightOpticalLength(-rate, l);
+}
+
+AIRLIGHT_FN real3 airlightFading3(real3 depth, real3 rate, real l)
+{
+  return real3(airlightFading(depth.x, rate.x, l), airlightFading(depth.y, rate.y, l),
+    airlightFading(depth.z, rate.z, l));
 }
 
 AIRLIGHT_FN real airlightHeight(AIRLIGHT_IN(AirlightMedium) medium, real3 point)
@@ -58,8 +72,11 @@ AIRLIGHT_FN real airlightInsideDepth(
   {
     return to - from;
   }
-  return airlightDensity(medium, origin + from * direction) *
-    airlightOpticalLength(dot(medium.up, direction) * medium.inverseScaleHeight, to - from);
+  // From the lower end, where the density is largest.
+  real rate = dot(medium.up, direction) * medium.inverseScaleHeight;
+  real lower = rate >= real(0.0) ? from : to;
+  return airlightDensity(medium, origin + lower * direction) *
+    airlightOpticalLength(abs(rate), to - from);
 }
 
 // Integral of the density along the part of [0, l] of a ray that is inside the region: times

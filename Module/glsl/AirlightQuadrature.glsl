@@ -162,7 +162,19 @@ AIRLIGHT_FN real2 airlightNextPiece(
 // How many panels a piece takes: `scale` of the variable makes one panel.
 AIRLIGHT_FN int airlightPanelCount(real length, real scale)
 {
-  return int(clamp(length / scale, real(0.0), real(40.0))) + 1;
+  return int(clamp(length / scale, real(0.0), real(60.0))) + 1;
+}
+
+// Whether the light's way may leave a region through one face or another, which gives the integrand
+// kinks and boundary layers.
+AIRLIGHT_FN bool airlightHasFaces(AIRLIGHT_IN(AirlightMedia) media)
+{
+  bool faces = false;
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    faces = faces || media.item[i].region.kind != AIRLIGHT_REGION_UNBOUNDED;
+  }
+  return faces;
 }
 
 // One piece without ends of media in it.
@@ -175,8 +187,12 @@ AIRLIGHT_FN real3 airlightQuadraturePiece(AIRLIGHT_IN(AirlightMedia) media,
     x1 - x0 < real(0.05) * max(abs(x0), ray.foot.h);
   real v0 = straight ? t0 : airlightAsinh(x0 / ray.foot.h);
   real v1 = straight ? t1 : airlightAsinh(x1 / ray.foot.h);
-  int panels = straight ? (airlightIsDirectional(light) ? 12 : 1)
-                        : airlightPanelCount(v1 - v0, real(1.0));
+  bool faces = airlightHasFaces(media);
+  int panels = airlightIsDirectional(light) ? 12 : (faces ? 4 : 1);
+  if (!straight)
+  {
+    panels = airlightPanelCount(v1 - v0, faces ? real(0.2) : real(1.0));
+  }
   real3 sum = real3(real(0.0));
   for (int i = 0; i < panels; i++)
   {

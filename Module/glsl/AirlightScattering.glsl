@@ -52,38 +52,33 @@ AIRLIGHT_FN real3 airlightDirectionalClosed(AIRLIGHT_IN(AirlightMedium) medium,
     line[1] = airlightSunLine(o.y, d.y, l.y, medium.region.boxMin.y, medium.region.boxMax.y);
     line[2] = airlightSunLine(o.z, d.z, l.z, medium.region.boxMin.z, medium.region.boxMax.z);
   }
+  // The lowest line at t0.
+  int k = 0;
+  for (int i = 1; i < 3; i++)
+  {
+    real gap = (line[i].x - line[k].x) + t0 * (line[i].y - line[k].y);
+    k = gap < real(0.0) ? i : k;
+  }
   real3 sum = real3(real(0.0));
   for (int piece = 0; piece < 3 && t0 < t1; piece++)
   {
-    // The lowest line at t0, of several the one that will be lowest, and where another undercuts
-    // it.
-    int k = 0;
-    for (int i = 1; i < 3; i++)
-    {
-      real gap = (line[i].x - line[k].x) + t0 * (line[i].y - line[k].y);
-      real tie = real(1e-6) * abs(line[k].x + t0 * line[k].y);
-      if (gap < -tie || (gap <= tie && line[i].y < line[k].y))
-      {
-        k = i;
-      }
-    }
+    // Up to where a line of lesser slope undercuts it, which is then the lowest.
     real end = t1;
+    int next = k;
     for (int i = 0; i < 3; i++)
     {
       if (line[i].y < line[k].y)
       {
-        end = min(end, (line[i].x - line[k].x) / (line[k].y - line[i].y));
+        real crossing = max((line[i].x - line[k].x) / (line[k].y - line[i].y), t0);
+        next = crossing < end ? i : next;
+        end = min(end, crossing);
       }
     }
-    end = piece == 2 ? t1 : max(end, t0);
     real way = max(line[k].x + t0 * line[k].y, real(0.0));
-    real slope = real(1.0) + line[k].y;
-    real l = end - t0;
-    sum += exp(-medium.sigmaT * (t0 - ray.range.x + way)) *
-      real3(airlightOpticalLength(medium.sigmaT.x * slope, l),
-        airlightOpticalLength(medium.sigmaT.y * slope, l),
-        airlightOpticalLength(medium.sigmaT.z * slope, l));
+    sum += airlightFading3(medium.sigmaT * (t0 - ray.range.x + way),
+      medium.sigmaT * (real(1.0) + line[k].y), end - t0);
     t0 = end;
+    k = next;
   }
   return medium.sigmaS * sum *
     airlightPhase(medium.phase, dot(light.position, ray.direction));
@@ -107,10 +102,7 @@ AIRLIGHT_FN real3 airlightDirectionalHeight(AIRLIGHT_IN(AirlightMedium) medium,
     airlightSunDepth(medium, ray.origin + t0 * ray.direction, light.position);
   real slope = real(1.0) - m / mu;
   return medium.sigmaS * airlightPhase(medium.phase, dot(light.position, ray.direction)) *
-    exp(-medium.sigmaT * before) *
-    real3(airlightOpticalLength(medium.sigmaT.x * slope, inside),
-      airlightOpticalLength(medium.sigmaT.y * slope, inside),
-      airlightOpticalLength(medium.sigmaT.z * slope, inside));
+    airlightFading3(medium.sigmaT * before, medium.sigmaT * slope, inside);
 }
 
 // Radiance scattered into the ray on [t0, t1], which lies inside ray.lit; tail0 and tail1 are the

@@ -63,6 +63,7 @@ public:
     std::vector<double> cuts = { t0, end };
     this->AddCuts(origin, direction, cuts);
     this->AddConeCuts(origin, direction, cuts);
+    this->AddSunCuts(origin, direction, cuts);
     std::sort(cuts.begin(), cuts.end());
     const double tL = this->IsSun ? t0 : glm::dot(this->Position - origin, direction);
     const double h =
@@ -141,6 +142,22 @@ private:
       const double aw = glm::dot(this->Axis, w);
       const double ad = glm::dot(this->Axis, d);
       AddRoots(ad * ad - c2, aw * ad - c2 * glm::dot(w, d), aw * aw - c2 * glm::dot(w, w), cuts);
+    }
+  }
+
+  // Where the way to the sun leaves a box through an edge: there the integrand has a kink. On the
+  // way from o + t d, along l, the faces ahead are (face - o - t d)/l away.
+  void AddSunCuts(const glm::dvec3& o, const glm::dvec3& d, std::vector<double>& cuts) const
+  {
+    const double* bounds = this->Medium->GetBounds();
+    for (int i = 0; this->IsSun && i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const double li = -this->Axis[i];
+      const double lj = -this->Axis[j];
+      const double fi = bounds[2 * i + (li > 0.0 ? 1 : 0)] - o[i];
+      const double fj = bounds[2 * j + (lj > 0.0 ? 1 : 0)] - o[j];
+      cuts.push_back((fi * lj - fj * li) / (d[i] * lj - d[j] * li));
     }
   }
 

@@ -63,13 +63,20 @@ void RunCell(
   const glm::dvec3 position = PlacePoint(cell, i % 2 == 0, random);
   const glm::dvec3 origin = PlacePoint(cell, i / 2 % 2 == 0, random);
   const glm::dvec3 target = PlacePoint(cell, true, random);
-  glm::dvec3 direction = glm::normalize(target - origin);
+  const glm::dvec3 direction = glm::normalize(target - origin);
   const double* up = medium->GetUp();
   glm::dvec3 focalPoint =
     origin + glm::distance(origin, target) * random.Uniform(0.8, 1.2) * direction;
-  if (cell.Light == MATRIX_SUN && glm::dot(position - focalPoint, { up[0], up[1], up[2] }) < 0.0)
+  if (cell.Light == MATRIX_SUN)
   {
-    focalPoint = 2.0 * position - focalPoint; // from above: from below it is dark, see below
+    // From above, at least 10 degrees high: from below it is dark, see TestUnboundedSun().
+    const glm::dvec3 zenith(up[0], up[1], up[2]);
+    glm::dvec3 towards = RandomUnit(random);
+    while (glm::dot(towards, zenith) < 0.174)
+    {
+      towards = RandomUnit(random);
+    }
+    focalPoint = position - 2.0 * towards;
   }
   light->SetPosition(&position.x);
   light->SetFocalPoint(&focalPoint.x);
