@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticipatingMedium.h"
 
+#include "AirlightMath.h"
 #include "AirlightPhaseFit.h"
 #include "vtkObjectFactory.h"
 
@@ -13,9 +14,6 @@ namespace
 {
 // Koschmieder's constant -ln(0.02): contrast 2 % at the meteorological range.
 constexpr double KoschmiederConstant = 3.912;
-// Kept in step with AIRLIGHT_MAX_POLES of the shaders.
-constexpr int MaximumPoles = 8;
-
 double Mean(const double v[3]) { return (v[0] + v[1] + v[2]) / 3.0; }
 }
 
@@ -131,7 +129,8 @@ void vtkParticipatingMedium::ScaleExtinction(double meanExtinction)
 //------------------------------------------------------------------------------
 void vtkParticipatingMedium::SetVisibility(double distance)
 {
-  if (!std::isfinite(distance) || distance <= 0.0)
+  // A distance so small that its reciprocal overflows is as good as 0.
+  if (!std::isfinite(distance) || distance <= 0.0 || !std::isfinite(KoschmiederConstant / distance))
   {
     vtkErrorMacro(<< "Visibility " << distance
                   << " must be finite and above 0; the coefficients stay.");
@@ -147,7 +146,8 @@ double vtkParticipatingMedium::GetVisibility()
 
 void vtkParticipatingMedium::SetMeanFreePath(double distance)
 {
-  if (!std::isfinite(distance) || distance <= 0.0)
+  // A distance so small that its reciprocal overflows is as good as 0.
+  if (!std::isfinite(distance) || distance <= 0.0 || !std::isfinite(KoschmiederConstant / distance))
   {
     vtkErrorMacro(<< "MeanFreePath " << distance
                   << " must be finite and above 0; the coefficients stay.");
@@ -222,7 +222,7 @@ void vtkParticipatingMedium::UpdatePhaseFit()
   }
   const double g = this->PhaseFunction == HENYEY_GREENSTEIN ? this->Anisotropy : 0.0;
   const airlight::PhaseFit fit =
-    airlight::FitHenyeyGreenstein(g, this->PhaseTolerance, MaximumPoles);
+    airlight::FitHenyeyGreenstein(g, this->PhaseTolerance, AIRLIGHT_MAX_POLES);
   this->PhaseErrorBound = fit.ErrorBound;
   this->PhasePoles.clear();
   for (const airlight::PhasePole& pole : fit.Poles)
@@ -273,139 +273,6 @@ double vtkParticipatingMedium::EvaluatePhaseFunction(double cosTheta)
   const double s = mu > -1.0 ? std::sqrt((1.0 - mu) / (1.0 + mu)) : 1e150;
   return airlight::HenyeyGreenstein(g, s);
 }
-
-//------------------------------------------------------------------------------
-void vtkParticipatingMedium::SetRegion(int type)
-{
-  if (type < UNBOUNDED || type > SPHERE)
-  {
-    vtkErrorMacro(<< "Region " << type << " is not a region: use UNBOUNDED, BOX or SPHERE.");
-    return;
-  }
-  if (this->Region != type)
-  {
-    this->Region = type;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkParticipatingMedium::SetBounds(
-  double xmin, double xmax, double ymin, double ymax, double zmin, double zmax)
-{
-  const double bounds[6] = { xmin, xmax, ymin, ymax, zmin, zmax };
-  for (int i = 0; i < 6; i += 2)
-  {
-    if (!std::isfinite(bounds[i]) || !std::isfinite(bounds[i + 1]) || bounds[i] > bounds[i + 1])
-    {
-      vtkErrorMacro(<< "Bounds (" << xmin << ", " << xmax << ", " << ymin << ", " << ymax << ", "
-                    << zmin << ", " << zmax
-                    << ") must be finite, each minimum at most its maximum; the old ones stay.");
-      return;
-    }
-  }
-  if (!std::equal(bounds, bounds + 6, this->Bounds))
-  {
-    std::copy(bounds, bounds + 6, this->Bounds);
-    this->Modified();
-  }
-}
-
-void vtkParticipatingMedium::SetBounds(const double bounds[6])
-{
-  this->SetBounds(bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
-}
-
-//------------------------------------------------------------------------------
-bool vtkParticipatingMedium::SetVector(
-  const char* name, double target[3], double x, double y, double z)
-{
-  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
-  {
-    vtkErrorMacro(<< name << " (" << x << ", " << y << ", " << z
-                  << ") must be finite; the old one stays.");
-    return false;
-  }
-  const double values[3] = { x, y, z };
-  if (!std::equal(values, values + 3, target))
-  {
-    std::copy(values, values + 3, target);
-    this->Modified();
-  }
-  return true;
-}
-
-bool vtkParticipatingMedium::SetNumber(
-  const char* name, double& target, double value, bool accepted, const char* range)
-{
-  if (!std::isfinite(value) || !accepted)
-  {
-    vtkErrorMacro(<< name << " " << value << " must be " << range << "; it stays " << target
-                  << ".");
-    return false;
-  }
-  if (target != value)
-  {
-    target = value;
-    this->Modified();
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkParticipatingMedium::SetCenter(double x, double y, double z)
-{
-  this->SetVector("Center", this->Center, x, y, z);
-}
-
-void vtkParticipatingMedium::SetCenter(const double center[3])
-{
-  this->SetCenter(center[0], center[1], center[2]);
-}
-
-void vtkParticipatingMedium::SetRadius(double radius)
-{
-  this->SetNumber("Radius", this->Radius, radius, radius >= 0.0, "finite and at least 0");
-}
-
-//------------------------------------------------------------------------------
-void vtkParticipatingMedium::SetDensity(int type)
-{
-  if (type != UNIFORM && type != EXPONENTIAL_HEIGHT)
-  {
-    vtkErrorMacro(<< "Density " << type << " is not a density: use UNIFORM or EXPONENTIAL_HEIGHT.");
-    return;
-  }
-  if (this->Density != type)
-  {
-    this->Density = type;
-    this->Modified();
-  }
-}
-
-void vtkParticipatingMedium::SetScaleHeight(double height)
-{
-  this->SetNumber("ScaleHeight", this->ScaleHeight, height, height > 0.0, "finite and above 0");
-}
-
-void vtkParticipatingMedium::SetReferenceHeight(double height)
-{
-  this->SetNumber("ReferenceHeight", this->ReferenceHeight, height, true, "finite");
-}
-
-void vtkParticipatingMedium::SetUp(double x, double y, double z)
-{
-  const double length = std::hypot(x, y, z);
-  if (!(length > 0.0))
-  {
-    vtkErrorMacro(<< "Up (" << x << ", " << y << ", " << z
-                  << ") must be a direction: finite and not 0; the old one stays.");
-    return;
-  }
-  this->SetVector("Up", this->Up, x / length, y / length, z / length);
-}
-
-void vtkParticipatingMedium::SetUp(const double up[3]) { this->SetUp(up[0], up[1], up[2]); }
 
 //------------------------------------------------------------------------------
 void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)

@@ -43,5 +43,15 @@ class TestImport(unittest.TestCase):
         self.assertIs(render_pass.GetMedium(0), medium)
 
 
+    def test_distance_without_reciprocal(self):
+        medium = airlight.vtkParticipatingMedium()
+        errors = []
+        medium.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+        medium.SetVisibility(1e-310)
+        medium.SetMeanFreePath(1e-310)
+        self.assertEqual(len(errors), 2)
+        self.assertEqual(medium.GetExtinction(), (0, 0, 0))
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
