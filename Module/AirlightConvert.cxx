@@ -14,15 +14,6 @@ namespace airlight
 {
 namespace
 {
-// Squares of larger numbers overflow.
-constexpr double Largest = 1e100;
-
-// False for NaN, too.
-bool IsModerate(const glm::dvec3& v)
-{
-  return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(Largest)));
-}
-
 int ConvertRegion(int region)
 {
   switch (region)

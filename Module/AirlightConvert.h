@@ -17,6 +17,12 @@ class vtkParticipatingMedium;
 
 namespace airlight
 {
+// Whether all components are finite and their squares, too. False for NaN.
+inline bool IsModerate(const glm::dvec3& v)
+{
+  return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(1e100)));
+}
+
 // Media with positions relative to `origin`; those beyond AIRLIGHT_MAX_MEDIA are left out.
 f64::AirlightMedia ConvertMedia(
   const std::vector<vtkParticipatingMedium*>& media, const glm::dvec3& origin);

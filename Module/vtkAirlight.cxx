@@ -18,15 +18,6 @@ namespace
 {
 glm::dvec3 Vector(const double v[3]) { return { v[0], v[1], v[2] }; }
 
-// Squares of larger numbers overflow.
-constexpr double Largest = 1e100;
-
-// False for NaN, too.
-bool IsModerate(const double v[3])
-{
-  return std::abs(v[0]) <= Largest && std::abs(v[1]) <= Largest && std::abs(v[2]) <= Largest;
-}
-
 // The unit vector in a direction of any length but 0; 0 for 0.
 glm::dvec3 Normalize(const glm::dvec3& v)
 {
@@ -37,7 +28,7 @@ glm::dvec3 Normalize(const glm::dvec3& v)
 // Reports what is wrong with a vector argument, in the medium's name.
 bool CheckVector(vtkParticipatingMedium* medium, const char* name, const double v[3])
 {
-  if (!IsModerate(v))
+  if (!IsModerate(Vector(v)))
   {
     vtkErrorWithObjectMacro(medium,
       "vtkAirlight: " << name << " (" << v[0] << ", " << v[1] << ", " << v[2]

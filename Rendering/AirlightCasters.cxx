@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightCasters.h"
 
+#include "AirlightMatrix.h"
 #include "vtkActor.h"
 #include "vtkAirlightPass.h"
 #include "vtkAssemblyNode.h"
@@ -16,7 +17,6 @@
 #include "vtkGeometryFilter.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -102,18 +102,10 @@ void EraseUnused(Map& map)
   }
 }
 
-bool ToGlm(vtkMatrix4x4* matrix, glm::dmat4& result)
+// A flattened or undefined object has no shadow volume.
+bool HasVolume(const glm::dmat4& toWorld)
 {
-  result = glm::dmat4(1.0);
-  for (int row = 0; matrix && row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  // A flattened or undefined object has no shadow volume.
-  const double determinant = glm::determinant(result);
+  const double determinant = glm::determinant(toWorld);
   return std::isfinite(determinant) && determinant != 0.0;
 }
 }
@@ -229,7 +221,8 @@ void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, bool hidesFac
 {
   Caster caster;
   caster.HidesFaces = hidesFaces;
-  if (!ToGlm(matrix, caster.ToWorld))
+  caster.ToWorld = ToGlm(matrix);
+  if (!HasVolume(caster.ToWorld))
   {
     return;
   }

@@ -42,7 +42,6 @@ struct FrameSettings
   bool Shadows = false;
   bool SurfaceShadows = false;
   bool Record = false;
-  double LightRadius = 0.0;
   std::uint64_t MemoryLimit = 0; // bytes
 };
 

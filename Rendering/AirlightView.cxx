@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightView.h"
 
+#include "AirlightMatrix.h"
 #include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
@@ -13,20 +13,6 @@ namespace airlight
 {
 namespace
 {
-// VTK stores rows, GLM columns.
-glm::dmat4 ToGlm(vtkMatrix4x4* m)
-{
-  glm::dmat4 result;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = m->GetElement(row, column);
-    }
-  }
-  return result;
-}
-
 bool IsFinite(const glm::dmat4& m)
 {
   for (int i = 0; i < 4; ++i)

@@ -151,7 +151,6 @@ bool vtkAirlightPass::Internals::RenderFrame(
   settings.Shadows = this->EffectiveTechnique == SHADOW_PLANES;
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.Record = this->Self->RecordBuffers;
-  settings.LightRadius = this->Self->LightRadius;
   settings.MemoryLimit = static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20;
 
   vtkOpenGLState* state = window->GetState();

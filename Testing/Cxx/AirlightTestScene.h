@@ -24,6 +24,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
 
 #include <functional>
 #include <string>
@@ -38,6 +39,15 @@ inline vtkSmartPointer<vtkPolyData> Make(vtkPolyDataAlgorithm* source)
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->DeepCopy(source->GetOutput());
   return data;
+}
+
+inline vtkSmartPointer<vtkPolyData> MakeSphere(double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(24);
+  return Make(sphere);
 }
 
 // Triangles that share nothing: each has its own three points.

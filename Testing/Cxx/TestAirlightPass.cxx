@@ -11,7 +11,6 @@
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkSphereSource.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
@@ -21,15 +20,6 @@ using namespace airlighttest;
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> MakeSphere(double radius)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(24);
-  sphere->SetPhiResolution(24);
-  return Make(sphere);
-}
-
 void AddBodies(Scene& scene)
 {
   vtkNew<vtkCubeSource> floor;

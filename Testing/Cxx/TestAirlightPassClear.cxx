@@ -8,7 +8,6 @@
 #include "vtkElevationFilter.h"
 #include "vtkLightKit.h"
 #include "vtkPlaneSource.h"
-#include "vtkSphereSource.h"
 #include "vtkTexture.h"
 
 #include <cstdlib>
@@ -17,16 +16,6 @@ using namespace airlighttest;
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> MakeSphere(double radius)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(24);
-  sphere->SetPhiResolution(24);
-  return Make(sphere);
-}
-
-//------------------------------------------------------------------------------
 // Without a medium, and with one that is clear, the picture is VTK's own to the last step.
 void CheckPlain(const std::string& name, Scene& scene)
 {
