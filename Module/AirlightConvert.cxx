@@ -34,10 +34,15 @@ f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dve
   medium->GetExtinction(&result.sigmaT.x);
   medium->GetAmbientRadiance(&result.ambient.x);
   result.phase.poleCount = medium->GetNumberOfPhasePoles();
+  result.phase.order = 1;
   for (int k = 0; k < result.phase.poleCount; ++k)
   {
-    medium->GetPhasePole(k, result.phase.pole[k].x, result.phase.pole[k].y);
+    glm::dvec4& pole = result.phase.pole[k];
+    medium->GetPhasePole(k, &pole.x);
+    const int order = pole.w != 0.0 ? 3 : pole.z != 0.0 ? 2 : 1;
+    result.phase.order = std::max(result.phase.order, order);
   }
+  medium->GetPhasePower(&result.phase.power.x);
   result.region.kind = ConvertRegion(medium->GetRegion());
   const double* bounds = medium->GetBounds();
   result.region.boxMin = glm::dvec3(bounds[0], bounds[2], bounds[4]) - origin;
@@ -69,6 +74,15 @@ bool IsInside(const f64::AirlightRegion& region, const glm::dvec3& point)
   }
 }
 
+// Beyond this the differences of the poles' terms are too small for single precision.
+constexpr double MostCancellation = 2000.0;
+
+// Whether the phase function is nothing but poles, and those can be summed.
+bool HasClosedForm(const f64::AirlightPhase& phase)
+{
+  return phase.power.x == 0.0 && f64::airlightPhaseCancellation(phase) < MostCancellation;
+}
+
 // The closed form holds for one uniform medium where the whole way from light to sample is inside:
 // inverse square, no exponent, and the light inside the convex region.
 int PointKind(const f64::AirlightMedia& media, const f64::AirlightLight& light)
@@ -77,7 +91,8 @@ int PointKind(const f64::AirlightMedia& media, const f64::AirlightLight& light)
   const bool inverseSquare = light.attenuation.x == 0.0 && light.attenuation.y == 0.0;
   const bool evenCone = light.cosCone < 0.0 || light.exponent == 0.0;
   return media.count == 1 && first.density == AIRLIGHT_DENSITY_UNIFORM &&
-      IsInside(first.region, light.position) && inverseSquare && evenCone
+      IsInside(first.region, light.position) && inverseSquare && evenCone &&
+      HasClosedForm(first.phase)
     ? AIRLIGHT_POINT_CLOSED
     : AIRLIGHT_POINT_QUADRATURE;
 }

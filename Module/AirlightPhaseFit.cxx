@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightPhaseFit.h"
 
-#include <Eigen/Dense>
+#include "AirlightPhaseFunctions.h"
+#include "AirlightPoleFitter.h"
 
 #include <algorithm>
 #include <array>
@@ -19,130 +20,15 @@ constexpr double LastLogTangent = 14.0;
 constexpr int FitSamples = 281;
 constexpr int CheckSamples = 8401;
 
-// The fit in progress: samples of the function and the trial poles.
-class Fitter
+std::vector<double> LogarithmicSamples(int count)
 {
-public:
-  Fitter(double g, int samples)
-    : SquaredTangent(samples)
-    , Phase(samples)
+  std::vector<double> samples;
+  for (int i = 0; i < count; ++i)
   {
-    for (int i = 0; i < samples; ++i)
-    {
-      const double u = static_cast<double>(i) / (samples - 1);
-      const double s = std::exp(FirstLogTangent + u * (LastLogTangent - FirstLogTangent));
-      this->SquaredTangent[i] = s * s;
-      this->Phase[i] = HenyeyGreenstein(g, s);
-    }
+    const double u = static_cast<double>(i) / (count - 1);
+    samples.push_back(std::exp(FirstLogTangent + u * (LastLogTangent - FirstLogTangent)));
   }
-
-  // (1 + s^2)/(s^2 + b^2)/p: the pole's share relative to the function.
-  Eigen::VectorXd Column(double b) const
-  {
-    return ((1.0 + this->SquaredTangent.array()) / (this->SquaredTangent.array() + b * b) /
-      this->Phase.array())
-      .matrix();
-  }
-
-  Eigen::MatrixXd Columns(const Eigen::VectorXd& logB) const
-  {
-    Eigen::MatrixXd columns(this->Phase.size(), logB.size());
-    for (int k = 0; k < logB.size(); ++k)
-    {
-      columns.col(k) = this->Column(std::exp(logB[k]));
-    }
-    return columns;
-  }
-
-  // Relative error at each sample.
-  Eigen::VectorXd Error(const Eigen::VectorXd& logB, const Eigen::VectorXd& c) const
-  {
-    return this->Columns(logB) * c - Eigen::VectorXd::Ones(this->Phase.size());
-  }
-
-  // Derivative of the error by log b_k: -2 b^2 c/(s^2 + b^2) times the pole's share.
-  Eigen::MatrixXd PoleDerivatives(const Eigen::VectorXd& logB, const Eigen::VectorXd& c) const
-  {
-    Eigen::MatrixXd columns = this->Columns(logB);
-    for (int k = 0; k < logB.size(); ++k)
-    {
-      const double b2 = std::exp(2.0 * logB[k]);
-      columns.col(k).array() *= -2.0 * b2 * c[k] / (this->SquaredTangent.array() + b2);
-    }
-    return columns;
-  }
-
-private:
-  Eigen::VectorXd SquaredTangent;
-  Eigen::VectorXd Phase;
-};
-
-// Weighted least squares for the weights c at given poles.
-Eigen::VectorXd SolveWeights(const Eigen::MatrixXd& columns, const Eigen::VectorXd& sampleWeights)
-{
-  return (sampleWeights.asDiagonal() * columns).colPivHouseholderQr().solve(sampleWeights);
-}
-
-// Levenberg-Marquardt over poles and weights together, in the weighted 2-norm.
-void Refine(const Fitter& fitter, const Eigen::VectorXd& sampleWeights, int iterations,
-  Eigen::VectorXd& logB, Eigen::VectorXd& c)
-{
-  const int n = static_cast<int>(logB.size());
-  double damping = 1e-3;
-  Eigen::VectorXd residual = sampleWeights.cwiseProduct(fitter.Error(logB, c));
-  for (int iteration = 0; iteration < iterations && damping < 1e10; ++iteration)
-  {
-    Eigen::MatrixXd jacobian(residual.size() + 2 * n, 2 * n);
-    jacobian.setZero();
-    jacobian.topLeftCorner(residual.size(), n) = sampleWeights.asDiagonal() * fitter.Columns(logB);
-    jacobian.topRightCorner(residual.size(), n) =
-      sampleWeights.asDiagonal() * fitter.PoleDerivatives(logB, c);
-    const Eigen::VectorXd scale = jacobian.colwise().norm();
-    jacobian.bottomRows(2 * n) = (std::sqrt(damping) * scale).asDiagonal();
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(jacobian.rows());
-    right.head(residual.size()) = -residual;
-    const Eigen::VectorXd step = jacobian.colPivHouseholderQr().solve(right);
-
-    const Eigen::VectorXd newLogB = logB + step.tail(n);
-    const Eigen::VectorXd newC = c + step.head(n);
-    const Eigen::VectorXd newResidual = sampleWeights.cwiseProduct(fitter.Error(newLogB, newC));
-    if (newResidual.allFinite() && newResidual.squaredNorm() < residual.squaredNorm())
-    {
-      logB = newLogB;
-      c = newC;
-      residual = newResidual;
-      damping = std::max(damping * 0.2, 1e-12);
-    }
-    else
-    {
-      damping *= 8.0;
-    }
-  }
-}
-
-// Lawson's algorithm: samples of large error gain weight until the largest errors are alike.
-void Equalise(const Fitter& fitter, Eigen::VectorXd& logB, Eigen::VectorXd& c)
-{
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(FitSamples);
-  Eigen::VectorXd bestLogB = logB;
-  Eigen::VectorXd bestC = c;
-  double best = fitter.Error(logB, c).cwiseAbs().maxCoeff();
-  for (int round = 0; round < 24; ++round)
-  {
-    const Eigen::ArrayXd error = fitter.Error(logB, c).cwiseAbs().array();
-    weights.array() *= (error / error.maxCoeff() + 0.02).sqrt();
-    weights /= weights.maxCoeff();
-    Refine(fitter, weights, 6, logB, c);
-    const double largest = fitter.Error(logB, c).cwiseAbs().maxCoeff();
-    if (largest < best)
-    {
-      best = largest;
-      bestLogB = logB;
-      bestC = c;
-    }
-  }
-  logB = bestLogB;
-  c = bestC;
+  return samples;
 }
 
 // Jacobi's amplitude am(u, k) by the arithmetic-geometric mean (Abramowitz and Stegun 16.4).
@@ -176,7 +62,10 @@ Eigen::VectorXd ZolotarevPoles(double beta, int n)
   const double modulus = std::sqrt(1.0 - beta * beta);
   const double period = std::comp_ellint_1(modulus);
   Eigen::VectorXd logB(n);
-  logB[0] = std::log(beta);
+  if (n > 0)
+  {
+    logB[0] = std::log(beta);
+  }
   for (int k = 1; k < n; ++k)
   {
     const double u = period * (2 * k - 1) / (2 * n - 2);
@@ -191,19 +80,114 @@ Eigen::VectorXd ZolotarevPoles(double beta, int n)
 // its nearest sample by far less than this.
 constexpr double CheckMargin = 1.002;
 
-double Bound(const Fitter& check, const Eigen::VectorXd& logB, const Eigen::VectorXd& c)
+double Bound(const PoleFitter& check, const Eigen::VectorXd& logB, const Eigen::VectorXd& c)
 {
   return CheckMargin * check.Error(logB, c).cwiseAbs().maxCoeff();
+}
+
+// How a fit with given first poles is made. The fixed terms come last.
+PhaseFit FitFrom(
+  const PoleFitter& fitter, const PoleFitter& check, Eigen::VectorXd logB, double goodEnough)
+{
+  const Eigen::VectorXd even = Eigen::VectorXd::Ones(fitter.GetSampleCount());
+  Eigen::VectorXd c = SolveWeights(fitter.Columns(logB), even);
+  // Poles that move come close to others and then cancel: they stay where they do well enough.
+  if (logB.size() > 0 && !(Bound(check, logB, c) <= goodEnough))
+  {
+    Refine(fitter, even, 100, logB, c);
+    Equalise(fitter, logB, c);
+  }
+  PhaseFit fit;
+  for (int k = 0; k < logB.size(); ++k)
+  {
+    fit.Poles.push_back({ std::exp(logB[k]), { c[k], 0.0, 0.0 } });
+  }
+  if (c.size() > logB.size())
+  {
+    PhasePole pole;
+    for (int i = 0; i < c.size() - logB.size(); ++i)
+    {
+      pole.c[i] = c[logB.size() + i];
+    }
+    fit.Poles.push_back(pole);
+  }
+  const double bound = Bound(check, logB, c);
+  fit.ErrorBound = std::isfinite(bound) ? bound : std::numeric_limits<double>::infinity();
+  return fit;
+}
+
+// Backward scattering is the mirror image, s becomes 1/s: the simple pole b becomes 1/b and c
+// becomes c/b^2; the polynomial c1 + c2 m + c3 m^2 in m = (1 + cos)/2 takes 1 - m.
+PhaseFit Mirror(const PhaseFit& fit)
+{
+  PhaseFit result = fit;
+  for (PhasePole& pole : result.Poles)
+  {
+    const std::array<double, 3> c = pole.c;
+    if (pole.b == 1.0)
+    {
+      pole.c = { c[0] + c[1] + c[2], -c[1] - 2.0 * c[2], c[2] };
+    }
+    else
+    {
+      pole = { 1.0 / pole.b, { c[0] / (pole.b * pole.b), 0.0, 0.0 } };
+    }
+  }
+  return result;
+}
+
+// The fits of 0, 1, 2, ... simple poles beside the fixed terms, until one is good enough.
+PhaseFit FitForward(
+  const PhaseFunction& function, double g, int fixedTerms, double tolerance, int maximumPoles)
+{
+  const PoleFitter fitter(function, LogarithmicSamples(FitSamples), fixedTerms);
+  const PoleFitter check(function, LogarithmicSamples(CheckSamples), fixedTerms);
+  PhaseFit best;
+  best.ErrorBound = std::numeric_limits<double>::infinity();
+  const int fixedPoles = fixedTerms > 0 ? 1 : 0;
+  for (int n = 1 - fixedPoles; n + fixedPoles <= maximumPoles && best.ErrorBound > tolerance; ++n)
+  {
+    // Poles near the fixed one would cancel with it.
+    const double apart = fixedTerms > 0 ? std::max(g, 0.3) : g;
+    const PhaseFit fit = FitFrom(fitter, check, ZolotarevPoles((1.0 - apart) / (1.0 + apart), n),
+      fixedTerms > 0 ? tolerance : 0.0);
+    if (fit.ErrorBound < best.ErrorBound)
+    {
+      best = fit;
+    }
+  }
+  return best;
 }
 }
 
 //------------------------------------------------------------------------------
-double HenyeyGreenstein(double g, double s)
+PhaseFit ExactIsotropic() { return { { { 1.0, { 0.25 / M_PI, 0.0, 0.0 } } } }; }
+
+//------------------------------------------------------------------------------
+// With m = 1/(1 + s^2) = (1 + cos)/2: 1 + cos^2 = 2 - 4 m + 4 m^2.
+PhaseFit ExactRayleigh()
 {
-  // (1 - g^2)/(4 pi (1 + g^2 - 2 g cos)^(3/2)) with cos = (1 - s^2)/(1 + s^2).
-  const double s2 = s * s;
-  const double d = ((1.0 - g) * (1.0 - g) + (1.0 + g) * (1.0 + g) * s2) / (1.0 + s2);
-  return (1.0 - g * g) / (4.0 * M_PI * d * std::sqrt(d));
+  constexpr double f = 3.0 / (16.0 * M_PI);
+  return { { { 1.0, { 2.0 * f, -4.0 * f, 4.0 * f } } } };
+}
+
+//------------------------------------------------------------------------------
+// 1 - k cos = (1 + k) (s^2 + b^2)/(1 + s^2) with b^2 = (1 - k)/(1 + k), so that
+// p/(1 + s^2) = (1 - k^2)/(4 pi (1 + k)^2) (1 + s^2)/q^2, and 1 + s^2 = q + (1 - b^2).
+PhaseFit ExactSchlick(double k)
+{
+  const double b2 = (1.0 - k) / (1.0 + k);
+  const double f = b2 / (4.0 * M_PI);
+  return { { { std::sqrt(b2), { f, f * (1.0 - b2), 0.0 } } } };
+}
+
+//------------------------------------------------------------------------------
+PhaseFit ExactMie(int n)
+{
+  PhaseFit fit{ { { 1.0, { 0.125 / M_PI, 0.0, 0.0 } } } };
+  fit.Factor = 0.125 / M_PI * (n + 1);
+  fit.Exponent = n;
+  return fit;
 }
 
 //------------------------------------------------------------------------------
@@ -211,30 +195,68 @@ PhaseFit FitHenyeyGreenstein(double g, double tolerance, int maximumPoles)
 {
   if (g == 0.0)
   {
-    return { { { 1.0, 0.25 / M_PI } }, 0.0 };
+    return ExactIsotropic();
   }
   const double forward = std::abs(g);
-  const Fitter fitter(forward, FitSamples);
-  const Fitter check(forward, CheckSamples);
+  const PhaseFit fit = FitForward(
+    [&](double s) { return HenyeyGreenstein(forward, s); }, forward, 0, tolerance, maximumPoles);
+  return g > 0.0 ? fit : Mirror(fit);
+}
+
+//------------------------------------------------------------------------------
+PhaseFit FitCornetteShanks(double g, double tolerance, int maximumPoles)
+{
+  if (g == 0.0)
+  {
+    return ExactRayleigh();
+  }
+  const double forward = std::abs(g);
+  const PhaseFit fit = FitForward(
+    [&](double s) { return CornetteShanks(forward, s); }, forward, 3, tolerance, maximumPoles);
+  return g > 0.0 ? fit : Mirror(fit);
+}
+
+//------------------------------------------------------------------------------
+PhaseFit FitTable(const PhaseTable& table, double tolerance, int maximumPoles)
+{
+  const PhaseFunction function = [&](double s) { return table.Evaluate(s); };
+  // Between 2 and 16 samples to each row, and some where the table is flat beyond its ends.
+  const auto choose = [&](int perRow) {
+    std::vector<double> samples;
+    const std::vector<double>& a = table.GetAngles();
+    const int even = 45 * perRow;
+    for (int i = 1; i < even; ++i)
+    {
+      samples.push_back(std::tan(0.5 * M_PI * i / even));
+    }
+    for (size_t i = 1; i < a.size(); ++i)
+    {
+      for (int j = 0; j < perRow; ++j)
+      {
+        samples.push_back(std::tan(0.5 * (a[i - 1] + (a[i] - a[i - 1]) * j / perRow)));
+      }
+    }
+    samples.push_back(1e-6);
+    samples.push_back(1e6);
+    return samples;
+  };
+  const PoleFitter fitter(function, choose(4), 3);
+  const PoleFitter check(function, choose(32), 3);
   PhaseFit best;
   best.ErrorBound = std::numeric_limits<double>::infinity();
-  for (int n = 1; n <= maximumPoles && best.ErrorBound > tolerance; ++n)
+  // From even ratios between a narrow peak and a wide one, forward alone or backward, too.
+  constexpr double ranges[3][2] = { { 0.03, 0.8 }, { 0.2, 3.0 }, { 0.03, 30.0 } };
+  for (int n = 0; n < maximumPoles && best.ErrorBound > tolerance; ++n)
   {
-    const Eigen::VectorXd even = Eigen::VectorXd::Ones(FitSamples);
-    Eigen::VectorXd logB = ZolotarevPoles((1.0 - forward) / (1.0 + forward), n);
-    Eigen::VectorXd c = SolveWeights(fitter.Columns(logB), even);
-    Refine(fitter, even, 100, logB, c);
-    Equalise(fitter, logB, c);
-    const double bound = Bound(check, logB, c);
-    if (bound < best.ErrorBound)
+    for (const auto& range : ranges)
     {
-      best.ErrorBound = bound;
-      best.Poles.resize(n);
-      for (int k = 0; k < n; ++k)
+      const double low = std::log(range[0]);
+      const double high = std::log(range[1]);
+      const Eigen::VectorXd logB = Eigen::VectorXd::LinSpaced(n, low, high);
+      const PhaseFit fit = FitFrom(fitter, check, logB, tolerance);
+      if (fit.ErrorBound < best.ErrorBound)
       {
-        const double b = std::exp(logB[k]);
-        // Backward scattering is the mirror image: b becomes 1/b and c becomes c/b^2.
-        best.Poles[k] = g > 0.0 ? PhasePole{ b, c[k] } : PhasePole{ 1.0 / b, c[k] / (b * b) };
+        best = fit;
       }
     }
   }

@@ -1,40 +1,50 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Writes a phase function as a sum of poles, the form that the closed form of single scattering
- * takes (glsl/AirlightPhase.glsl):
+ * Writes phase functions as sums of poles, the form that the closed form of single scattering takes
+ * (glsl/AirlightPhase.glsl). With s = tan(theta/2) and q_k = s^2 + b_k^2:
  *
- *   p(cosTheta) = sum_k 2 c_k/((1 - cosTheta) + b_k^2 (1 + cosTheta))
+ *   p(s)/(1 + s^2) = sum_k c1_k/q_k + c2_k/q_k^2 + c3_k/q_k^3
  */
 
 #ifndef AirlightPhaseFit_h
 #define AirlightPhaseFit_h
 
+#include <array>
 #include <vector>
 
 namespace airlight
 {
+class PhaseTable;
+
 struct PhasePole
 {
-  double b;
-  double c;
+  double b = 1.0;
+  std::array<double, 3> c = { 0.0, 0.0, 0.0 };
 };
 
 struct PhaseFit
 {
   std::vector<PhasePole> Poles;
+  // Beside the poles: Factor ((1 + cosTheta)/2)^Exponent.
+  double Factor = 0.0;
+  double Exponent = 0.0;
   // Largest relative error over all angles. Because phase functions are positive it also bounds
   // the relative error of any integral of airlight.
   double ErrorBound = 0.0;
 };
 
-// Henyey and Greenstein's function (1941) of anisotropy g at s = tan(theta/2), in 1/sr. In s,
-// narrow forward and backward peaks keep all their digits, which cosTheta near 1 or -1 does not.
-double HenyeyGreenstein(double g, double s);
+// Those that need no fit; see AirlightPhaseFunctions.h.
+PhaseFit ExactIsotropic();
+PhaseFit ExactRayleigh();
+PhaseFit ExactSchlick(double k);
+PhaseFit ExactMie(int n);
 
-// Its fit with the fewest poles (at most maximumPoles) whose error is at most the tolerance; the
-// best one where none reaches it. -1 < g < 1.
+// Fits with the fewest poles (at most maximumPoles) whose error is at most the tolerance; the best
+// one where none reaches it. -1 < g < 1.
 PhaseFit FitHenyeyGreenstein(double g, double tolerance, int maximumPoles);
+PhaseFit FitCornetteShanks(double g, double tolerance, int maximumPoles);
+PhaseFit FitTable(const PhaseTable& table, double tolerance, int maximumPoles);
 }
 
 #endif

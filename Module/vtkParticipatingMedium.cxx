@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticipatingMedium.h"
 
-#include "AirlightMath.h"
-#include "AirlightPhaseFit.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -163,118 +161,6 @@ double vtkParticipatingMedium::GetMeanFreePath()
 }
 
 //------------------------------------------------------------------------------
-void vtkParticipatingMedium::SetPhaseFunction(int type)
-{
-  if (type != ISOTROPIC && type != HENYEY_GREENSTEIN)
-  {
-    vtkErrorMacro(<< "PhaseFunction " << type
-                  << " is not a phase function: use ISOTROPIC or HENYEY_GREENSTEIN.");
-    return;
-  }
-  if (this->PhaseFunction != type)
-  {
-    this->PhaseFunction = type;
-    this->PhaseFitCurrent = false;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkParticipatingMedium::SetAnisotropy(double g)
-{
-  if (!(g >= -0.99 && g <= 0.99))
-  {
-    vtkErrorMacro(<< "Anisotropy " << g << " must lie in [-0.99, 0.99]; it stays "
-                  << this->Anisotropy << ".");
-    return;
-  }
-  if (this->Anisotropy != g)
-  {
-    this->Anisotropy = g;
-    this->PhaseFitCurrent = false;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkParticipatingMedium::SetPhaseTolerance(double tolerance)
-{
-  if (!(tolerance >= 1e-6 && tolerance <= 0.1))
-  {
-    vtkErrorMacro(<< "PhaseTolerance " << tolerance << " must lie in [1e-6, 0.1]; it stays "
-                  << this->PhaseTolerance << ".");
-    return;
-  }
-  if (this->PhaseTolerance != tolerance)
-  {
-    this->PhaseTolerance = tolerance;
-    this->PhaseFitCurrent = false;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkParticipatingMedium::UpdatePhaseFit()
-{
-  if (this->PhaseFitCurrent)
-  {
-    return;
-  }
-  const double g = this->PhaseFunction == HENYEY_GREENSTEIN ? this->Anisotropy : 0.0;
-  const airlight::PhaseFit fit =
-    airlight::FitHenyeyGreenstein(g, this->PhaseTolerance, AIRLIGHT_MAX_POLES);
-  this->PhaseErrorBound = fit.ErrorBound;
-  this->PhasePoles.clear();
-  for (const airlight::PhasePole& pole : fit.Poles)
-  {
-    this->PhasePoles.push_back(pole.b);
-    this->PhasePoles.push_back(pole.c);
-  }
-  this->PhaseFitCurrent = true;
-}
-
-//------------------------------------------------------------------------------
-double vtkParticipatingMedium::GetPhaseErrorBound()
-{
-  this->UpdatePhaseFit();
-  return this->PhaseErrorBound;
-}
-
-int vtkParticipatingMedium::GetNumberOfPhasePoles()
-{
-  this->UpdatePhaseFit();
-  return static_cast<int>(this->PhasePoles.size() / 2);
-}
-
-void vtkParticipatingMedium::GetPhasePole(int index, double& b, double& c)
-{
-  if (index < 0 || index >= this->GetNumberOfPhasePoles())
-  {
-    vtkErrorMacro(<< "Phase pole " << index << " does not exist: there are "
-                  << this->GetNumberOfPhasePoles() << ".");
-    b = 1.0;
-    c = 0.0;
-    return;
-  }
-  b = this->PhasePoles[2 * index];
-  c = this->PhasePoles[2 * index + 1];
-}
-
-//------------------------------------------------------------------------------
-double vtkParticipatingMedium::EvaluatePhaseFunction(double cosTheta)
-{
-  if (std::isnan(cosTheta))
-  {
-    vtkErrorMacro("The cosine of the scattering angle is not a number.");
-    return 0.0;
-  }
-  const double g = this->PhaseFunction == HENYEY_GREENSTEIN ? this->Anisotropy : 0.0;
-  const double mu = std::clamp(cosTheta, -1.0, 1.0);
-  const double s = mu > -1.0 ? std::sqrt((1.0 - mu) / (1.0 + mu)) : 1e150;
-  return airlight::HenyeyGreenstein(g, s);
-}
-
-//------------------------------------------------------------------------------
 void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -284,20 +170,7 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   print3("Scattering", this->Scattering);
   print3("Absorption", this->Absorption);
   print3("AmbientRadiance", this->AmbientRadiance);
-  os << indent
-     << "PhaseFunction: " << (this->PhaseFunction == ISOTROPIC ? "Isotropic" : "HenyeyGreenstein")
-     << "\n";
-  os << indent << "Anisotropy: " << this->Anisotropy << "\n";
-  os << indent << "PhaseTolerance: " << this->PhaseTolerance << "\n";
-  os << indent << "PhaseErrorBound: ";
-  if (this->PhaseFitCurrent)
-  {
-    os << this->PhaseErrorBound << " (" << this->PhasePoles.size() / 2 << " poles)\n";
-  }
-  else
-  {
-    os << "(not fitted yet)\n";
-  }
+  this->PrintPhase(os, indent);
   const char* regions[] = { "Unbounded", "Box", "Sphere" };
   os << indent << "Region: " << regions[this->Region] << "\n";
   os << indent << "Bounds: (" << this->Bounds[0];

@@ -27,8 +27,16 @@
 
 #include "vtkAirlightModule.h" // for export macro
 #include "vtkObject.h"
+#include "vtkSmartPointer.h" // for the phase table
 
 #include <vector> // for the fitted poles
+
+class vtkTable;
+
+namespace airlight
+{
+class PhaseTable;
+}
 
 class VTKAIRLIGHT_EXPORT vtkParticipatingMedium : public vtkObject
 {
@@ -100,31 +108,64 @@ public:
 
   /**
    * Phase functions: the distribution of scattered light over angle, normalised to 1 over the
-   * sphere.
+   * sphere. mu is the cosine of the scattering angle, 1 is forward.
    */
   enum PhaseFunctionType
   {
-    ISOTROPIC = 0,        ///< 1/(4 pi): the same in all directions; exact
-    HENYEY_GREENSTEIN = 1 ///< Henyey and Greenstein 1941, one parameter, see SetAnisotropy()
+    ISOTROPIC = 0,         ///< 1/(4 pi): the same in all directions
+    HENYEY_GREENSTEIN = 1, ///< (1 - g^2)/(4 pi (1 + g^2 - 2 g mu)^(3/2)) (1941); by a fit
+    RAYLEIGH = 2,          ///< 3/(16 pi) (1 + mu^2): particles far smaller than the wavelength
+    SCHLICK = 3,           ///< (1 - k^2)/(4 pi (1 - k mu)^2), k the anisotropy (Blasi et al. 1993)
+    CORNETTE_SHANKS = 4,   ///< 3/(8 pi) (1 - g^2)/(2 + g^2) (1 + mu^2)/(1 + g^2 - 2 g mu)^(3/2)
+                           ///< (1992); by a fit, at g = 0 exactly Rayleigh's
+    MIE_HAZY = 5,          ///< (1/2 + 9/2 ((1 + mu)/2)^8)/(4 pi) (Nishita et al. 1987)
+    MIE_MURKY = 6,         ///< (1/2 + 33/2 ((1 + mu)/2)^32)/(4 pi) (Nishita et al. 1987)
+    TABULATED = 7          ///< measured, see SetPhaseTable(); by a fit
   };
 
   ///@{
   /**
-   * The phase function. Default: ISOTROPIC.
+   * The phase function. Default: ISOTROPIC. Isotropic, Rayleigh's and Schlick's functions are exact
+   * in closed form; Henyey and Greenstein's, Cornette and Shanks' and tables are fitted, see
+   * SetPhaseTolerance(). Mie's are evaluated exactly and integrated by quadrature, which costs more:
+   * their high powers are nothing that a few poles can give without losing digits.
    */
   void SetPhaseFunction(int type);
   vtkGetMacro(PhaseFunction, int);
   void SetPhaseFunctionToIsotropic() { this->SetPhaseFunction(ISOTROPIC); }
   void SetPhaseFunctionToHenyeyGreenstein() { this->SetPhaseFunction(HENYEY_GREENSTEIN); }
+  void SetPhaseFunctionToRayleigh() { this->SetPhaseFunction(RAYLEIGH); }
+  void SetPhaseFunctionToSchlick() { this->SetPhaseFunction(SCHLICK); }
+  void SetPhaseFunctionToCornetteShanks() { this->SetPhaseFunction(CORNETTE_SHANKS); }
+  void SetPhaseFunctionToMieHazy() { this->SetPhaseFunction(MIE_HAZY); }
+  void SetPhaseFunctionToMieMurky() { this->SetPhaseFunction(MIE_MURKY); }
+  void SetPhaseFunctionToTabulated() { this->SetPhaseFunction(TABULATED); }
   ///@}
 
   ///@{
   /**
-   * Anisotropy g of the Henyey-Greenstein function, the mean cosine of the scattering angle:
-   * above 0 forward, below 0 backward. Range: [-0.99, 0.99]. Default: 0.
+   * The parameter of the functions of Henyey and Greenstein (g, the mean cosine of the scattering
+   * angle), Cornette and Shanks (g) and Schlick (k; k = 1.55 g - 0.55 g^3 comes close to Henyey and
+   * Greenstein's g): above 0 forward, below 0 backward. Range: [-0.99, 0.99]. Default: 0.
+   *
+   * The other functions have none: setting it to anything but 0 while one of them is chosen is an
+   * error, and the old value stays. A script may set it before it chooses the function; if it then
+   * chooses none, the error comes when the medium is used.
    */
   void SetAnisotropy(double g);
   vtkGetMacro(Anisotropy, double);
+  ///@}
+
+  ///@{
+  /**
+   * The measured function of SetPhaseFunctionToTabulated(). Column 0: scattering angle in degrees,
+   * in [0, 180], ascending; column 1: value, above 0, in any unit: the function is normalised.
+   * Between the rows its logarithm is a monotone cubic (Fritsch and Carlson 1980); it is constant
+   * before the first and after the last one. At least 2 rows. A table that is no good is refused with an error and the old one stays. How closely the
+   * fit follows it, GetPhaseErrorBound() tells. Default: none.
+   */
+  void SetPhaseTable(vtkTable* table);
+  vtkTable* GetPhaseTable();
   ///@}
 
   ///@{
@@ -139,7 +180,8 @@ public:
 
   /**
    * The relative error that the fit reached: 0 for functions that need no fit. It can exceed the
-   * tolerance asked for only at extreme anisotropy, where GetNumberOfPhasePoles() is at its limit.
+   * tolerance asked for at extreme anisotropy and for tables with sharp corners, where
+   * GetNumberOfPhasePoles() is at its limit; for a table a warning says so.
    */
   double GetPhaseErrorBound();
 
@@ -150,11 +192,16 @@ public:
 
   ///@{
   /**
-   * The fit: p(cosTheta) = sum_k 2 c_k/((1 - cosTheta) + b_k^2 (1 + cosTheta)). See physics in the
-   * documentation. Index range: 0 to GetNumberOfPhasePoles() - 1.
+   * The function as it is integrated: with s = tan(theta/2) and q_k = s^2 + b_k^2
+   *
+   *   p = (1 + s^2) sum_k (c1_k/q_k + c2_k/q_k^2 + c3_k/q_k^3) + factor ((1 + cosTheta)/2)^exponent
+   *
+   * GetPhasePole() gives (b, c1, c2, c3), GetPhasePower() (factor, exponent). Index range: 0 to
+   * GetNumberOfPhasePoles() - 1.
    */
   int GetNumberOfPhasePoles();
-  void GetPhasePole(int index, double& b, double& c);
+  void GetPhasePole(int index, double pole[4]);
+  void GetPhasePower(double power[2]);
   ///@}
 
   ///@{
@@ -263,6 +310,11 @@ public:
   vtkGetVector3Macro(Up, double);
   ///@}
 
+  /**
+   * The later of the medium's own modification and its phase table's.
+   */
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkParticipatingMedium();
   ~vtkParticipatingMedium() override;
@@ -276,6 +328,8 @@ private:
   bool SetNumber(const char* name, double& target, double value, bool accepted, const char* range);
   void ScaleExtinction(double meanExtinction);
   void UpdatePhaseFit();
+  airlight::PhaseTable ReadPhaseTable();
+  void PrintPhase(ostream& os, vtkIndent indent);
 
   double Scattering[3] = { 0.0, 0.0, 0.0 };
   double Absorption[3] = { 0.0, 0.0, 0.0 };
@@ -287,9 +341,15 @@ private:
   double Anisotropy = 0.0;
   double PhaseTolerance = 1e-3;
 
+  vtkSmartPointer<vtkTable> PhaseTable;
+  bool PhaseFunctionChosen = false; // rather than the default
+  bool AnisotropyUnused = false;    // set before a function was chosen
+
   bool PhaseFitCurrent = false;
+  vtkMTimeType PhaseFitTime = 0; // of the table
   double PhaseErrorBound = 0.0;
-  std::vector<double> PhasePoles; // b_0, c_0, b_1, c_1, ...
+  std::vector<double> PhasePoles; // b_0, c1_0, c2_0, c3_0, b_1, ...
+  double PhasePower[2] = { 0.0, 0.0 };
 
   int Region = UNBOUNDED;
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };

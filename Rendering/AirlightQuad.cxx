@@ -53,13 +53,15 @@ void SetMediumUniforms(
     (name + ".inverseScaleHeight").c_str(), static_cast<float>(medium.inverseScaleHeight));
   program->SetUniformf((name + ".originHeight").c_str(), static_cast<float>(medium.originHeight));
   SetRegionUniforms(program, name + ".region", medium.region);
-  glm::vec2 poles[AIRLIGHT_MAX_POLES];
+  glm::vec4 poles[AIRLIGHT_MAX_POLES];
   for (int k = 0; k < medium.phase.poleCount; ++k)
   {
-    poles[k] = glm::vec2(medium.phase.pole[k]);
+    poles[k] = glm::vec4(medium.phase.pole[k]);
   }
-  program->SetUniform2fv((name + ".phase.pole").c_str(), medium.phase.poleCount, &poles[0].x);
+  program->SetUniform4fv((name + ".phase.pole").c_str(), medium.phase.poleCount, &poles[0].x);
   program->SetUniformi((name + ".phase.poleCount").c_str(), medium.phase.poleCount);
+  program->SetUniformi((name + ".phase.order").c_str(), medium.phase.order);
+  program->SetUniform2f((name + ".phase.power").c_str(), &glm::vec2(medium.phase.power)[0]);
 }
 }
 
@@ -68,7 +70,9 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind)
 {
   return std::string(AirlightPrelude) + Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) +
     Define("AIRLIGHT_MAX_MEDIA", media.count) + Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
-    (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) : "") +
+    (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
+          Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)
+                      : "") +
     (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") + AirlightExponentialIntegral +
     AirlightGauss + AirlightPhase + AirlightPointLight + AirlightRegion + AirlightMedium +
     AirlightMedia + AirlightLight + AirlightQuadrature + AirlightScattering;

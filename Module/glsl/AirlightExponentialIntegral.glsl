@@ -33,7 +33,8 @@ AIRLIGHT_FN real airlightAngle(real y, real x)
 
 // Near the origin: E1(z) = -gamma - ln z - S(z), S(z) = sum_k (-z)^k/(k k!). The polynomial S is
 // evaluated by its recurrence over real quadratics, which gives Im(S)/y without dividing by y.
-AIRLIGHT_FN real airlightGSeries(real x, real y)
+// Returns (g, Re(e^z E1(z))).
+AIRLIGHT_FN real2 airlightGSeries(real x, real y)
 {
   real q = x * x + y * y;
   real p = x + x;
@@ -61,14 +62,14 @@ AIRLIGHT_FN real airlightGSeries(real x, real y)
   real re = real(-0.57721566490153286) - real(0.5) * log(q) - (b1 * x - q * b2);
   real im = airlightAngle(y, x) / max(y, real(1e-30)) + b1;
   real sinc = y < real(1e-3) ? real(1.0) - y * y / real(6.0) : sin(y) / y;
-  return exp(x) * (cos(y) * im - sinc * re);
+  return exp(x) * real2(cos(y) * im - sinc * re, cos(y) * re + y * sin(y) * im);
 }
 
 #ifdef AIRLIGHT_DOUBLE
 // Away from the origin, double precision: the continued fraction
 // e^z E1(z) = 1/(z + 1 - 1/(z + 3 - 4/(z + 5 - 9/(z + 7 - ...)))), imaginary parts divided by -y:
-// then every term has one sign and nothing cancels.
-AIRLIGHT_FN real airlightGFar(real x, real y)
+// then every term has one sign and nothing cancels. Returns (g, Re(e^z E1(z))).
+AIRLIGHT_FN real2 airlightGFarPair(real x, real y)
 {
   // Convergence goes as exp(-4 sqrt(levels |z|) cos(arg(z)/2)).
   int levels = int(real(10.0) + real(190.0) / sqrt(x * x + y * y));
@@ -80,31 +81,40 @@ AIRLIGHT_FN real airlightGFar(real x, real y)
     re = x + real(2 * n + 1) - k * re;
     im = real(1.0) + k * im;
   }
-  return im / (re * re + y * y * im * im);
+  return real2(im, re) / (re * re + y * y * im * im);
+}
+
+AIRLIGHT_FN real airlightGFar(real x, real y)
+{
+  return airlightGFarPair(x, y).x;
 }
 #else
 // Away from the origin, single precision: the Stieltjes form with the exponential replaced by eight
 // positive poles, fitted by least squares with Lawson's weights: no cancellation, relative error
-// 6e-7 for |z| >= 1.
-AIRLIGHT_FN real airlightGFar(real x, real y)
+// 6e-7 for |z| >= 1. A pole of higher order (AirlightPhase.glsl) has the same form, with powers of
+// the same quotients.
+AIRLIGHT_FN real airlightFarTerm(real weight, real p, real y2, real3 c, real u2)
+{
+  real r = real(1.0) / (p * p + y2);
+  return weight * r * (c.x + u2 * r * (c.y + u2 * r * c.z));
+}
+
+AIRLIGHT_FN real airlightPoleFar(real x, real y, real3 c, real u2)
 {
   real y2 = y * y;
-  real p0 = x + real(0.0356820929);
-  real p1 = x + real(0.170044082);
-  real p2 = x + real(0.403992495);
-  real p3 = x + real(0.789397065);
-  real p4 = x + real(1.38302551);
-  real p5 = x + real(2.30068582);
-  real p6 = x + real(3.85542917);
-  real p7 = x + real(6.79779735);
-  return real(0.0855436166) / (p0 * p0 + y2) +
-    real(0.149942807) / (p1 * p1 + y2) +
-    real(0.200909055) / (p2 * p2 + y2) +
-    real(0.217074451) / (p3 * p3 + y2) +
-    real(0.182159801) / (p4 * p4 + y2) +
-    real(0.116040211) / (p5 * p5 + y2) +
-    real(0.0436835825) / (p6 * p6 + y2) +
-    real(0.00464619177) / (p7 * p7 + y2);
+  return airlightFarTerm(real(0.0855436166), x + real(0.0356820929), y2, c, u2) +
+    airlightFarTerm(real(0.149942807), x + real(0.170044082), y2, c, u2) +
+    airlightFarTerm(real(0.200909055), x + real(0.403992495), y2, c, u2) +
+    airlightFarTerm(real(0.217074451), x + real(0.789397065), y2, c, u2) +
+    airlightFarTerm(real(0.182159801), x + real(1.38302551), y2, c, u2) +
+    airlightFarTerm(real(0.116040211), x + real(2.30068582), y2, c, u2) +
+    airlightFarTerm(real(0.0436835825), x + real(3.85542917), y2, c, u2) +
+    airlightFarTerm(real(0.00464619177), x + real(6.79779735), y2, c, u2);
+}
+
+AIRLIGHT_FN real airlightGFar(real x, real y)
+{
+  return airlightPoleFar(x, y, real3(real(1.0), real(0.0), real(0.0)), real(0.0));
 }
 #endif
 
@@ -121,5 +131,17 @@ AIRLIGHT_FN real airlightG(real x, real y)
   {
     y = max(y, real(1e-15));
   }
-  return q < switchRadius * switchRadius ? airlightGSeries(x, y) : airlightGFar(x, y);
+  return q < switchRadius * switchRadius ? airlightGSeries(x, y).x : airlightGFar(x, y);
+}
+
+// (g, Re(e^z E1(z))); in single precision within |z| <= 1 only.
+AIRLIGHT_FN real2 airlightGPair(real x, real y)
+{
+#ifdef AIRLIGHT_DOUBLE
+  if (x * x + y * y >= real(4.0))
+  {
+    return airlightGFarPair(x, y);
+  }
+#endif
+  return airlightGSeries(x, y);
 }

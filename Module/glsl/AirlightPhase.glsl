@@ -1,30 +1,43 @@
 // Phase functions as sums of poles. In s = tan(theta/2) a phase function p, normalised over the
 // sphere, is seen by the scattering integral as w(s) = p/(1 + s^2) and is written
 //
-//   w(s) = sum_k c_k/(s^2 + b_k^2)    that is    p = sum_k 2 c_k/((1 - cos) + b_k^2 (1 + cos))
+//   w(s) = sum_k c1_k/q + c2_k/q^2 + c3_k/q^3,   q = s^2 + b_k^2
 //
-// The isotropic function is the single pole b = 1, c = 1/(4 pi).
+// The isotropic function is the single pole b = 1, c1 = 1/(4 pi); a polynomial in the cosine has
+// its poles at b = 1, because 1/(1 + s^2) = (1 + cos)/2. High powers of it, which poles could only
+// give as small differences of large terms, stand apart and are integrated by quadrature.
 
 struct AirlightPhase
 {
-  real2 pole[AIRLIGHT_MAX_POLES]; // (b, c)
+  real4 pole[AIRLIGHT_MAX_POLES]; // (b, c1, c2, c3)
   int poleCount;
+  int order;                      // of the poles: 1, 2 or 3
+  real2 power;                    // (c, n): c ((1 + cos)/2)^n; c is 0 where the poles are all
 };
 
 // Where the number of poles is known when a shader is compiled, its loops unroll.
 #ifndef AIRLIGHT_POLE_COUNT
 #define AIRLIGHT_POLE_COUNT phase.poleCount
 #endif
+#ifndef AIRLIGHT_POLE_ORDER
+#define AIRLIGHT_POLE_ORDER phase.order
+#endif
 
 // p(cosTheta) in 1/sr; cosTheta = 1 is forward.
 AIRLIGHT_FN real airlightPhase(AIRLIGHT_IN(AirlightPhase) phase, real cosTheta)
 {
+  real half1 = real(0.5) * (real(1.0) + cosTheta);
   real p = real(0.0);
   for (int k = 0; k < AIRLIGHT_POLE_COUNT; k++)
   {
-    real b = phase.pole[k].x;
-    p += real(2.0) * phase.pole[k].y /
-      ((real(1.0) - cosTheta) + b * b * (real(1.0) + cosTheta));
+    real4 pole = phase.pole[k];
+    // 1/(q (1 + cos)/2), finite in all directions.
+    real r = real(2.0) / ((real(1.0) - cosTheta) + pole.x * pole.x * (real(1.0) + cosTheta));
+    p += r * (pole.y + half1 * r * (pole.z + half1 * r * pole.w));
+  }
+  if (phase.power.x > real(0.0))
+  {
+    p += phase.power.x * pow(max(half1, real(1e-6)), phase.power.y);
   }
   return p;
 }
@@ -36,21 +49,57 @@ AIRLIGHT_FN real airlightPhaseCancellation(AIRLIGHT_IN(AirlightPhase) phase)
   real4 sum = real4(real(0.0));
   for (int k = 0; k < AIRLIGHT_POLE_COUNT; k++)
   {
-    real c = phase.pole[k].y;
-    real c0 = c / (phase.pole[k].x * phase.pole[k].x);
-    sum += real4(c, abs(c), c0, abs(c0));
+    real4 pole = phase.pole[k];
+    real r = real(1.0) / (pole.x * pole.x);
+    real3 c = real3(pole.y, pole.z * r, pole.w * r * r);
+    real3 size = abs(c);
+    sum += real4(c.x, size.x, r * (c.x + c.y + c.z), r * (size.x + size.y + size.z));
   }
   return max(sum.y / sum.x, sum.w / sum.z);
 }
 
-// sum_k c_k g(x, b_k y): the phase function's share of the scattering integral, see
-// AirlightPointLight.glsl.
-AIRLIGHT_FN real airlightPhaseG(AIRLIGHT_IN(AirlightPhase) phase, real x, real y)
+// What one pole adds to airlightPhaseG(): e^(u s0)/u times the integral of e^(-us) times its part of
+// w over s from s0 = x/u. The simple pole gives g(x, y), y = b u. Integration by parts leads from
+// one order to the next, with G = e^z E1(z), z = x - i y:
+//
+//   a2 = (g + Re G - x/|z|^2)/(2 b^2)
+//   a3 = (3 a2 + u^2 (1/|z|^2 - g)/2 - u^2 x/|z|^4)/(4 b^2)
+AIRLIGHT_FN real airlightPoleG(real4 pole, real x, real u)
+{
+  real y = pole.x * u;
+  real q = x * x + y * y;
+  if (q < real(1e-30))
+  {
+    y = max(y, real(1e-15));
+    u = y / pole.x;
+    q = x * x + y * y;
+  }
+#ifndef AIRLIGHT_DOUBLE
+  if (q >= real(1.0))
+  {
+    return airlightPoleFar(x, y, real3(pole.y, pole.z, pole.w), u * u);
+  }
+#endif
+  real2 g = airlightGPair(x, y);
+  real inverse = real(1.0) / q;
+  real b2 = pole.x * pole.x;
+  real u2 = u * u;
+  real a2 = (g.x + g.y - x * inverse) / (real(2.0) * b2);
+  real a3 =
+    (real(3.0) * a2 + u2 * (real(0.5) * (inverse - g.x) - x * inverse * inverse)) / (real(4.0) * b2);
+  return pole.y * g.x + pole.z * a2 + pole.w * a3;
+}
+
+// e^(u s0)/u times the integral of e^(-us) w over s from s0 = x/u: the phase function's share of
+// the scattering integral, see AirlightPointLight.glsl.
+AIRLIGHT_FN real airlightPhaseG(AIRLIGHT_IN(AirlightPhase) phase, real x, real u)
 {
   real sum = real(0.0);
   for (int k = 0; k < AIRLIGHT_POLE_COUNT; k++)
   {
-    sum += phase.pole[k].y * airlightG(x, phase.pole[k].x * y);
+    real4 pole = phase.pole[k];
+    sum += AIRLIGHT_POLE_ORDER > 1 ? airlightPoleG(pole, x, u)
+                                   : pole.y * airlightG(x, pole.x * u);
   }
   return sum;
 }

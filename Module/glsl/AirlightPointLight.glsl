@@ -4,9 +4,9 @@
 // ray is at tL, its distance from the ray is h, and r(t) = sqrt(h^2 + (t - tL)^2). With
 // s(t) = ((t - tL) + r)/h = tan(theta/2) the integral of p/r^2 exp(-sigmaT (t + r)) becomes
 // (2/h) e^(-sigmaT tL) times the integral of e^(-u s) w(s) ds, u = sigmaT h, and each pole of w
-// gives one value of g. Per unit sigmaS I:
+// gives one value of g (AirlightPhase.glsl). Per unit sigmaS I:
 //
-//   tail(t) = integral_t^inf = 2 sigmaT exp(-sigmaT (t + r)) sum_k c_k g(u s, b_k u)
+//   tail(t) = integral_t^inf = 2 sigmaT exp(-sigmaT (t + r)) phaseG(u s, u)
 
 // Wider angles take more nodes in the quadrature of short intervals.
 #ifdef AIRLIGHT_DOUBLE

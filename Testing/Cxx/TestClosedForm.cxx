@@ -9,6 +9,7 @@
 #include "AirlightTestTools.h"
 
 #include "AirlightMath.h"
+#include "AirlightTestPhase.h"
 #include "vtkAirlight.h"
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
@@ -75,41 +76,12 @@ double Expected(const Phase& phase, const Setting& s)
   return PointLightAirlight(phase, s.SigmaT, s.TL, s.H, s.T0, s.T1);
 }
 
-// The fit's own phase function, so that its error does not count against the arithmetic.
-template <typename Fit>
-double FittedPhase(const Fit& fit, double oneMinusCos, double onePlusCos)
-{
-  double p = 0.0;
-  for (int k = 0; k < fit.poleCount; ++k)
-  {
-    const double b = fit.pole[k].x;
-    p += 2.0 * fit.pole[k].y / (oneMinusCos + b * b * onePlusCos);
-  }
-  return p;
-}
-
-// The medium's poles for one of the precisions.
-template <typename Fit>
-Fit GetFit(vtkParticipatingMedium* medium)
-{
-  Fit fit{};
-  fit.poleCount = medium->GetNumberOfPhasePoles();
-  for (int k = 0; k < fit.poleCount; ++k)
-  {
-    double b;
-    double c;
-    medium->GetPhasePole(k, b, c);
-    fit.pole[k].x = b;
-    fit.pole[k].y = c;
-  }
-  return fit;
-}
-
 f64::AirlightPhase Isotropic()
 {
   f64::AirlightPhase phase{};
   phase.poleCount = 1;
-  phase.pole[0] = glm::dvec2(1.0, 0.25 / Pi);
+  phase.order = 1;
+  phase.pole[0] = glm::dvec4(1.0, 0.25 / Pi, 0.0, 0.0);
   return phase;
 }
 
@@ -132,7 +104,7 @@ void CompareDouble(
   {
     isotropic.Add(std::abs(value - expected) / expected, 1e-9, [&] { return s.Describe(); });
   }
-  const auto fit = GetFit<f64::AirlightPhase>(medium);
+  const auto fit = GetPhase<f64::AirlightPhase>(medium);
   const double expectedFit =
     Expected([&](double minus, double plus) { return FittedPhase(fit, minus, plus); }, s);
   const double valueFit = f64::airlightSegment(fit, s.SigmaT, foot, s.T0, s.T1);
@@ -149,7 +121,7 @@ void CompareDouble(
 void CompareFloat(const Setting& exact, vtkParticipatingMedium* medium, Comparison& comparison)
 {
   const Setting s = RoundToFloat(exact);
-  const auto fit = GetFit<f32::AirlightPhase>(medium);
+  const auto fit = GetPhase<f32::AirlightPhase>(medium);
   const auto phase = [&](double minus, double plus) { return FittedPhase(fit, minus, plus); };
   const Setting whole = { s.SigmaT, s.TL, s.H, 0.0, s.T1 };
   const double unshadowed = Expected(phase, whole);

@@ -9,6 +9,7 @@
 #include "AirlightTestTools.h"
 
 #include "AirlightMath.h"
+#include "AirlightTestPhase.h"
 #include "vtkAirlight.h"
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
@@ -154,14 +155,7 @@ void CheckFloat(const Scene& s, vtkParticipatingMedium* m, Comparison& compariso
   f32::AirlightMedium& medium = media.item[0];
   medium.sigmaS = glm::vec3(glm::make_vec3(m->GetScattering()));
   medium.sigmaT = glm::vec3(glm::make_vec3(m->GetExtinction()));
-  medium.phase.poleCount = m->GetNumberOfPhasePoles();
-  for (int k = 0; k < medium.phase.poleCount; ++k)
-  {
-    double b;
-    double c;
-    m->GetPhasePole(k, b, c);
-    medium.phase.pole[k] = glm::vec2(b, c);
-  }
+  medium.phase = GetPhase<f32::AirlightPhase>(m);
   f32::AirlightLight light{};
   light.kind = AIRLIGHT_POINT_CLOSED;
   light.cosCone = -1.0f;

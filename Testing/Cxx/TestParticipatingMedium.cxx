@@ -4,6 +4,8 @@
 // vtkParticipatingMedium: defaults, coefficients and the quantities derived from them, refusal of
 // bad values, and the phase functions against their integrals and against their fits.
 
+#include "AirlightMath.h"
+#include "AirlightTestPhase.h"
 #include "vtkCallbackCommand.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -244,15 +246,8 @@ double IntegrateOverSphere(vtkParticipatingMedium* medium, int power)
 
 double EvaluateFit(vtkParticipatingMedium* medium, double mu)
 {
-  double sum = 0.0;
-  for (int i = 0; i < medium->GetNumberOfPhasePoles(); ++i)
-  {
-    double b = 0.0;
-    double c = 0.0;
-    medium->GetPhasePole(i, b, c);
-    sum += 2.0 * c / ((1.0 - mu) + b * b * (1.0 + mu));
-  }
-  return sum;
+  const auto fit = airlight_test::GetPhase<airlight::f64::AirlightPhase>(medium);
+  return airlight_test::FittedPhase(fit, 1.0 - mu, 1.0 + mu);
 }
 
 // Cosines in [-1, 1]: evenly spaced, and ever closer to both ends, where the functions are steep.
