@@ -17,16 +17,17 @@ class AdaptivePiece
 {
 public:
   AdaptivePiece(const f64::AirlightMedia& media, const f64::AirlightLight& light,
-    const f64::AirlightRay& ray, double t0, double t1)
+    const f64::AirlightRay& ray, const f64::AirlightPiece& piece, double t1)
     : Media(media)
     , Light(light)
     , Ray(ray)
-    , T0(t0)
+    , Piece(piece)
+    , T0(piece.from)
     , T1(t1)
   {
-    const double x0 = t0 - ray.range.x - ray.foot.tL;
-    this->Straight =
-      f64::airlightIsDirectional(light) || t1 - t0 < 1e-4 * std::max(std::abs(x0), ray.foot.h);
+    const double x0 = this->T0 - ray.range.x - ray.foot.tL;
+    this->Straight = f64::airlightIsDirectional(light) ||
+      t1 - this->T0 < 1e-4 * std::max(std::abs(x0), ray.foot.h);
   }
 
   glm::dvec3 Integrate()
@@ -81,9 +82,8 @@ private:
 
   glm::dvec3 Panel(double from, double to) const
   {
-    return this->Straight
-      ? f64::airlightStraightPanel(this->Media, this->Light, this->Ray, from, to)
-      : f64::airlightPointPanel(this->Media, this->Light, this->Ray, from, to);
+    return f64::airlightPanel(
+      this->Media, this->Light, this->Ray, this->Piece, this->Straight, from, to);
   }
 
   glm::dvec3 Refine(double from, double to, const glm::dvec3& whole, int depth)
@@ -104,6 +104,7 @@ private:
   const f64::AirlightMedia& Media;
   const f64::AirlightLight& Light;
   const f64::AirlightRay& Ray;
+  const f64::AirlightPiece& Piece;
   double T0;
   double T1;
   bool Straight;
@@ -118,11 +119,15 @@ glm::dvec3 AdaptiveQuadrature(const f64::AirlightMedia& media, const f64::Airlig
   const f64::AirlightRay& ray, double t0, double t1)
 {
   glm::dvec3 sum(0.0);
-  for (int i = 0; i <= 2 * media.count && t0 < t1; ++i)
+  while (t0 < t1)
   {
-    const glm::dvec2 piece = f64::airlightNextPiece(media, ray, t0, t1);
-    sum += AdaptivePiece(media, light, ray, t0, piece.y).Integrate();
-    t0 = piece.x;
+    const f64::AirlightPiece piece = f64::airlightPieceAt(media, ray.origin, ray.direction, t0, t1);
+    if (piece.inside != 0)
+    {
+      const double end = f64::airlightFadedAt(media, piece, ray.origin, ray.direction);
+      sum += AdaptivePiece(media, light, ray, piece, end).Integrate();
+    }
+    t0 = piece.to;
   }
   return sum;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightConvert.h"
 
+#include "AirlightSurfaceTree.h"
+
 #include "vtkAirlight.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
@@ -22,9 +24,33 @@ int ConvertRegion(int region)
       return AIRLIGHT_REGION_BOX;
     case vtkParticipatingMedium::SPHERE:
       return AIRLIGHT_REGION_SPHERE;
+    case vtkParticipatingMedium::SURFACE:
+      return AIRLIGHT_REGION_SURFACE;
     default:
       return AIRLIGHT_REGION_UNBOUNDED;
   }
+}
+
+// A medium whose surface is missing or no good is nowhere.
+void ConvertSurface(
+  vtkParticipatingMedium* medium, const glm::dvec3& origin, f64::AirlightMedium& result)
+{
+  f64::AirlightRegion& region = result.region;
+  const std::shared_ptr<const SurfaceTree> tree = medium->GetSurfaceTree();
+  if (!tree)
+  {
+    region.kind = AIRLIGHT_REGION_BOX;
+    region.boxMin = glm::dvec3(0.0);
+    region.boxMax = glm::dvec3(0.0);
+    result.sigmaS = glm::dvec3(0.0);
+    result.sigmaT = glm::dvec3(0.0);
+    return;
+  }
+  region.boxMin = tree->GetLeast() - origin;
+  region.boxMax = tree->GetGreatest() - origin;
+  region.centre = tree->GetCentre() - origin;
+  region.data = tree->GetTexels().data();
+  region.nodes = tree->GetNodeCount();
 }
 
 f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dvec3& origin)
@@ -50,6 +76,10 @@ f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dve
   medium->GetCenter(&result.region.centre.x);
   result.region.centre -= origin;
   result.region.radius = medium->GetRadius();
+  if (result.region.kind == AIRLIGHT_REGION_SURFACE)
+  {
+    ConvertSurface(medium, origin, result);
+  }
   if (medium->GetDensity() == vtkParticipatingMedium::EXPONENTIAL_HEIGHT)
   {
     result.density = AIRLIGHT_DENSITY_HEIGHT;
@@ -69,6 +99,9 @@ bool IsInside(const f64::AirlightRegion& region, const glm::dvec3& point)
         glm::all(glm::lessThanEqual(point, region.boxMax));
     case AIRLIGHT_REGION_SPHERE:
       return glm::distance(point, region.centre) <= region.radius;
+    case AIRLIGHT_REGION_SURFACE:
+      // A way from the light to a sample may leave it and enter it again.
+      return false;
     default:
       return true;
   }

@@ -10,6 +10,7 @@
 #undef AIRLIGHT_REGION_UNBOUNDED
 #undef AIRLIGHT_REGION_BOX
 #undef AIRLIGHT_REGION_SPHERE
+#undef AIRLIGHT_REGION_SURFACE
 #undef AIRLIGHT_FAR
 #undef AIRLIGHT_DENSITY_UNIFORM
 #undef AIRLIGHT_DENSITY_HEIGHT
@@ -27,6 +28,8 @@
 #include "AirlightPointLight.glsl"
 #include "AirlightRegion.glsl"
 #include "AirlightMedium.glsl"
+#include "AirlightClosedSurface.glsl"
+#include "AirlightPath.glsl"
 #include "AirlightMedia.glsl"
 #include "AirlightLight.glsl"
 #include "AirlightQuadrature.glsl"

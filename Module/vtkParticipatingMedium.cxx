@@ -3,6 +3,8 @@
 #include "vtkParticipatingMedium.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -161,6 +163,14 @@ double vtkParticipatingMedium::GetMeanFreePath()
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkParticipatingMedium::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  time = this->PhaseTable ? std::max(time, this->PhaseTable->GetMTime()) : time;
+  return this->Surface ? std::max(time, this->Surface->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
 void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -171,7 +181,7 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   print3("Absorption", this->Absorption);
   print3("AmbientRadiance", this->AmbientRadiance);
   this->PrintPhase(os, indent);
-  const char* regions[] = { "Unbounded", "Box", "Sphere" };
+  const char* regions[] = { "Unbounded", "Box", "Sphere", "Surface" };
   os << indent << "Region: " << regions[this->Region] << "\n";
   os << indent << "Bounds: (" << this->Bounds[0];
   for (int i = 1; i < 6; ++i)
@@ -181,6 +191,7 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   os << ")\n";
   print3("Center", this->Center);
   os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Surface: " << this->Surface.Get() << "\n";
   os << indent << "Density: " << (this->Density == UNIFORM ? "Uniform" : "ExponentialHeight")
      << "\n";
   os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";

@@ -27,15 +27,18 @@
 
 #include "vtkAirlightModule.h" // for export macro
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // for the phase table
+#include "vtkSmartPointer.h" // for the phase table and the surface
 
+#include <memory> // for the surface
 #include <vector> // for the fitted poles
 
+class vtkPolyData;
 class vtkTable;
 
 namespace airlight
 {
 class PhaseTable;
+class SurfaceTree;
 }
 
 class VTKAIRLIGHT_EXPORT vtkParticipatingMedium : public vtkObject
@@ -222,7 +225,8 @@ public:
   {
     UNBOUNDED = 0, ///< everywhere
     BOX = 1,       ///< inside an axis-aligned box, see SetBounds()
-    SPHERE = 2     ///< inside a sphere, see SetCenter() and SetRadius()
+    SPHERE = 2,    ///< inside a sphere, see SetCenter() and SetRadius()
+    SURFACE = 3    ///< inside a closed surface, see SetSurface()
   };
 
   ///@{
@@ -234,6 +238,7 @@ public:
   void SetRegionToUnbounded() { this->SetRegion(UNBOUNDED); }
   void SetRegionToBox() { this->SetRegion(BOX); }
   void SetRegionToSphere() { this->SetRegion(SPHERE); }
+  void SetRegionToSurface() { this->SetRegion(SURFACE); }
   ///@}
 
   ///@{
@@ -261,6 +266,21 @@ public:
    */
   void SetRadius(double radius);
   vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * The surface of SetRegionToSurface(): polygons or strips that close, of any orientation and shape,
+   * in world coordinates. Inside is what a way from infinity reaches after an odd number of
+   * crossings: a surface within another one bounds a hole. Surfaces must not pass through each
+   * other; give overlapping bodies a medium each. Points at one place count as one point. Airlight
+   * is integrated by quadrature, see vtkAirlight, with the exact length inside of every way.
+   * An empty or open mesh is refused with an error and the old surface stays; if a mesh becomes so
+   * later, an error is reported when the medium is used, which then is nowhere. At most 4 million
+   * triangles. Default: none.
+   */
+  void SetSurface(vtkPolyData* surface);
+  vtkPolyData* GetSurface();
   ///@}
 
   /**
@@ -311,9 +331,15 @@ public:
   ///@}
 
   /**
-   * The later of the medium's own modification and its phase table's.
+   * The last modification of the medium, its phase table or its surface.
    */
   vtkMTimeType GetMTime() override;
+
+#ifndef __VTK_WRAP__
+  // The surface as it is used; null without a region of a surface or where that is no good. For the
+  // library's own use.
+  std::shared_ptr<const airlight::SurfaceTree> GetSurfaceTree();
+#endif
 
 protected:
   vtkParticipatingMedium();
@@ -355,6 +381,10 @@ private:
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Radius = 1.0;
+  vtkSmartPointer<vtkPolyData> Surface;
+  std::shared_ptr<const airlight::SurfaceTree> Tree; // of the surface
+  vtkMTimeType TreeTime = 0;                         // of the surface when the tree was made
+  vtkMTimeType MissingSurfaceTime = 0;               // of the medium when the error was reported
 
   int Density = UNIFORM;
   double ScaleHeight = 1.0;

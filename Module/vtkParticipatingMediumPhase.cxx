@@ -257,13 +257,6 @@ double vtkParticipatingMedium::EvaluatePhaseFunction(double cosTheta)
 }
 
 //------------------------------------------------------------------------------
-vtkMTimeType vtkParticipatingMedium::GetMTime()
-{
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->PhaseTable ? std::max(time, this->PhaseTable->GetMTime()) : time;
-}
-
-//------------------------------------------------------------------------------
 void vtkParticipatingMedium::PrintPhase(ostream& os, vtkIndent indent)
 {
   os << indent << "PhaseFunction: " << Names[this->PhaseFunction] << "\n";

@@ -4,15 +4,19 @@
 // vtkParticipatingMedium.cxx.
 #include "vtkParticipatingMedium.h"
 
+#include "AirlightSurfaceTree.h"
+#include "vtkPolyData.h"
+
 #include <algorithm>
 #include <cmath>
 
 //------------------------------------------------------------------------------
 void vtkParticipatingMedium::SetRegion(int type)
 {
-  if (type < UNBOUNDED || type > SPHERE)
+  if (type < UNBOUNDED || type > SURFACE)
   {
-    vtkErrorMacro(<< "Region " << type << " is not a region: use UNBOUNDED, BOX or SPHERE.");
+    vtkErrorMacro(<< "Region " << type
+                  << " is not a region: use UNBOUNDED, BOX, SPHERE or SURFACE.");
     return;
   }
   if (this->Region != type)
@@ -139,3 +143,52 @@ void vtkParticipatingMedium::SetUp(double x, double y, double z)
 }
 
 void vtkParticipatingMedium::SetUp(const double up[3]) { this->SetUp(up[0], up[1], up[2]); }
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetSurface(vtkPolyData* surface)
+{
+  if (this->Surface == surface)
+  {
+    return;
+  }
+  std::string error;
+  std::shared_ptr<const airlight::SurfaceTree> tree;
+  if (surface && !(tree = airlight::SurfaceTree::Build(surface, error)))
+  {
+    vtkErrorMacro(<< "The surface " << error << ". The old surface stays.");
+    return;
+  }
+  this->Surface = surface;
+  this->Tree = tree;
+  this->TreeTime = surface ? surface->GetMTime() : 0;
+  this->Modified();
+}
+
+vtkPolyData* vtkParticipatingMedium::GetSurface() { return this->Surface; }
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const airlight::SurfaceTree> vtkParticipatingMedium::GetSurfaceTree()
+{
+  if (this->Region != SURFACE)
+  {
+    return nullptr;
+  }
+  const vtkMTimeType time = this->Surface ? this->Surface->GetMTime() : 0;
+  if (this->Surface && time != this->TreeTime)
+  {
+    std::string error;
+    this->Tree = airlight::SurfaceTree::Build(this->Surface, error);
+    this->TreeTime = time;
+    if (!this->Tree)
+    {
+      vtkErrorMacro(<< "The surface " << error << ". The medium is nowhere until it is mended.");
+    }
+  }
+  if (!this->Surface && this->MissingSurfaceTime != this->GetMTime())
+  {
+    this->MissingSurfaceTime = this->GetMTime();
+    vtkErrorMacro("The region is a surface and there is none: call SetSurface(). The medium is "
+                  "nowhere until then.");
+  }
+  return this->Tree;
+}

@@ -29,6 +29,12 @@ bool Frame::Fail(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
+bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<Texels>& arrays)
+{
+  return this->Data.Update(window, arrays) || this->Fail(this->Data.GetError());
+}
+
+//------------------------------------------------------------------------------
 bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   const std::vector<Lamp>& lamps, const View& view, const FrameSettings& settings, int width,
   int height)
@@ -246,7 +252,8 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(0, row, this->Width, rows);
-  quad.Draw({ { "distances", this->Textures.Distances } });
+  quad.Draw(
+    { { "distances", this->Textures.Distances }, { "airlightData", this->Data.GetTexture() } });
   state->vtkglScissor(0, 0, this->Width, this->Height);
   return true;
 }
@@ -273,7 +280,8 @@ bool Frame::ReadyComposite(bool record, int x, int y)
 void Frame::DrawComposite(Quad& quad)
 {
   quad.Draw({ { "distances", this->Textures.Distances }, { "scene", this->Textures.Scene },
-    { "sceneDepth", this->Textures.Depth }, { "scattered", this->Textures.Scattered } });
+    { "sceneDepth", this->Textures.Depth }, { "scattered", this->Textures.Scattered },
+    { "airlightData", this->Data.GetTexture() } });
 }
 
 //------------------------------------------------------------------------------
@@ -356,6 +364,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Media = &this->Media;
   values.Lamps = &this->Lamps;
   values.Lit = this->Textures.Lit;
+  values.Data = this->Data.GetTexture();
   values.UseLit = this->Settings.Shadows && this->Settings.SurfaceShadows;
   return values;
 }
@@ -373,5 +382,6 @@ void Frame::Release(vtkWindow* window)
   this->Casters.Clear();
   this->Volumes.clear();
   this->Textures.Release(window);
+  this->Data.Release(window);
 }
 }

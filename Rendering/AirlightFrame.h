@@ -16,6 +16,7 @@
 #include "AirlightCasters.h"
 #include "AirlightLamps.h"
 #include "AirlightQuad.h"
+#include "AirlightSceneData.h"
 #include "AirlightShadowLists.h"
 #include "AirlightShadowVolumes.h"
 #include "AirlightSurfaceShader.h"
@@ -48,6 +49,10 @@ struct FrameSettings
 class Frame
 {
 public:
+  // Uploads arrays for the shaders, before Begin(), and says where each begins.
+  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<Texels>& arrays);
+  int GetFirst(size_t array) const { return this->Data.GetFirst(array); }
+
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
   bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps,
     const View& view, const FrameSettings& settings, int width, int height);
@@ -95,6 +100,7 @@ private:
   void ClearTarget(float value);
 
   Targets Textures;
+  SceneData Data;
   ShadowLists Boundaries;
   CasterCache Casters;
   std::vector<ShadowVolumes> Volumes; // by light number

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightQuad.h"
 
+#include "AirlightClosedSurface.h"
 #include "AirlightExponentialIntegral.h"
 #include "AirlightFullScreenVS.h"
 #include "AirlightGauss.h"
@@ -10,6 +11,7 @@
 #include "AirlightMedia.h"
 #include "AirlightMedium.h"
 #include "AirlightOpenGL.h"
+#include "AirlightPath.h"
 #include "AirlightPhase.h"
 #include "AirlightPointLight.h"
 #include "AirlightPrelude.h"
@@ -21,6 +23,8 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+
+#include <algorithm>
 
 namespace airlight
 {
@@ -39,6 +43,8 @@ void SetRegionUniforms(
   program->SetUniform3f((name + ".boxMax").c_str(), &region.boxMax.x);
   program->SetUniform3f((name + ".centre").c_str(), &region.centre.x);
   program->SetUniformf((name + ".radius").c_str(), static_cast<float>(region.radius));
+  program->SetUniformi((name + ".first").c_str(), region.first);
+  program->SetUniformi((name + ".nodes").c_str(), region.nodes);
 }
 
 void SetMediumUniforms(
@@ -68,14 +74,18 @@ void SetMediumUniforms(
 //------------------------------------------------------------------------------
 std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind)
 {
-  return std::string(AirlightPrelude) + Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) +
+  const bool surface = std::any_of(media.item, media.item + media.count,
+    [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
+  return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_DATA", surface) +
+    AirlightPrelude + Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) +
     Define("AIRLIGHT_MAX_MEDIA", media.count) + Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
     (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
           Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)
                       : "") +
     (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") + AirlightExponentialIntegral +
     AirlightGauss + AirlightPhase + AirlightPointLight + AirlightRegion + AirlightMedium +
-    AirlightMedia + AirlightLight + AirlightQuadrature + AirlightScattering;
+    AirlightClosedSurface + AirlightPath + AirlightMedia + AirlightLight + AirlightQuadrature +
+    AirlightScattering;
 }
 
 //------------------------------------------------------------------------------
@@ -128,6 +138,10 @@ void Quad::Draw(const std::vector<std::pair<const char*, vtkTextureObject*>>& te
 {
   for (const auto& texture : textures)
   {
+    if (!texture.second)
+    {
+      continue;
+    }
     texture.second->Activate();
     this->Program->SetUniformi(texture.first, texture.second->GetTextureUnit());
   }
@@ -140,7 +154,10 @@ void Quad::Draw(const std::vector<std::pair<const char*, vtkTextureObject*>>& te
   glBindVertexArray(0);
   for (const auto& texture : textures)
   {
-    texture.second->Deactivate();
+    if (texture.second)
+    {
+      texture.second->Deactivate();
+    }
   }
 }
 

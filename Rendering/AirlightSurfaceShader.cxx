@@ -87,6 +87,10 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   values.Rays->SetUniforms(program, 0, 0);
   // A sampler left at unit 0 would clash with the mapper's own.
   program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
+  if (values.Data)
+  {
+    program->SetUniformi("airlightData", values.Data->GetTextureUnit());
+  }
   if (values.Stage == SurfaceStage::Distance)
   {
     return;

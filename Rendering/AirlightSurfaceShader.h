@@ -45,8 +45,9 @@ struct SurfaceUniforms
   const View* Rays = nullptr;
   const f64::AirlightMedia* Media = nullptr;
   const std::vector<Lamp>* Lamps = nullptr;
-  vtkTextureObject* Lit = nullptr; // an active texture in any case
-  bool UseLit = false;             // false: all surfaces are lit
+  vtkTextureObject* Lit = nullptr;  // an active texture in any case
+  vtkTextureObject* Data = nullptr; // an active texture, or null where the shaders read none
+  bool UseLit = false;              // false: all surfaces are lit
 };
 
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values);

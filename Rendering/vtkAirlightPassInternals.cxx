@@ -3,6 +3,7 @@
 #include "vtkAirlightPassInternals.h"
 
 #include "AirlightOpenGL.h"
+#include "AirlightSurfaceTree.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -134,7 +135,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   {
     media.push_back(this->Vacuum);
   }
-  const f64::AirlightMedia converted = ConvertMedia(media, view.GetEye());
+  f64::AirlightMedia converted = ConvertMedia(media, view.GetEye());
   std::vector<Lamp> lamps = CollectLamps(renderer, converted, view, this->Self->LightRadius);
   for (Lamp& lamp : lamps)
   {
@@ -161,7 +162,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   vtkOpenGLState::ScopedglEnableDisable depthSaver(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
   state->PushFramebufferBindings();
-  const bool ok =
+  const bool ok = this->UploadData(window, media, converted) &&
     this->CurrentFrame.Begin(renderer, converted, lamps, view, settings, width, height) &&
     this->RenderSteps(s);
   state->PopFramebufferBindings();
@@ -182,6 +183,30 @@ bool vtkAirlightPass::Internals::RenderFrame(
 }
 
 //------------------------------------------------------------------------------
+// Puts on the graphics card what the media's surfaces are, and into the media where it is there.
+bool vtkAirlightPass::Internals::UploadData(vtkOpenGLRenderWindow* window,
+  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted)
+{
+  std::vector<Texels> arrays;
+  std::vector<int*> first;
+  for (int i = 0; i < converted.count; ++i)
+  {
+    if (converted.item[i].region.kind == AIRLIGHT_REGION_SURFACE)
+    {
+      const std::shared_ptr<const SurfaceTree> tree = media[i]->GetSurfaceTree();
+      arrays.emplace_back(tree, &tree->GetTexels());
+      first.push_back(&converted.item[i].region.first);
+    }
+  }
+  const bool ok = this->CurrentFrame.Upload(window, arrays);
+  for (size_t i = 0; i < first.size() && ok; ++i)
+  {
+    *first[i] = this->CurrentFrame.GetFirst(i);
+  }
+  return ok;
+}
+
+//------------------------------------------------------------------------------
 // The steps inside the pass's own framebuffer.
 bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
 {
@@ -189,25 +214,34 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
   inner.SetFrameBuffer(this->CurrentFrame.GetFramebuffer());
 
-  vtkTextureObject* lit = this->CurrentFrame.GetSurfaceUniforms(SurfaceStage::Colour).Lit;
+  const SurfaceUniforms values = this->CurrentFrame.GetSurfaceUniforms(SurfaceStage::Colour);
+  const auto activate = [&values](bool on) {
+    for (vtkTextureObject* texture : { values.Lit, values.Data })
+    {
+      if (texture)
+      {
+        on ? texture->Activate() : texture->Deactivate();
+      }
+    }
+  };
   this->Self->PreRender(s);
-  lit->Activate();
+  activate(true);
   this->Stage = SurfaceStage::Distance;
   bool ok = this->CurrentFrame.BindDistances();
   if (ok)
   {
     this->OpaquePass->Render(&inner);
   }
-  lit->Deactivate();
+  activate(false);
   ok = ok && this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
   this->Stage = SurfaceStage::Colour;
   if (ok)
   {
-    lit->Activate();
+    activate(true);
     vtkRenderPass* delegate = this->GetDelegate();
     delegate->Render(&inner);
     this->Self->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
-    lit->Deactivate();
+    activate(false);
   }
   this->Self->PostRender(s);
   return ok && (!this->Self->RecordBuffers || this->CurrentFrame.Record());

@@ -72,6 +72,8 @@ public:
 
 private:
   bool RenderSteps(const vtkRenderState* s);
+  bool UploadData(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
+    airlight::f64::AirlightMedia& converted);
   void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media, int lampCount);
   vtkRenderPass* GetDelegate();
 };

@@ -43,24 +43,105 @@ AIRLIGHT_FN real3 airlightSunDepths(
   return depth;
 }
 
-// Ambient radiance that medium i scatters into a ray on [0, l], per unit of what it would be
-// without the others: sigmaS integral of density exp(-depth). Gauss-Legendre where others overlap
-// it; exact where it is alone.
-AIRLIGHT_FN real3 airlightAmbientOf(AIRLIGHT_IN(AirlightMedia) media, int i, real3 origin,
-  real3 direction, real l)
+// A part of a ray in which no medium begins or ends.
+struct AirlightPiece
 {
-  real2 range = airlightRegionRange(media.item[i].region, origin, direction, l);
-  real3 sigmaT = media.item[i].sigmaT;
-  if (AIRLIGHT_MEDIUM_COUNT == 1)
+  real from;
+  real to;
+  int inside;  // bit i: medium i is there
+  real3 depth; // optical depth before it
+};
+
+AIRLIGHT_FN bool airlightHolds(AIRLIGHT_IN(AirlightPiece) piece, int i)
+{
+  return ((piece.inside >> i) & 1) != 0;
+}
+
+// The piece that begins at t0, at most up to t1.
+AIRLIGHT_FN AirlightPiece airlightPieceAt(
+  AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
+{
+#ifdef AIRLIGHT_DOUBLE
+  const real apart = real(1e-13);
+#else
+  const real apart = real(1e-6);
+#endif
+  AirlightPiece piece;
+  piece.from = t0;
+  piece.to = t1;
+  piece.inside = 0;
+  piece.depth = airlightDepth(media, origin, direction, t0);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    real depth = airlightInsideDepth(media.item[i], origin, direction, range.x, range.y);
-    return real3(airlightOpticalLength(sigmaT.x, depth), airlightOpticalLength(sigmaT.y, depth),
-      airlightOpticalLength(sigmaT.z, depth));
+    // Ends closer than this are one end.
+    real2 end = airlightNextEnd(media.item[i], origin, direction, t0 + apart * abs(t0));
+    piece.to = min(piece.to, end.x);
+    piece.inside = end.y > real(0.5) ? piece.inside | (1 << i) : piece.inside;
   }
-  // In the share of the medium's own depth, which is bounded where the range is not.
+  return piece;
+}
+
+// Where in the piece nothing is left of the light, or the piece's end.
+AIRLIGHT_FN real airlightFadedAt(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightPiece) piece,
+  real3 origin, real3 direction)
+{
+#ifdef AIRLIGHT_DOUBLE
+  const real depth = real(40.0);
+#else
+  const real depth = real(20.0);
+#endif
+  real least = real(AIRLIGHT_FAR);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (airlightHolds(piece, i))
+    {
+      // Where density falls with height, light fades over at least one scale height.
+      least = min(least, airlightLeastExtinction(media.item[i]) *
+          airlightDensity(media.item[i], origin + piece.from * direction));
+    }
+  }
+  return min(piece.to, piece.from + depth / max(least, real(1e-15)));
+}
+
+// Optical depth before t, which lies in the piece.
+AIRLIGHT_FN real3 airlightDepthInPiece(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction, real t)
+{
+  real3 depth = piece.depth;
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (airlightHolds(piece, i))
+    {
+      depth += media.item[i].sigmaT *
+        airlightInsideDepth(media.item[i], origin, direction, piece.from, t);
+    }
+  }
+  return depth;
+}
+
+// Ambient radiance that the media scatter into one piece of a ray: exact where their densities are
+// uniform, else by Gauss-Legendre quadrature.
+AIRLIGHT_FN real3 airlightAmbientInPiece(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
+{
+  bool uniformly = true;
+  real3 sigmaT = real3(real(0.0));
+  real3 source = real3(real(0.0));
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (airlightHolds(piece, i))
+    {
+      uniformly = uniformly && media.item[i].density == AIRLIGHT_DENSITY_UNIFORM;
+      sigmaT += media.item[i].sigmaT;
+      source += media.item[i].sigmaS * media.item[i].ambient;
+    }
+  }
+  if (uniformly)
+  {
+    return source * airlightFading3(piece.depth, sigmaT, piece.to - piece.from);
+  }
   real3 sum = real3(real(0.0));
-  real strongest = max(sigmaT.x, max(sigmaT.y, sigmaT.z));
-  real to = range.x + min(range.y - range.x, real(60.0) / max(strongest, real(1e-15)));
+  real reach = airlightFadedAt(media, piece, origin, direction) - piece.from;
   const int panels = 6;
   for (int k = 0; k < panels * AIRLIGHT_GAUSS_COUNT; k++)
   {
@@ -68,25 +149,51 @@ AIRLIGHT_FN real3 airlightAmbientOf(AIRLIGHT_IN(AirlightMedia) media, int i, rea
     real position = k % 2 == 0 ? node.x : -node.x;
     real share = (real(k / AIRLIGHT_GAUSS_COUNT) + real(0.5) + real(0.5) * position) / real(panels);
     // Squared: most of what matters is near the eye.
-    real t = range.x + (to - range.x) * share * share;
-    sum += node.y * share * airlightDensity(media.item[i], origin + t * direction) *
-      exp(-airlightDepth(media, origin, direction, t));
+    real t = piece.from + reach * share * share;
+    source = real3(real(0.0));
+    for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+    {
+      if (airlightHolds(piece, i))
+      {
+        source += media.item[i].sigmaS * media.item[i].ambient *
+          airlightDensity(media.item[i], origin + t * direction);
+      }
+    }
+    sum += node.y * share * source *
+      exp(-airlightDepthInPiece(media, piece, origin, direction, t));
   }
-  return sum * (to - range.x) / real(panels);
+  return sum * reach / real(panels);
 }
 
+// Ambient radiance scattered into a ray on [0, l]. One medium alone depends on its depth only,
+// wherever it is.
 AIRLIGHT_FN real3 airlightAmbient(
   AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real l)
 {
-  real3 sum = real3(real(0.0));
+  real3 ambient = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    // Without ambient radiance there is nothing to integrate.
-    if (dot(media.item[i].ambient, real3(real(1.0))) > real(0.0))
-    {
-      sum += media.item[i].sigmaS * media.item[i].ambient *
-        airlightAmbientOf(media, i, origin, direction, l);
-    }
+    ambient += media.item[i].ambient;
+  }
+  if (dot(ambient, real3(real(1.0))) <= real(0.0))
+  {
+    return real3(real(0.0));
+  }
+  if (AIRLIGHT_MEDIUM_COUNT == 1)
+  {
+    real3 sigmaT = media.item[0].sigmaT;
+    real depth = airlightPathDepth(media.item[0], origin, direction, l);
+    return media.item[0].sigmaS * ambient *
+      real3(airlightOpticalLength(sigmaT.x, depth), airlightOpticalLength(sigmaT.y, depth),
+        airlightOpticalLength(sigmaT.z, depth));
+  }
+  real3 sum = real3(real(0.0));
+  real t = real(0.0);
+  while (t < l)
+  {
+    AirlightPiece piece = airlightPieceAt(media, origin, direction, t, l);
+    sum += airlightAmbientInPiece(media, piece, origin, direction);
+    t = piece.to;
   }
   return sum;
 }

@@ -79,28 +79,6 @@ AIRLIGHT_FN real airlightInsideDepth(
     airlightOpticalLength(abs(rate), to - from);
 }
 
-// Integral of the density along the part of [0, l] of a ray that is inside the region: times
-// sigmaT it is the optical depth.
-AIRLIGHT_FN real airlightPathDepth(
-  AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real l)
-{
-  real2 range = airlightRegionRange(medium.region, origin, direction, l);
-  return airlightInsideDepth(medium, origin, direction, range.x, range.y);
-}
-
-// The same on the way to a light at infinity. An unbounded uniform medium would swallow it: there
-// the light is taken as unattenuated.
-AIRLIGHT_FN real airlightSunDepth(
-  AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 toLight)
-{
-  if (medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
-    medium.density == AIRLIGHT_DENSITY_UNIFORM)
-  {
-    return real(0.0);
-  }
-  return min(airlightPathDepth(medium, point, toLight, real(AIRLIGHT_FAR)), real(1e30));
-}
-
 // True where all channels fade alike, so that one of them serves for three.
 AIRLIGHT_FN bool airlightIsGrey(AIRLIGHT_IN(AirlightMedium) medium)
 {

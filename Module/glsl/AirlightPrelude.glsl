@@ -7,3 +7,9 @@
 #define AIRLIGHT_FN
 #define AIRLIGHT_OUT(T) out T
 #define AIRLIGHT_IN(T) T
+// Triangles, tables: what does not fit into uniforms.
+#define AIRLIGHT_DATA_MEMBER
+#define AIRLIGHT_FETCH(owner, i) texelFetch(airlightData, i)
+#if AIRLIGHT_HAS_DATA
+uniform samplerBuffer airlightData;
+#endif

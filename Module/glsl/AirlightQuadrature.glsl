@@ -1,26 +1,18 @@
 // Airlight by quadrature, for what has no closed form: other attenuations than the inverse square,
 // spots with an exponent, lights outside the region, varying density, several media.
 
-// What medium i scatters of a light at x from the ray's start, without the light's way.
-AIRLIGHT_FN real3 airlightScatteredBy(AIRLIGHT_IN(AirlightMedia) media, int i, real3 origin,
-  real3 direction, real t, real cosTheta)
-{
-  real2 range = airlightRegionRange(media.item[i].region, origin, direction, real(AIRLIGHT_FAR));
-  if (t < range.x || t > range.y)
-  {
-    return real3(real(0.0));
-  }
-  return media.item[i].sigmaS * airlightPhase(media.item[i].phase, cosTheta) *
-    airlightDensity(media.item[i], origin + t * direction);
-}
-
-AIRLIGHT_FN real3 airlightScattered(AIRLIGHT_IN(AirlightMedia) media, real3 origin,
-  real3 direction, real t, real cosTheta)
+// What the media of a piece scatter at a point, without what fades before and after.
+AIRLIGHT_FN real3 airlightScattered(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightPiece) piece, real3 point, real cosTheta)
 {
   real3 sum = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    sum += airlightScatteredBy(media, i, origin, direction, t, cosTheta);
+    if (airlightHolds(piece, i))
+    {
+      sum += media.item[i].sigmaS * airlightPhase(media.item[i].phase, cosTheta) *
+        airlightDensity(media.item[i], point);
+    }
   }
   return sum;
 }
@@ -40,32 +32,33 @@ AIRLIGHT_FN real airlightFalloff(AIRLIGHT_IN(AirlightLight) light, real3 point, 
 
 // The integrand for a light at a place: x from the light's foot, r from the light.
 AIRLIGHT_FN real3 airlightPointIntegrand(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real x, real r)
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
+  AIRLIGHT_IN(AirlightPiece) piece, real x, real r)
 {
   real t = ray.range.x + ray.foot.tL + x;
   real3 point = ray.origin + t * ray.direction;
-  real3 depth = airlightDepth(media, ray.origin, ray.direction, t) +
+  real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
     airlightDepthBetween(media, point, light.position);
-  return airlightScattered(media, ray.origin, ray.direction, t, -x / r) * exp(-depth) *
+  return airlightScattered(media, piece, point, -x / r) * exp(-depth) *
     airlightFalloff(light, point, r);
 }
 
 // The integrand for a light at infinity.
 AIRLIGHT_FN real3 airlightSunIntegrand(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t)
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
+  AIRLIGHT_IN(AirlightPiece) piece, real t)
 {
   real3 point = ray.origin + t * ray.direction;
-  real3 depth = airlightDepth(media, ray.origin, ray.direction, t) +
+  real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
     airlightSunDepths(media, point, light.position);
-  return airlightScattered(
-           media, ray.origin, ray.direction, t, dot(light.position, ray.direction)) *
-    exp(-depth);
+  return airlightScattered(media, piece, point, dot(light.position, ray.direction)) * exp(-depth);
 }
 
 // Gauss-Legendre quadrature on [v0, v1] after x = h sinh v, which makes the peak near the light,
 // of width h, as smooth as the tails: dx = r dv.
 AIRLIGHT_FN real3 airlightPointPanel(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real v0, real v1)
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
+  AIRLIGHT_IN(AirlightPiece) piece, real v0, real v1)
 {
   real middle = real(0.5) * (v0 + v1);
   real reach = real(0.5) * (v1 - v0);
@@ -76,7 +69,7 @@ AIRLIGHT_FN real3 airlightPointPanel(AIRLIGHT_IN(AirlightMedia) media,
     real e = exp(middle + (k % 2 == 0 ? reach : -reach) * node.x);
     real r = real(0.5) * ray.foot.h * (e + real(1.0) / e);
     real x = real(0.5) * ray.foot.h * (e - real(1.0) / e);
-    sum += node.y * r * airlightPointIntegrand(media, light, ray, x, r);
+    sum += node.y * r * airlightPointIntegrand(media, light, ray, piece, x, r);
   }
   return reach * sum;
 }
@@ -84,7 +77,8 @@ AIRLIGHT_FN real3 airlightPointPanel(AIRLIGHT_IN(AirlightMedia) media,
 // Gauss-Legendre quadrature on [t0, t1] as it is: for lights at infinity, and for lights at a place
 // on intervals so short that v0 and v1 would be one number.
 AIRLIGHT_FN real3 airlightStraightPanel(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
+  AIRLIGHT_IN(AirlightPiece) piece, real t0, real t1)
 {
   real3 sum = real3(real(0.0));
   for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
@@ -94,13 +88,13 @@ AIRLIGHT_FN real3 airlightStraightPanel(AIRLIGHT_IN(AirlightMedia) media,
     real t = t0 + share * (t1 - t0);
     if (airlightIsDirectional(light))
     {
-      sum += node.y * airlightSunIntegrand(media, light, ray, t);
+      sum += node.y * airlightSunIntegrand(media, light, ray, piece, t);
     }
     else
     {
       real x = t - ray.range.x - ray.foot.tL;
       real r = sqrt(ray.foot.h * ray.foot.h + x * x);
-      sum += node.y * airlightPointIntegrand(media, light, ray, x, r);
+      sum += node.y * airlightPointIntegrand(media, light, ray, piece, x, r);
     }
   }
   return real(0.5) * (t1 - t0) * sum;
@@ -110,53 +104,6 @@ AIRLIGHT_FN real airlightAsinh(real x)
 {
   real a = log(abs(x) + sqrt(x * x + real(1.0)));
   return x < real(0.0) ? -a : a;
-}
-
-// Extinction, at density 1, of the channel that fades least among those that fade: the far end of
-// what matters depends on it.
-AIRLIGHT_FN real airlightLeastExtinction(AIRLIGHT_IN(AirlightMedium) medium)
-{
-  // A clear channel scatters nothing and has no say.
-  real x = medium.sigmaT.x > real(0.0) ? medium.sigmaT.x : real(AIRLIGHT_FAR);
-  real y = medium.sigmaT.y > real(0.0) ? medium.sigmaT.y : real(AIRLIGHT_FAR);
-  real z = medium.sigmaT.z > real(0.0) ? medium.sigmaT.z : real(AIRLIGHT_FAR);
-  return min(x, min(y, z));
-}
-
-// The far end of what matters of [t0, t1] after the next place where a medium begins or ends:
-// x is that place, within t1; y is where the light there has faded, within x.
-AIRLIGHT_FN real2 airlightNextPiece(
-  AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
-{
-#ifdef AIRLIGHT_DOUBLE
-  const real depth = real(40.0);
-#else
-  const real depth = real(20.0);
-#endif
-  real end = t1;
-  real least = real(AIRLIGHT_FAR);
-  // Ends closer than this are one end.
-  real skip = t0 + real(1e-6) * abs(t0);
-  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
-  {
-    real2 range = airlightRegionRange(
-      media.item[i].region, ray.origin, ray.direction, real(AIRLIGHT_FAR));
-    if (range.y > range.x)
-    {
-      end = range.x > skip ? min(end, range.x) : end;
-      end = range.y > skip ? min(end, range.y) : end;
-      if (range.x <= skip && range.y > skip)
-      {
-        // Where density falls with height, light fades over at least one scale height.
-        real extinction = airlightLeastExtinction(media.item[i]) *
-          (media.item[i].density == AIRLIGHT_DENSITY_UNIFORM
-              ? real(1.0)
-              : airlightDensity(media.item[i], ray.origin + t0 * ray.direction));
-        least = min(least, extinction);
-      }
-    }
-  }
-  return real2(end, min(end, t0 + depth / max(least, real(1e-15))));
 }
 
 // How many panels a piece takes: `scale` of the variable makes one panel.
@@ -177,35 +124,84 @@ AIRLIGHT_FN bool airlightHasFaces(AIRLIGHT_IN(AirlightMedia) media)
   return faces;
 }
 
-// One piece without ends of media in it.
-AIRLIGHT_FN real3 airlightQuadraturePiece(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
+AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
+  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1)
 {
+  return straight ? airlightStraightPanel(media, light, ray, piece, v0, v1)
+                  : airlightPointPanel(media, light, ray, piece, v0, v1);
+}
+
+// The panels from v0 to v1, at first all of one width. Where the integrand has kinks, a panel whose
+// halves do not agree with it is halved.
+AIRLIGHT_FN real3 airlightHalvedPanels(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
+  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, int panels)
+{
+  // A kink's own error is a few times smaller than what its halves differ by.
+  const real tolerance = real(5e-4);
+  const real least = real(1.0 / 256.0);
+  real width = (v1 - v0) / real(panels);
+  real step = width;
+  real a = v0;
+  real3 sum = real3(real(0.0));
+  real3 whole = airlightPanel(media, light, ray, piece, straight, a, a + step);
+  // As many halvings as could ever be needed for some tens of kinks.
+  for (int i = 0; i < 60 * 20 && a < v1; i++)
+  {
+    real b = min(a + step, v1);
+    real middle = real(0.5) * (a + b);
+    real3 low = airlightPanel(media, light, ray, piece, straight, a, middle);
+    real3 high = airlightPanel(media, light, ray, piece, straight, middle, b);
+    real3 change = abs(low + high - whole);
+    // Written so that what is not a number ends it, too.
+    if (!any(greaterThan(change, tolerance * (sum + low + high))) || step < least * width)
+    {
+      sum += low + high;
+      a = b;
+      step = min(real(2.0) * step, width);
+      b = min(a + step, v1);
+      // The last of them may be a rounding error wide.
+      a = v1 - a < real(1e-3) * step ? v1 : a;
+      whole = a < v1 ? airlightPanel(media, light, ray, piece, straight, a, b) : whole;
+    }
+    else
+    {
+      step *= real(0.5);
+      whole = low;
+    }
+  }
+  return sum;
+}
+
+// One piece, up to t1, where what is left of the light no longer counts.
+AIRLIGHT_FN real3 airlightQuadraturePiece(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
+  AIRLIGHT_IN(AirlightPiece) piece, real t1)
+{
+  real t0 = piece.from;
   real x0 = t0 - ray.range.x - ray.foot.tL;
   real x1 = t1 - ray.range.x - ray.foot.tL;
   bool straight = airlightIsDirectional(light) ||
     x1 - x0 < real(0.05) * max(abs(x0), ray.foot.h);
   real v0 = straight ? t0 : airlightAsinh(x0 / ray.foot.h);
   real v1 = straight ? t1 : airlightAsinh(x1 / ray.foot.h);
-  bool faces = airlightHasFaces(media);
-  int panels = airlightIsDirectional(light) ? 12 : (faces ? 4 : 1);
+  if (airlightHasFaces(media))
+  {
+    int panels = straight ? 2 : airlightPanelCount(v1 - v0, real(1.0));
+    return airlightHalvedPanels(media, light, ray, piece, straight, v0, v1, panels);
+  }
+  int panels = airlightIsDirectional(light) ? 12 : 1;
   if (!straight)
   {
-    panels = airlightPanelCount(v1 - v0, faces ? real(0.2) : real(1.0));
+    panels = airlightPanelCount(v1 - v0, real(1.0));
   }
   real3 sum = real3(real(0.0));
   for (int i = 0; i < panels; i++)
   {
     real a = v0 + (v1 - v0) * real(i) / real(panels);
     real b = v0 + (v1 - v0) * real(i + 1) / real(panels);
-    if (straight)
-    {
-      sum += airlightStraightPanel(media, light, ray, a, b);
-    }
-    else
-    {
-      sum += airlightPointPanel(media, light, ray, a, b);
-    }
+    sum += airlightPanel(media, light, ray, piece, straight, a, b);
   }
   return sum;
 }
@@ -215,12 +211,15 @@ AIRLIGHT_FN real3 airlightQuadrature(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
 {
   real3 sum = real3(real(0.0));
-  // Every medium has two ends.
-  for (int i = 0; i <= 2 * AIRLIGHT_MEDIUM_COUNT && t0 < t1; i++)
+  while (t0 < t1)
   {
-    real2 piece = airlightNextPiece(media, ray, t0, t1);
-    sum += airlightQuadraturePiece(media, light, ray, t0, piece.y);
-    t0 = piece.x;
+    AirlightPiece piece = airlightPieceAt(media, ray.origin, ray.direction, t0, t1);
+    if (piece.inside != 0)
+    {
+      real end = airlightFadedAt(media, piece, ray.origin, ray.direction);
+      sum += airlightQuadraturePiece(media, light, ray, piece, end);
+    }
+    t0 = piece.to;
   }
   return sum;
 }

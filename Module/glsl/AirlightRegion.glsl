@@ -1,9 +1,11 @@
 // Where a medium is. Positions are relative to an origin of the caller's choice, in single
-// precision best the camera. All regions here are convex: a ray is inside on one interval.
+// precision best the camera. A ray is inside on one interval, but for closed surfaces
+// (AirlightClosedSurface.glsl), whose box is what is said of them here.
 
 #define AIRLIGHT_REGION_UNBOUNDED 0
 #define AIRLIGHT_REGION_BOX 1
 #define AIRLIGHT_REGION_SPHERE 2
+#define AIRLIGHT_REGION_SURFACE 3
 
 // Farther than any scene; squares of it are still finite.
 #define AIRLIGHT_FAR 1e18
@@ -11,10 +13,13 @@
 struct AirlightRegion
 {
   int kind;
-  real3 boxMin;
+  real3 boxMin; // of a surface, too
   real3 boxMax;
-  real3 centre; // of the sphere
+  real3 centre; // of the sphere; where a surface's triangles have their origin
   real radius;
+  AIRLIGHT_DATA_MEMBER
+  int first; // texel of a surface's tree
+  int nodes; // of the tree
 };
 
 // Clips the range (from, to) of a line to one pair of the box's planes.
@@ -29,12 +34,13 @@ AIRLIGHT_FN real2 airlightClipSlab(real2 range, real o, real d, real lo, real hi
   return real2(max(range.x, min(a, b)), min(range.y, max(a, b)));
 }
 
-// The part (from, to) of [0, t1] in which the ray is inside the region; to <= from: nowhere.
+// The part (from, to) of [0, t1] in which the ray is inside the region, of a surface inside its box;
+// to <= from: nowhere.
 AIRLIGHT_FN real2 airlightRegionRange(
   AIRLIGHT_IN(AirlightRegion) region, real3 origin, real3 direction, real t1)
 {
   real2 range = real2(real(0.0), t1);
-  if (region.kind == AIRLIGHT_REGION_BOX)
+  if (region.kind == AIRLIGHT_REGION_BOX || region.kind == AIRLIGHT_REGION_SURFACE)
   {
     range = airlightClipSlab(range, origin.x, direction.x, region.boxMin.x, region.boxMax.x);
     range = airlightClipSlab(range, origin.y, direction.y, region.boxMin.y, region.boxMax.y);

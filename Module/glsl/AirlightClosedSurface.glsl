@@ -1,0 +1,135 @@
+// Regions bounded by a closed surface of triangles, oriented outwards. A line enters and leaves it
+// any number of times; nothing needs to be sorted: with hits at t_i > 0 and e_i = 1 where the line
+// leaves, -1 where it enters, the length inside on [0, l] is
+//
+//   sum_i e_i min(t_i, l)
+//
+// which is continuous in every t_i. So is the depth, with the depth from 0 to min(t_i, l) in place of
+// the length.
+//
+// The triangles lie in a tree of boxes. Texels: two for each node in depth-first order, (least
+// corner, node that follows the subtree) and (greatest corner, -1; of a leaf: 4 * its first
+// triangle + its number of triangles - 1); then three for each triangle, its corners, as seen from
+// the region's centre.
+
+// Twice the signed area of the triangle (origin, a, b), for which the origin lies on no edge: where
+// it does, it counts as moved by (e, e^2), e > 0 and infinitely small. Taken in one order of a and b,
+// so that the two triangles on an edge agree to the last digit and a line through the edge meets
+// exactly one.
+AIRLIGHT_FN real airlightSide(real2 a, real2 b)
+{
+  bool swap = a.x > b.x || (a.x == b.x && a.y > b.y);
+  real2 p = swap ? b : a;
+  real2 q = swap ? a : b;
+  real side = p.x * q.y - p.y * q.x;
+  if (side == real(0.0))
+  {
+    side = q.y != p.y ? real(1e-37) * sign(p.y - q.y) : real(1e-37);
+  }
+  return swap ? -side : side;
+}
+
+// Where a line meets a triangle whose corners are given from the line's origin: (t, e), e = 0 where
+// it does not. frame: two directions across the line and its own.
+AIRLIGHT_FN real2 airlightTriangleHit(
+  real3 frame0, real3 frame1, real3 direction, real3 a, real3 b, real3 c)
+{
+  real2 pa = real2(dot(a, frame0), dot(a, frame1));
+  real2 pb = real2(dot(b, frame0), dot(b, frame1));
+  real2 pc = real2(dot(c, frame0), dot(c, frame1));
+  real wa = airlightSide(pb, pc);
+  real wb = airlightSide(pc, pa);
+  real wc = airlightSide(pa, pb);
+  bool leaves = wa > real(0.0) && wb > real(0.0) && wc > real(0.0);
+  bool enters = wa < real(0.0) && wb < real(0.0) && wc < real(0.0);
+  if (!leaves && !enters)
+  {
+    return real2(real(0.0), real(0.0));
+  }
+  // Of one sign: a mean of the corners' distances, without cancellation.
+  real3 w = real3(wa, wb, wc) / (wa + wb + wc);
+  real t = dot(w, real3(dot(a, direction), dot(b, direction), dot(c, direction)));
+  return real2(t, leaves ? real(1.0) : real(-1.0));
+}
+
+// Two directions across a unit vector, in such an order that the three are right-handed. Without
+// square roots of small numbers for any vector (Duff et al. 2017).
+AIRLIGHT_FN void airlightAcross(
+  real3 direction, AIRLIGHT_OUT(real3) frame0, AIRLIGHT_OUT(real3) frame1)
+{
+  real s = direction.z < real(0.0) ? real(-1.0) : real(1.0);
+  real a = real(-1.0) / (s + direction.z);
+  real b = direction.x * direction.y * a;
+  frame0 = real3(real(1.0) + s * direction.x * direction.x * a, s * b, -s * direction.x);
+  frame1 = real3(b, s + direction.y * direction.y * a, -direction.y);
+}
+
+// Whether the ray from `point` can meet the box; `inverse` of its direction.
+AIRLIGHT_FN bool airlightMeetsBox(real3 point, real3 inverse, real3 least, real3 greatest)
+{
+  real3 a = (least - point) * inverse;
+  real3 b = (greatest - point) * inverse;
+  real3 near = min(a, b);
+  real3 far = max(a, b);
+  real from = max(max(near.x, near.y), max(near.z, real(0.0)));
+  return from <= min(far.x, min(far.y, far.z));
+}
+
+AIRLIGHT_FN real airlightInverse(real x)
+{
+  return (x < real(0.0) ? real(-1.0) : real(1.0)) / max(abs(x), real(1e-18));
+}
+
+// Of a medium inside a surface: x: integral of the density on [0, l] of a ray; y: the next t_i after
+// t; z: how many times the surface holds the ray after t, which is 0 or 1.
+AIRLIGHT_FN real3 airlightSurfaceSums(
+  AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real l, real t)
+{
+  real3 sums = real3(real(0.0), real(AIRLIGHT_FAR), real(0.0));
+#if AIRLIGHT_HAS_SURFACE
+  real3 frame0;
+  real3 frame1;
+  airlightAcross(direction, frame0, frame1);
+  real3 point = origin - medium.region.centre;
+  real3 inverse = real3(
+    airlightInverse(direction.x), airlightInverse(direction.y), airlightInverse(direction.z));
+  // Density is summed up from where the surface can begin, not from afar, where it may be huge.
+  real start = airlightRegionRange(medium.region, origin, direction, real(AIRLIGHT_FAR)).x;
+  int first = medium.region.first;
+  int triangles = first + 2 * medium.region.nodes;
+  int node = 0;
+  while (node < medium.region.nodes)
+  {
+    real4 least = AIRLIGHT_FETCH(medium.region, first + 2 * node);
+    real4 greatest = AIRLIGHT_FETCH(medium.region, first + 2 * node + 1);
+    bool meets =
+      airlightMeetsBox(point, inverse, real3(least.x, least.y, least.z),
+        real3(greatest.x, greatest.y, greatest.z));
+    if (meets && greatest.w >= real(0.0))
+    {
+      int leaf = int(greatest.w + real(0.5));
+      for (int i = leaf / 4; i <= leaf / 4 + leaf % 4; i++)
+      {
+        real4 a = AIRLIGHT_FETCH(medium.region, triangles + 3 * i);
+        real4 b = AIRLIGHT_FETCH(medium.region, triangles + 3 * i + 1);
+        real4 c = AIRLIGHT_FETCH(medium.region, triangles + 3 * i + 2);
+        real2 hit = airlightTriangleHit(frame0, frame1, direction, real3(a.x, a.y, a.z) - point,
+          real3(b.x, b.y, b.z) - point, real3(c.x, c.y, c.z) - point);
+        if (hit.y != real(0.0) && hit.x > real(0.0))
+        {
+          real to = min(hit.x, l);
+          sums.x += hit.y *
+            (to > start ? airlightInsideDepth(medium, origin, direction, start, to)
+                        : -airlightInsideDepth(medium, origin, direction, to, start));
+          sums.y = hit.x > t ? min(sums.y, hit.x) : sums.y;
+          sums.z += hit.x > t ? hit.y : real(0.0);
+        }
+      }
+    }
+    // Into the subtree, or past it.
+    node = meets && greatest.w < real(0.0) ? node + 1 : int(least.w + real(0.5));
+  }
+  sums.x = max(sums.x, real(0.0));
+#endif
+  return sums;
+}

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightSceneData.h"
+
+#include "AirlightOpenGL.h"
+
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkTextureObject.h"
+
+namespace airlight
+{
+SceneData::SceneData() = default;
+SceneData::~SceneData() = default;
+
+//------------------------------------------------------------------------------
+bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<Texels>& arrays)
+{
+  if (arrays == this->Arrays)
+  {
+    return true;
+  }
+  this->Arrays.clear();
+  this->First.clear();
+  std::vector<glm::vec4> texels;
+  for (const Texels& array : arrays)
+  {
+    this->First.push_back(static_cast<int>(texels.size()));
+    texels.insert(texels.end(), array->begin(), array->end());
+  }
+  if (texels.empty())
+  {
+    return true;
+  }
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  if (texels.size() > static_cast<size_t>(most))
+  {
+    this->Error = "surfaces and tables take " + std::to_string(texels.size()) +
+      " texels and the graphics card has room for " + std::to_string(most) +
+      "; use coarser surfaces";
+    return false;
+  }
+  std::vector<float> numbers(&texels[0].x, &texels[0].x + 4 * texels.size());
+  this->Texture->SetContext(window);
+  this->Buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer);
+  if (!this->Buffer->Upload(numbers, vtkOpenGLBufferObject::TextureBuffer) ||
+    !this->Texture->CreateTextureBuffer(
+      static_cast<unsigned int>(texels.size()), 4, VTK_FLOAT, this->Buffer))
+  {
+    this->Error = "the graphics card has no room for the media's surfaces and tables";
+    return false;
+  }
+  this->Arrays = arrays;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* SceneData::GetTexture()
+{
+  return this->Arrays.empty() ? nullptr : this->Texture.Get();
+}
+
+//------------------------------------------------------------------------------
+void SceneData::Release(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Buffer->ReleaseGraphicsResources();
+  this->Arrays.clear();
+  this->First.clear();
+}
+}
