@@ -19,11 +19,10 @@ namespace
 {
 constexpr int MaximumImageSize = 16384;
 constexpr double MaximumAnisotropy = 0.99;
-constexpr double Huge = 1e30; // beyond it single precision on the graphics card overflows
 
 Vector3 ReadDirection(const LocatedJson& json)
 {
-  const Vector3 direction = json.GetVector(-Huge, Huge);
+  const Vector3 direction = json.GetVector(-LargestNumber, LargestNumber);
   if (vtkMath::Norm(direction.data()) == 0.0)
   {
     json.Fail("must not be zero");
@@ -35,8 +34,8 @@ CameraSettings ReadCamera(const LocatedJson& json)
 {
   json.CheckKeys({ "position", "focal_point", "view_up", "view_angle_deg" });
   CameraSettings camera;
-  camera.Position = json["position"].GetVector(-Huge, Huge);
-  camera.FocalPoint = json["focal_point"].GetVector(-Huge, Huge);
+  camera.Position = json["position"].GetVector(-LargestNumber, LargestNumber);
+  camera.FocalPoint = json["focal_point"].GetVector(-LargestNumber, LargestNumber);
   camera.ViewUp = ReadDirection(json["view_up"]);
   camera.ViewAngle = json["view_angle_deg"].GetNumber(0.001, 179.0);
   Vector3 forward;
@@ -87,8 +86,8 @@ void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
   {
     json["type"].Fail("must be \"box\", not \"" + type + "\"");
   }
-  const Vector3 low = json["min"].GetVector(-Huge, Huge);
-  const Vector3 high = json["max"].GetVector(-Huge, Huge);
+  const Vector3 low = json["min"].GetVector(-LargestNumber, LargestNumber);
+  const Vector3 high = json["max"].GetVector(-LargestNumber, LargestNumber);
   for (std::size_t i = 0; i < 3; ++i)
   {
     if (low[i] > high[i])
@@ -104,8 +103,8 @@ vtkSmartPointer<vtkParticipatingMedium> ReadMedium(const LocatedJson& json)
 {
   json.CheckKeys({ "sigma_s", "sigma_a", "phase" }, { "bounds", "ambient_radiance" });
   auto medium = vtkSmartPointer<vtkParticipatingMedium>::New();
-  medium->SetScattering(json["sigma_s"].GetVector(0.0, Huge).data());
-  medium->SetAbsorption(json["sigma_a"].GetVector(0.0, Huge).data());
+  medium->SetScattering(json["sigma_s"].GetVector(0.0, LargestNumber).data());
+  medium->SetAbsorption(json["sigma_a"].GetVector(0.0, LargestNumber).data());
   ReadPhase(json["phase"], medium);
   if (json.Has("bounds"))
   {
@@ -113,7 +112,7 @@ vtkSmartPointer<vtkParticipatingMedium> ReadMedium(const LocatedJson& json)
   }
   if (json.Has("ambient_radiance"))
   {
-    medium->SetAmbientRadiance(json["ambient_radiance"].GetVector(0.0, Huge).data());
+    medium->SetAmbientRadiance(json["ambient_radiance"].GetVector(0.0, LargestNumber).data());
   }
   return medium;
 }
@@ -133,8 +132,9 @@ LightSource ReadLight(const LocatedJson& json)
     light.Type = LightSource::Kind::Spot;
     json.CheckKeys(
       { "type", "position", "direction", "cone_half_angle_deg", "exponent", "intensity" });
-    light.ConeHalfAngle = json["cone_half_angle_deg"].GetNumber(0.001, 89.999);
-    light.Exponent = json["exponent"].GetNumber(0.0, 128.0);
+    light.ConeHalfAngle =
+      json["cone_half_angle_deg"].GetNumber(SmallestConeAngle, LargestConeAngle);
+    light.Exponent = json["exponent"].GetNumber(0.0, LargestExponent);
   }
   else if (type == "directional")
   {
@@ -147,14 +147,14 @@ LightSource ReadLight(const LocatedJson& json)
   }
   if (light.Type != LightSource::Kind::Directional)
   {
-    light.Position = json["position"].GetVector(-Huge, Huge);
+    light.Position = json["position"].GetVector(-LargestNumber, LargestNumber);
   }
   if (light.Type != LightSource::Kind::Point)
   {
     light.Direction = ReadDirection(json["direction"]);
   }
   const bool directional = light.Type == LightSource::Kind::Directional;
-  light.Power = json[directional ? "irradiance" : "intensity"].GetVector(0.0, Huge);
+  light.Power = json[directional ? "irradiance" : "intensity"].GetVector(0.0, LargestNumber);
   return light;
 }
 
