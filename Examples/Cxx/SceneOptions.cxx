@@ -24,6 +24,13 @@ to the left and in front; the medium is unbounded, isotropic and purely scatteri
 visibility of 10 times the diagonal of the box around the model. The options change all of that.
 Over a scene file, --point, --spot and --sun replace all of its lamps and add up with each other;
 any other option replaces what it names and leaves the rest as the file has it.)";
+
+// An option with one value, which leaves the words after it to others.
+CLI::Option* AddText(
+  CLI::App* command, const char* name, std::vector<std::string>& texts, const char* help)
+{
+  return command->add_option(name, texts, help)->expected(1)->allow_extra_args(false);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -34,11 +41,9 @@ void SceneOptions::AddTo(CLI::App* command)
     ->add_option("SCENE", this->FileName,
       "Scene (.json) or model (.gltf .glb .obj .ply .stl .vtp .vtk .vtu .wrl .3ds)")
     ->required();
-  command->add_option("--size", this->Size, "Size of the picture, WxH pixels")->expected(1);
-  command
-    ->add_option("--camera", this->Camera,
-      "px,py,pz:fx,fy,fz[:angle]: position, point looked at, vertical view angle in degrees")
-    ->expected(1);
+  AddText(command, "--size", this->Size, "Size of the picture, WxH pixels");
+  AddText(command, "--camera", this->Camera,
+    "px,py,pz:fx,fy,fz[:angle]: position, point looked at, vertical view angle in degrees");
   this->AddLightOptions(command);
   this->AddMediumOptions(command);
 }
@@ -68,7 +73,7 @@ void SceneOptions::AddMediumOptions(CLI::App* command)
 {
   std::vector<CLI::Option*> options;
   const auto add = [command, &options](const char* name, Text& text, const char* help) {
-    options.push_back(command->add_option(name, text, help)->expected(1));
+    options.push_back(AddText(command, name, text, help));
     return options.back();
   };
   add("--scattering", this->Scattering, "r,g,b: scattering coefficient per world unit");

@@ -78,14 +78,9 @@ void ReadPhase(const LocatedJson& json, vtkParticipatingMedium* medium)
   }
 }
 
-void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
+void ReadBox(const LocatedJson& json, vtkParticipatingMedium* medium)
 {
   json.CheckKeys({ "type", "min", "max" });
-  const std::string type = json["type"].GetString();
-  if (type != "box")
-  {
-    json["type"].Fail("must be \"box\", not \"" + type + "\"");
-  }
   const Vector3 low = json["min"].GetVector(-LargestNumber, LargestNumber);
   const Vector3 high = json["max"].GetVector(-LargestNumber, LargestNumber);
   for (std::size_t i = 0; i < 3; ++i)
@@ -99,9 +94,47 @@ void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
   medium->SetBounds(low[0], high[0], low[1], high[1], low[2], high[2]);
 }
 
+void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
+{
+  json.CheckKeys({ "type" }, { "min", "max", "center", "radius" });
+  const std::string type = json["type"].GetString();
+  if (type == "box")
+  {
+    ReadBox(json, medium);
+  }
+  else if (type == "sphere")
+  {
+    json.CheckKeys({ "type", "center", "radius" });
+    medium->SetRegionToSphere();
+    medium->SetCenter(json["center"].GetVector(-LargestNumber, LargestNumber).data());
+    medium->SetRadius(json["radius"].GetNumber(0.0, LargestNumber));
+  }
+  else
+  {
+    json["type"].Fail("must be \"box\" or \"sphere\", not \"" + type + "\"");
+  }
+}
+
+void ReadDensity(const LocatedJson& json, vtkParticipatingMedium* medium)
+{
+  json.CheckKeys({ "type", "reference_height", "scale_height" }, { "up" });
+  const std::string type = json["type"].GetString();
+  if (type != "exponential_height")
+  {
+    json["type"].Fail("must be \"exponential_height\", not \"" + type + "\"");
+  }
+  medium->SetDensityToExponentialHeight();
+  medium->SetReferenceHeight(json["reference_height"].GetNumber(-LargestNumber, LargestNumber));
+  medium->SetScaleHeight(json["scale_height"].GetNumber(SmallestScaleHeight, LargestNumber));
+  if (json.Has("up"))
+  {
+    medium->SetUp(ReadDirection(json["up"]).data());
+  }
+}
+
 vtkSmartPointer<vtkParticipatingMedium> ReadMedium(const LocatedJson& json)
 {
-  json.CheckKeys({ "sigma_s", "sigma_a", "phase" }, { "bounds", "ambient_radiance" });
+  json.CheckKeys({ "sigma_s", "sigma_a", "phase" }, { "bounds", "density", "ambient_radiance" });
   auto medium = vtkSmartPointer<vtkParticipatingMedium>::New();
   medium->SetScattering(json["sigma_s"].GetVector(0.0, LargestNumber).data());
   medium->SetAbsorption(json["sigma_a"].GetVector(0.0, LargestNumber).data());
@@ -109,6 +142,10 @@ vtkSmartPointer<vtkParticipatingMedium> ReadMedium(const LocatedJson& json)
   if (json.Has("bounds"))
   {
     ReadBounds(json["bounds"], medium);
+  }
+  if (json.Has("density"))
+  {
+    ReadDensity(json["density"], medium);
   }
   if (json.Has("ambient_radiance"))
   {
