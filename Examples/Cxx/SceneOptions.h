@@ -43,7 +43,8 @@ private:
   void ChangeMedium(vtkParticipatingMedium* medium) const;
 
   std::string FileName;
-  /// None or one: CLI11 takes an empty std::string and an empty value for the same.
+
+  /// None or one: a plain std::string would not tell an empty value from none.
   using Text = std::vector<std::string>;
 
   Text Size;

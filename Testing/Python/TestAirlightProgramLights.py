@@ -121,8 +121,9 @@ class TestSpot(SceneTest):
     def test_radiance(self):
         """Inside the cone, intensity times cosine to the exponent; by the midpoint rule.
 
-        The rule runs over the angle phi, t = tL + h tan(phi), in which 1/r^2 dt = dphi/h. The cone's
-        edge lies anywhere in a step, so the rule errs by up to one step of the lit part's few thousand.
+        The rule runs over the angle phi, t = tL + h tan(phi), in which 1/r^2 dt = dphi/h. The
+        cone's edge lies anywhere in a step, so the rule errs by up to one step of the lit part's
+        few thousand.
         """
         eye = np.array(self.CAMERA["position"])
         rows, columns = np.mgrid[1:self.SIZE[1]:3, 2:self.SIZE[0]:3].reshape(2, -1)
