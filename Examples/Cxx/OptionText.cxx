@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionText.h"
 
-#include "UserError.h"
+#include "OptionNumbers.h"
 
 #include <vtkMath.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <locale>
 #include <sstream>
 #include <vector>
 
@@ -21,72 +19,12 @@ namespace
 constexpr int MaximumImageSize = 16384; // what graphics cards take
 constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
-[[noreturn]] void Fail(
-  const std::string& option, const std::string& text, const std::string& expected)
-{
-  throw UserError(option + " '" + text + "': expected " + expected);
-}
-
-std::vector<std::string> Split(const std::string& text, char separator)
-{
-  std::vector<std::string> parts(1);
-  for (char c : text)
-  {
-    if (c == separator)
-    {
-      parts.emplace_back();
-    }
-    else
-    {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
-// A decimal point whatever the locale; false for blanks, inf, nan and anything left over.
-bool GetNumber(const std::string& text, double& number)
-{
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  stream >> std::noskipws >> number;
-  return !stream.fail() && stream.peek() == std::istringstream::traits_type::eof() &&
-    std::isfinite(number);
-}
-
-// Comma-separated numbers; empty if one is none.
-std::vector<double> GetNumbers(const std::string& text)
-{
-  std::vector<double> numbers;
-  for (const std::string& part : Split(text, ','))
-  {
-    double number = 0.0;
-    if (!GetNumber(part, number))
-    {
-      return {};
-    }
-    numbers.push_back(number);
-  }
-  return numbers;
-}
-
-bool IsInRange(const std::vector<double>& numbers, double low, double high)
-{
-  return std::all_of(numbers.begin(), numbers.end(),
-    [low, high](double number) { return number >= low && number <= high; });
-}
-
 // A whole number from 1 to 16384, in digits alone.
 bool IsWhole(const std::string& text)
 {
   return !text.empty() && text.size() <= 5 &&
     std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
     std::stoi(text) >= 1 && std::stoi(text) <= MaximumImageSize;
-}
-
-Vector3 MakeVector(const std::vector<double>& numbers)
-{
-  return { numbers[0], numbers[1], numbers[2] };
 }
 
 // Any direction will do as "up" that does not run along the view.
@@ -120,7 +58,7 @@ double ParseNumber(const std::string& option, const std::string& text, double lo
     {
       expected << " and at most " << high;
     }
-    Fail(option, text, expected.str());
+    FailOption(option, text, expected.str());
   }
   return number;
 }
@@ -131,7 +69,7 @@ Vector3 ParseColor(const std::string& option, const std::string& text)
   const std::vector<double> numbers = GetNumbers(text);
   if (numbers.size() != 3 || !IsInRange(numbers, 0.0, Unlimited))
   {
-    Fail(option, text, "r,g,b with numbers of at least 0");
+    FailOption(option, text, "r,g,b with numbers of at least 0");
   }
   return MakeVector(numbers);
 }
@@ -139,41 +77,19 @@ Vector3 ParseColor(const std::string& option, const std::string& text)
 //------------------------------------------------------------------------------
 std::pair<int, int> ParseSize(const std::string& option, const std::string& text)
 {
-  const std::vector<std::string> parts = Split(text, 'x');
+  const std::vector<std::string> parts = SplitText(text, 'x');
   if (parts.size() == 2 && IsWhole(parts[0]) && IsWhole(parts[1]))
   {
     return { std::stoi(parts[0]), std::stoi(parts[1]) };
   }
-  Fail(option, text, "WxH with whole numbers from 1 to 16384");
-}
-
-//------------------------------------------------------------------------------
-LightSource ParsePoint(const std::string& option, const std::string& text)
-{
-  const std::vector<std::string> parts = Split(text, ':');
-  const std::vector<double> position = GetNumbers(parts[0]);
-  const std::vector<double> power =
-    parts.size() == 2 ? GetNumbers(parts[1]) : std::vector<double>();
-  if (position.size() != 3 || (power.size() != 1 && power.size() != 3) ||
-    !IsInRange(power, 0.0, Unlimited))
-  {
-    Fail(option, text, "x,y,z:I or x,y,z:r,g,b with intensities of at least 0");
-  }
-  LightSource light;
-  light.Position = MakeVector(position);
-  light.Power.fill(power[0]);
-  if (power.size() == 3)
-  {
-    light.Power = MakeVector(power);
-  }
-  return light;
+  FailOption(option, text, "WxH with whole numbers from 1 to 16384");
 }
 
 //------------------------------------------------------------------------------
 CameraSettings ParseCamera(
   const std::string& option, const std::string& text, const CameraSettings& camera)
 {
-  const std::vector<std::string> parts = Split(text, ':');
+  const std::vector<std::string> parts = SplitText(text, ':');
   const std::vector<double> position = GetNumbers(parts[0]);
   const std::vector<double> focalPoint =
     parts.size() > 1 ? GetNumbers(parts[1]) : std::vector<double>();
@@ -183,7 +99,7 @@ CameraSettings ParseCamera(
   if (parts.size() > 3 || position.size() != 3 || focalPoint.size() != 3 || !angleFits ||
     position == focalPoint)
   {
-    Fail(option, text,
+    FailOption(option, text,
       "px,py,pz:fx,fy,fz or px,py,pz:fx,fy,fz:angle with two different points and an angle of at "
       "most 179 degrees");
   }
@@ -210,7 +126,7 @@ std::string NumberFile(const std::string& option, const std::string& fileName, i
   }
   if (end == std::string::npos || fileName[end] != 'd' || fileName.rfind('%') != begin)
   {
-    Fail(option, fileName, "a name with one %d or %04d for the number of the frame");
+    FailOption(option, fileName, "a name with one %d or %04d for the number of the frame");
   }
   std::string digits = std::to_string(number);
   digits.insert(0, digits.size() < width ? width - digits.size() : 0, '0');

@@ -25,9 +25,6 @@ Vector3 ParseColor(const std::string& option, const std::string& text);
 /// "WxH", each 1..16384.
 std::pair<int, int> ParseSize(const std::string& option, const std::string& text);
 
-/// "x,y,z:I" or "x,y,z:r,g,b".
-LightSource ParsePoint(const std::string& option, const std::string& text);
-
 /// "px,py,pz:fx,fy,fz[:angle]". View up and, if not given, the angle are those of `camera`.
 CameraSettings ParseCamera(
   const std::string& option, const std::string& text, const CameraSettings& camera);

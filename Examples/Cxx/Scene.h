@@ -23,6 +23,17 @@
 namespace airlight
 {
 
+///@{
+/**
+ * What scene files and command lines may ask for.
+ */
+constexpr double LargestNumber = 1e30; ///< beyond it single precision on the card overflows
+constexpr double SmallestConeAngle = 0.001;
+constexpr double LargestConeAngle = 89.999; ///< VTK takes 90 for a point light
+constexpr double LargestExponent = 128.0;   ///< VTK clamps it there
+constexpr double SmallestScaleHeight = 1e-30;
+///@}
+
 struct CameraSettings
 {
   Vector3 Position = { 0.0, 0.0, 1.0 };

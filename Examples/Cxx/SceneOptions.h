@@ -37,17 +37,29 @@ public:
   RenderSettings GetSettings() const;
 
 private:
+  void AddLightOptions(CLI::App* command);
+  void AddMediumOptions(CLI::App* command);
+  void ChangeLights(std::vector<LightSource>& lights) const;
   void ChangeMedium(vtkParticipatingMedium* medium) const;
 
   std::string FileName;
-  std::string Size;
-  std::string Camera;
+
+  /// None or one: a plain std::string would not tell an empty value from none.
+  using Text = std::vector<std::string>;
+
+  Text Size;
+  Text Camera;
   std::vector<std::string> Points;
-  std::string Scattering;
-  std::string Absorption;
-  std::string Visibility;
-  std::string Anisotropy;
-  std::string Ambient;
+  std::vector<std::string> Spots;
+  std::vector<std::string> Suns;
+  Text Scattering;
+  Text Absorption;
+  Text Visibility;
+  Text Anisotropy;
+  Text Ambient;
+  Text Box;
+  Text Sphere;
+  Text HeightFog;
   std::string Technique = "Automatic";
   bool NoMedium = false;
 };

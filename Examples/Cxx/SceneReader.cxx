@@ -19,11 +19,10 @@ namespace
 {
 constexpr int MaximumImageSize = 16384;
 constexpr double MaximumAnisotropy = 0.99;
-constexpr double Huge = 1e30; // beyond it single precision on the graphics card overflows
 
 Vector3 ReadDirection(const LocatedJson& json)
 {
-  const Vector3 direction = json.GetVector(-Huge, Huge);
+  const Vector3 direction = json.GetVector(-LargestNumber, LargestNumber);
   if (vtkMath::Norm(direction.data()) == 0.0)
   {
     json.Fail("must not be zero");
@@ -35,8 +34,8 @@ CameraSettings ReadCamera(const LocatedJson& json)
 {
   json.CheckKeys({ "position", "focal_point", "view_up", "view_angle_deg" });
   CameraSettings camera;
-  camera.Position = json["position"].GetVector(-Huge, Huge);
-  camera.FocalPoint = json["focal_point"].GetVector(-Huge, Huge);
+  camera.Position = json["position"].GetVector(-LargestNumber, LargestNumber);
+  camera.FocalPoint = json["focal_point"].GetVector(-LargestNumber, LargestNumber);
   camera.ViewUp = ReadDirection(json["view_up"]);
   camera.ViewAngle = json["view_angle_deg"].GetNumber(0.001, 179.0);
   Vector3 forward;
@@ -79,16 +78,11 @@ void ReadPhase(const LocatedJson& json, vtkParticipatingMedium* medium)
   }
 }
 
-void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
+void ReadBox(const LocatedJson& json, vtkParticipatingMedium* medium)
 {
   json.CheckKeys({ "type", "min", "max" });
-  const std::string type = json["type"].GetString();
-  if (type != "box")
-  {
-    json["type"].Fail("must be \"box\", not \"" + type + "\"");
-  }
-  const Vector3 low = json["min"].GetVector(-Huge, Huge);
-  const Vector3 high = json["max"].GetVector(-Huge, Huge);
+  const Vector3 low = json["min"].GetVector(-LargestNumber, LargestNumber);
+  const Vector3 high = json["max"].GetVector(-LargestNumber, LargestNumber);
   for (std::size_t i = 0; i < 3; ++i)
   {
     if (low[i] > high[i])
@@ -100,20 +94,62 @@ void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
   medium->SetBounds(low[0], high[0], low[1], high[1], low[2], high[2]);
 }
 
+void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
+{
+  json.CheckKeys({ "type" }, { "min", "max", "center", "radius" });
+  const std::string type = json["type"].GetString();
+  if (type == "box")
+  {
+    ReadBox(json, medium);
+  }
+  else if (type == "sphere")
+  {
+    json.CheckKeys({ "type", "center", "radius" });
+    medium->SetRegionToSphere();
+    medium->SetCenter(json["center"].GetVector(-LargestNumber, LargestNumber).data());
+    medium->SetRadius(json["radius"].GetNumber(0.0, LargestNumber));
+  }
+  else
+  {
+    json["type"].Fail("must be \"box\" or \"sphere\", not \"" + type + "\"");
+  }
+}
+
+void ReadDensity(const LocatedJson& json, vtkParticipatingMedium* medium)
+{
+  json.CheckKeys({ "type", "reference_height", "scale_height" }, { "up" });
+  const std::string type = json["type"].GetString();
+  if (type != "exponential_height")
+  {
+    json["type"].Fail("must be \"exponential_height\", not \"" + type + "\"");
+  }
+  medium->SetDensityToExponentialHeight();
+  medium->SetReferenceHeight(json["reference_height"].GetNumber(-LargestNumber, LargestNumber));
+  medium->SetScaleHeight(json["scale_height"].GetNumber(SmallestScaleHeight, LargestNumber));
+  if (json.Has("up"))
+  {
+    medium->SetUp(ReadDirection(json["up"]).data());
+  }
+}
+
 vtkSmartPointer<vtkParticipatingMedium> ReadMedium(const LocatedJson& json)
 {
-  json.CheckKeys({ "sigma_s", "sigma_a", "phase" }, { "bounds", "ambient_radiance" });
+  json.CheckKeys({ "sigma_s", "sigma_a", "phase" }, { "bounds", "density", "ambient_radiance" });
   auto medium = vtkSmartPointer<vtkParticipatingMedium>::New();
-  medium->SetScattering(json["sigma_s"].GetVector(0.0, Huge).data());
-  medium->SetAbsorption(json["sigma_a"].GetVector(0.0, Huge).data());
+  medium->SetScattering(json["sigma_s"].GetVector(0.0, LargestNumber).data());
+  medium->SetAbsorption(json["sigma_a"].GetVector(0.0, LargestNumber).data());
   ReadPhase(json["phase"], medium);
   if (json.Has("bounds"))
   {
     ReadBounds(json["bounds"], medium);
   }
+  if (json.Has("density"))
+  {
+    ReadDensity(json["density"], medium);
+  }
   if (json.Has("ambient_radiance"))
   {
-    medium->SetAmbientRadiance(json["ambient_radiance"].GetVector(0.0, Huge).data());
+    medium->SetAmbientRadiance(json["ambient_radiance"].GetVector(0.0, LargestNumber).data());
   }
   return medium;
 }
@@ -133,8 +169,9 @@ LightSource ReadLight(const LocatedJson& json)
     light.Type = LightSource::Kind::Spot;
     json.CheckKeys(
       { "type", "position", "direction", "cone_half_angle_deg", "exponent", "intensity" });
-    light.ConeHalfAngle = json["cone_half_angle_deg"].GetNumber(0.001, 89.999);
-    light.Exponent = json["exponent"].GetNumber(0.0, 128.0);
+    light.ConeHalfAngle =
+      json["cone_half_angle_deg"].GetNumber(SmallestConeAngle, LargestConeAngle);
+    light.Exponent = json["exponent"].GetNumber(0.0, LargestExponent);
   }
   else if (type == "directional")
   {
@@ -147,14 +184,14 @@ LightSource ReadLight(const LocatedJson& json)
   }
   if (light.Type != LightSource::Kind::Directional)
   {
-    light.Position = json["position"].GetVector(-Huge, Huge);
+    light.Position = json["position"].GetVector(-LargestNumber, LargestNumber);
   }
   if (light.Type != LightSource::Kind::Point)
   {
     light.Direction = ReadDirection(json["direction"]);
   }
   const bool directional = light.Type == LightSource::Kind::Directional;
-  light.Power = json[directional ? "irradiance" : "intensity"].GetVector(0.0, Huge);
+  light.Power = json[directional ? "irradiance" : "intensity"].GetVector(0.0, LargestNumber);
   return light;
 }
 

@@ -7,12 +7,17 @@
 """
 
 import json
+import os
 import unittest
 
 import numpy as np
 
-from programtest import (ANIMATED_FOG, ProgramTest, metrics, read_pfm, read_png, reference_file,
-                         scene_file, write_models, write_pfm)
+from programtest import (ANIMATED_FOG, REFERENCE, ProgramTest, metrics, pixel_rays, read_pfm,
+                         read_png, reference_file, scene_file, write_models, write_pfm)
+
+
+def join(values):
+    return ",".join(map(str, values))
 
 
 class TestReferenceScenes(ProgramTest):
@@ -92,9 +97,6 @@ class TestReferenceScenes(ProgramTest):
         other["medium"].update(sigma_s=[1, 1, 1], sigma_a=[0, 0, 0], phase={"type": "isotropic"})
         other["lights"].append(dict(light, position=[2, 2, 2]))
 
-        def join(values):
-            return ",".join(map(str, values))
-
         camera = scene["camera"]
         image = self.render(
             self.write("other.json", json.dumps(other)), "other.pfm", "--size", "160x120",
@@ -104,6 +106,35 @@ class TestReferenceScenes(ProgramTest):
             "--point", f"{join(light['position'])}:{join(light['intensity'])}")
         self.judge(image, "S2_point_hg_pos06", "total",
                    read_pfm(reference_file("S2_point_hg_pos06", "mask")))
+
+
+    def build_with_options(self, name, *options):
+        """The scene with another lamp, another medium and another region, put right by options."""
+        with open(scene_file(name)) as file:
+            scene = json.load(file)
+        medium = scene["medium"]
+        scene["lights"] = [{"type": "point", "position": [0, 3, 2], "intensity": [50, 50, 50]}]
+        scene["medium"] = {"sigma_s": [1, 1, 1], "sigma_a": [0, 0, 0],
+                           "phase": {"type": "henyey_greenstein", "g": -0.5},
+                           "bounds": {"type": "box", "min": [0, 0, 0], "max": [1, 1, 1]}}
+        for surface in scene["surfaces"]:
+            surface["mesh"] = os.path.join(REFERENCE, surface["mesh"])
+        box = np.transpose([medium["bounds"]["min"], medium["bounds"]["max"]]).ravel()
+        image = self.render(
+            self.write("other.json", json.dumps(scene)), "other.pfm", "--box", join(box),
+            "--scattering", join(medium["sigma_s"]), "--absorption", join(medium["sigma_a"]),
+            "--anisotropy", "0", *options)
+        for mask in ("mask", "shadowmask"):
+            self.judge(image, name, "total", read_pfm(reference_file(name, mask)))
+
+    def test_spot_option(self):
+        # Aims at the position plus twice the scene's direction.
+        self.build_with_options(
+            "S5_spot_slats", "--spot", "-0.55,4.63,0.21:-0.23,2.63,0.11:32:40,40,36")
+
+    def test_sun_option(self):
+        # Towards the sun: against the scene's direction.
+        self.build_with_options("S6_sun_window", "--sun", "1,0.6,0.22:9,8,6.5")
 
 
 class TestPictures(ProgramTest):
@@ -142,15 +173,10 @@ class TestPictures(ProgramTest):
         picture = self.render(self.SCENE, "plain.png", "--no-medium")
         mask = read_pfm(reference_file("S3_ground_occluders", "mask"))[..., 0] > 0.5
         depth = read_pfm(reference_file("S3_ground_occluders", "depth"))[..., 0]
-        eye, target = np.array([0, 2.6, 9]), np.array([0, 1.5, 0])
-        forward = (target - eye) / np.linalg.norm(target - eye)
-        right = np.cross(forward, [0, 1, 0]) / np.linalg.norm(np.cross(forward, [0, 1, 0]))
-        up = np.cross(right, forward)
-        half = np.tan(np.radians(20))
-        x = ((np.arange(160) + 0.5) / 80 - 1) * half * 160 / 120
-        y = (1 - (np.arange(120) + 0.5) / 60) * half
-        rays = forward + x[None, :, None] * right + y[:, None, None] * up
-        rays /= np.linalg.norm(rays, axis=-1, keepdims=True)
+        with open(self.SCENE) as file:
+            camera = json.load(file)["camera"]
+        rays = pixel_rays(camera, 160, 120)
+        eye = np.array(camera["position"])
         points = eye + depth[..., None] * rays
         ground = mask & (depth > 0) & (np.abs(points[..., 1]) < 1e-3)
         self.assertGreater(ground.sum(), 5000)

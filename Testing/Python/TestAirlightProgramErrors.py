@@ -30,6 +30,23 @@ end_header
 """
 
 
+# Pieces of scene files.
+BOX = """"type": "box",
+   "min": [
+    -25,
+    -5,
+    -25
+   ],
+   "max": [
+    25,
+    25,
+    25
+   ]"""
+SPHERE = '"type": "sphere",\n"center": %s,\n"radius": %%s'
+FOG = '"density": %s, "bounds"'
+HEIGHTS = '{"type": "%s", "reference_height": 0, "scale_height": %s, "up": [0, %s, 0]}'
+
+
 class TestBadModels(ProgramTest):
     def test_damaged_models(self):
         """VTK's readers crash on some of these; the program says which file it was."""
@@ -80,7 +97,16 @@ class TestBadScenes(ProgramTest):
         ('   0.08,\n   0.08,', '   0.08,\n   null,', 29, ["medium.sigma_s[1]", "null"]),
         ('"g": 0.0', '"g": 1.0', 39, ["medium.phase.g", "0.99"]),
         ('"henyey_greenstein"', '"mie"', 38, ["medium.phase.type", "isotropic"]),
-        ('"box"', '"sphere"', 42, ["medium.bounds.type"]),
+        ('"box"', '"cone"', 42, ["medium.bounds.type", "sphere"]),
+        ('"box"', '"sphere"', 48, ["unknown key 'max'", "center, radius"]),
+        (BOX, SPHERE % "[0, 0]" % 1, 43, ["medium.bounds.center", "3 numbers"]),
+        (BOX, SPHERE % "[0, 0, 0]" % -1, 44, ["medium.bounds.radius", "-1"]),
+        (',\n   "min"', ',\n   "center": [0, 0, 0],\n   "min"', 43, ["unknown key 'center'"]),
+        ('"bounds"', FOG % "3", 41, ["medium.density", "object", "scale_height"]),
+        ('"bounds"', FOG % '{"type": "linear"}', 41, ["missing key 'reference_height'"]),
+        ('"bounds"', FOG % HEIGHTS % ("linear", 1, 0), 41, ["medium.density.type", "linear"]),
+        ('"bounds"', FOG % HEIGHTS % ("exponential_height", 0, 1), 41, ["density.scale_height"]),
+        ('"bounds"', FOG % HEIGHTS % ("exponential_height", 1, 0), 41, ["density.up", "zero"]),
         ('    -25,\n', '    26,\n', 43, ["medium.bounds.min", "max"]),
         ('"point"', '"area"', 57, ["lights[0].type", "directional"]),
         ('    30.0,', '    -30.0,', 64, ["lights[0].intensity[0]"]),
@@ -137,6 +163,11 @@ class TestBadScenes(ProgramTest):
                 (["--anisotropy", "1"], ["--anisotropy '1'", "0.99"]),
                 (["--point", "1,2,3"], ["--point '1,2,3'", "x,y,z:I"]),
                 (["--point", "1,2,3:4:5"], ["--point"]),
+                (["--box", "1,2,3,4,5,6", "--sphere", "1,2,3:4"], ["--box", "--sphere"]),
+                (["--box", "0,1,0,1,0,1", "--box", "0,1,0,1,0,1"], ["--box"]),
+                (["--no-medium", "--box", "0,1,0,1,0,1"], ["--no-medium"]),
+                (["--no-medium", "--sphere", "1,2,3:4"], ["--no-medium"]),
+                (["--no-medium", "--height-fog", "0:1"], ["--no-medium"]),
                 (["--camera", "1,2,3:1,2,3"], ["--camera"]),
                 (["--camera", "1,2,3:0,0,0:200"], ["--camera"]),
                 (["--exposure", "-1"], ["--exposure '-1'"]),
@@ -149,6 +180,50 @@ class TestBadScenes(ProgramTest):
         self.fail_with(["x.jpg", "png, pfm, tiff"], "render", scene, "-o", "x.jpg")
         missing = os.path.join(self.folder, "none", "x.pfm")
         self.fail_with([missing, "folder"], "render", scene, "-o", missing)
+
+
+class TestBadOptions(ProgramTest):
+    """One line that names the option, the value and the form, of `render` and `view` alike."""
+
+    CASES = {
+        ("--point", "x,y,z:I"): (
+            "", "1,2,3", "1,2,3:", ":4", "1,2:4", "1,2,3,4:4", "1,2,3:4,5", "1,2,3:4,5,6,7",
+            "1,2,3:-4", "1,2,3:4,-5,6", "1,2,x:4", "1,2,3:nan", "1,inf,3:4", "1,2,3:4:5",
+            "1,2,3: 4", "1e31,2,3:4", "1,2,3:1e31"),
+        ("--spot", "x,y,z:tx,ty,tz:ANGLE:I:EXPONENT"): (
+            "", "1,2,3:4", "1,2,3:4,5,6", "1,2,3:4,5,6:30", "1,2,3:4,5,6:30:", "1,2:4,5,6:30:7",
+            "1,2,3:4,5:30:7", "1,2,3:1,2,3:30:7", "1,2,3:4,5,6:0:7", "1,2,3:4,5,6:90:7",
+            "1,2,3:4,5,6:-30:7", "1,2,3:4,5,6:nan:7", "1,2,3:4,5,6:30,30:7", "1,2,3:4,5,6:30:-7",
+            "1,2,3:4,5,6:30:7,8", "1,2,3:4,5,6:30:inf", "1,2,3:4,5,6:30:7:", "1,2,3:4,5,6:30:7:-1",
+            "1,2,3:4,5,6:30:7:129", "1,2,3:4,5,6:30:7:2:1", "0,0,0:1e-170,0,0:30:7",
+            "1,2,3:4,5,1e31:30:7"),
+        ("--sun", "dx,dy,dz:E"): (
+            "", "1,2,3", "1,2,3:", "0,0,0:4", "1,2:4", "1,2,3:-4", "1,2,3:4,5", "1,2,3:nan",
+            "1,nan,3:4", "1,2,3:4:5", "sun:4"),
+        ("--ambient", "r,g,b"): ("", "1", "1,2", "1,2,-3", "1,2,3,4", "1,2,nan"),
+        ("--box", "xmin,xmax,ymin,ymax,zmin,zmax"): (
+            "", "1", "0,1,0,1,0", "0,1,0,1,0,1,0", "1,0,0,1,0,1", "0,1,1,0,0,1", "0,1,0,1,1,0",
+            "0,1,0,1,0,inf", "0,1,0,1,0,1e31", "0,1,0,1,0,", "0:1,0,1,0,1"),
+        ("--sphere", "x,y,z:R"): (
+            "", "1,2,3", "1,2,3:", "1,2:4", "1,2,3:-4", "1,2,3:nan", "1,2,3:4,4", "1,2,3:4:5",
+            "1,2,3:1e31"),
+        ("--height-fog", "REFERENCE:SCALE:ux,uy,uz"): (
+            "", "1", "1:", ":1", "1:0", "1:-1", "nan:1", "1:inf", "1e31:1", "1:1e31", "1:2:0,0,0",
+            "1:2:", "1:2:1,2", "1:2:0,1,0:3", "1,2"),
+    }
+
+    def test_table(self):
+        scene = scene_file("S1_point_iso")
+        output = self.path("x.png")
+        for (option, form), values in self.CASES.items():
+            for value in values:
+                with self.subTest(option=option, value=value):
+                    errors = self.fail_with([f"airlight: {option} '{value}': expected ", form],
+                                            "render", option, value, scene, "-o", output)
+                    self.assertEqual(errors.count("\n"), 1)
+            # Before any window opens.
+            self.fail_with([f"{option} '{values[1]}'", form], "view", scene, option, values[1])
+        self.assertFalse(os.path.exists(output))
 
 
 class TestBadImages(ProgramTest):

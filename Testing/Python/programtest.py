@@ -6,6 +6,7 @@ Environment: AIRLIGHT_PROGRAM, the path of `airlight` (AnimatedFog lies beside i
 AIRLIGHT_SOURCE_DIR, the project's sources; and an X server.
 """
 
+import json
 import os
 import shutil
 import subprocess
@@ -98,6 +99,24 @@ def write_models(path):
     return ["a.obj", "a.stl", "a.ply", "a.vtp", "b.obj", "b.gltf"]
 
 
+def pixel_rays(camera, width, height):
+    """Unit directions [H, W, 3], row 0 = top, through the middles of the pixels.
+
+    camera: as in a scene file.
+    """
+    eye = np.array(camera["position"], float)
+    forward = np.array(camera["focal_point"], float) - eye
+    forward /= np.linalg.norm(forward)
+    right = np.cross(forward, camera["view_up"])
+    right /= np.linalg.norm(right)
+    up = np.cross(right, forward)
+    half = np.tan(np.radians(camera["view_angle_deg"] / 2))
+    x = ((np.arange(width) + 0.5) / width * 2 - 1) * half * width / height
+    y = (1 - (np.arange(height) + 0.5) / height * 2) * half
+    rays = forward + x[None, :, None] * right + y[:, None, None] * up
+    return rays / np.linalg.norm(rays, axis=-1, keepdims=True)
+
+
 class ProgramTest(unittest.TestCase):
     """Each test has a folder of its own, which stays behind if the test fails."""
 
@@ -147,3 +166,49 @@ class ProgramTest(unittest.TestCase):
         path = self.path(output)
         self.succeed("render", scene, "-o", path, *options)
         return read_png(path) if output.endswith(".png") else read_pfm(path)
+
+
+def henyey_greenstein(g, cosine):
+    return (1 - g * g) / (4 * np.pi * (1 + g * g - 2 * g * cosine)**1.5)
+
+
+WALL = """ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+element face 1
+property list uchar int vertex_indices
+end_header
+-50 -50 0
+50 -50 0
+50 50 0
+-50 50 0
+4 0 1 2 3
+"""
+
+
+class SceneTest(ProgramTest):
+    """Small scenes: a camera that looks along -z from aside, a uniform medium and a lamp for the
+    options to replace."""
+
+    SIZE = (40, 30)
+    CAMERA = {"position": [0.2, 0.1, 5.0], "focal_point": [0.0, 0.0, 0.0], "view_up": [0, 1, 0],
+              "view_angle_deg": 50.0}
+
+    def scene_medium(self, **changes):
+        return {"sigma_s": [0.2, 0.3, 0.4], "sigma_a": [0, 0, 0.1],
+                "phase": {"type": "isotropic"}, **changes}
+
+    def scene(self, surfaces=(), **changes):
+        """A scene file with these changes to the medium."""
+        lamp = {"type": "point", "position": [1, 1, 2], "intensity": [100, 200, 300]}
+        return self.write("scene.json", json.dumps({
+            "image": {"width": self.SIZE[0], "height": self.SIZE[1]}, "camera": self.CAMERA,
+            "medium": self.scene_medium(**changes), "lights": [lamp], "surfaces": surfaces}))
+
+    def wall_scene(self, albedo):
+        """The same before a wall at z = 0."""
+        self.write("wall.ply", WALL)
+        return self.scene(surfaces=[{"mesh": "wall.ply", "albedo": albedo}])

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MediumText.h"
+
+#include "OptionNumbers.h"
+#include "Scene.h"
+
+#include <vtkParticipatingMedium.h>
+
+#include <vector>
+
+namespace airlight
+{
+
+//------------------------------------------------------------------------------
+void ParseBox(const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
+{
+  const std::vector<double> bounds = GetNumbers(text);
+  if (bounds.size() != 6 || !IsInRange(bounds, -LargestNumber, LargestNumber) ||
+    bounds[0] > bounds[1] || bounds[2] > bounds[3] || bounds[4] > bounds[5])
+  {
+    FailOption(option, text,
+      "xmin,xmax,ymin,ymax,zmin,zmax from -1e30 to 1e30, each minimum at most its maximum");
+  }
+  medium->SetRegionToBox();
+  medium->SetBounds(bounds.data());
+}
+
+//------------------------------------------------------------------------------
+void ParseSphere(const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
+{
+  const std::vector<std::string> parts = SplitText(text, ':');
+  Vector3 center;
+  double radius = 0.0;
+  if (parts.size() != 2 || !GetVector(parts[0], center) || !GetNumber(parts[1], radius) ||
+    radius < 0.0 || radius > LargestNumber)
+  {
+    FailOption(option, text, "x,y,z:R with a radius of 0 to 1e30");
+  }
+  medium->SetRegionToSphere();
+  medium->SetCenter(center.data());
+  medium->SetRadius(radius);
+}
+
+//------------------------------------------------------------------------------
+void ParseHeightFog(
+  const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
+{
+  const std::vector<std::string> parts = SplitText(text, ':');
+  double reference = 0.0;
+  double scale = 0.0;
+  Vector3 up = { 0.0, 1.0, 0.0 };
+  if (parts.size() < 2 || parts.size() > 3 || !GetNumber(parts[0], reference) ||
+    !IsInRange({ reference }, -LargestNumber, LargestNumber) || !GetNumber(parts[1], scale) ||
+    !IsInRange({ scale }, SmallestScaleHeight, LargestNumber) ||
+    (parts.size() == 3 && !GetDirection(parts[2], up)))
+  {
+    FailOption(option, text,
+      "REFERENCE:SCALE or REFERENCE:SCALE:ux,uy,uz with a scale height of 1e-30 to 1e30 and a "
+      "direction up "
+      "other than 0");
+  }
+  medium->SetDensityToExponentialHeight();
+  medium->SetReferenceHeight(reference);
+  medium->SetScaleHeight(scale);
+  medium->SetUp(up.data());
+}
+
+}

@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The media of the command line and of scene files: regions, ambient light and height fog.
+
+Run it like TestAirlightProgram.py.
+"""
+
+import unittest
+
+import numpy as np
+
+from programtest import SceneTest, pixel_rays
+
+DARK = ("--point", "0,0,0:0")
+COEFFICIENTS = ("--scattering", "0.3,0.6,0", "--absorption", "0.1,0,0.2")
+ALBEDO, EXTINCTION = np.array([0.75, 1, 0]), np.array([0.4, 0.6, 0.2])
+
+
+class TestRegions(SceneTest):
+    def check(self, lengths, sure, *options):
+        """Transmittance, and ambient light albedo L (1 - T), for these lengths of medium."""
+        expected = np.exp(-EXTINCTION * lengths[..., None])
+        image = self.render(self.scene(), "t.pfm", *COEFFICIENTS, *DARK, *options, "--buffer",
+                            "Transmittance")
+        np.testing.assert_allclose(image[sure], expected[sure], rtol=2e-5)
+        image = self.render(self.scene(), "a.pfm", *COEFFICIENTS, *DARK, *options, "--buffer",
+                            "Airlight", "--ambient", "1,2,3")
+        expected = ALBEDO * [1, 2, 3] * (1 - expected)
+        np.testing.assert_allclose(image[sure], expected[sure], rtol=2e-5, atol=1e-5)
+
+    def test_box(self):
+        low, high = np.array([-1.5, -1, -2]), np.array([1, 0.8, 1])
+        eye = np.array(self.CAMERA["position"])
+        rays = pixel_rays(self.CAMERA, *self.SIZE)
+        ends = np.sort([(low - eye) / rays, (high - eye) / rays], axis=0)
+        lengths = ends[1].min(axis=-1) - ends[0].max(axis=-1)
+        self.assertGreater(min((lengths > 1).sum(), (lengths < 0).sum()), 100)
+        self.check(np.maximum(lengths, 0), np.abs(lengths) > 1e-3, "--box",
+                   "-1.5,1,-1,0.8,-2,1")
+
+    def test_sphere(self):
+        """A chord at the distance h from the middle is 2 sqrt(R^2 - h^2) long."""
+        center, radius = np.array([-0.5, 0.3, -1]), 1.2
+        eye = np.array(self.CAMERA["position"])
+        rays = pixel_rays(self.CAMERA, *self.SIZE)
+        h = np.linalg.norm(np.cross(rays, center - eye), axis=-1)
+        chords = 2 * np.sqrt(np.maximum(radius**2 - h**2, 0))
+        self.assertGreater(min((chords > 1).sum(), (chords == 0).sum()), 100)
+        self.check(chords, np.abs(h - radius) > 0.02, "--sphere", "-0.5,0.3,-1:1.2")
+
+    def test_scene_file(self):
+        """What a scene file says about regions and density is what the options say, and the options
+        outdo the file."""
+        fog = {"type": "exponential_height", "reference_height": -0.5, "scale_height": 0.7}
+        other = {"bounds": {"type": "sphere", "center": [9, 9, 9], "radius": 0.1},
+                 "density": {"type": "exponential_height", "reference_height": 3,
+                             "scale_height": 9, "up": [1, 0, 0]}}
+        sun = ("--sun", "1,2,3:4")
+        plain = self.render(self.scene(), "plain.pfm", *sun)
+        for key, value, *options in (
+                ("bounds", {"type": "box", "min": [-1.5, -1, -2], "max": [1, 0.8, 1]},
+                 "--box", "-1.5,1,-1,0.8,-2,1"),
+                ("bounds", {"type": "sphere", "center": [-0.5, 0.3, -1], "radius": 1.2},
+                 "--sphere", "-0.5,0.3,-1:1.2"),
+                ("density", fog, "--height-fog", "-0.5:0.7"),
+                ("density", dict(fog, up=[1, 2, 0]), "--height-fog", "-0.5:0.7:1,2,0")):
+            with self.subTest(value=value):
+                by_file = self.render(self.scene(**{key: value}), "a.pfm", *sun)
+                self.assertGreater(np.abs(by_file - plain).max(), 1e-3)
+                by_option = self.render(self.scene(), "b.pfm", *sun, *options)
+                np.testing.assert_array_equal(by_option, by_file)
+                over_other = self.render(self.scene(**{key: other[key]}), "c.pfm", *sun, *options)
+                np.testing.assert_array_equal(over_other, by_file)
+
+
+class TestHeightFog(SceneTest):
+    def test_transmittance(self):
+        """To the wall z = 0 at T = -o_z/d_z, with heights u.x, m = u.d:
+
+            tau = sigma int_0^T exp(-(u.o + m t - Z)/H) dt = sigma exp(-(u.o - Z)/H) (1 -
+            exp(-m T/H)) H/m
+        """
+        eye = np.array(self.CAMERA["position"])
+        rays = pixel_rays(self.CAMERA, *self.SIZE)
+        end = -eye[2] / rays[..., 2]
+        for option, reference, scale, up in (("-0.5:0.7", -0.5, 0.7, (0, 1, 0)),
+                                             ("0.4:3", 0.4, 3, (0, 1, 0)),
+                                             ("0.2:1.5:1,2,0", 0.2, 1.5, (1, 2, 0)),
+                                             ("-4:2.5:0,0,-8", -4, 2.5, (0, 0, -1))):
+            up = np.array(up) / np.linalg.norm(up)
+            image = self.render(self.wall_scene([1, 1, 1]), "t.pfm", *COEFFICIENTS, *DARK,
+                                "--height-fog", option, "--buffer", "Transmittance")
+            m = rays @ up
+            length = np.exp(-(eye @ up - reference) / scale) * -np.expm1(-m * end / scale) * (
+                scale / m)
+            expected = np.exp(-EXTINCTION * length[..., None])
+            # Single precision: relative errors of a few 1e-7 in an optical depth of up to 10.
+            np.testing.assert_allclose(image, expected, rtol=5e-5, err_msg=option)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[__file__])
