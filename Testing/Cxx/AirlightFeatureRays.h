@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The expected numbers of a ray of a FeatureScene. Its lit parts are cut out by the planes through
+ * the light and the bodies' edges (AirlightBruteForce.h); its airlight is the quadrature over them
+ * of what each test says is scattered, so that no expected number comes from the library.
+ */
+
+#ifndef AirlightFeatureRays_h
+#define AirlightFeatureRays_h
+
+#include "AirlightFeatureScene.h"
+#include "AirlightTestQuadrature.h"
+#include "AirlightTestTools.h"
+
+namespace airlighttest
+{
+// What a test knows of its own light and medium.
+struct Physics
+{
+  // The parts of the ray, as far as `end`, that the light would reach if nothing stood in its way.
+  std::function<std::vector<Interval>(const Ray&, double end)> Reach;
+
+  // Light scattered towards the eye at t, per unit length, attenuated up to the eye.
+  std::function<double(const Ray&, double t, int channel)> Scattered;
+
+  // What the ambient radiance adds as far as `end`.
+  std::function<double(const Ray&, double end, int channel)> Ambient;
+};
+
+struct Expected
+{
+  double Depth = Infinity;
+  double LitLength = 0.0;
+  glm::dvec3 Airlight{ 0.0 };
+};
+
+//------------------------------------------------------------------------------
+// Keeps the part of the ray in a box; From >= To where there is none.
+inline Interval ClipToBox(
+  Interval part, const Ray& ray, const glm::dvec3& low, const glm::dvec3& high)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    glm::dvec3 normal(0.0);
+    normal[i] = 1.0;
+    Clip(part, ray, normal, low);
+    Clip(part, ray, -normal, high);
+  }
+  return part;
+}
+
+// Where the ray crosses the plane through the lamp and along z on which
+// (x - lamp.x)/(lamp.y - y) = slope.
+inline double CrossPlane(const Ray& ray, const glm::dvec3& lamp, double slope)
+{
+  return (lamp.x - ray.Origin.x + slope * (lamp.y - ray.Origin.y)) /
+    (ray.Direction.x + slope * ray.Direction.y);
+}
+
+//------------------------------------------------------------------------------
+inline double GetEnd(const FeatureScene& scene, const Ray& ray)
+{
+  double end = Infinity;
+  for (const Triangle& t : scene.Triangles)
+  {
+    end = std::min(end, Hit(t, ray));
+  }
+  return end;
+}
+
+inline std::vector<Interval> GetLitParts(
+  const FeatureScene& scene, const Physics& physics, const Ray& ray, double end)
+{
+  std::vector<Interval> shadows;
+  for (const Triangle& t : scene.Triangles)
+  {
+    Interval shadow;
+    if (FindShadow(t, GetPosition(scene.Lights[0]), ray, shadow))
+    {
+      shadows.push_back(shadow);
+    }
+  }
+  std::vector<Interval> result;
+  for (const Interval& part : Complement(shadows, end))
+  {
+    for (const Interval& reach : physics.Reach(ray, end))
+    {
+      const Interval both{ std::max(part.From, reach.From), std::min(part.To, reach.To) };
+      if (both.From < both.To)
+      {
+        result.push_back(both);
+      }
+    }
+  }
+  return result;
+}
+
+inline double Sum(const std::vector<Interval>& parts)
+{
+  double sum = 0.0;
+  for (const Interval& part : parts)
+  {
+    sum += part.To - part.From;
+  }
+  return sum;
+}
+
+inline Expected GetExpected(const FeatureScene& scene, const Physics& physics, const Ray& ray)
+{
+  Expected expected;
+  expected.Depth = GetEnd(scene, ray);
+  const std::vector<Interval> parts = GetLitParts(scene, physics, ray, expected.Depth);
+  expected.LitLength = Sum(parts);
+  for (int k = 0; k < 3; ++k)
+  {
+    expected.Airlight[k] = physics.Ambient(ray, expected.Depth, k);
+    for (const Interval& part : parts)
+    {
+      // Unbounded fog lets nothing through from beyond; the panels grow with distance.
+      const double to = std::min(part.To, part.From + 2e3);
+      std::vector<long double> ends = { part.From };
+      for (double step = 0.1; part.From + step < to; step *= 2.0)
+      {
+        ends.push_back(part.From + step);
+      }
+      ends.push_back(to);
+      expected.Airlight[k] += airlight_test::Integrate(
+        [&](double t) { return physics.Scattered(ray, t, k); }, ends, 1e-10);
+    }
+  }
+  return expected;
+}
+
+// Whether 0.02 pixels to either side the ray's lit length or depth is another by more than 1 %:
+// the ray grazes an edge, and no rasteriser need decide as double precision does.
+inline bool IsUnstable(
+  FeatureScene& scene, const Physics& physics, int x, int y, const Expected& expected)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    const Ray ray = scene.GetRay(x + (i % 2 == 0 ? 0.48 : 0.52), y + (i < 2 ? 0.48 : 0.52));
+    const double depth = GetEnd(scene, ray);
+    const double litLength = Sum(GetLitParts(scene, physics, ray, depth));
+    if (Differ(depth, expected.Depth, 0.0) || Differ(litLength, expected.LitLength, 0.1))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// All rays of a grid over the picture, but those that graze edges, against the expected numbers:
+// lit length to 1e-3 of itself or of 0.1; airlight, of itself or of a hundredth of the picture's
+// 99th percentile, to `limit` on 99 % of the rays and to `outer` on all; light that leaks into
+// full shadow to 1e-4 of the 99th percentile.
+inline void CompareRays(FeatureScene& scene, const Physics& physics, double limit, double outer)
+{
+  airlight_test::Comparison lengths("lit length, relative");
+  airlight_test::Comparison airlight("airlight, relative");
+  airlight_test::Comparison leak("light that leaks into full shadow, of the 99th percentile");
+  const double percentile99 = scene.GetPercentile99("Airlight");
+  constexpr int step = 16;
+  int used = 0;
+  int far = 0;
+  int excluded = 0;
+  for (int y = step / 2; y < scene.Height; y += step)
+  {
+    for (int x = step / 2; x < scene.Width; x += step)
+    {
+      const Ray ray = scene.GetPixelRay({ x, y });
+      const Expected expected = GetExpected(scene, physics, ray);
+      if (IsUnstable(scene, physics, x, y, expected))
+      {
+        ++excluded;
+        continue;
+      }
+      const auto describe = [&] {
+        return airlight_test::Text("pixel ", x, " ", y, ": expected lit length ",
+          expected.LitLength, ", airlight ", airlight_test::Text3(&expected.Airlight.x));
+      };
+      // Of two media apart the pass counts the clear part between them as well.
+      if (expected.LitLength < Infinity && physics.Reach(ray, expected.Depth).size() < 2)
+      {
+        const double error =
+          std::abs(GetValue(scene.GetBuffer("LitLength"), x, y) - expected.LitLength);
+        lengths.Add(error / std::max(expected.LitLength, 0.1), 1e-3, describe);
+      }
+      double largest = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        const double error =
+          std::abs(GetValue(scene.GetBuffer("Airlight"), x, y, k) - expected.Airlight[k]);
+        const double relative = error / std::max(expected.Airlight[k], 0.01 * percentile99);
+        airlight.Add(relative, outer, describe);
+        largest = std::max(largest, relative);
+        if (expected.LitLength == 0.0)
+        {
+          leak.Add(error / percentile99, 1e-4, describe);
+        }
+      }
+      ++used;
+      far += largest > limit;
+    }
+  }
+  Check(lengths.Report(), "lit lengths");
+  Check(airlight.Report(), "airlight");
+  Check(leak.Report(), "full shadow is as dark as the ambient radiance");
+  std::cout << far << " of " << used << " rays differ by more than " << limit << "; " << excluded
+            << " more graze an edge\n";
+  Check(100 * far <= used, "airlight of 99 % of the rays");
+  Check(20 * excluded < used, "few rays graze an edge");
+}
+
+//------------------------------------------------------------------------------
+// To `limit` of what is expected.
+inline void CheckClose(double value, double expected, double limit, const std::string& what)
+{
+  std::cout << what << ": " << value << ", expected " << expected << "\n";
+  Check(std::abs(value - expected) <= limit * std::abs(expected), what);
+}
+
+inline void CheckClose(
+  const glm::dvec3& value, const glm::dvec3& expected, double limit, const std::string& what)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    CheckClose(value[k], expected[k], limit, what + ", channel " + std::to_string(k));
+  }
+}
+}
+
+#endif
