@@ -7,3 +7,4 @@
 #define AIRLIGHT_FN
 #define AIRLIGHT_OUT(T) out T
 #define AIRLIGHT_IN(T) T
+#define AIRLIGHT_DATA_MEMBER
