@@ -10,9 +10,9 @@
  *
  * **Units.** Angles are degrees. An intensity in candela is the file's value times candela
  * multiplier times ballast factor, and in versions 1986 and 1991 times the ballast-lamp photometric
- * factor, whose place is "future use" or a code in later ones. Candela are of the eye's
- * sensitivity: a light takes from a file the shape, value/GetMaximum(), and either its own radiant
- * intensity or candela as a photometric one.
+ * factor, whose place is "future use" or a code in later ones. Candela weigh power by the eye's
+ * sensitivity and are no W/sr: what is looked up is the intensity relative to the largest one, and
+ * who has candela multiplies by GetMaximum().
  *
  * **Coordinates.** Seen from the lamp, with a unit vector `axis` where it aims, a unit vector `up`
  * perpendicular to it, and right = cross(axis, up):
