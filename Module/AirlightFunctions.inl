@@ -24,6 +24,7 @@
 
 #include "AirlightExponentialIntegral.glsl"
 #include "AirlightGauss.glsl"
+#include "AirlightGoniometric.glsl"
 #include "AirlightPhase.glsl"
 #include "AirlightPointLight.glsl"
 #include "AirlightRegion.glsl"

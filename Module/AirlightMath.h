@@ -19,8 +19,9 @@
 #define AIRLIGHT_FN inline
 #define AIRLIGHT_OUT(T) T&
 #define AIRLIGHT_IN(T) const T&
+// Surfaces and tables lie in memory.
 #define AIRLIGHT_DATA_MEMBER const real4* data;
-#define AIRLIGHT_FETCH(owner, i) (owner).data[i]
+#define AIRLIGHT_FETCH(owner, i) ((owner).data[(i)])
 #define AIRLIGHT_HAS_SURFACE 1
 
 namespace airlight

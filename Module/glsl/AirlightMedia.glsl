@@ -81,6 +81,25 @@ AIRLIGHT_FN AirlightPiece airlightPieceAt(
   return piece;
 }
 
+// The length of [t0, t1] of a ray that is inside media, all of it where there is one convex region:
+// then the ray's range is that region's.
+AIRLIGHT_FN real airlightLengthInside(
+  AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
+{
+  if (AIRLIGHT_MEDIUM_COUNT == 1 && media.item[0].region.kind != AIRLIGHT_REGION_SURFACE)
+  {
+    return t1 - t0;
+  }
+  real sum = real(0.0);
+  while (t0 < t1)
+  {
+    AirlightPiece piece = airlightPieceAt(media, origin, direction, t0, t1);
+    sum += piece.inside != 0 ? piece.to - piece.from : real(0.0);
+    t0 = piece.to;
+  }
+  return sum;
+}
+
 // Where in the piece nothing is left of the light, or the piece's end.
 AIRLIGHT_FN real airlightFadedAt(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightPiece) piece,
   real3 origin, real3 direction)

@@ -75,7 +75,7 @@ void main()
         if (wasLit)
         {
           sum += airlightInterval3(media, light, ray, from, fromTail, to, toTail);
-          litLength += to - from;
+          litLength += airlightLengthInside(media, ray.origin, ray.direction, from, to);
         }
         from = to;
         fromTail = toTail;

@@ -1,0 +1,99 @@
+// A light of which a photometric file tells how much it shines in each direction.
+//
+// The file's table (AirlightPhotometry.h) lies in texels of four numbers, from texel `first` on:
+//
+//   1 texel             rows, columns, type of coordinates (1 is C, 2 is B, 3 is A), 0
+//   rows texels         an interval of vertical angles: from, to, 1/(to - from), 0; radians
+//   columns texels      an interval of horizontal angles, likewise; symmetry is expanded
+//   rows*columns texels the intensities, relative to the largest, at the corners of a cell: (from,
+//                       from), (to, from), (from, to), (to, to) of (vertical, horizontal); column
+//                       by column
+//
+// So a look-up reads one texel of intensities. The macro AIRLIGHT_FETCH(photometry, i) is texel i.
+struct AirlightPhotometry
+{
+  AIRLIGHT_DATA_MEMBER
+  int first;
+  real3 axis; // where the lamp aims, unit vector
+  real3 up;   // unit vector perpendicular to it
+};
+
+// The angle of the point (x, y) in [-pi, pi].
+AIRLIGHT_FN real airlightSignedAngle(real y, real x)
+{
+  return y < real(0.0) ? -airlightAngle(-y, x) : airlightAngle(y, x);
+}
+
+// The vertical and the horizontal angle of a direction, each from arctangents: arcsines and
+// arccosines would be coarse where they are steep.
+AIRLIGHT_FN real2 airlightPhotometryAngles(
+  AIRLIGHT_IN(AirlightPhotometry) photometry, int type, real3 direction)
+{
+  real a = dot(direction, photometry.axis);
+  real u = dot(direction, photometry.up);
+  real r = dot(direction, cross(photometry.axis, photometry.up));
+  if (type == 1)
+  {
+    return real2(airlightAngle(length(real2(r, u)), a), airlightSignedAngle(-r, u));
+  }
+  if (type == 2)
+  {
+    return real2(airlightSignedAngle(u, a), airlightSignedAngle(r, length(real2(a, u))));
+  }
+  return real2(airlightSignedAngle(u, length(real2(a, r))), airlightSignedAngle(r, a));
+}
+
+// The texel of the last interval that begins at or before the angle; the first one if none does.
+AIRLIGHT_FN real4 airlightPhotometryInterval(AIRLIGHT_IN(AirlightPhotometry) photometry,
+  int firstTexel, int count, real angle, AIRLIGHT_OUT(int) index)
+{
+  int low = 0;
+  int high = count;
+  while (high - low > 1)
+  {
+    int middle = (low + high) / 2;
+    if (AIRLIGHT_FETCH(photometry, firstTexel + middle).x <= angle)
+    {
+      low = middle;
+    }
+    else
+    {
+      high = middle;
+    }
+  }
+  index = low;
+  return AIRLIGHT_FETCH(photometry, firstTexel + low);
+}
+
+// The intensity relative to the largest in a unit direction away from the light: linear in both
+// angles between those of the file, 0 outside.
+AIRLIGHT_FN real airlightPhotometry(AIRLIGHT_IN(AirlightPhotometry) photometry, real3 direction)
+{
+  real4 head = AIRLIGHT_FETCH(photometry, photometry.first);
+  int rows = int(head.x);
+  int columns = int(head.y);
+  int type = int(head.z);
+  int firstRow = photometry.first + 1;
+  int firstColumn = firstRow + rows;
+  real2 angles = airlightPhotometryAngles(photometry, type, direction);
+  if (type == 1)
+  {
+    // All around, from the first horizontal angle, 0 or 90 degrees. Rounding must not lead out.
+    real start = AIRLIGHT_FETCH(photometry, firstColumn).x;
+    real end = AIRLIGHT_FETCH(photometry, firstColumn + columns - 1).y;
+    angles.y = angles.y < start ? angles.y + real(6.283185307179586) : angles.y;
+    angles.y = clamp(angles.y, start, end);
+  }
+  int i;
+  int j;
+  real4 row = airlightPhotometryInterval(photometry, firstRow, rows, angles.x, i);
+  real4 column = airlightPhotometryInterval(photometry, firstColumn, columns, angles.y, j);
+  if (angles.x < row.x || angles.x > row.y || angles.y < column.x || angles.y > column.y)
+  {
+    return real(0.0);
+  }
+  real4 cell = AIRLIGHT_FETCH(photometry, firstColumn + columns + j * rows + i);
+  real v = clamp((angles.x - row.x) * row.z, real(0.0), real(1.0));
+  real h = clamp((angles.y - column.x) * column.z, real(0.0), real(1.0));
+  return mix(mix(cell.x, cell.y, v), mix(cell.z, cell.w, v), h);
+}
