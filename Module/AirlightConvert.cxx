@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightConvert.h"
 
+#include "AirlightPhaseFit.h"
 #include "AirlightSurfaceTree.h"
 
 #include "vtkAirlight.h"
@@ -59,16 +60,10 @@ f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dve
   medium->GetScattering(&result.sigmaS.x);
   medium->GetExtinction(&result.sigmaT.x);
   medium->GetAmbientRadiance(&result.ambient.x);
-  result.phase.poleCount = medium->GetNumberOfPhasePoles();
-  result.phase.order = 1;
-  for (int k = 0; k < result.phase.poleCount; ++k)
-  {
-    glm::dvec4& pole = result.phase.pole[k];
-    medium->GetPhasePole(k, &pole.x);
-    const int order = pole.w != 0.0 ? 3 : pole.z != 0.0 ? 2 : 1;
-    result.phase.order = std::max(result.phase.order, order);
-  }
-  medium->GetPhasePower(&result.phase.power.x);
+  const std::shared_ptr<const PhaseShape> phase = medium->GetPhaseShape();
+  result.phase = Convert(phase->Fit);
+  result.phase.data = phase->Rows.data();
+  result.phase.rows = static_cast<int>(phase->Rows.size());
   result.region.kind = ConvertRegion(medium->GetRegion());
   const double* bounds = medium->GetBounds();
   result.region.boxMin = glm::dvec3(bounds[0], bounds[2], bounds[4]) - origin;
@@ -105,15 +100,6 @@ bool IsInside(const f64::AirlightRegion& region, const glm::dvec3& point)
     default:
       return true;
   }
-}
-
-// Beyond this the differences of the poles' terms are too small for single precision.
-constexpr double MostCancellation = 2000.0;
-
-// Whether the phase function is nothing but poles, and those can be summed.
-bool HasClosedForm(const f64::AirlightPhase& phase)
-{
-  return phase.power.x == 0.0 && f64::airlightPhaseCancellation(phase) < MostCancellation;
 }
 
 // The closed form holds for one uniform medium where the whole way from light to sample is inside:

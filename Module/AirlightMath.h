@@ -23,6 +23,8 @@
 #define AIRLIGHT_DATA_MEMBER const real4* data;
 #define AIRLIGHT_FETCH(owner, i) ((owner).data[(i)])
 #define AIRLIGHT_HAS_SURFACE 1
+#define AIRLIGHT_HAS_TABLE 1
+#define AIRLIGHT_HAS_PHOTOMETRY 1
 
 namespace airlight
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightPhaseFit.h"
 
+#include "AirlightMath.h"
 #include "AirlightPhaseFunctions.h"
 #include "AirlightPoleFitter.h"
 
@@ -161,6 +162,31 @@ PhaseFit FitForward(
 }
 
 //------------------------------------------------------------------------------
+f64::AirlightPhase Convert(const PhaseFit& fit)
+{
+  f64::AirlightPhase phase{};
+  phase.poleCount = static_cast<int>(fit.Poles.size());
+  phase.order = 1;
+  for (int k = 0; k < phase.poleCount; ++k)
+  {
+    const PhasePole& pole = fit.Poles[k];
+    phase.pole[k] = { pole.b, pole.c[0], pole.c[1], pole.c[2] };
+    phase.order = std::max(phase.order, pole.c[2] != 0.0 ? 3 : pole.c[1] != 0.0 ? 2 : 1);
+  }
+  phase.power = { fit.Factor, fit.Exponent };
+  return phase;
+}
+
+//------------------------------------------------------------------------------
+bool HasClosedForm(const f64::AirlightPhase& phase)
+{
+  // Beyond this the differences of the poles' terms are too small for single precision.
+  constexpr double MostCancellation = 2000.0;
+  return phase.power.x == 0.0 && phase.rows == 0 &&
+    f64::airlightPhaseCancellation(phase) < MostCancellation;
+}
+
+//------------------------------------------------------------------------------
 PhaseFit ExactIsotropic() { return { { { 1.0, { 0.25 / M_PI, 0.0, 0.0 } } } }; }
 
 //------------------------------------------------------------------------------
@@ -223,17 +249,18 @@ PhaseFit FitTable(const PhaseTable& table, double tolerance, int maximumPoles)
   // Between 2 and 16 samples to each row, and some where the table is flat beyond its ends.
   const auto choose = [&](int perRow) {
     std::vector<double> samples;
-    const std::vector<double>& a = table.GetAngles();
+    const std::vector<glm::dvec4>& rows = table.GetRows();
     const int even = 45 * perRow;
     for (int i = 1; i < even; ++i)
     {
       samples.push_back(std::tan(0.5 * M_PI * i / even));
     }
-    for (size_t i = 1; i < a.size(); ++i)
+    for (size_t i = 1; i < rows.size(); ++i)
     {
       for (int j = 0; j < perRow; ++j)
       {
-        samples.push_back(std::tan(0.5 * (a[i - 1] + (a[i] - a[i - 1]) * j / perRow)));
+        samples.push_back(
+          std::tan(0.5 * (rows[i - 1].x + (rows[i].x - rows[i - 1].x) * j / perRow)));
       }
     }
     samples.push_back(1e-6);
@@ -254,7 +281,7 @@ PhaseFit FitTable(const PhaseTable& table, double tolerance, int maximumPoles)
       const double high = std::log(range[1]);
       const Eigen::VectorXd logB = Eigen::VectorXd::LinSpaced(n, low, high);
       const PhaseFit fit = FitFrom(fitter, check, logB, tolerance);
-      if (fit.ErrorBound < best.ErrorBound)
+      if (fit.ErrorBound < best.ErrorBound && HasClosedForm(Convert(fit)))
       {
         best = fit;
       }

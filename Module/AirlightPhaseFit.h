@@ -10,6 +10,8 @@
 #ifndef AirlightPhaseFit_h
 #define AirlightPhaseFit_h
 
+#include "AirlightMath.h"
+
 #include <array>
 #include <vector>
 
@@ -33,6 +35,20 @@ struct PhaseFit
   // the relative error of any integral of airlight.
   double ErrorBound = 0.0;
 };
+
+// A medium's phase function: a fit, or the rows of a table that no fit follows closely enough.
+struct PhaseShape
+{
+  PhaseFit Fit;
+  std::vector<glm::dvec4> Rows;
+};
+
+// For the mathematics.
+f64::AirlightPhase Convert(const PhaseFit& fit);
+
+// Whether the function is nothing but poles, and single precision can sum them: fitted weights
+// alternate in sign and cancel.
+bool HasClosedForm(const f64::AirlightPhase& phase);
 
 // Those that need no fit; see AirlightPhaseFunctions.h.
 PhaseFit ExactIsotropic();

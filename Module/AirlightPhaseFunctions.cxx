@@ -72,12 +72,13 @@ PhaseTable PhaseTable::Read(vtkTable* table, std::string& error)
            << " columns; it needs at least 2 rows and 2 columns, scattering angle in degrees and "
               "value";
   }
+  double last = -1.0;
+  double largest = 0.0;
   for (vtkIdType row = 0; row < rows && reason.tellp() == 0; ++row)
   {
     bool isNumber[2] = { false, false };
     const double angle = table->GetValue(row, 0).ToDouble(&isNumber[0]);
     const double value = table->GetValue(row, 1).ToDouble(&isNumber[1]);
-    const double last = row > 0 ? vtkMath::DegreesFromRadians(result.Angles.back()) : -1.0;
     if (!isNumber[0] || !(angle > last) || !(angle >= 0.0 && angle <= 180.0))
     {
       reason << "has the angle " << table->GetValue(row, 0).ToString() << " in row " << row
@@ -88,24 +89,28 @@ PhaseTable PhaseTable::Read(vtkTable* table, std::string& error)
       reason << "has the value " << table->GetValue(row, 1).ToString() << " in row " << row
              << "; values are finite and above 0";
     }
-    result.Angles.push_back(vtkMath::RadiansFromDegrees(angle));
-    result.Logarithms.push_back(std::log(value));
+    last = angle;
+    largest = std::max(largest, value);
+    result.Rows.emplace_back(vtkMath::RadiansFromDegrees(angle), std::log(value), 0.0, 0.0);
+  }
+  for (glm::dvec4& row : result.Rows)
+  {
+    row.y -= std::log(largest);
+    if (reason.tellp() == 0 && row.y < std::log(1e-12))
+    {
+      reason << "has values that differ by more than 1e12";
+    }
   }
   error = reason.str();
   if (!error.empty())
   {
     return {};
   }
-  const double largest = *std::max_element(result.Logarithms.begin(), result.Logarithms.end());
-  for (double& logarithm : result.Logarithms)
-  {
-    logarithm -= largest;
-  }
   result.FindSlopes();
   const double integral = result.Integrate();
-  for (double& logarithm : result.Logarithms)
+  for (glm::dvec4& row : result.Rows)
   {
-    logarithm -= std::log(integral);
+    row.y -= std::log(integral);
   }
   return result;
 }
@@ -115,60 +120,54 @@ PhaseTable PhaseTable::Read(vtkTable* table, std::string& error)
 // ends, beyond which the function is constant and where scattering is symmetric anyway.
 void PhaseTable::FindSlopes()
 {
-  const std::vector<double>& a = this->Angles;
-  const std::vector<double>& v = this->Logarithms;
-  this->Slopes.assign(a.size(), 0.0);
-  for (size_t i = 1; i + 1 < a.size(); ++i)
+  for (size_t i = 1; i + 1 < this->Rows.size(); ++i)
   {
-    const double h0 = a[i] - a[i - 1];
-    const double h1 = a[i + 1] - a[i];
-    const double m0 = (v[i] - v[i - 1]) / h0;
-    const double m1 = (v[i + 1] - v[i]) / h1;
+    const glm::dvec4 before = this->Rows[i] - this->Rows[i - 1];
+    const glm::dvec4 after = this->Rows[i + 1] - this->Rows[i];
+    const double m0 = before.y / before.x;
+    const double m1 = after.y / after.x;
     if (m0 * m1 > 0.0)
     {
-      this->Slopes[i] = 3.0 * (h0 + h1) / ((2.0 * h1 + h0) / m0 + (h1 + 2.0 * h0) / m1);
+      this->Rows[i].z = 3.0 * (before.x + after.x) /
+        ((2.0 * after.x + before.x) / m0 + (after.x + 2.0 * before.x) / m1);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-double PhaseTable::EvaluateAt(double angle) const
+double PhaseTable::EvaluateAt(double cosTheta) const
 {
-  const std::vector<double>& a = this->Angles;
-  const std::vector<double>& v = this->Logarithms;
-  const auto next = std::upper_bound(a.begin(), a.end(), angle);
-  if (next == a.begin() || next == a.end())
-  {
-    return std::exp(next == a.begin() ? v.front() : v.back());
-  }
-  const auto i = next - a.begin();
-  const double h = a[i] - a[i - 1];
-  const double x = (angle - a[i - 1]) / h;
-  const double y = 1.0 - x;
-  return std::exp(y * y * (1.0 + 2.0 * x) * v[i - 1] + x * x * (1.0 + 2.0 * y) * v[i] +
-    h * x * y * (y * this->Slopes[i - 1] - x * this->Slopes[i]));
+  f64::AirlightPhase phase{};
+  phase.data = this->Rows.data();
+  phase.rows = static_cast<int>(this->Rows.size());
+  return f64::airlightPhaseTable(phase, cosTheta);
 }
 
 //------------------------------------------------------------------------------
 // Over the sphere, by Gauss-Legendre quadrature between the rows.
 double PhaseTable::Integrate() const
 {
-  const std::vector<double>& a = this->Angles;
-  double sum = std::exp(this->Logarithms.front()) * (1.0 - std::cos(a.front())) +
-    std::exp(this->Logarithms.back()) * (1.0 + std::cos(a.back()));
-  for (size_t i = 1; i < a.size(); ++i)
+  const glm::dvec4& first = this->Rows.front();
+  const glm::dvec4& last = this->Rows.back();
+  double sum =
+    std::exp(first.y) * (1.0 - std::cos(first.x)) + std::exp(last.y) * (1.0 + std::cos(last.x));
+  for (size_t i = 1; i < this->Rows.size(); ++i)
   {
-    const double reach = 0.5 * (a[i] - a[i - 1]);
+    const double from = this->Rows[i - 1].x;
+    const double reach = 0.5 * (this->Rows[i].x - from);
     for (int k = 0; k < 16; ++k)
     {
       const glm::dvec2 node = f64::airlightGaussNode(k / 2);
-      const double angle = a[i - 1] + reach * (1.0 + (k % 2 == 0 ? node.x : -node.x));
-      sum += reach * node.y * this->EvaluateAt(angle) * std::sin(angle);
+      const double angle = from + reach * (1.0 + (k % 2 == 0 ? node.x : -node.x));
+      sum += reach * node.y * this->EvaluateAt(std::cos(angle)) * std::sin(angle);
     }
   }
   return 2.0 * M_PI * sum;
 }
 
 //------------------------------------------------------------------------------
-double PhaseTable::Evaluate(double s) const { return this->EvaluateAt(2.0 * std::atan(s)); }
+double PhaseTable::Evaluate(double s) const
+{
+  return this->EvaluateAt(ForwardHalf(s) - BackwardHalf(s));
+}
 }

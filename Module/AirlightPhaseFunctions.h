@@ -8,6 +8,8 @@
 #ifndef AirlightPhaseFunctions_h
 #define AirlightPhaseFunctions_h
 
+#include <glm/glm.hpp>
+
 #include <string>
 #include <vector>
 
@@ -41,18 +43,19 @@ public:
   // that the function is normalised. Empty with a reason in `error` where the table is no good.
   static PhaseTable Read(vtkTable* table, std::string& error);
 
-  bool IsEmpty() const { return this->Angles.empty(); }
-  const std::vector<double>& GetAngles() const { return this->Angles; } // radians, ascending
+  bool IsEmpty() const { return this->Rows.empty(); }
   double Evaluate(double s) const;
+
+  // (angle in radians, logarithm of the value, its slope, 0), as airlightPhaseTable() of
+  // glsl/AirlightPhase.glsl reads them.
+  const std::vector<glm::dvec4>& GetRows() const { return this->Rows; }
 
 private:
   void FindSlopes();
-  double EvaluateAt(double angle) const;
+  double EvaluateAt(double cosTheta) const;
   double Integrate() const;
 
-  std::vector<double> Angles;
-  std::vector<double> Logarithms; // of the values
-  std::vector<double> Slopes;     // of the logarithms
+  std::vector<glm::dvec4> Rows;
 };
 }
 

@@ -29,14 +29,14 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for the phase table and the surface
 
-#include <memory> // for the surface
-#include <vector> // for the fitted poles
+#include <memory> // for the phase function and the surface
 
 class vtkPolyData;
 class vtkTable;
 
 namespace airlight
 {
+struct PhaseShape;
 class PhaseTable;
 class SurfaceTree;
 }
@@ -164,8 +164,8 @@ public:
    * The measured function of SetPhaseFunctionToTabulated(). Column 0: scattering angle in degrees,
    * in [0, 180], ascending; column 1: value, above 0, in any unit: the function is normalised.
    * Between the rows its logarithm is a monotone cubic (Fritsch and Carlson 1980); it is constant
-   * before the first and after the last one. At least 2 rows. A table that is no good is refused with an error and the old one stays. How closely the
-   * fit follows it, GetPhaseErrorBound() tells. Default: none.
+   * before the first and after the last one. At least 2 rows. A table
+   * that is no good is refused with an error and the old one stays. Default: none.
    */
   void SetPhaseTable(vtkTable* table);
   vtkTable* GetPhaseTable();
@@ -183,8 +183,9 @@ public:
 
   /**
    * The relative error that the fit reached: 0 for functions that need no fit. It can exceed the
-   * tolerance asked for at extreme anisotropy and for tables with sharp corners, where
-   * GetNumberOfPhasePoles() is at its limit; for a table a warning says so.
+   * tolerance asked for only at extreme anisotropy, where GetNumberOfPhasePoles() is at its limit.
+   * A table that no fit follows within the tolerance is used as it is, without poles and error, and
+   * integrated by quadrature as Mie's functions are.
    */
   double GetPhaseErrorBound();
 
@@ -336,6 +337,9 @@ public:
   vtkMTimeType GetMTime() override;
 
 #ifndef __VTK_WRAP__
+  // The phase function as it is used. For the library's own use.
+  std::shared_ptr<const airlight::PhaseShape> GetPhaseShape();
+
   // The surface as it is used; null without a region of a surface or where that is no good. For the
   // library's own use.
   std::shared_ptr<const airlight::SurfaceTree> GetSurfaceTree();
@@ -353,7 +357,6 @@ private:
   bool SetVector(const char* name, double target[3], double x, double y, double z);
   bool SetNumber(const char* name, double& target, double value, bool accepted, const char* range);
   void ScaleExtinction(double meanExtinction);
-  void UpdatePhaseFit();
   airlight::PhaseTable ReadPhaseTable();
   void PrintPhase(ostream& os, vtkIndent indent);
 
@@ -371,11 +374,8 @@ private:
   bool PhaseFunctionChosen = false; // rather than the default
   bool AnisotropyUnused = false;    // set before a function was chosen
 
-  bool PhaseFitCurrent = false;
-  vtkMTimeType PhaseFitTime = 0; // of the table
-  double PhaseErrorBound = 0.0;
-  std::vector<double> PhasePoles; // b_0, c1_0, c2_0, c3_0, b_1, ...
-  double PhasePower[2] = { 0.0, 0.0 };
+  std::shared_ptr<const airlight::PhaseShape> Phase; // null where it has to be found anew
+  vtkMTimeType PhaseTime = 0;                        // of the table when it was found
 
   int Region = UNBOUNDED;
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };

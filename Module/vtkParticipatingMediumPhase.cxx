@@ -64,7 +64,7 @@ void vtkParticipatingMedium::SetPhaseFunction(int type)
   if (this->PhaseFunction != type)
   {
     this->PhaseFunction = type;
-    this->PhaseFitCurrent = false;
+    this->Phase = nullptr;
     this->Modified();
   }
 }
@@ -92,7 +92,7 @@ void vtkParticipatingMedium::SetAnisotropy(double g)
   if (this->Anisotropy != g)
   {
     this->Anisotropy = g;
-    this->PhaseFitCurrent = false;
+    this->Phase = nullptr;
     this->Modified();
   }
 }
@@ -111,7 +111,7 @@ void vtkParticipatingMedium::SetPhaseTable(vtkTable* table)
     return;
   }
   this->PhaseTable = table;
-  this->PhaseFitCurrent = false;
+  this->Phase = nullptr;
   this->Modified();
 }
 
@@ -129,7 +129,7 @@ void vtkParticipatingMedium::SetPhaseTolerance(double tolerance)
   if (this->PhaseTolerance != tolerance)
   {
     this->PhaseTolerance = tolerance;
-    this->PhaseFitCurrent = false;
+    this->Phase = nullptr;
     this->Modified();
   }
 }
@@ -154,13 +154,13 @@ airlight::PhaseTable vtkParticipatingMedium::ReadPhaseTable()
 }
 
 //------------------------------------------------------------------------------
-void vtkParticipatingMedium::UpdatePhaseFit()
+std::shared_ptr<const airlight::PhaseShape> vtkParticipatingMedium::GetPhaseShape()
 {
   const vtkMTimeType time =
     this->PhaseFunction == TABULATED && this->PhaseTable ? this->PhaseTable->GetMTime() : 0;
-  if (this->PhaseFitCurrent && this->PhaseFitTime == time)
+  if (this->Phase && this->PhaseTime == time)
   {
-    return;
+    return this->Phase;
   }
   if (this->AnisotropyUnused)
   {
@@ -169,57 +169,51 @@ void vtkParticipatingMedium::UpdatePhaseFit()
                      "HenyeyGreenstein, Schlick or CornetteShanks.");
   }
   const airlight::PhaseTable table = this->ReadPhaseTable();
-  const airlight::PhaseFit fit =
-    Fit(this->PhaseFunction, this->Anisotropy, table, this->PhaseTolerance);
-  if (!table.IsEmpty() && fit.ErrorBound > this->PhaseTolerance)
+  auto shape = std::make_shared<airlight::PhaseShape>();
+  shape->Fit = Fit(this->PhaseFunction, this->Anisotropy, table, this->PhaseTolerance);
+  if (!table.IsEmpty() && !(shape->Fit.ErrorBound <= this->PhaseTolerance))
   {
-    vtkWarningMacro(<< "The phase table is followed to a relative error of " << fit.ErrorBound
-                    << ", not to the PhaseTolerance of " << this->PhaseTolerance
-                    << ": it has sharp corners, or peaks too narrow. Smooth it, or accept that.");
+    shape->Fit = airlight::PhaseFit();
+    shape->Rows = table.GetRows();
   }
-  this->PhaseErrorBound = fit.ErrorBound;
-  this->PhasePoles.clear();
-  for (const airlight::PhasePole& pole : fit.Poles)
-  {
-    this->PhasePoles.push_back(pole.b);
-    this->PhasePoles.insert(this->PhasePoles.end(), pole.c.begin(), pole.c.end());
-  }
-  this->PhasePower[0] = fit.Factor;
-  this->PhasePower[1] = fit.Exponent;
-  this->PhaseFitTime = time;
-  this->PhaseFitCurrent = true;
+  this->Phase = shape;
+  this->PhaseTime = time;
+  return this->Phase;
 }
 
 //------------------------------------------------------------------------------
 double vtkParticipatingMedium::GetPhaseErrorBound()
 {
-  this->UpdatePhaseFit();
-  return this->PhaseErrorBound;
+  return this->GetPhaseShape()->Fit.ErrorBound;
 }
 
 int vtkParticipatingMedium::GetNumberOfPhasePoles()
 {
-  this->UpdatePhaseFit();
-  return static_cast<int>(this->PhasePoles.size() / 4);
+  return static_cast<int>(this->GetPhaseShape()->Fit.Poles.size());
 }
 
 void vtkParticipatingMedium::GetPhasePole(int index, double pole[4])
 {
-  const int count = this->GetNumberOfPhasePoles();
+  const auto shape = this->GetPhaseShape();
+  const int count = static_cast<int>(shape->Fit.Poles.size());
+  airlight::PhasePole found;
   if (index < 0 || index >= count)
   {
     vtkErrorMacro(<< "Phase pole " << index << " does not exist: there are " << count << ".");
-    const double none[4] = { 1.0, 0.0, 0.0, 0.0 };
-    std::copy_n(none, 4, pole);
-    return;
   }
-  std::copy_n(&this->PhasePoles[4 * static_cast<size_t>(index)], 4, pole);
+  else
+  {
+    found = shape->Fit.Poles[index];
+  }
+  pole[0] = found.b;
+  std::copy(found.c.begin(), found.c.end(), pole + 1);
 }
 
 void vtkParticipatingMedium::GetPhasePower(double power[2])
 {
-  this->UpdatePhaseFit();
-  std::copy_n(this->PhasePower, 2, power);
+  const auto shape = this->GetPhaseShape();
+  power[0] = shape->Fit.Factor;
+  power[1] = shape->Fit.Exponent;
 }
 
 //------------------------------------------------------------------------------
@@ -264,9 +258,9 @@ void vtkParticipatingMedium::PrintPhase(ostream& os, vtkIndent indent)
   os << indent << "PhaseTable: " << this->PhaseTable.Get() << "\n";
   os << indent << "PhaseTolerance: " << this->PhaseTolerance << "\n";
   os << indent << "PhaseErrorBound: ";
-  if (this->PhaseFitCurrent)
+  if (this->Phase)
   {
-    os << this->PhaseErrorBound << " (" << this->PhasePoles.size() / 4 << " poles)\n";
+    os << this->Phase->Fit.ErrorBound << " (" << this->Phase->Fit.Poles.size() << " poles)\n";
   }
   else
   {

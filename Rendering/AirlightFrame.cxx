@@ -207,7 +207,9 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
   const bool shadows = lists != Lists::None;
   const std::string source = (shadows ? "#version 430\n" : "#version 330\n") +
-    GetScatteringSource(this->Media, this->Lamps[index].Values.kind) + AirlightViewShader +
+    GetScatteringSource(
+      this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
+    AirlightViewShader +
     (shadows ? ShadowLists::GetBoundariesSource(lists != Lists::Short) : AirlightNoBoundaries) +
     AirlightResolveFS;
   Quad& quad =
@@ -263,7 +265,7 @@ bool Frame::ReadyComposite(bool record, int x, int y)
 {
   const std::string source = std::string("#version 330\n") +
     (record ? "#define AIRLIGHT_RECORD\n" : "") +
-    GetScatteringSource(this->Media, AIRLIGHT_POINT_CLOSED) + AirlightViewShader +
+    GetScatteringSource(this->Media, AIRLIGHT_POINT_CLOSED, false) + AirlightViewShader +
     AirlightCompositeFS;
   Quad& quad = record ? this->RecordQuad : this->CompositeQuad;
   vtkShaderProgram* program = quad.Ready(this->Window, source);

@@ -6,6 +6,7 @@
 #include "AirlightExponentialIntegral.h"
 #include "AirlightFullScreenVS.h"
 #include "AirlightGauss.h"
+#include "AirlightGoniometric.h"
 #include "AirlightLight.h"
 #include "AirlightMath.h"
 #include "AirlightMedia.h"
@@ -67,25 +68,32 @@ void SetMediumUniforms(
   program->SetUniform4fv((name + ".phase.pole").c_str(), medium.phase.poleCount, &poles[0].x);
   program->SetUniformi((name + ".phase.poleCount").c_str(), medium.phase.poleCount);
   program->SetUniformi((name + ".phase.order").c_str(), medium.phase.order);
+  program->SetUniformi((name + ".phase.first").c_str(), medium.phase.first);
+  program->SetUniformi((name + ".phase.rows").c_str(), medium.phase.rows);
   program->SetUniform2f((name + ".phase.power").c_str(), &glm::vec2(medium.phase.power)[0]);
 }
 }
 
 //------------------------------------------------------------------------------
-std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind)
+std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, bool photometry)
 {
-  const bool surface = std::any_of(media.item, media.item + media.count,
+  const auto* end = media.item + media.count;
+  const bool surface = std::any_of(media.item, end,
     [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
-  return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_DATA", surface) +
-    AirlightPrelude + Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) +
-    Define("AIRLIGHT_MAX_MEDIA", media.count) + Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
+  const bool table =
+    std::any_of(media.item, end, [](const auto& medium) { return medium.phase.rows > 0; });
+  return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_TABLE", table) +
+    Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
+    Define("AIRLIGHT_HAS_DATA", surface || table || photometry) + AirlightPrelude +
+    Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", media.count) +
+    Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
     (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
           Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)
                       : "") +
     (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") + AirlightExponentialIntegral +
-    AirlightGauss + AirlightPhase + AirlightPointLight + AirlightRegion + AirlightMedium +
-    AirlightClosedSurface + AirlightPath + AirlightMedia + AirlightLight + AirlightQuadrature +
-    AirlightScattering;
+    AirlightGauss + AirlightGoniometric + AirlightPhase + AirlightPointLight + AirlightRegion +
+    AirlightMedium + AirlightClosedSurface + AirlightPath + AirlightMedia + AirlightLight +
+    AirlightQuadrature + AirlightScattering;
 }
 
 //------------------------------------------------------------------------------
@@ -99,6 +107,15 @@ void SetMediaUniforms(
 }
 
 //------------------------------------------------------------------------------
+void SetPhotometryUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightPhotometry& photometry)
+{
+  program->SetUniformi((name + ".first").c_str(), photometry.first);
+  program->SetUniform3f((name + ".axis").c_str(), &photometry.axis.x);
+  program->SetUniform3f((name + ".up").c_str(), &photometry.up.x);
+}
+
+//------------------------------------------------------------------------------
 void SetLightUniforms(vtkShaderProgram* program, const f64::AirlightLight& light)
 {
   program->SetUniformi("light.kind", light.kind);
@@ -109,6 +126,8 @@ void SetLightUniforms(vtkShaderProgram* program, const f64::AirlightLight& light
   program->SetUniform3f("light.axis", &light.axis.x);
   program->SetUniformf("light.cosCone", static_cast<float>(light.cosCone));
   program->SetUniformf("light.exponent", static_cast<float>(light.exponent));
+  program->SetUniformi("light.goniometric", light.goniometric);
+  SetPhotometryUniforms(program, "light.photometry", light.photometry);
 }
 
 //------------------------------------------------------------------------------

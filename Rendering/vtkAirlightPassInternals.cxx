@@ -106,7 +106,7 @@ int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
 // The text added to the mappers' shaders depends on the numbers of lights and media.
 void vtkAirlightPass::Internals::UpdateSurfaceShader(const f64::AirlightMedia& media, int lampCount)
 {
-  const std::string source = GetScatteringSource(media, AIRLIGHT_POINT_CLOSED);
+  const std::string source = GetScatteringSource(media, AIRLIGHT_POINT_CLOSED, false);
   if (lampCount > this->LampCapacity || source != this->SurfaceSource)
   {
     this->LampCapacity = std::max(this->LampCapacity, 2 * lampCount);

@@ -18,6 +18,8 @@ struct AirlightPhotometry
   real3 up;   // unit vector perpendicular to it
 };
 
+#if AIRLIGHT_HAS_PHOTOMETRY
+
 // The angle of the point (x, y) in [-pi, pi].
 AIRLIGHT_FN real airlightSignedAngle(real y, real x)
 {
@@ -97,3 +99,5 @@ AIRLIGHT_FN real airlightPhotometry(AIRLIGHT_IN(AirlightPhotometry) photometry, 
   real h = clamp((angles.y - column.x) * column.z, real(0.0), real(1.0));
   return mix(mix(cell.x, cell.y, v), mix(cell.z, cell.w, v), h);
 }
+
+#endif

@@ -17,6 +17,8 @@ struct AirlightLight
   real3 axis;        // of a spot, unit vector
   real cosCone;      // of a spot's half angle, above 0; -1: no spot
   real exponent;     // of the cosine of the angle to a spot's axis
+  int goniometric;   // 1: `photometry` says how much goes in each direction
+  AirlightPhotometry photometry;
 };
 
 // Where the kind of light is known when a shader is compiled, the other kinds fall away.

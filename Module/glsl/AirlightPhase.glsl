@@ -13,6 +13,10 @@ struct AirlightPhase
   int poleCount;
   int order;                      // of the poles: 1, 2 or 3
   real2 power;                    // (c, n): c ((1 + cos)/2)^n; c is 0 where the poles are all
+  // A table in place of all that: texels (angle, logarithm of the value, its slope, 0).
+  AIRLIGHT_DATA_MEMBER
+  int first;
+  int rows; // 0: no table
 };
 
 // Where the number of poles is known when a shader is compiled, its loops unroll.
@@ -23,9 +27,40 @@ struct AirlightPhase
 #define AIRLIGHT_POLE_ORDER phase.order
 #endif
 
+// A tabulated function: between the rows the logarithm is a cubic with the given slopes.
+AIRLIGHT_FN real airlightPhaseTable(AIRLIGHT_IN(AirlightPhase) phase, real cosTheta)
+{
+#if AIRLIGHT_HAS_TABLE
+  real sinTheta = sqrt(max((real(1.0) - cosTheta) * (real(1.0) + cosTheta), real(0.0)));
+  real angle = airlightAngle(sinTheta, cosTheta);
+  int low = 0;
+  int high = phase.rows;
+  while (high - low > 1)
+  {
+    int middle = (low + high) / 2;
+    bool after = AIRLIGHT_FETCH(phase, phase.first + middle).x <= angle;
+    low = after ? middle : low;
+    high = after ? high : middle;
+  }
+  real4 row = AIRLIGHT_FETCH(phase, phase.first + low);
+  real4 next = AIRLIGHT_FETCH(phase, phase.first + min(low + 1, phase.rows - 1));
+  real h = next.x - row.x;
+  real x = h > real(0.0) ? clamp((angle - row.x) / h, real(0.0), real(1.0)) : real(0.0);
+  real y = real(1.0) - x;
+  return exp(y * y * (real(1.0) + x + x) * row.y + x * x * (real(1.0) + y + y) * next.y +
+    h * x * y * (y * row.z - x * next.z));
+#else
+  return real(0.0);
+#endif
+}
+
 // p(cosTheta) in 1/sr; cosTheta = 1 is forward.
 AIRLIGHT_FN real airlightPhase(AIRLIGHT_IN(AirlightPhase) phase, real cosTheta)
 {
+  if (phase.rows > 0)
+  {
+    return airlightPhaseTable(phase, cosTheta);
+  }
   real half1 = real(0.5) * (real(1.0) + cosTheta);
   real p = real(0.0);
   for (int k = 0; k < AIRLIGHT_POLE_COUNT; k++)

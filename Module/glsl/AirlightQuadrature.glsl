@@ -27,6 +27,12 @@ AIRLIGHT_FN real airlightFalloff(AIRLIGHT_IN(AirlightLight) light, real3 point, 
     real cosAngle = dot(point - light.position, light.axis) / max(r, light.radius);
     spot = pow(max(cosAngle, real(1e-6)), light.exponent);
   }
+#if AIRLIGHT_HAS_PHOTOMETRY
+  if (light.goniometric != 0)
+  {
+    spot *= airlightPhotometry(light.photometry, normalize(point - light.position));
+  }
+#endif
   return spot / fall;
 }
 
@@ -112,11 +118,12 @@ AIRLIGHT_FN int airlightPanelCount(real length, real scale)
   return int(clamp(length / scale, real(0.0), real(60.0))) + 1;
 }
 
-// Whether the light's way may leave a region through one face or another, which gives the integrand
-// kinks and boundary layers.
-AIRLIGHT_FN bool airlightHasFaces(AIRLIGHT_IN(AirlightMedia) media)
+// Whether the light's way may leave a region through one face or another, or the light shines by a
+// table, which gives the integrand kinks and boundary layers.
+AIRLIGHT_FN bool airlightHasKinks(
+  AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light)
 {
-  bool faces = false;
+  bool faces = light.goniometric != 0;
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     faces = faces || media.item[i].region.kind != AIRLIGHT_REGION_UNBOUNDED;
@@ -186,7 +193,7 @@ AIRLIGHT_FN real3 airlightQuadraturePiece(AIRLIGHT_IN(AirlightMedia) media,
     x1 - x0 < real(0.05) * max(abs(x0), ray.foot.h);
   real v0 = straight ? t0 : airlightAsinh(x0 / ray.foot.h);
   real v1 = straight ? t1 : airlightAsinh(x1 / ray.foot.h);
-  if (airlightHasFaces(media))
+  if (airlightHasKinks(media, light))
   {
     int panels = straight ? 2 : airlightPanelCount(v1 - v0, real(1.0));
     return airlightHalvedPanels(media, light, ray, piece, straight, v0, v1, panels);

@@ -179,8 +179,7 @@ inline void CompareRays(FeatureScene& scene, const Physics& physics, double limi
         return airlight_test::Text("pixel ", x, " ", y, ": expected lit length ",
           expected.LitLength, ", airlight ", airlight_test::Text3(&expected.Airlight.x));
       };
-      // Of two media apart the pass counts the clear part between them as well.
-      if (expected.LitLength < Infinity && physics.Reach(ray, expected.Depth).size() < 2)
+      if (expected.LitLength < Infinity)
       {
         const double error =
           std::abs(GetValue(scene.GetBuffer("LitLength"), x, y) - expected.LitLength);

@@ -217,7 +217,7 @@ int TestTwoMedia(int argc, char* argv[])
   scene.Window->Render();
   // The pass states 1e-3 for lights outside of bounded media, and some 1e-3 where the way to the
   // light grazes a face.
-  CompareRays(scene, GetPhysics(), 1e-3, 5e-3);
+  CompareRays(scene, GetPhysics(), 1e-3, 1e-3);
   CheckTransmittance(scene);
   CheckBoardShadow(scene);
   CheckFullShadow(scene);
