@@ -217,7 +217,7 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
   }
   this->Rays->SetUniforms(program, 0, 0);
   SetMediaUniforms(program, "media", this->Media);
-  SetLightUniforms(program, this->Lamps[index].Values);
+  SetLightUniforms(program, "light", this->Lamps[index].Values);
   if (f64::airlightIsDirectional(this->Lamps[index].Values))
   {
     program->SetUniformi("lightHasPixel", 0);
@@ -356,6 +356,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Media = &this->Media;
   values.Lamps = &this->Lamps;
   values.Lit = this->Textures.Lit;
+  values.Glow = this->Settings.SurfaceGlow;
   values.UseLit = this->Settings.Shadows && this->Settings.SurfaceShadows;
   return values;
 }

@@ -5,6 +5,8 @@
 #include "AirlightExponentialIntegral.h"
 #include "AirlightFullScreenVS.h"
 #include "AirlightGauss.h"
+#include "AirlightGlow.h"
+#include "AirlightGlowRay.h"
 #include "AirlightLight.h"
 #include "AirlightMath.h"
 #include "AirlightMedia.h"
@@ -75,6 +77,9 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind)
 }
 
 //------------------------------------------------------------------------------
+std::string GetGlowSource() { return std::string(AirlightGlowRay) + AirlightGlow; }
+
+//------------------------------------------------------------------------------
 void SetMediaUniforms(
   vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media)
 {
@@ -85,16 +90,17 @@ void SetMediaUniforms(
 }
 
 //------------------------------------------------------------------------------
-void SetLightUniforms(vtkShaderProgram* program, const f64::AirlightLight& light)
+void SetLightUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightLight& light)
 {
-  program->SetUniformi("light.kind", light.kind);
-  program->SetUniform3f("light.position", &light.position.x);
-  program->SetUniform3f("light.intensity", &light.intensity.x);
-  program->SetUniform3f("light.attenuation", &light.attenuation.x);
-  program->SetUniformf("light.radius", static_cast<float>(light.radius));
-  program->SetUniform3f("light.axis", &light.axis.x);
-  program->SetUniformf("light.cosCone", static_cast<float>(light.cosCone));
-  program->SetUniformf("light.exponent", static_cast<float>(light.exponent));
+  program->SetUniformi((name + ".kind").c_str(), light.kind);
+  program->SetUniform3f((name + ".position").c_str(), &light.position.x);
+  program->SetUniform3f((name + ".intensity").c_str(), &light.intensity.x);
+  program->SetUniform3f((name + ".attenuation").c_str(), &light.attenuation.x);
+  program->SetUniformf((name + ".radius").c_str(), static_cast<float>(light.radius));
+  program->SetUniform3f((name + ".axis").c_str(), &light.axis.x);
+  program->SetUniformf((name + ".cosCone").c_str(), static_cast<float>(light.cosCone));
+  program->SetUniformf((name + ".exponent").c_str(), static_cast<float>(light.exponent));
 }
 
 //------------------------------------------------------------------------------

@@ -28,10 +28,14 @@ struct AirlightMedia;
 // that the text is to handle, below 0 for all.
 std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind);
 
-// Sets a uniform AirlightMedia of this name.
+// What airlightGlow() needs beyond them.
+std::string GetGlowSource();
+
+// Sets a uniform AirlightMedia or AirlightLight of this name.
 void SetMediaUniforms(
   vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media);
-void SetLightUniforms(vtkShaderProgram* program, const f64::AirlightLight& light);
+void SetLightUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightLight& light);
 
 class Quad
 {

@@ -16,6 +16,25 @@
 
 using namespace airlight;
 
+namespace
+{
+// The kind of all lights that are scattered, -1 where there are several.
+int CommonKind(const std::vector<Lamp>& lamps)
+{
+  int kind = AIRLIGHT_POINT_CLOSED;
+  bool first = true;
+  for (const Lamp& lamp : lamps)
+  {
+    if (lamp.Glows())
+    {
+      kind = first || lamp.Values.kind == kind ? lamp.Values.kind : -1;
+      first = false;
+    }
+  }
+  return kind;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkRenderPass* vtkAirlightPass::Internals::GetDelegate()
 {
@@ -76,6 +95,14 @@ void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
       "There are " + std::to_string(lamps.size()) + " lights; those after the first " +
         std::to_string(MaximumShadowingLights) + " cast no shadows on surfaces.");
   }
+  const auto glowing =
+    std::count_if(lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Glows(); });
+  if (this->Self->ScatteredSurfaceLight && glowing > MaximumGlowLights)
+  {
+    this->WarnOnce(this->WarnedGlowCount,
+      "The medium scatters " + std::to_string(glowing) + " lights; those after the first " +
+        std::to_string(MaximumGlowLights) + " light surfaces directly only.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -102,14 +129,30 @@ int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// The text added to the mappers' shaders depends on the numbers of lights and media.
-void vtkAirlightPass::Internals::UpdateSurfaceShader(const f64::AirlightMedia& media, int lampCount)
+// The text added to the mappers' shaders depends on the numbers of lights and media, and for
+// scattered light on the lights' kinds.
+void vtkAirlightPass::Internals::UpdateSurfaceShader(
+  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps)
 {
-  const std::string source = GetScatteringSource(media, AIRLIGHT_POINT_CLOSED);
-  if (lampCount > this->LampCapacity || source != this->SurfaceSource)
+  const int lampCount = static_cast<int>(lamps.size());
+  SurfaceText text;
+  text.LampCount = this->MapperText.LampCount;
+  if (lampCount > text.LampCount)
   {
-    this->LampCapacity = std::max(this->LampCapacity, 2 * lampCount);
-    this->SurfaceSource = source;
+    text.LampCount = 2 * lampCount;
+  }
+  int kind = AIRLIGHT_POINT_CLOSED;
+  if (this->Self->ScatteredSurfaceLight)
+  {
+    kind = CommonKind(lamps);
+    text.GlowLightCount = std::min(text.LampCount, MaximumGlowLights);
+  }
+  text.Mathematics =
+    GetScatteringSource(media, kind) + (text.GlowLightCount > 0 ? GetGlowSource() : "");
+  if (text.LampCount != this->MapperText.LampCount ||
+    text.Mathematics != this->MapperText.Mathematics)
+  {
+    this->MapperText = text;
     this->ShaderTime.Modified();
   }
 }
@@ -144,12 +187,13 @@ bool vtkAirlightPass::Internals::RenderFrame(
     }
   }
   this->CheckLamps(lamps);
-  this->UpdateSurfaceShader(converted, static_cast<int>(lamps.size()));
+  this->UpdateSurfaceShader(converted, lamps);
 
   this->EffectiveTechnique = this->ChooseTechnique(window);
   FrameSettings settings;
   settings.Shadows = this->EffectiveTechnique == SHADOW_PLANES;
   settings.SurfaceShadows = this->Self->SurfaceShadows;
+  settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Record = this->Self->RecordBuffers;
   settings.MemoryLimit = static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20;
 
