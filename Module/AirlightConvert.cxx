@@ -85,23 +85,6 @@ f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dve
   return result;
 }
 
-bool IsInside(const f64::AirlightRegion& region, const glm::dvec3& point)
-{
-  switch (region.kind)
-  {
-    case AIRLIGHT_REGION_BOX:
-      return glm::all(glm::greaterThanEqual(point, region.boxMin)) &&
-        glm::all(glm::lessThanEqual(point, region.boxMax));
-    case AIRLIGHT_REGION_SPHERE:
-      return glm::distance(point, region.centre) <= region.radius;
-    case AIRLIGHT_REGION_SURFACE:
-      // A way from the light to a sample may leave it and enter it again.
-      return false;
-    default:
-      return true;
-  }
-}
-
 // The closed form holds for one uniform medium where the whole way from light to sample is inside:
 // inverse square, no exponent, and the light inside the convex region.
 int PointKind(const f64::AirlightMedia& media, const f64::AirlightLight& light)
@@ -110,7 +93,8 @@ int PointKind(const f64::AirlightMedia& media, const f64::AirlightLight& light)
   const bool inverseSquare = light.attenuation.x == 0.0 && light.attenuation.y == 0.0;
   const bool evenCone = light.cosCone < 0.0 || light.exponent == 0.0;
   return media.count == 1 && first.density == AIRLIGHT_DENSITY_UNIFORM &&
-      IsInside(first.region, light.position) && inverseSquare && evenCone &&
+      first.region.kind != AIRLIGHT_REGION_SURFACE &&
+      f64::airlightHolds(first.region, light.position) && inverseSquare && evenCone &&
       HasClosedForm(first.phase)
     ? AIRLIGHT_POINT_CLOSED
     : AIRLIGHT_POINT_QUADRATURE;

@@ -21,6 +21,13 @@
 #undef AIRLIGHT_DIRECTIONAL_HEIGHT
 #undef AIRLIGHT_DIRECTIONAL_QUADRATURE
 #undef AIRLIGHT_LIGHT_KIND
+#undef AIRLIGHT_GLOW_FEW
+#undef AIRLIGHT_GLOW_FEW_STEP
+#undef AIRLIGHT_GLOW_SOME
+#undef AIRLIGHT_GLOW_SOME_STEP
+#undef AIRLIGHT_GLOW_MANY
+#undef AIRLIGHT_GLOW_MANY_STEP
+#undef AIRLIGHT_PI
 
 #include "AirlightExponentialIntegral.glsl"
 #include "AirlightGauss.glsl"
@@ -35,3 +42,5 @@
 #include "AirlightLight.glsl"
 #include "AirlightQuadrature.glsl"
 #include "AirlightScattering.glsl"
+#include "AirlightGlowRay.glsl"
+#include "AirlightGlow.glsl"

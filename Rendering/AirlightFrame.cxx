@@ -225,7 +225,7 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
   }
   this->Rays->SetUniforms(program, 0, 0);
   SetMediaUniforms(program, "media", this->Media);
-  SetLightUniforms(program, this->Lamps[index].Values);
+  SetLightUniforms(program, "light", this->Lamps[index].Values);
   if (f64::airlightIsDirectional(this->Lamps[index].Values))
   {
     program->SetUniformi("lightHasPixel", 0);
@@ -367,6 +367,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Lamps = &this->Lamps;
   values.Lit = this->Textures.Lit;
   values.Data = this->Data.GetTexture();
+  values.Glow = this->Settings.SurfaceGlow;
   values.UseLit = this->Settings.Shadows && this->Settings.SurfaceShadows;
   return values;
 }

@@ -42,6 +42,7 @@ struct FrameSettings
 {
   bool Shadows = false;
   bool SurfaceShadows = false;
+  bool SurfaceGlow = false; // surfaces are lit by scattered light, too
   bool Record = false;
   std::uint64_t MemoryLimit = 0; // bytes
 };

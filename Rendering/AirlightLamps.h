@@ -29,6 +29,7 @@ struct Lamp
   bool CastsShadows = false;
 
   bool Scatters() const { return this->Support == LightSupport::Scatters; }
+  bool Glows() const { return this->Scatters() && this->Values.intensity != glm::dvec3(0.0); }
 };
 
 // The switched-on lights, in the order in which VTK's mappers number them. `radius` is the light

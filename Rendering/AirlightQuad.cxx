@@ -6,6 +6,8 @@
 #include "AirlightExponentialIntegral.h"
 #include "AirlightFullScreenVS.h"
 #include "AirlightGauss.h"
+#include "AirlightGlow.h"
+#include "AirlightGlowRay.h"
 #include "AirlightGoniometric.h"
 #include "AirlightLight.h"
 #include "AirlightMath.h"
@@ -97,6 +99,9 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
 }
 
 //------------------------------------------------------------------------------
+std::string GetGlowSource() { return std::string(AirlightGlowRay) + AirlightGlow; }
+
+//------------------------------------------------------------------------------
 void SetMediaUniforms(
   vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media)
 {
@@ -116,18 +121,19 @@ void SetPhotometryUniforms(
 }
 
 //------------------------------------------------------------------------------
-void SetLightUniforms(vtkShaderProgram* program, const f64::AirlightLight& light)
+void SetLightUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightLight& light)
 {
-  program->SetUniformi("light.kind", light.kind);
-  program->SetUniform3f("light.position", &light.position.x);
-  program->SetUniform3f("light.intensity", &light.intensity.x);
-  program->SetUniform3f("light.attenuation", &light.attenuation.x);
-  program->SetUniformf("light.radius", static_cast<float>(light.radius));
-  program->SetUniform3f("light.axis", &light.axis.x);
-  program->SetUniformf("light.cosCone", static_cast<float>(light.cosCone));
-  program->SetUniformf("light.exponent", static_cast<float>(light.exponent));
-  program->SetUniformi("light.goniometric", light.goniometric);
-  SetPhotometryUniforms(program, "light.photometry", light.photometry);
+  program->SetUniformi((name + ".kind").c_str(), light.kind);
+  program->SetUniform3f((name + ".position").c_str(), &light.position.x);
+  program->SetUniform3f((name + ".intensity").c_str(), &light.intensity.x);
+  program->SetUniform3f((name + ".attenuation").c_str(), &light.attenuation.x);
+  program->SetUniformf((name + ".radius").c_str(), static_cast<float>(light.radius));
+  program->SetUniform3f((name + ".axis").c_str(), &light.axis.x);
+  program->SetUniformf((name + ".cosCone").c_str(), static_cast<float>(light.cosCone));
+  program->SetUniformf((name + ".exponent").c_str(), static_cast<float>(light.exponent));
+  program->SetUniformi((name + ".goniometric").c_str(), light.goniometric);
+  SetPhotometryUniforms(program, name + ".photometry", light.photometry);
 }
 
 //------------------------------------------------------------------------------

@@ -29,12 +29,16 @@ struct AirlightPhotometry;
 // that the text is to handle, below 0 for all; `photometry` tells whether lights may shine by tables.
 std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, bool photometry);
 
-// Sets a uniform AirlightMedia of this name.
+// What airlightGlow() needs beyond them.
+std::string GetGlowSource();
+
+// Sets a uniform AirlightMedia or AirlightLight of this name.
 void SetMediaUniforms(
   vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media);
 void SetPhotometryUniforms(
   vtkShaderProgram* program, const std::string& name, const f64::AirlightPhotometry& photometry);
-void SetLightUniforms(vtkShaderProgram* program, const f64::AirlightLight& light);
+void SetLightUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightLight& light);
 
 class Quad
 {

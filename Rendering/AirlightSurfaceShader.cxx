@@ -5,6 +5,7 @@
 #include "AirlightFragment.h"
 #include "AirlightQuad.h"
 #include "AirlightSurface.h"
+#include "AirlightSurfaceGlow.h"
 #include "AirlightView.h"
 #include "AirlightViewShader.h"
 
@@ -22,11 +23,26 @@ namespace
 // The prelude's words must not reach the mapper's own text.
 const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef bool3\n";
 
-std::string Declarations(int lampCount, const std::string& mathematics)
+std::string Declarations(const SurfaceText& text)
 {
-  return mathematics + "#define AIRLIGHT_LAMPS " + std::to_string(lampCount) +
+  const std::string glow = text.GlowLightCount > 0 ? "#define AIRLIGHT_GLOW_LIGHTS " +
+      std::to_string(text.GlowLightCount) + "\n" + AirlightSurfaceGlow
+                                                   : "";
+  return text.Mathematics + "#define AIRLIGHT_LAMPS " + std::to_string(text.LampCount) +
     "\n#define AIRLIGHT_BITS " + std::to_string(BitsPerChannel) + "\n" + AirlightViewShader +
-    AirlightFragment + AirlightSurface + Undefine;
+    AirlightFragment + AirlightSurface + glow + Undefine;
+}
+
+// Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
+// meets the surface head on, in the diffuse part. Unlit shaders have neither place.
+std::string AddGlow(const std::string& body)
+{
+  const std::string glow = "airlightGlowColour(normalVCVSOutput)";
+  static const std::regex phong("\\bambientColor \\+ diffuse \\+ specular\\b");
+  static const std::regex physical("\\bcolor \\+= Lo;");
+  return std::regex_replace(std::regex_replace(body, phong,
+                              "ambientColor + diffuse + diffuseColor * " + glow + " + specular"),
+    physical, "color += Lo + (1.0 - metallic) * DiffuseLambert(albedo) * " + glow + ";");
 }
 
 // Whether nothing but the template's own test of the final opacity can discard a fragment. Then a
@@ -42,7 +58,7 @@ bool MayLeaveEarly(const std::string& commented)
 }
 
 //------------------------------------------------------------------------------
-void InjectSurfaceShader(std::string& fragmentShader, int lampCount, const std::string& mathematics)
+void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
 {
   const size_t mainStart = fragmentShader.find("void main");
   const size_t bodyStart = fragmentShader.find('{', mainStart);
@@ -66,10 +82,10 @@ void InjectSurfaceShader(std::string& fragmentShader, int lampCount, const std::
   {
     const std::string number = std::to_string(k);
     arrives += "  vec3 airlightArrives" + number + " = " +
-      (k < lampCount ? "airlightArrives(" + number + ")" : "vec3(1.0)") + ";\n";
+      (k < text.LampCount ? "airlightArrives(" + number + ")" : "vec3(1.0)") + ";\n";
   }
-  const std::string lit =
-    std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrives$1)");
+  std::string lit = std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrives$1)");
+  lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
   const std::string writeDistance = "    gl_FragData[0] = vec4(airlightFragmentDistance());\n";
   const std::string early = MayLeaveEarly(body)
     ? "  if (airlightStage == 0)\n  {\n" + writeDistance + "    return;\n  }\n"
@@ -77,7 +93,24 @@ void InjectSurfaceShader(std::string& fragmentShader, int lampCount, const std::
   const std::string late = "  if (airlightStage == 0)\n  {\n" + writeDistance + "  }\n";
   fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
     "\n" + early + arrives + lit + (early.empty() ? late : ""));
-  fragmentShader.insert(mainStart, Declarations(lampCount, mathematics));
+  fragmentShader.insert(mainStart, Declarations(text));
+}
+
+//------------------------------------------------------------------------------
+void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
+{
+  int count = 0;
+  for (const Lamp& lamp : *values.Lamps)
+  {
+    if (lamp.Glows() && count < MaximumGlowLights)
+    {
+      SetLightUniforms(program, "airlightGlowLights[" + std::to_string(count) + "]", lamp.Values);
+      ++count;
+    }
+  }
+  program->SetUniformi("airlightGlowCount", count);
+  glm::mat3 normals = values.Rays->GetNormalMatrix();
+  program->SetUniformMatrix3x3("airlightNormalToWorld", &normals[0].x);
 }
 
 //------------------------------------------------------------------------------
@@ -109,5 +142,9 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
     program->SetUniform4fv("airlightLamps", static_cast<int>(lamps.size()), &lamps[0].x);
   }
   program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
+  if (values.Glow)
+  {
+    SetGlowUniforms(program, values);
+  }
 }
 }

@@ -31,12 +31,22 @@ enum class SurfaceStage
 constexpr int BitsPerChannel = 24;
 constexpr int MaximumShadowingLights = 4 * BitsPerChannel;
 
-// Rewrites a mapper's fragment shader for up to `lampCount` lights; `mathematics` is the text of
-// GetScatteringSource(). Every mention of a light's
-// colour in main() is multiplied by what arrives of the light, which leaves the mapper's shading
-// model, whatever it is, as it was. Shaders without main() are left alone.
-void InjectSurfaceShader(
-  std::string& fragmentShader, int lampCount, const std::string& mathematics);
+// Lights whose scattered light lights surfaces: uniforms are few.
+constexpr int MaximumGlowLights = 32;
+
+// What a mapper's fragment shader is rewritten for.
+struct SurfaceText
+{
+  int LampCount = 4;       // at most
+  int GlowLightCount = 0;  // at most; 0: surfaces get no scattered light
+  std::string Mathematics; // GetScatteringSource() and, for scattered light, GetGlowSource()
+};
+
+// Rewrites a mapper's fragment shader. Every mention of a light's colour in main() is multiplied by
+// what arrives of the light, which leaves the mapper's shading model, whatever it is, as it was.
+// Scattered light is added to the diffuse part of the models that VTK has. Shaders without main()
+// are left alone.
+void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text);
 
 // The state that the added text reads.
 struct SurfaceUniforms
@@ -48,6 +58,7 @@ struct SurfaceUniforms
   vtkTextureObject* Lit = nullptr;  // an active texture in any case
   vtkTextureObject* Data = nullptr; // an active texture, or null where the shaders read none
   bool UseLit = false;              // false: all surfaces are lit
+  bool Glow = false;                // the shaders were rewritten for scattered light
 };
 
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values);

@@ -44,6 +44,7 @@ View::View(vtkRenderer* renderer, int width, int height)
   {
     return;
   }
+  this->NormalMatrix = glm::mat3(glm::transpose(glm::dmat3(worldToView)));
   this->Parallel = camera->GetParallelProjection() != 0;
   this->Eye = glm::dvec3(viewToWorld[3]);
   this->Forward = -glm::normalize(glm::dvec3(viewToWorld[2]));

@@ -28,6 +28,9 @@ public:
   double GetNear() const { return this->Near; }
   const glm::dvec3& GetForward() const { return this->Forward; }
 
+  // From normals in view coordinates to normals in the world, of any length.
+  const glm::mat3& GetNormalMatrix() const { return this->NormalMatrix; }
+
   // Where every ray starts, as a homogeneous point of the world: the eye, or for parallel
   // projection the point at infinity that the rays come from.
   glm::dvec4 GetStart() const;
@@ -51,6 +54,7 @@ private:
   double Near = 0.0;
   double Far = 0.0;
   glm::dmat4 WorldToClip{ 1.0 };
+  glm::mat3 NormalMatrix{ 1.0f };
   glm::dvec3 Affine[3]; // constant, per x, per y: the rays' directions; parallel: their origins
   glm::vec3 RayOrigin[3];
   glm::vec3 RayDirection[3];

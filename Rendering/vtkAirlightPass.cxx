@@ -219,7 +219,7 @@ void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
 bool vtkAirlightPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  InjectSurfaceShader(fragmentShader, this->Impl->LampCapacity, this->Impl->SurfaceSource);
+  InjectSurfaceShader(fragmentShader, this->Impl->MapperText);
   return true;
 }
 
@@ -251,6 +251,7 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EffectiveShadowTechnique: " << techniques[this->GetEffectiveShadowTechnique()]
      << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
+  os << indent << "ScatteredSurfaceLight: " << this->ScatteredSurfaceLight << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
   os << indent << "RecordBuffers: " << this->RecordBuffers << "\n";

@@ -111,6 +111,25 @@ public:
 
   ///@{
   /**
+   * Whether surfaces are also lit by the light that the medium scattered once on its way to them:
+   * the soft glow around a lamp close to a wall. A surface of diffuse colour rho then sends
+   * rho E/pi more, with E the integral of the airlight that arrives over the surface's hemisphere;
+   * it shows in the diffuse part of VTK's Phong and physically based shading and is attenuated to
+   * the eye as the rest. Surfaces without lighting get nothing.
+   * Default: false.
+   *
+   * Unshadowed: neither is the scattered light dimmed by casters, nor do other surfaces, or the
+   * surface itself where it lies between the light and the viewer, hide any of the medium.
+   *
+   * TODO errors
+   */
+  vtkSetMacro(ScatteredSurfaceLight, bool);
+  vtkGetMacro(ScatteredSurfaceLight, bool);
+  vtkBooleanMacro(ScatteredSurfaceLight, bool);
+  ///@}
+
+  ///@{
+  /**
    * Radius of point lights in world units: rays that pass a light more closely are shaded as if
    * they passed at this distance, which bounds the airlight near the light. 0 uses the smallest
    * distance that single precision resolves, 1e-5 of the distance from camera to light. Range:
@@ -199,6 +218,7 @@ private:
 
   int ShadowTechnique = AUTOMATIC;
   bool SurfaceShadows = true;
+  bool ScatteredSurfaceLight = false;
   double LightRadius = 0.0;
   int MemoryLimit = 1024;
   bool RecordBuffers = false;

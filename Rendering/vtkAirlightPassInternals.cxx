@@ -17,6 +17,25 @@
 
 using namespace airlight;
 
+namespace
+{
+// The kind of all lights that are scattered, -1 where there are several.
+int CommonKind(const std::vector<Lamp>& lamps)
+{
+  int kind = AIRLIGHT_POINT_CLOSED;
+  bool first = true;
+  for (const Lamp& lamp : lamps)
+  {
+    if (lamp.Glows())
+    {
+      kind = first || lamp.Values.kind == kind ? lamp.Values.kind : -1;
+      first = false;
+    }
+  }
+  return kind;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkRenderPass* vtkAirlightPass::Internals::GetDelegate()
 {
@@ -77,6 +96,14 @@ void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
       "There are " + std::to_string(lamps.size()) + " lights; those after the first " +
         std::to_string(MaximumShadowingLights) + " cast no shadows on surfaces.");
   }
+  const auto glowing =
+    std::count_if(lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Glows(); });
+  if (this->Self->ScatteredSurfaceLight && glowing > MaximumGlowLights)
+  {
+    this->WarnOnce(this->WarnedGlowCount,
+      "The medium scatters " + std::to_string(glowing) + " lights; those after the first " +
+        std::to_string(MaximumGlowLights) + " light surfaces directly only.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -103,14 +130,32 @@ int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// The text added to the mappers' shaders depends on the numbers of lights and media.
-void vtkAirlightPass::Internals::UpdateSurfaceShader(const f64::AirlightMedia& media, int lampCount)
+// The text added to the mappers' shaders depends on the numbers of lights and media, and for
+// scattered light on the lights' kinds.
+void vtkAirlightPass::Internals::UpdateSurfaceShader(
+  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps)
 {
-  const std::string source = GetScatteringSource(media, AIRLIGHT_POINT_CLOSED, false);
-  if (lampCount > this->LampCapacity || source != this->SurfaceSource)
+  const int lampCount = static_cast<int>(lamps.size());
+  SurfaceText text;
+  text.LampCount = this->MapperText.LampCount;
+  if (lampCount > text.LampCount)
   {
-    this->LampCapacity = std::max(this->LampCapacity, 2 * lampCount);
-    this->SurfaceSource = source;
+    text.LampCount = 2 * lampCount;
+  }
+  const bool photometry = std::any_of(
+    lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
+  int kind = AIRLIGHT_POINT_CLOSED;
+  if (this->Self->ScatteredSurfaceLight)
+  {
+    kind = CommonKind(lamps);
+    text.GlowLightCount = std::min(text.LampCount, MaximumGlowLights);
+  }
+  text.Mathematics =
+    GetScatteringSource(media, kind, photometry) + (text.GlowLightCount > 0 ? GetGlowSource() : "");
+  if (text.LampCount != this->MapperText.LampCount ||
+    text.Mathematics != this->MapperText.Mathematics)
+  {
+    this->MapperText = text;
     this->ShaderTime.Modified();
   }
 }
@@ -145,12 +190,13 @@ bool vtkAirlightPass::Internals::RenderFrame(
     }
   }
   this->CheckLamps(lamps);
-  this->UpdateSurfaceShader(converted, static_cast<int>(lamps.size()));
+  this->UpdateSurfaceShader(converted, lamps);
 
   this->EffectiveTechnique = this->ChooseTechnique(window);
   FrameSettings settings;
   settings.Shadows = this->EffectiveTechnique == SHADOW_PLANES;
   settings.SurfaceShadows = this->Self->SurfaceShadows;
+  settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Record = this->Self->RecordBuffers;
   settings.MemoryLimit = static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20;
 

@@ -53,8 +53,7 @@ public:
   airlight::Frame CurrentFrame;
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
   int EffectiveTechnique = NONE;
-  int LampCapacity = 4; // array size in the mappers' shaders
-  std::string SurfaceSource;
+  airlight::SurfaceText MapperText; // of the mappers' shaders
   vtkTimeStamp ShaderTime;
   std::string Error;
 
@@ -68,13 +67,15 @@ public:
   bool WarnedMedia = false;
   bool WarnedLights = false;
   bool WarnedLightCount = false;
+  bool WarnedGlowCount = false;
   std::string ReportedError;
 
 private:
   bool RenderSteps(const vtkRenderState* s);
   bool UploadData(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
     airlight::f64::AirlightMedia& converted);
-  void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media, int lampCount);
+  void UpdateSurfaceShader(
+    const airlight::f64::AirlightMedia& media, const std::vector<airlight::Lamp>& lamps);
   vtkRenderPass* GetDelegate();
 };
 

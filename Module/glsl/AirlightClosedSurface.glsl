@@ -54,7 +54,7 @@ AIRLIGHT_FN real2 airlightTriangleHit(
 
 // Two directions across a unit vector, in such an order that the three are right-handed. Without
 // square roots of small numbers for any vector (Duff et al. 2017).
-AIRLIGHT_FN void airlightAcross(
+AIRLIGHT_FN void airlightFrame(
   real3 direction, AIRLIGHT_OUT(real3) frame0, AIRLIGHT_OUT(real3) frame1)
 {
   real s = direction.z < real(0.0) ? real(-1.0) : real(1.0);
@@ -89,7 +89,7 @@ AIRLIGHT_FN real3 airlightSurfaceSums(
 #if AIRLIGHT_HAS_SURFACE
   real3 frame0;
   real3 frame1;
-  airlightAcross(direction, frame0, frame1);
+  airlightFrame(direction, frame0, frame1);
   real3 point = origin - medium.region.centre;
   real3 inverse = real3(
     airlightInverse(direction.x), airlightInverse(direction.y), airlightInverse(direction.z));

@@ -52,7 +52,7 @@ struct AirlightPiece
   real3 depth; // optical depth before it
 };
 
-AIRLIGHT_FN bool airlightHolds(AIRLIGHT_IN(AirlightPiece) piece, int i)
+AIRLIGHT_FN bool airlightPieceHolds(AIRLIGHT_IN(AirlightPiece) piece, int i)
 {
   return ((piece.inside >> i) & 1) != 0;
 }
@@ -112,7 +112,7 @@ AIRLIGHT_FN real airlightFadedAt(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(A
   real least = real(AIRLIGHT_FAR);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (airlightHolds(piece, i))
+    if (airlightPieceHolds(piece, i))
     {
       // Where density falls with height, light fades over at least one scale height.
       least = min(least, airlightLeastExtinction(media.item[i]) *
@@ -129,7 +129,7 @@ AIRLIGHT_FN real3 airlightDepthInPiece(AIRLIGHT_IN(AirlightMedia) media,
   real3 depth = piece.depth;
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (airlightHolds(piece, i))
+    if (airlightPieceHolds(piece, i))
     {
       depth += media.item[i].sigmaT *
         airlightInsideDepth(media.item[i], origin, direction, piece.from, t);
@@ -148,7 +148,7 @@ AIRLIGHT_FN real3 airlightAmbientInPiece(AIRLIGHT_IN(AirlightMedia) media,
   real3 source = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (airlightHolds(piece, i))
+    if (airlightPieceHolds(piece, i))
     {
       uniformly = uniformly && media.item[i].density == AIRLIGHT_DENSITY_UNIFORM;
       sigmaT += media.item[i].sigmaT;
@@ -172,7 +172,7 @@ AIRLIGHT_FN real3 airlightAmbientInPiece(AIRLIGHT_IN(AirlightMedia) media,
     source = real3(real(0.0));
     for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
     {
-      if (airlightHolds(piece, i))
+      if (airlightPieceHolds(piece, i))
       {
         source += media.item[i].sigmaS * media.item[i].ambient *
           airlightDensity(media.item[i], origin + t * direction);

@@ -8,7 +8,7 @@ AIRLIGHT_FN real3 airlightScattered(AIRLIGHT_IN(AirlightMedia) media,
   real3 sum = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (airlightHolds(piece, i))
+    if (airlightPieceHolds(piece, i))
     {
       sum += media.item[i].sigmaS * airlightPhase(media.item[i].phase, cosTheta) *
         airlightDensity(media.item[i], point);

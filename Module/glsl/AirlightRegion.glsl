@@ -57,3 +57,12 @@ AIRLIGHT_FN real2 airlightRegionRange(
   }
   return real2(range.x, max(range.x, range.y));
 }
+
+// Whether the region, of a surface its box, holds a point.
+AIRLIGHT_FN bool airlightHolds(AIRLIGHT_IN(AirlightRegion) region, real3 point)
+{
+  return region.kind == AIRLIGHT_REGION_SPHERE
+    ? length(point - region.centre) <= region.radius
+    : region.kind == AIRLIGHT_REGION_UNBOUNDED ||
+      (all(greaterThanEqual(point, region.boxMin)) && all(lessThanEqual(point, region.boxMax)));
+}

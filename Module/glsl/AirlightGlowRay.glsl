@@ -1,0 +1,148 @@
+// What the integral over a surface's hemisphere in AirlightGlow.glsl is made of: directions, and the
+// radiance that arrives from each.
+
+#define AIRLIGHT_PI 3.1415926535897932
+
+// A surface's point and what the directions from it are counted by.
+struct AirlightGlowFrame
+{
+  real3 point;
+  real3 normal;
+  real3 axis;   // gamma = 0: to the light, or to the region (see airlightGlowFrame())
+  real3 across; // phi = 0: the side of the axis that the normal is on
+  real3 third;
+  real cosTilt; // of the normal against the axis
+  real sinTilt;
+  bool cone;    // the axis goes through a spot's tip
+  bool outside; // of the one region, which holds a point of the axis
+};
+
+AIRLIGHT_FN real airlightArcCosine(real x)
+{
+  return airlightAngle(sqrt(max(real(1.0) - x * x, real(0.0))), x);
+}
+
+// A unit vector across the axis.
+AIRLIGHT_FN real3 airlightAcross(real3 axis)
+{
+  real3 other = abs(axis.x) < real(0.6) ? real3(real(1.0), real(0.0), real(0.0))
+                                        : real3(real(0.0), real(1.0), real(0.0));
+  return normalize(cross(axis, other));
+}
+
+AIRLIGHT_FN AirlightGlowFrame airlightGlowFrame(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, real3 point, real3 normal)
+{
+  AirlightGlowFrame frame;
+  frame.point = point;
+  frame.normal = normal;
+  bool sun = airlightIsDirectional(light);
+  real3 way = sun ? light.position : light.position - point;
+  frame.cone = light.cosCone > real(0.0);
+  frame.outside = false;
+  if (AIRLIGHT_MEDIUM_COUNT == 1 && !airlightHolds(media.item[0].region, point))
+  {
+    frame.outside = true;
+    // Seen from outside, a region that does not hold the light may be on another side.
+    if (sun || !airlightHolds(media.item[0].region, light.position))
+    {
+      AirlightRegion region = media.item[0].region;
+      way = (region.kind == AIRLIGHT_REGION_SPHERE
+                ? region.centre
+                : real(0.5) * (region.boxMin + region.boxMax)) -
+        point;
+      frame.cone = false;
+    }
+  }
+  real l = length(way);
+  // On the light itself all directions are alike.
+  frame.axis = l > real(0.0) ? way / l : normal;
+  real3 side = normal - dot(normal, frame.axis) * frame.axis;
+  frame.cosTilt = clamp(dot(normal, frame.axis), real(-1.0), real(1.0));
+  frame.sinTilt = length(side);
+  frame.across =
+    frame.sinTilt > real(1e-5) ? side / frame.sinTilt : airlightAcross(frame.axis);
+  frame.third = cross(frame.axis, frame.across);
+  return frame;
+}
+
+// How much of [t0, t1] matters in height fog: upwards density falls to nothing, downwards the depth
+// rises exponentially, and t1 - t0 is a length that is opaque at the density of t0.
+AIRLIGHT_FN real airlightGlowReach(AIRLIGHT_IN(AirlightMedium) medium, real3 direction, real way)
+{
+  real slope = dot(medium.up, direction) * medium.inverseScaleHeight;
+  if (medium.density == AIRLIGHT_DENSITY_UNIFORM || abs(slope) * way < real(1.0))
+  {
+    return way;
+  }
+  return slope > real(0.0) ? min(way, real(20.0) / slope)
+                           : log(real(1.0) - slope * way) / -slope;
+}
+
+// What a light that needs quadrature scatters into one piece of a ray, with few nodes: many rays are
+// summed.
+AIRLIGHT_FN real3 airlightGlowPiece(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
+  AIRLIGHT_IN(AirlightPiece) piece)
+{
+  real t0 = piece.from;
+  real t1 = airlightFadedAt(media, piece, ray.origin, ray.direction);
+  if (AIRLIGHT_MEDIUM_COUNT == 1)
+  {
+    t1 = t0 + airlightGlowReach(media.item[0], ray.direction, t1 - t0);
+  }
+  if (airlightIsDirectional(light))
+  {
+    return airlightStraightPanel(media, light, ray, piece, t0, t1);
+  }
+  // One panel on each side of the light's foot, where the peak is.
+  real3 sum = real3(real(0.0));
+  real v0 = airlightAsinh((t0 - ray.range.x - ray.foot.tL) / ray.foot.h);
+  real v1 = airlightAsinh((t1 - ray.range.x - ray.foot.tL) / ray.foot.h);
+  real middle = clamp(real(0.0), v0, v1);
+  if (middle > v0)
+  {
+    sum += airlightPointPanel(media, light, ray, piece, v0, middle);
+  }
+  if (v1 > middle)
+  {
+    sum += airlightPointPanel(media, light, ray, piece, middle, v1);
+  }
+  return sum;
+}
+
+AIRLIGHT_FN real3 airlightGlowQuadrature(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray)
+{
+  real3 sum = real3(real(0.0));
+  real t0 = ray.lit.x;
+  while (t0 < ray.lit.y)
+  {
+    AirlightPiece piece = airlightPieceAt(media, ray.origin, ray.direction, t0, ray.lit.y);
+    if (piece.inside != 0)
+    {
+      sum += airlightGlowPiece(media, light, ray, piece);
+    }
+    t0 = piece.to;
+  }
+  return light.intensity * sum;
+}
+
+// Radiance that arrives at the point from a direction.
+AIRLIGHT_FN real3 airlightArriving(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, real3 point, real3 direction)
+{
+  AirlightRay ray = airlightRay(media, light, point, direction, real(AIRLIGHT_FAR));
+  if (!(ray.lit.y > ray.lit.x))
+  {
+    return real3(real(0.0));
+  }
+  if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_QUADRATURE ||
+    AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_QUADRATURE)
+  {
+    return airlightGlowQuadrature(media, light, ray);
+  }
+  return airlightInterval3(media, light, ray, ray.lit.x,
+    airlightTail3(media, light, ray, ray.lit.x), ray.lit.y,
+    airlightTail3(media, light, ray, ray.lit.y));
+}

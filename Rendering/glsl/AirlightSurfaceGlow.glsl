@@ -1,0 +1,26 @@
+// Added to the mappers' fragment shaders where the light that the medium scatters lights surfaces,
+// too.
+
+uniform AirlightLight airlightGlowLights[AIRLIGHT_GLOW_LIGHTS];
+uniform int airlightGlowCount;
+uniform mat3 airlightNormalToWorld; // from view coordinates
+
+// What a light of VTK would have as its colour if it gave, head on, the irradiance that the medium
+// gives; `normal` in view coordinates, on the viewer's side.
+vec3 airlightGlowColour(vec3 normal)
+{
+  if (airlightStage == 0)
+  {
+    return vec3(0.0);
+  }
+  vec2 p = airlightPixel();
+  vec3 point =
+    airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < airlightGlowCount; k++)
+  {
+    sum += airlightGlow(
+      airlightMedia, airlightGlowLights[k], point, normalize(airlightNormalToWorld * normal));
+  }
+  return sum / AIRLIGHT_PI;
+}
