@@ -82,8 +82,9 @@ private:
 
   glm::dvec3 Panel(double from, double to) const
   {
+    glm::dvec3 coarse;
     return f64::airlightPanel(
-      this->Media, this->Light, this->Ray, this->Piece, this->Straight, from, to);
+      this->Media, this->Light, this->Ray, this->Piece, this->Straight, from, to, coarse);
   }
 
   glm::dvec3 Refine(double from, double to, const glm::dvec3& whole, int depth)

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightLamps.h"
 
+#include "AirlightMatrix.h"
 #include "AirlightView.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -33,11 +35,56 @@ Lamp MakeLamp(vtkLight* light, const f64::AirlightMedia& media, const View& view
   }
   return lamp;
 }
+
+// Cameras and headlights carry their axes along.
+glm::dvec3 TransformDirection(vtkLight* light, const glm::dvec3& direction)
+{
+  vtkMatrix4x4* matrix = light->GetTransformMatrix();
+  return matrix ? glm::dvec3(ToGlm(matrix) * glm::dvec4(direction, 0.0)) : direction;
+}
+
+// `up` made perpendicular to the axis; another direction across it where up lies along it.
+glm::dvec3 MakeAcross(const glm::dvec3& up, const glm::dvec3& axis)
+{
+  for (const glm::dvec3& other : { up, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.0, 0.0) })
+  {
+    const glm::dvec3 across = other - glm::dot(other, axis) * axis;
+    if (glm::length(across) > 1e-6 * glm::length(other))
+    {
+      return glm::normalize(across);
+    }
+  }
+  return glm::dvec3(0.0, 1.0, 0.0);
+}
+
+void Apply(const LightOptions& options, Lamp& lamp)
+{
+  if (!options.Scatters)
+  {
+    lamp.Values.intensity = glm::dvec3(0.0);
+  }
+  glm::dvec3 position;
+  glm::dvec3 focalPoint;
+  lamp.Light->GetTransformedPosition(&position.x);
+  lamp.Light->GetTransformedFocalPoint(&focalPoint.x);
+  const glm::dvec3 axis = focalPoint - position;
+  if (!options.Table || !lamp.Scatters() || f64::airlightIsDirectional(lamp.Values) ||
+    !(glm::length(axis) > 0.0))
+  {
+    return;
+  }
+  lamp.Table = options.Table;
+  lamp.Values.kind = AIRLIGHT_POINT_QUADRATURE;
+  lamp.Values.goniometric = 1;
+  lamp.Values.photometry.axis = glm::normalize(axis);
+  lamp.Values.photometry.up =
+    MakeAcross(TransformDirection(lamp.Light, options.Up), lamp.Values.photometry.axis);
+}
 }
 
 //------------------------------------------------------------------------------
-std::vector<Lamp> CollectLamps(
-  vtkRenderer* renderer, const f64::AirlightMedia& media, const View& view, double radius)
+std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
+  const View& view, double radius, const std::vector<LightOptions>& options)
 {
   std::vector<Lamp> lamps;
   vtkLightCollection* lights = renderer->GetLights();
@@ -48,6 +95,12 @@ std::vector<Lamp> CollectLamps(
     if (light->GetSwitch())
     {
       lamps.push_back(MakeLamp(light, media, view, radius));
+      const auto it = std::find_if(options.begin(), options.end(),
+        [light](const LightOptions& option) { return option.Light == light; });
+      if (it != options.end())
+      {
+        Apply(*it, lamps.back());
+      }
     }
   }
   return lamps;

@@ -8,9 +8,14 @@
 #define AirlightLamps_h
 
 #include "AirlightConvert.h"
+#include "AirlightPhotometry.h"
+#include "AirlightSceneData.h"
+#include "vtkWeakPointer.h"
 
 #include <glm/glm.hpp>
 
+#include <memory>
+#include <string>
 #include <vector>
 
 class vtkLight;
@@ -20,6 +25,17 @@ namespace airlight
 {
 class View;
 
+// What the pass, rather than the light itself, says of a light.
+struct LightOptions
+{
+  vtkWeakPointer<vtkLight> Light;
+  bool Scatters = true;
+  std::string PhotometryFile;
+  std::shared_ptr<const Photometry> Goniometry; // null: the same intensity in all directions
+  Texels Table;                                 // the packed goniometry
+  glm::dvec3 Up{ 0.0, 1.0, 0.0 };               // of the goniometry
+};
+
 struct Lamp
 {
   vtkLight* Light;
@@ -27,6 +43,7 @@ struct Lamp
   f64::AirlightLight Values; // relative to the eye
   glm::dvec4 World{ 0.0 };   // homogeneous position
   bool CastsShadows = false;
+  Texels Table; // of a light that shines by a photometric file, else null
 
   bool Scatters() const { return this->Support == LightSupport::Scatters; }
   bool Glows() const { return this->Scatters() && this->Values.intensity != glm::dvec3(0.0); }
@@ -34,8 +51,8 @@ struct Lamp
 
 // The switched-on lights, in the order in which VTK's mappers number them. `radius` is the light
 // radius asked for, 0 for the smallest that single precision resolves.
-std::vector<Lamp> CollectLamps(
-  vtkRenderer* renderer, const f64::AirlightMedia& media, const View& view, double radius);
+std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
+  const View& view, double radius, const std::vector<LightOptions>& options);
 }
 
 #endif

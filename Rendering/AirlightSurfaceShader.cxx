@@ -114,6 +114,28 @@ void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
 }
 
 //------------------------------------------------------------------------------
+// Shaders without photometry do not have these uniforms.
+void SetPhotometries(vtkShaderProgram* program, const std::vector<Lamp>& lamps)
+{
+  if (!program->IsUniformUsed("airlightGoniometric"))
+  {
+    return;
+  }
+  std::vector<int> goniometric;
+  for (size_t k = 0; k < lamps.size(); ++k)
+  {
+    goniometric.push_back(lamps[k].Values.goniometric);
+    if (lamps[k].Values.goniometric != 0)
+    {
+      SetPhotometryUniforms(
+        program, "airlightPhotometries[" + std::to_string(k) + "]", lamps[k].Values.photometry);
+    }
+  }
+  program->SetUniform1iv(
+    "airlightGoniometric", static_cast<int>(goniometric.size()), goniometric.data());
+}
+
+//------------------------------------------------------------------------------
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
 {
   program->SetUniformi("airlightStage", static_cast<int>(values.Stage));
@@ -141,6 +163,7 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     program->SetUniform4fv("airlightLamps", static_cast<int>(lamps.size()), &lamps[0].x);
   }
+  SetPhotometries(program, *values.Lamps);
   program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
   if (values.Glow)
   {

@@ -168,6 +168,40 @@ public:
   bool GetLightScatters(vtkLight* light);
   ///@}
 
+  ///@{
+  /**
+   * Let a positional light shine as a photometric file of IES LM-63 (*.ies) says: its colour and
+   * intensity are those of the brightest direction, all others are the file's share of it, for
+   * medium and surfaces alike. The light aims from its position at its focal point. Photometric
+   * types A, B and C, linear between the file's angles, nothing beyond them; the lamp is a point,
+   * its tilt is ignored. Airlight is integrated by quadrature, within 1e-3. A spot's cone
+   * and exponent apply besides.
+   *
+   * False, with an error that names file, line and culprit, and the light as it was, where the file
+   * is no good. Null or an empty name: as without a file, the default.
+   */
+  bool SetLightPhotometry(vtkLight* light, const char* file);
+  const char* GetLightPhotometry(vtkLight* light);
+  ///@}
+
+  /**
+   * The largest intensity in the light's photometric file, candela; 0 without one. For a light whose
+   * vtkAirlight::SetRadiantIntensity() is to be the file's own.
+   */
+  double GetLightPhotometryMaximum(vtkLight* light);
+
+  ///@{
+  /**
+   * How the photometric file is turned about the light's axis: the direction, made perpendicular to
+   * the axis, of its horizontal angle 0 (type C, counted counter-clockwise for who looks along the
+   * axis) or of its vertical angle 90 (types A and B). World coordinates; for headlights and camera
+   * lights the camera's. Range: finite, not 0. Default: (0, 1, 0); where that lies along the axis,
+   * (0, 0, 1).
+   */
+  void SetLightPhotometryUp(vtkLight* light, double x, double y, double z);
+  void GetLightPhotometryUp(vtkLight* light, double up[3]);
+  ///@}
+
   /**
    * The last frame's buffer of this name, or null before the first recorded frame or for an
    * unknown name. Single precision, linear, the renderer's size, bottom row first:

@@ -3,6 +3,7 @@
 #include "vtkAirlightPassInternals.h"
 
 #include "AirlightOpenGL.h"
+#include "AirlightPhaseFit.h"
 #include "AirlightSurfaceTree.h"
 
 #include "vtkOpenGLFramebufferObject.h"
@@ -56,6 +57,32 @@ void vtkAirlightPass::Internals::RenderPlain(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+LightOptions& vtkAirlightPass::Internals::GetOptions(vtkLight* light)
+{
+  auto& lights = this->Lights;
+  lights.erase(std::remove_if(lights.begin(), lights.end(),
+                 [](const LightOptions& options) { return !options.Light; }),
+    lights.end());
+  const auto it = std::find_if(lights.begin(), lights.end(),
+    [light](const LightOptions& options) { return options.Light == light; });
+  if (it != lights.end())
+  {
+    return *it;
+  }
+  lights.emplace_back();
+  lights.back().Light = light;
+  return lights.back();
+}
+
+//------------------------------------------------------------------------------
+const LightOptions* vtkAirlightPass::Internals::FindOptions(vtkLight* light) const
+{
+  const auto it = std::find_if(this->Lights.begin(), this->Lights.end(),
+    [light](const LightOptions& options) { return options.Light == light; });
+  return light && it != this->Lights.end() ? &*it : nullptr;
+}
+
+//------------------------------------------------------------------------------
 void vtkAirlightPass::Internals::WarnOnce(bool& warned, const std::string& text)
 {
   if (!warned)
@@ -88,6 +115,17 @@ void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
         "A light is left out of the medium: its position, colour and attenuation must be finite, "
         "its attenuation at least 0 with one term above 0, its exponent at least 0, and the focal "
         "point of a spot or a directional light apart from its position.");
+    }
+  }
+  for (const Lamp& lamp : lamps)
+  {
+    const LightOptions* options = this->FindOptions(lamp.Light);
+    if (options && options->Table && lamp.Scatters() && !lamp.Table)
+    {
+      this->WarnOnce(this->WarnedPhotometry,
+        "A light's photometric file " + options->PhotometryFile +
+          " is not used: it needs a positional light whose focal point, at which it aims, is apart "
+          "from its position.");
     }
   }
   if (static_cast<int>(lamps.size()) > MaximumShadowingLights)
@@ -181,14 +219,8 @@ bool vtkAirlightPass::Internals::RenderFrame(
     media.push_back(this->Vacuum);
   }
   f64::AirlightMedia converted = ConvertMedia(media, view.GetEye());
-  std::vector<Lamp> lamps = CollectLamps(renderer, converted, view, this->Self->LightRadius);
-  for (Lamp& lamp : lamps)
-  {
-    if (!this->Self->GetLightScatters(lamp.Light))
-    {
-      lamp.Values.intensity = glm::dvec3(0.0);
-    }
-  }
+  std::vector<Lamp> lamps =
+    CollectLamps(renderer, converted, view, this->Self->LightRadius, this->Lights);
   this->CheckLamps(lamps);
   this->UpdateSurfaceShader(converted, lamps);
 
@@ -208,7 +240,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   vtkOpenGLState::ScopedglEnableDisable depthSaver(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
   state->PushFramebufferBindings();
-  const bool ok = this->UploadData(window, media, converted) &&
+  const bool ok = this->UploadData(window, media, converted, lamps) &&
     this->CurrentFrame.Begin(renderer, converted, lamps, view, settings, width, height) &&
     this->RenderSteps(s);
   state->PopFramebufferBindings();
@@ -229,19 +261,37 @@ bool vtkAirlightPass::Internals::RenderFrame(
 }
 
 //------------------------------------------------------------------------------
-// Puts on the graphics card what the media's surfaces are, and into the media where it is there.
+// Puts on the graphics card the surfaces and tables of media and lamps, and into these where they
+// are there.
 bool vtkAirlightPass::Internals::UploadData(vtkOpenGLRenderWindow* window,
-  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted)
+  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
+  std::vector<Lamp>& lamps)
 {
   std::vector<Texels> arrays;
   std::vector<int*> first;
+  const auto add = [&](const Texels& array, int& place) {
+    arrays.push_back(array);
+    first.push_back(&place);
+  };
   for (int i = 0; i < converted.count; ++i)
   {
-    if (converted.item[i].region.kind == AIRLIGHT_REGION_SURFACE)
+    f64::AirlightMedium& medium = converted.item[i];
+    if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
     {
       const std::shared_ptr<const SurfaceTree> tree = media[i]->GetSurfaceTree();
-      arrays.emplace_back(tree, &tree->GetTexels());
-      first.push_back(&converted.item[i].region.first);
+      add(Texels(tree, &tree->GetTexels()), medium.region.first);
+    }
+    if (medium.phase.rows > 0)
+    {
+      const std::shared_ptr<const PhaseShape> shape = media[i]->GetPhaseShape();
+      add(Texels(shape, &shape->Rows), medium.phase.first);
+    }
+  }
+  for (Lamp& lamp : lamps)
+  {
+    if (lamp.Table)
+    {
+      add(lamp.Table, lamp.Values.photometry.first);
     }
   }
   const bool ok = this->CurrentFrame.Upload(window, arrays);

@@ -42,6 +42,11 @@ public:
   // The whole frame. False with a reason in Error where it could not be done.
   bool RenderFrame(const vtkRenderState* s, int x, int y, int width, int height);
 
+  // What is said of a light, made where there is nothing yet; those of lights that are gone are
+  // forgotten.
+  airlight::LightOptions& GetOptions(vtkLight* light);
+  const airlight::LightOptions* FindOptions(vtkLight* light) const;
+
   void WarnOnce(bool& warned, const std::string& text);
   void CheckMedia();
   void CheckLamps(const std::vector<airlight::Lamp>& lamps);
@@ -49,7 +54,7 @@ public:
 
   vtkAirlightPass* Self;
   std::vector<vtkSmartPointer<vtkParticipatingMedium>> Media;
-  std::vector<vtkWeakPointer<vtkLight>> QuietLights; // those that do not scatter
+  std::vector<airlight::LightOptions> Lights; // those of which the pass says something
   airlight::Frame CurrentFrame;
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
   int EffectiveTechnique = NONE;
@@ -67,13 +72,14 @@ public:
   bool WarnedMedia = false;
   bool WarnedLights = false;
   bool WarnedLightCount = false;
+  bool WarnedPhotometry = false;
   bool WarnedGlowCount = false;
   std::string ReportedError;
 
 private:
   bool RenderSteps(const vtkRenderState* s);
   bool UploadData(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
-    airlight::f64::AirlightMedia& converted);
+    airlight::f64::AirlightMedia& converted, std::vector<airlight::Lamp>& lamps);
   void UpdateSurfaceShader(
     const airlight::f64::AirlightMedia& media, const std::vector<airlight::Lamp>& lamps);
   vtkRenderPass* GetDelegate();

@@ -34,3 +34,16 @@ AIRLIGHT_FN real2 airlightGaussNode(int k)
   return real2(0.96028985649753618, 0.10122853629037669);
 #endif
 }
+
+// Weights of a coarser rule on every other node, exact for cubic polynomials: what it differs by tells
+// whether the nodes are enough.
+AIRLIGHT_FN real airlightCoarseWeight(int k)
+{
+#ifdef AIRLIGHT_DOUBLE
+  return real(k - k); // not needed: see AirlightAdaptive.cxx
+#else
+  if (k == 0)
+    return real(0.5013801971792156);
+  return k == 2 ? real(0.4986198028207845) : real(0.0);
+#endif
+}

@@ -1,6 +1,10 @@
 // Airlight by quadrature, for what has no closed form: other attenuations than the inverse square,
 // spots with an exponent, lights outside the region, varying density, several media.
 
+// What a panel's coarser rule may differ by, relative to the piece's integral. The rule itself is
+// better by an order of magnitude.
+#define AIRLIGHT_PANEL_TOLERANCE 1e-3
+
 // What the media of a piece scatter at a point, without what fades before and after.
 AIRLIGHT_FN real3 airlightScattered(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightPiece) piece, real3 point, real cosTheta)
@@ -64,19 +68,23 @@ AIRLIGHT_FN real3 airlightSunIntegrand(AIRLIGHT_IN(AirlightMedia) media,
 // of width h, as smooth as the tails: dx = r dv.
 AIRLIGHT_FN real3 airlightPointPanel(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real v0, real v1)
+  AIRLIGHT_IN(AirlightPiece) piece, real v0, real v1, AIRLIGHT_OUT(real3) coarse)
 {
   real middle = real(0.5) * (v0 + v1);
   real reach = real(0.5) * (v1 - v0);
   real3 sum = real3(real(0.0));
+  coarse = real3(real(0.0));
   for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
   {
     real2 node = airlightGaussNode(k / 2);
     real e = exp(middle + (k % 2 == 0 ? reach : -reach) * node.x);
     real r = real(0.5) * ray.foot.h * (e + real(1.0) / e);
     real x = real(0.5) * ray.foot.h * (e - real(1.0) / e);
-    sum += node.y * r * airlightPointIntegrand(media, light, ray, piece, x, r);
+    real3 value = r * airlightPointIntegrand(media, light, ray, piece, x, r);
+    sum += node.y * value;
+    coarse += airlightCoarseWeight(k / 2) * value;
   }
+  coarse *= reach;
   return reach * sum;
 }
 
@@ -84,25 +92,30 @@ AIRLIGHT_FN real3 airlightPointPanel(AIRLIGHT_IN(AirlightMedia) media,
 // on intervals so short that v0 and v1 would be one number.
 AIRLIGHT_FN real3 airlightStraightPanel(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real t0, real t1)
+  AIRLIGHT_IN(AirlightPiece) piece, real t0, real t1, AIRLIGHT_OUT(real3) coarse)
 {
   real3 sum = real3(real(0.0));
+  coarse = real3(real(0.0));
   for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
   {
     real2 node = airlightGaussNode(k / 2);
     real share = real(0.5) + (k % 2 == 0 ? real(0.5) : real(-0.5)) * node.x;
     real t = t0 + share * (t1 - t0);
+    real3 value;
     if (airlightIsDirectional(light))
     {
-      sum += node.y * airlightSunIntegrand(media, light, ray, piece, t);
+      value = airlightSunIntegrand(media, light, ray, piece, t);
     }
     else
     {
       real x = t - ray.range.x - ray.foot.tL;
       real r = sqrt(ray.foot.h * ray.foot.h + x * x);
-      sum += node.y * airlightPointIntegrand(media, light, ray, piece, x, r);
+      value = airlightPointIntegrand(media, light, ray, piece, x, r);
     }
+    sum += node.y * value;
+    coarse += airlightCoarseWeight(k / 2) * value;
   }
+  coarse *= real(0.5) * (t1 - t0);
   return real(0.5) * (t1 - t0) * sum;
 }
 
@@ -118,64 +131,43 @@ AIRLIGHT_FN int airlightPanelCount(real length, real scale)
   return int(clamp(length / scale, real(0.0), real(60.0))) + 1;
 }
 
-// Whether the light's way may leave a region through one face or another, or the light shines by a
-// table, which gives the integrand kinks and boundary layers.
-AIRLIGHT_FN bool airlightHasKinks(
-  AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light)
-{
-  bool faces = light.goniometric != 0;
-  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
-  {
-    faces = faces || media.item[i].region.kind != AIRLIGHT_REGION_UNBOUNDED;
-  }
-  return faces;
-}
-
+// One panel; `coarse` is what half the nodes give.
 AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1)
+  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, AIRLIGHT_OUT(real3) coarse)
 {
-  return straight ? airlightStraightPanel(media, light, ray, piece, v0, v1)
-                  : airlightPointPanel(media, light, ray, piece, v0, v1);
+  return straight ? airlightStraightPanel(media, light, ray, piece, v0, v1, coarse)
+                  : airlightPointPanel(media, light, ray, piece, v0, v1, coarse);
 }
 
-// The panels from v0 to v1, at first all of one width. Where the integrand has kinks, a panel whose
-// halves do not agree with it is halved.
+// The panels from v0 to v1 again, where `total` turned out not to be good enough. A panel whose nodes
+// are too few is halved, which finds the kinks.
 AIRLIGHT_FN real3 airlightHalvedPanels(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, int panels)
+  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, int panels, real3 total)
 {
-  // A kink's own error is a few times smaller than what its halves differ by.
-  const real tolerance = real(5e-4);
-  const real least = real(1.0 / 256.0);
   real width = (v1 - v0) / real(panels);
   real step = width;
   real a = v0;
   real3 sum = real3(real(0.0));
-  real3 whole = airlightPanel(media, light, ray, piece, straight, a, a + step);
-  // As many halvings as could ever be needed for some tens of kinks.
-  for (int i = 0; i < 60 * 20 && a < v1; i++)
+  // More than any number of kinks has needed; a bound, so that every driver ends.
+  for (int i = 0; i < 600 && a < v1; i++)
   {
-    real b = min(a + step, v1);
-    real middle = real(0.5) * (a + b);
-    real3 low = airlightPanel(media, light, ray, piece, straight, a, middle);
-    real3 high = airlightPanel(media, light, ray, piece, straight, middle, b);
-    real3 change = abs(low + high - whole);
+    // The last one may be a rounding error wide.
+    real b = v1 - a < real(1.01) * step ? v1 : a + step;
+    real3 coarse;
+    real3 value = airlightPanel(media, light, ray, piece, straight, a, b, coarse);
     // Written so that what is not a number ends it, too.
-    if (!any(greaterThan(change, tolerance * (sum + low + high))) || step < least * width)
+    bool few = any(greaterThan(abs(value - coarse), real(AIRLIGHT_PANEL_TOLERANCE) * total));
+    if (few && step > width * real(1.0 / 512.0))
     {
-      sum += low + high;
-      a = b;
-      step = min(real(2.0) * step, width);
-      b = min(a + step, v1);
-      // The last of them may be a rounding error wide.
-      a = v1 - a < real(1e-3) * step ? v1 : a;
-      whole = a < v1 ? airlightPanel(media, light, ray, piece, straight, a, b) : whole;
+      step *= real(0.5);
     }
     else
     {
-      step *= real(0.5);
-      whole = low;
+      sum += value;
+      a = b;
+      step = min(real(2.0) * step, width);
     }
   }
   return sum;
@@ -193,24 +185,21 @@ AIRLIGHT_FN real3 airlightQuadraturePiece(AIRLIGHT_IN(AirlightMedia) media,
     x1 - x0 < real(0.05) * max(abs(x0), ray.foot.h);
   real v0 = straight ? t0 : airlightAsinh(x0 / ray.foot.h);
   real v1 = straight ? t1 : airlightAsinh(x1 / ray.foot.h);
-  if (airlightHasKinks(media, light))
-  {
-    int panels = straight ? 2 : airlightPanelCount(v1 - v0, real(1.0));
-    return airlightHalvedPanels(media, light, ray, piece, straight, v0, v1, panels);
-  }
-  int panels = airlightIsDirectional(light) ? 12 : 1;
-  if (!straight)
-  {
-    panels = airlightPanelCount(v1 - v0, real(1.0));
-  }
+  int panels = straight ? 2 : airlightPanelCount(v1 - v0, real(1.0));
   real3 sum = real3(real(0.0));
+  real3 doubt = real3(real(0.0));
   for (int i = 0; i < panels; i++)
   {
     real a = v0 + (v1 - v0) * real(i) / real(panels);
     real b = v0 + (v1 - v0) * real(i + 1) / real(panels);
-    sum += airlightPanel(media, light, ray, piece, straight, a, b);
+    real3 coarse;
+    real3 value = airlightPanel(media, light, ray, piece, straight, a, b, coarse);
+    sum += value;
+    doubt += abs(value - coarse);
   }
-  return sum;
+  return any(greaterThan(doubt, real(2.0 * AIRLIGHT_PANEL_TOLERANCE) * sum))
+    ? airlightHalvedPanels(media, light, ray, piece, straight, v0, v1, panels, sum)
+    : sum;
 }
 
 // The integral over [t0, t1], sigmaS included.

@@ -7,6 +7,10 @@ uniform AirlightMedia airlightMedia;
 uniform vec4 airlightLamps[AIRLIGHT_LAMPS];
 uniform sampler2D airlightLit;              // bits of the lights that reach the pixel's surface
 uniform int airlightUseLit;
+#if AIRLIGHT_HAS_PHOTOMETRY
+uniform AirlightPhotometry airlightPhotometries[AIRLIGHT_LAMPS];
+uniform int airlightGoniometric[AIRLIGHT_LAMPS]; // 1: light k shines by its table
+#endif
 
 // The share of light k that arrives: transmittance, 0 in shadow.
 vec3 airlightArrives(int k)
@@ -27,7 +31,14 @@ vec3 airlightArrives(int k)
   vec2 p = airlightPixel();
   vec3 point =
     airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
-  return exp(-(airlightLamps[k].w == 0.0
+  vec3 share = exp(-(airlightLamps[k].w == 0.0
       ? airlightSunDepths(airlightMedia, point, airlightLamps[k].xyz)
       : airlightDepthBetween(airlightMedia, point, airlightLamps[k].xyz)));
+#if AIRLIGHT_HAS_PHOTOMETRY
+  if (airlightGoniometric[k] != 0)
+  {
+    share *= airlightPhotometry(airlightPhotometries[k], normalize(point - airlightLamps[k].xyz));
+  }
+#endif
+  return share;
 }
