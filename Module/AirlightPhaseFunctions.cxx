@@ -72,12 +72,12 @@ PhaseTable PhaseTable::Read(vtkTable* table, std::string& error)
            << " columns; it needs at least 2 rows and 2 columns, scattering angle in degrees and "
               "value";
   }
+  double last = -1.0; // in degrees as they are: rounding may hide that an angle is repeated
   for (vtkIdType row = 0; row < rows && reason.tellp() == 0; ++row)
   {
     bool isNumber[2] = { false, false };
     const double angle = table->GetValue(row, 0).ToDouble(&isNumber[0]);
     const double value = table->GetValue(row, 1).ToDouble(&isNumber[1]);
-    const double last = row > 0 ? vtkMath::DegreesFromRadians(result.Angles.back()) : -1.0;
     if (!isNumber[0] || !(angle > last) || !(angle >= 0.0 && angle <= 180.0))
     {
       reason << "has the angle " << table->GetValue(row, 0).ToString() << " in row " << row
@@ -88,6 +88,7 @@ PhaseTable PhaseTable::Read(vtkTable* table, std::string& error)
       reason << "has the value " << table->GetValue(row, 1).ToString() << " in row " << row
              << "; values are finite and above 0";
     }
+    last = angle;
     result.Angles.push_back(vtkMath::RadiansFromDegrees(angle));
     result.Logarithms.push_back(std::log(value));
   }

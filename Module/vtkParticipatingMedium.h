@@ -29,6 +29,7 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for the phase table
 
+#include <memory> // for the table that was read
 #include <vector> // for the fitted poles
 
 class vtkTable;
@@ -342,8 +343,9 @@ private:
   double PhaseTolerance = 1e-3;
 
   vtkSmartPointer<vtkTable> PhaseTable;
-  bool PhaseFunctionChosen = false; // rather than the default
-  bool AnisotropyUnused = false;    // set before a function was chosen
+  std::unique_ptr<airlight::PhaseTable> PhaseTableRead; // as fitted; empty if it is no good
+  bool PhaseFunctionChosen = false;                     // rather than the default
+  bool AnisotropyUnused = false;                        // set before a function was chosen
 
   bool PhaseFitCurrent = false;
   vtkMTimeType PhaseFitTime = 0; // of the table

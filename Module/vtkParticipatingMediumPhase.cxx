@@ -168,7 +168,8 @@ void vtkParticipatingMedium::UpdatePhaseFit()
                   << " has no effect: the phase function is Isotropic, which has none. Choose "
                      "HenyeyGreenstein, Schlick or CornetteShanks.");
   }
-  const airlight::PhaseTable table = this->ReadPhaseTable();
+  *this->PhaseTableRead = this->ReadPhaseTable();
+  const airlight::PhaseTable& table = *this->PhaseTableRead;
   const airlight::PhaseFit fit =
     Fit(this->PhaseFunction, this->Anisotropy, table, this->PhaseTolerance);
   if (!table.IsEmpty() && fit.ErrorBound > this->PhaseTolerance)
@@ -247,10 +248,8 @@ double vtkParticipatingMedium::EvaluatePhaseFunction(double cosTheta)
     case MIE_MURKY:
       return airlight::Mie(MurkyExponent, s);
     case TABULATED:
-    {
-      const airlight::PhaseTable table = this->ReadPhaseTable();
-      return table.IsEmpty() ? 0.25 / M_PI : table.Evaluate(s);
-    }
+      this->UpdatePhaseFit();
+      return this->PhaseTableRead->IsEmpty() ? 0.25 / M_PI : this->PhaseTableRead->Evaluate(s);
     default:
       return 0.25 / M_PI;
   }

@@ -139,7 +139,7 @@ bool TestUnboundedSun()
     vtkNew<vtkParticipatingMedium> medium;
     vtkNew<vtkLight> light;
     PlaceMedium(medium, random);
-    MatrixCell cell{ MATRIX_SUN, vtkParticipatingMedium::UNBOUNDED, i % 2, 0.0 };
+    MatrixCell cell{ MATRIX_SUN, vtkParticipatingMedium::UNBOUNDED, i % 2, MATRIX_ISOTROPIC };
     cell.Apply(medium, light);
     const glm::dvec3 origin = random.Uniform(0.0, 10.0) * RandomUnit(random);
     const glm::dvec3 direction = RandomUnit(random);
