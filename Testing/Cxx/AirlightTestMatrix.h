@@ -120,17 +120,17 @@ struct MatrixCell
   }
 };
 
-// Calls run(cell) for all 270 cells.
+// Calls run(cell) for all 270 cells, phase by phase, because fits take their time.
 template <typename Run>
 void ForEachCell(const Run& run)
 {
-  for (int light = 0; light < MATRIX_LIGHTS; ++light)
+  for (int phase = 0; phase < MATRIX_PHASES; ++phase)
   {
-    for (int region = 0; region < 3; ++region)
+    for (int light = 0; light < MATRIX_LIGHTS; ++light)
     {
-      for (int density = 0; density < 2; ++density)
+      for (int region = 0; region < 3; ++region)
       {
-        for (int phase = 0; phase < MATRIX_PHASES; ++phase)
+        for (int density = 0; density < 2; ++density)
         {
           run(MatrixCell{ light, region, density, phase });
         }

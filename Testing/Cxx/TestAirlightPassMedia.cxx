@@ -97,7 +97,7 @@ bool TestTouchingBoxes()
     for (int axis = 0; axis < 3; ++axis)
     {
       const MatrixCell cell{ light, vtkParticipatingMedium::BOX, vtkParticipatingMedium::UNIFORM,
-        axis == 1 ? 0.0 : 0.6 };
+        axis == 1 ? MATRIX_ISOTROPIC : MATRIX_FORWARD };
       Experiment scene;
       PlaceLight(cell, scene);
       SetFog(scene.Medium, 1.0);
@@ -137,10 +137,10 @@ bool TestOverlap()
   Comparison transmittance("two media in one place and one twice as dense, Transmittance");
   for (int light = 0; light < MATRIX_LIGHTS; ++light)
   {
-    for (const double g : { 0.0, 0.6 })
+    for (const int phase : { MATRIX_ISOTROPIC, MATRIX_FORWARD })
     {
       const MatrixCell cell{ light, vtkParticipatingMedium::UNBOUNDED,
-        vtkParticipatingMedium::UNIFORM, g };
+        vtkParticipatingMedium::UNIFORM, phase };
       Experiment scene;
       PlaceLight(cell, scene);
       SetFog(scene.Medium, 2.0);
