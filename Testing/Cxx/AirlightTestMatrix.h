@@ -37,7 +37,7 @@ enum MatrixPhase
   MATRIX_CORNETTE_SHANKS, // g = 0.5
   MATRIX_MIE_HAZY,
   MATRIX_MIE_MURKY,
-  MATRIX_TABLE, // TABLE_SMOOTH of AirlightTestPhaseTable.h
+  MATRIX_TABLE, // TABLE_SMOOTH of AirlightTestPhaseTable.h; MATRIX_TABLE + any other TestTable
   MATRIX_PHASES
 };
 
@@ -65,10 +65,10 @@ struct MatrixCell
     static const char* const lights[] = { "point", "spot", "spot^4", "sun", "falloff" };
     static const char* const regions[] = { "unbounded", "box", "sphere" };
     static const char* const phases[] = { "isotropic", "HG 0.6", "HG -0.4", "Rayleigh",
-      "Schlick 0.5", "Cornette-Shanks 0.5", "Mie hazy", "Mie murky", "table" };
+      "Schlick 0.5", "Cornette-Shanks 0.5", "Mie hazy", "Mie murky" };
     return Text(lights[this->Light], ", ", regions[this->Region], ", ",
       this->Density == vtkParticipatingMedium::UNIFORM ? "uniform" : "height", ", ",
-      phases[this->Phase]);
+      this->Phase < MATRIX_TABLE ? phases[this->Phase] : TestTableName(this->Phase - MATRIX_TABLE));
   }
 
   // What the headers of vtkAirlight and vtkParticipatingMedium say of point lights, spots and
@@ -110,11 +110,14 @@ struct MatrixCell
       Medium::HENYEY_GREENSTEIN, Medium::RAYLEIGH, Medium::SCHLICK, Medium::CORNETTE_SHANKS,
       Medium::MIE_HAZY, Medium::MIE_MURKY, Medium::TABULATED };
     static const double anisotropies[] = { 0.0, 0.6, -0.4, 0.0, 0.5, 0.5, 0.0, 0.0, 0.0 };
-    static const vtkSmartPointer<vtkTable> table = MakeTable(TABLE_SMOOTH);
-    medium->SetPhaseFunction(types[this->Phase]);
-    medium->SetAnisotropy(anisotropies[this->Phase]);
-    if (this->Phase == MATRIX_TABLE)
+    static vtkSmartPointer<vtkTable> tables[TEST_TABLES];
+    const int index = std::min<int>(this->Phase, MATRIX_TABLE);
+    medium->SetPhaseFunction(types[index]);
+    medium->SetAnisotropy(anisotropies[index]);
+    if (index == MATRIX_TABLE)
     {
+      vtkSmartPointer<vtkTable>& table = tables[this->Phase - MATRIX_TABLE];
+      table = table ? table : MakeTable(this->Phase - MATRIX_TABLE);
       medium->SetPhaseTable(table);
     }
   }

@@ -152,9 +152,12 @@ void CompareFitted(Medium* medium, double mean, Comparisons& comparisons)
       comparisons.Tolerance.Add(
         medium->GetPhaseErrorBound(), tolerance, [&] { return DescribePhase(medium); });
     }
-    // Smaller tolerances take more poles, if anything.
-    comparisons.Tolerance.Add(medium->GetNumberOfPhasePoles() < poles ? 1.0 : 0.0, 0.5,
-      [&] { return DescribePhase(medium); });
+    // Smaller tolerances take more poles, if anything, as long as they are in reach.
+    if (medium->GetPhaseErrorBound() <= tolerance)
+    {
+      comparisons.Tolerance.Add(medium->GetNumberOfPhasePoles() < poles ? 1.0 : 0.0, 0.5,
+        [&] { return DescribePhase(medium); });
+    }
     poles = medium->GetNumberOfPhasePoles();
     CompareFit(medium, name, comparisons.Bound);
   }
