@@ -74,8 +74,9 @@ bool IsInside(const f64::AirlightRegion& region, const glm::dvec3& point)
   }
 }
 
-// Beyond this the differences of the poles' terms are too small for single precision.
-constexpr double MostCancellation = 2000.0;
+// Beyond this the differences of the poles' terms are too small for single precision, which gives
+// each of them to some 1e-6 near |z| = 1.
+constexpr double MostCancellation = 200.0;
 
 // Whether the phase function is nothing but poles, and those can be summed.
 bool HasClosedForm(const f64::AirlightPhase& phase)
