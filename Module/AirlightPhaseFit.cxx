@@ -4,7 +4,7 @@
 
 #include "AirlightMath.h"
 #include "AirlightPhaseFunctions.h"
-#include "AirlightPoleFitter.h"
+#include "AirlightPhaseSearch.h"
 
 #include <algorithm>
 #include <array>
@@ -77,44 +77,14 @@ Eigen::VectorXd ZolotarevPoles(double beta, int n)
   return logB;
 }
 
-// A margin for what lies between the samples of the check: an extremum of the error rises above
-// its nearest sample by far less than this.
-constexpr double CheckMargin = 1.002;
-
-double Bound(const PoleFitter& check, const Eigen::VectorXd& logB, const Eigen::VectorXd& c)
-{
-  return CheckMargin * check.Error(logB, c).cwiseAbs().maxCoeff();
-}
-
-// How a fit with given first poles is made. The fixed terms come last.
-PhaseFit FitFrom(
-  const PoleFitter& fitter, const PoleFitter& check, Eigen::VectorXd logB, double goodEnough)
+// A fit of simple poles alone, with given first ones.
+PhaseFit FitPoles(const PoleFitter& fitter, const PoleFitter& check, Eigen::VectorXd logB)
 {
   const Eigen::VectorXd even = Eigen::VectorXd::Ones(fitter.GetSampleCount());
-  Eigen::VectorXd c = SolveWeights(fitter.Columns(logB), even);
-  // Poles that move come close to others and then cancel: they stay where they do well enough.
-  if (logB.size() > 0 && !(Bound(check, logB, c) <= goodEnough))
-  {
-    Refine(fitter, even, 100, logB, c);
-    Equalise(fitter, logB, c);
-  }
-  PhaseFit fit;
-  for (int k = 0; k < logB.size(); ++k)
-  {
-    fit.Poles.push_back({ std::exp(logB[k]), { c[k], 0.0, 0.0 } });
-  }
-  if (c.size() > logB.size())
-  {
-    PhasePole pole;
-    for (int i = 0; i < c.size() - logB.size(); ++i)
-    {
-      pole.c[i] = c[logB.size() + i];
-    }
-    fit.Poles.push_back(pole);
-  }
-  const double bound = Bound(check, logB, c);
-  fit.ErrorBound = std::isfinite(bound) ? bound : std::numeric_limits<double>::infinity();
-  return fit;
+  Eigen::VectorXd c = SolveWeights(fitter.Columns(logB), even, 0.0);
+  Refine(fitter, even, 0.0, 100, logB, c);
+  Equalise(fitter, 0.0, logB, c);
+  return MakeFit(check, logB, c);
 }
 
 // Backward scattering is the mirror image, s becomes 1/s: the simple pole b becomes 1/b and c
@@ -137,28 +107,6 @@ PhaseFit Mirror(const PhaseFit& fit)
   return result;
 }
 
-// The fits of 0, 1, 2, ... simple poles beside the fixed terms, until one is good enough.
-PhaseFit FitForward(
-  const PhaseFunction& function, double g, int fixedTerms, double tolerance, int maximumPoles)
-{
-  const PoleFitter fitter(function, LogarithmicSamples(FitSamples), fixedTerms);
-  const PoleFitter check(function, LogarithmicSamples(CheckSamples), fixedTerms);
-  PhaseFit best;
-  best.ErrorBound = std::numeric_limits<double>::infinity();
-  const int fixedPoles = fixedTerms > 0 ? 1 : 0;
-  for (int n = 1 - fixedPoles; n + fixedPoles <= maximumPoles && best.ErrorBound > tolerance; ++n)
-  {
-    // Poles near the fixed one would cancel with it.
-    const double apart = fixedTerms > 0 ? std::max(g, 0.3) : g;
-    const PhaseFit fit = FitFrom(fitter, check, ZolotarevPoles((1.0 - apart) / (1.0 + apart), n),
-      fixedTerms > 0 ? tolerance : 0.0);
-    if (fit.ErrorBound < best.ErrorBound)
-    {
-      best = fit;
-    }
-  }
-  return best;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -180,8 +128,9 @@ f64::AirlightPhase Convert(const PhaseFit& fit)
 //------------------------------------------------------------------------------
 bool HasClosedForm(const f64::AirlightPhase& phase)
 {
-  // Beyond this the differences of the poles' terms are too small for single precision.
-  constexpr double MostCancellation = 2000.0;
+  // Beyond this the differences of the poles' terms are too small for single precision, which gives
+  // each of them to some 1e-6 near |z| = 1.
+  constexpr double MostCancellation = 200.0;
   return phase.power.x == 0.0 && phase.rows == 0 &&
     f64::airlightPhaseCancellation(phase) < MostCancellation;
 }
@@ -224,9 +173,21 @@ PhaseFit FitHenyeyGreenstein(double g, double tolerance, int maximumPoles)
     return ExactIsotropic();
   }
   const double forward = std::abs(g);
-  const PhaseFit fit = FitForward(
-    [&](double s) { return HenyeyGreenstein(forward, s); }, forward, 0, tolerance, maximumPoles);
-  return g > 0.0 ? fit : Mirror(fit);
+  const PhaseFunction function = [&](double s) { return HenyeyGreenstein(forward, s); };
+  const PoleFitter fitter(function, LogarithmicSamples(FitSamples), 0);
+  const PoleFitter check(function, LogarithmicSamples(CheckSamples), 0);
+  PhaseFit best;
+  best.ErrorBound = std::numeric_limits<double>::infinity();
+  for (int n = 1; n <= maximumPoles && best.ErrorBound > tolerance; ++n)
+  {
+    const PhaseFit fit =
+      FitPoles(fitter, check, ZolotarevPoles((1.0 - forward) / (1.0 + forward), n));
+    if (fit.ErrorBound < best.ErrorBound)
+    {
+      best = fit;
+    }
+  }
+  return g > 0.0 ? best : Mirror(best);
 }
 
 //------------------------------------------------------------------------------
@@ -237,9 +198,17 @@ PhaseFit FitCornetteShanks(double g, double tolerance, int maximumPoles)
     return ExactRayleigh();
   }
   const double forward = std::abs(g);
-  const PhaseFit fit = FitForward(
-    [&](double s) { return CornetteShanks(forward, s); }, forward, 3, tolerance, maximumPoles);
-  return g > 0.0 ? fit : Mirror(fit);
+  const PhaseFunction function = [&](double s) { return CornetteShanks(forward, s); };
+  const PoleFitter fitter(function, LogarithmicSamples(FitSamples), 3);
+  const PoleFitter check(function, LogarithmicSamples(CheckSamples), 3);
+  PhaseSearch search(fitter, check, tolerance);
+  // Poles near the fixed one would cancel with it.
+  const double apart = std::max(forward, 0.3);
+  for (int n = 0; n < maximumPoles && !search.IsDone(); ++n)
+  {
+    search.Try(ZolotarevPoles((1.0 - apart) / (1.0 + apart), n));
+  }
+  return g > 0.0 ? search.GetBest() : Mirror(search.GetBest());
 }
 
 //------------------------------------------------------------------------------
@@ -269,24 +238,16 @@ PhaseFit FitTable(const PhaseTable& table, double tolerance, int maximumPoles)
   };
   const PoleFitter fitter(function, choose(4), 3);
   const PoleFitter check(function, choose(32), 3);
-  PhaseFit best;
-  best.ErrorBound = std::numeric_limits<double>::infinity();
+  PhaseSearch search(fitter, check, tolerance);
   // From even ratios between a narrow peak and a wide one, forward alone or backward, too.
   constexpr double ranges[3][2] = { { 0.03, 0.8 }, { 0.2, 3.0 }, { 0.03, 30.0 } };
-  for (int n = 0; n < maximumPoles && best.ErrorBound > tolerance; ++n)
+  for (int n = 0; n < maximumPoles && !search.IsDone(); ++n)
   {
     for (const auto& range : ranges)
     {
-      const double low = std::log(range[0]);
-      const double high = std::log(range[1]);
-      const Eigen::VectorXd logB = Eigen::VectorXd::LinSpaced(n, low, high);
-      const PhaseFit fit = FitFrom(fitter, check, logB, tolerance);
-      if (fit.ErrorBound < best.ErrorBound && HasClosedForm(Convert(fit)))
-      {
-        best = fit;
-      }
+      search.Try(Eigen::VectorXd::LinSpaced(n, std::log(range[0]), std::log(range[1])));
     }
   }
-  return best;
+  return search.GetBest();
 }
 }

@@ -72,7 +72,7 @@ PhaseTable PhaseTable::Read(vtkTable* table, std::string& error)
            << " columns; it needs at least 2 rows and 2 columns, scattering angle in degrees and "
               "value";
   }
-  double last = -1.0;
+  double last = -1.0; // in degrees as they are: rounding may hide that an angle is repeated
   double largest = 0.0;
   for (vtkIdType row = 0; row < rows && reason.tellp() == 0; ++row)
   {

@@ -44,6 +44,12 @@ Eigen::VectorXd PoleFitter::Error(const Eigen::VectorXd& logB, const Eigen::Vect
 }
 
 //------------------------------------------------------------------------------
+double PoleFitter::Cancellation(const Eigen::VectorXd& logB, const Eigen::VectorXd& c) const
+{
+  return (this->Columns(logB).cwiseAbs() * c.cwiseAbs()).maxCoeff();
+}
+
+//------------------------------------------------------------------------------
 Eigen::MatrixXd PoleFitter::PoleDerivatives(
   const Eigen::VectorXd& logB, const Eigen::VectorXd& c) const
 {
@@ -57,26 +63,46 @@ Eigen::MatrixXd PoleFitter::PoleDerivatives(
 }
 
 //------------------------------------------------------------------------------
-Eigen::VectorXd SolveWeights(const Eigen::MatrixXd& columns, const Eigen::VectorXd& sampleWeights)
+Eigen::VectorXd SolveWeights(
+  const Eigen::MatrixXd& columns, const Eigen::VectorXd& sampleWeights, double penalty)
 {
-  return (sampleWeights.asDiagonal() * columns).colPivHouseholderQr().solve(sampleWeights);
+  const Eigen::Index rows = columns.rows();
+  const Eigen::Index m = columns.cols();
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows + m, m);
+  matrix.topRows(rows) = sampleWeights.asDiagonal() * columns;
+  matrix.bottomRows(m).diagonal() = penalty * columns.colwise().norm();
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(rows + m);
+  right.head(rows) = sampleWeights;
+  return matrix.colPivHouseholderQr().solve(right);
 }
 
 //------------------------------------------------------------------------------
-void Refine(const PoleFitter& fitter, const Eigen::VectorXd& sampleWeights, int iterations,
-  Eigen::VectorXd& logB, Eigen::VectorXd& c)
+void Refine(const PoleFitter& fitter, const Eigen::VectorXd& sampleWeights, double penalty,
+  int iterations, Eigen::VectorXd& logB, Eigen::VectorXd& c)
 {
   const int n = static_cast<int>(logB.size());
   const int m = static_cast<int>(c.size());
+  const int samples = fitter.GetSampleCount();
   double damping = 1e-3;
-  Eigen::VectorXd residual = sampleWeights.cwiseProduct(fitter.Error(logB, c));
+  // The errors, then the penalties of the terms.
+  const auto evaluate = [&](const Eigen::VectorXd& atLogB, const Eigen::VectorXd& atC) {
+    const Eigen::MatrixXd columns = fitter.Columns(atLogB);
+    Eigen::VectorXd values(samples + m);
+    values.head(samples) =
+      sampleWeights.cwiseProduct(columns * atC - Eigen::VectorXd::Ones(samples));
+    values.tail(m) = penalty * columns.colwise().norm().transpose().cwiseProduct(atC);
+    return values;
+  };
+  Eigen::VectorXd residual = evaluate(logB, c);
   for (int iteration = 0; iteration < iterations && damping < 1e10; ++iteration)
   {
     Eigen::MatrixXd jacobian(residual.size() + m + n, m + n);
     jacobian.setZero();
-    jacobian.topLeftCorner(residual.size(), m) = sampleWeights.asDiagonal() * fitter.Columns(logB);
-    jacobian.topRightCorner(residual.size(), n) =
+    const Eigen::MatrixXd columns = fitter.Columns(logB);
+    jacobian.topLeftCorner(samples, m) = sampleWeights.asDiagonal() * columns;
+    jacobian.topRightCorner(samples, n) =
       sampleWeights.asDiagonal() * fitter.PoleDerivatives(logB, c);
+    jacobian.block(samples, 0, m, m).diagonal() = penalty * columns.colwise().norm();
     const Eigen::VectorXd scale = jacobian.colwise().norm();
     jacobian.bottomRows(m + n) = (std::sqrt(damping) * scale).asDiagonal();
     Eigen::VectorXd right = Eigen::VectorXd::Zero(jacobian.rows());
@@ -85,7 +111,7 @@ void Refine(const PoleFitter& fitter, const Eigen::VectorXd& sampleWeights, int 
 
     const Eigen::VectorXd newLogB = logB + step.tail(n);
     const Eigen::VectorXd newC = c + step.head(m);
-    const Eigen::VectorXd newResidual = sampleWeights.cwiseProduct(fitter.Error(newLogB, newC));
+    const Eigen::VectorXd newResidual = evaluate(newLogB, newC);
     if (newResidual.allFinite() && newResidual.squaredNorm() < residual.squaredNorm())
     {
       logB = newLogB;
@@ -101,7 +127,7 @@ void Refine(const PoleFitter& fitter, const Eigen::VectorXd& sampleWeights, int 
 }
 
 //------------------------------------------------------------------------------
-void Equalise(const PoleFitter& fitter, Eigen::VectorXd& logB, Eigen::VectorXd& c)
+void Equalise(const PoleFitter& fitter, double penalty, Eigen::VectorXd& logB, Eigen::VectorXd& c)
 {
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(fitter.GetSampleCount());
   Eigen::VectorXd bestLogB = logB;
@@ -112,7 +138,7 @@ void Equalise(const PoleFitter& fitter, Eigen::VectorXd& logB, Eigen::VectorXd& 
     const Eigen::ArrayXd error = fitter.Error(logB, c).cwiseAbs().array();
     weights.array() *= (error / error.maxCoeff() + 0.02).sqrt();
     weights /= weights.maxCoeff();
-    Refine(fitter, weights, 6, logB, c);
+    Refine(fitter, weights, penalty, 6, logB, c);
     const double largest = fitter.Error(logB, c).cwiseAbs().maxCoeff();
     if (largest < best)
     {

@@ -32,6 +32,9 @@ public:
   // Relative error at each sample.
   Eigen::VectorXd Error(const Eigen::VectorXd& logB, const Eigen::VectorXd& c) const;
 
+  // How much larger the terms are than their sum, at the worst sample.
+  double Cancellation(const Eigen::VectorXd& logB, const Eigen::VectorXd& c) const;
+
   // Derivative of the error by log b_k: -2 b^2 c/(s^2 + b^2) times the pole's share.
   Eigen::MatrixXd PoleDerivatives(const Eigen::VectorXd& logB, const Eigen::VectorXd& c) const;
 
@@ -41,15 +44,19 @@ private:
   int FixedTerms;
 };
 
+// The penalty, 0 or above, is what a term of the function's own size adds to the errors: it keeps
+// terms from growing large and cancelling, which single precision cannot sum.
+
 // Weighted least squares for the weights c at given poles.
-Eigen::VectorXd SolveWeights(const Eigen::MatrixXd& columns, const Eigen::VectorXd& sampleWeights);
+Eigen::VectorXd SolveWeights(
+  const Eigen::MatrixXd& columns, const Eigen::VectorXd& sampleWeights, double penalty);
 
 // Levenberg-Marquardt over poles and weights together, in the weighted 2-norm.
-void Refine(const PoleFitter& fitter, const Eigen::VectorXd& sampleWeights, int iterations,
-  Eigen::VectorXd& logB, Eigen::VectorXd& c);
+void Refine(const PoleFitter& fitter, const Eigen::VectorXd& sampleWeights, double penalty,
+  int iterations, Eigen::VectorXd& logB, Eigen::VectorXd& c);
 
 // Lawson's algorithm: samples of large error gain weight until the largest errors are alike.
-void Equalise(const PoleFitter& fitter, Eigen::VectorXd& logB, Eigen::VectorXd& c);
+void Equalise(const PoleFitter& fitter, double penalty, Eigen::VectorXd& logB, Eigen::VectorXd& c);
 }
 
 #endif

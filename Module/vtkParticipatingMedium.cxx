@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticipatingMedium.h"
 
+#include "AirlightPhaseFunctions.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -20,7 +21,11 @@ double Mean(const double v[3]) { return (v[0] + v[1] + v[2]) / 3.0; }
 vtkStandardNewMacro(vtkParticipatingMedium);
 
 //------------------------------------------------------------------------------
-vtkParticipatingMedium::vtkParticipatingMedium() = default;
+vtkParticipatingMedium::vtkParticipatingMedium()
+  : PhaseTableRead(std::make_unique<airlight::PhaseTable>())
+{
+}
+
 vtkParticipatingMedium::~vtkParticipatingMedium() = default;
 
 //------------------------------------------------------------------------------

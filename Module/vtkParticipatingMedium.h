@@ -371,8 +371,9 @@ private:
   double PhaseTolerance = 1e-3;
 
   vtkSmartPointer<vtkTable> PhaseTable;
-  bool PhaseFunctionChosen = false; // rather than the default
-  bool AnisotropyUnused = false;    // set before a function was chosen
+  std::unique_ptr<airlight::PhaseTable> PhaseTableRead; // as fitted; empty if it is no good
+  bool PhaseFunctionChosen = false;                     // rather than the default
+  bool AnisotropyUnused = false;                        // set before a function was chosen
 
   std::shared_ptr<const airlight::PhaseShape> Phase; // null where it has to be found anew
   vtkMTimeType PhaseTime = 0;                        // of the table when it was found

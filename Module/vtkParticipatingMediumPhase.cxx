@@ -168,10 +168,13 @@ std::shared_ptr<const airlight::PhaseShape> vtkParticipatingMedium::GetPhaseShap
                   << " has no effect: the phase function is Isotropic, which has none. Choose "
                      "HenyeyGreenstein, Schlick or CornetteShanks.");
   }
-  const airlight::PhaseTable table = this->ReadPhaseTable();
+  *this->PhaseTableRead = this->ReadPhaseTable();
+  const airlight::PhaseTable& table = *this->PhaseTableRead;
   auto shape = std::make_shared<airlight::PhaseShape>();
   shape->Fit = Fit(this->PhaseFunction, this->Anisotropy, table, this->PhaseTolerance);
-  if (!table.IsEmpty() && !(shape->Fit.ErrorBound <= this->PhaseTolerance))
+  const bool follows = shape->Fit.ErrorBound <= this->PhaseTolerance &&
+    airlight::HasClosedForm(airlight::Convert(shape->Fit));
+  if (!table.IsEmpty() && !follows)
   {
     shape->Fit = airlight::PhaseFit();
     shape->Rows = table.GetRows();
@@ -241,10 +244,8 @@ double vtkParticipatingMedium::EvaluatePhaseFunction(double cosTheta)
     case MIE_MURKY:
       return airlight::Mie(MurkyExponent, s);
     case TABULATED:
-    {
-      const airlight::PhaseTable table = this->ReadPhaseTable();
-      return table.IsEmpty() ? 0.25 / M_PI : table.Evaluate(s);
-    }
+      this->GetPhaseShape();
+      return this->PhaseTableRead->IsEmpty() ? 0.25 / M_PI : this->PhaseTableRead->Evaluate(s);
     default:
       return 0.25 / M_PI;
   }

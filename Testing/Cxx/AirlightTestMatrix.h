@@ -7,6 +7,7 @@
 #ifndef AirlightTestMatrix_h
 #define AirlightTestMatrix_h
 
+#include "AirlightTestPhaseTable.h"
 #include "AirlightTestTools.h"
 
 #include "vtkLight.h"
@@ -26,6 +27,20 @@ enum MatrixLight
   MATRIX_LIGHTS
 };
 
+enum MatrixPhase
+{
+  MATRIX_ISOTROPIC,
+  MATRIX_FORWARD,  // Henyey and Greenstein's, g = 0.6
+  MATRIX_BACKWARD, // the same, g = -0.4
+  MATRIX_RAYLEIGH,
+  MATRIX_SCHLICK,         // k = 0.5
+  MATRIX_CORNETTE_SHANKS, // g = 0.5
+  MATRIX_MIE_HAZY,
+  MATRIX_MIE_MURKY,
+  MATRIX_TABLE, // TABLE_SMOOTH of AirlightTestPhaseTable.h; MATRIX_TABLE + any other TestTable
+  MATRIX_PHASES
+};
+
 inline glm::dvec3 RandomUnit(Random& random)
 {
   glm::dvec3 v;
@@ -41,7 +56,7 @@ struct MatrixCell
   int Light;
   int Region;
   int Density;
-  double G; // 0: isotropic
+  int Phase;
 
   bool IsSpot() const { return this->Light == MATRIX_SPOT || this->Light == MATRIX_SPOT_EXPONENT; }
 
@@ -49,11 +64,15 @@ struct MatrixCell
   {
     static const char* const lights[] = { "point", "spot", "spot^4", "sun", "falloff" };
     static const char* const regions[] = { "unbounded", "box", "sphere" };
+    static const char* const phases[] = { "isotropic", "HG 0.6", "HG -0.4", "Rayleigh",
+      "Schlick 0.5", "Cornette-Shanks 0.5", "Mie hazy", "Mie murky" };
     return Text(lights[this->Light], ", ", regions[this->Region], ", ",
-      this->Density == vtkParticipatingMedium::UNIFORM ? "uniform" : "height", ", g ", this->G);
+      this->Density == vtkParticipatingMedium::UNIFORM ? "uniform" : "height", ", ",
+      this->Phase < MATRIX_TABLE ? phases[this->Phase] : TestTableName(this->Phase - MATRIX_TABLE));
   }
 
-  // What the header of vtkAirlight says of point lights, spots and directional lights.
+  // What the headers of vtkAirlight and vtkParticipatingMedium say of point lights, spots and
+  // directional lights, and of Mie's functions; along a ray, a directional light has one angle.
   bool HasClosedForm(bool lightInside) const
   {
     const bool uniform = this->Density == vtkParticipatingMedium::UNIFORM;
@@ -62,7 +81,8 @@ struct MatrixCell
     {
       return unbounded || (uniform && this->Region == vtkParticipatingMedium::BOX);
     }
-    return uniform && (unbounded || lightInside) &&
+    const bool mie = this->Phase == MATRIX_MIE_HAZY || this->Phase == MATRIX_MIE_MURKY;
+    return uniform && (unbounded || lightInside) && !mie &&
       (this->Light == MATRIX_POINT || this->Light == MATRIX_SPOT);
   }
 
@@ -71,9 +91,7 @@ struct MatrixCell
   {
     medium->SetRegion(this->Region);
     medium->SetDensity(this->Density);
-    medium->SetPhaseFunction(this->G == 0.0 ? vtkParticipatingMedium::ISOTROPIC
-                                            : vtkParticipatingMedium::HENYEY_GREENSTEIN);
-    medium->SetAnisotropy(this->G);
+    this->ApplyPhase(medium);
     light->SetLightTypeToSceneLight();
     light->SetPositional(this->Light != MATRIX_SUN);
     light->SetConeAngle(this->IsSpot() ? 35.0 : 90.0); // VTK's cone angle is the half angle
@@ -84,21 +102,40 @@ struct MatrixCell
       light->SetAttenuationValues(1.0, 0.1, 0.02);
     }
   }
+
+  void ApplyPhase(vtkParticipatingMedium* medium) const
+  {
+    using Medium = vtkParticipatingMedium;
+    static const int types[] = { Medium::ISOTROPIC, Medium::HENYEY_GREENSTEIN,
+      Medium::HENYEY_GREENSTEIN, Medium::RAYLEIGH, Medium::SCHLICK, Medium::CORNETTE_SHANKS,
+      Medium::MIE_HAZY, Medium::MIE_MURKY, Medium::TABULATED };
+    static const double anisotropies[] = { 0.0, 0.6, -0.4, 0.0, 0.5, 0.5, 0.0, 0.0, 0.0 };
+    static vtkSmartPointer<vtkTable> tables[TEST_TABLES];
+    const int index = std::min<int>(this->Phase, MATRIX_TABLE);
+    medium->SetPhaseFunction(types[index]);
+    medium->SetAnisotropy(anisotropies[index]);
+    if (index == MATRIX_TABLE)
+    {
+      vtkSmartPointer<vtkTable>& table = tables[this->Phase - MATRIX_TABLE];
+      table = table ? table : MakeTable(this->Phase - MATRIX_TABLE);
+      medium->SetPhaseTable(table);
+    }
+  }
 };
 
-// Calls run(cell) for all 60 cells.
+// Calls run(cell) for all 270 cells, phase by phase, because fits take their time.
 template <typename Run>
 void ForEachCell(const Run& run)
 {
-  for (int light = 0; light < MATRIX_LIGHTS; ++light)
+  for (int phase = 0; phase < MATRIX_PHASES; ++phase)
   {
-    for (int region = 0; region < 3; ++region)
+    for (int light = 0; light < MATRIX_LIGHTS; ++light)
     {
-      for (int density = 0; density < 2; ++density)
+      for (int region = 0; region < 3; ++region)
       {
-        for (const double g : { 0.0, 0.6 })
+        for (int density = 0; density < 2; ++density)
         {
-          run(MatrixCell{ light, region, density, g });
+          run(MatrixCell{ light, region, density, phase });
         }
       }
     }

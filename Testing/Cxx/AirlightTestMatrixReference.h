@@ -3,13 +3,15 @@
 /**
  * The expected airlight of any light in any one medium: quadrature of the integrand of single
  * scattering as physics.md states it,
- * density sigmaS p(cosTheta) I/(a + b r + c r^2) spot exp(-depths). Lengths and depths are this
- * file's own; of the library it uses the properties of medium and light only.
+ * density sigmaS p(cosTheta) I/(a + b r + c r^2) spot exp(-depths). Lengths, depths and phase
+ * functions (AirlightTestPhase.h) are the tests' own; of the library they use the properties of
+ * medium and light only.
  */
 
 #ifndef AirlightTestMatrixReference_h
 #define AirlightTestMatrixReference_h
 
+#include "AirlightTestPhase.h"
 #include "AirlightTestQuadrature.h"
 
 #include "vtkLight.h"
@@ -26,6 +28,7 @@ class MatrixReference
 public:
   MatrixReference(vtkParticipatingMedium* medium, vtkLight* light)
     : Medium(medium)
+    , Phase(medium)
     , IsSun(!light->GetPositional())
     , IsSpot(light->GetPositional() && light->GetConeAngle() < 90.0)
     , Exponent(light->GetExponent())
@@ -85,6 +88,11 @@ public:
         {
           ends.push_back(a - tL + part * (b - a));
           ends.push_back(b - tL - part * (b - a));
+        }
+        // And where a table of the phase function has its rows: cosTheta = -x/r.
+        for (const long double angle : this->Phase.GetKinks())
+        {
+          ends.push_back(std::clamp<long double>(-h / std::tan(angle), a - tL, b - tL));
         }
         std::sort(ends.begin(), ends.end());
         sum += Integrate(integrand, ends, 1e-12);
@@ -224,7 +232,6 @@ private:
   double Integrand(
     double sigmaT, const glm::dvec3& origin, const glm::dvec3& direction, double t) const
   {
-    const HenyeyGreensteinPhase phase{ this->Medium->GetAnisotropy() };
     const glm::dvec3 point = origin + t * direction;
     const glm::dvec3 way = point - this->Position;
     const double r = glm::length(way);
@@ -240,11 +247,12 @@ private:
       ? std::pow(std::max(glm::dot(travels, this->Axis), 0.0), this->Exponent)
       : 1.0;
     const double fall = this->IsSun ? 1.0 : glm::dot(this->Attenuation, glm::dvec3(1.0, r, r * r));
-    return this->Density(point) * phase(1.0 - cosTheta, 1.0 + cosTheta) * spot / fall *
+    return this->Density(point) * this->Phase(1.0 - cosTheta, 1.0 + cosTheta) * spot / fall *
       std::exp(-sigmaT * depth);
   }
 
   vtkParticipatingMedium* Medium;
+  ReferencePhase Phase;
   bool IsSun;
   bool IsSpot;
   double Exponent;

@@ -145,10 +145,10 @@ inline std::vector<long double> PeakPanels(long double x0, long double x1, long 
 // The airlight of a point light per unit sigmaS I on [t0, t1]: tL is the distance along the ray to
 // the light's foot, h > 0 the light's distance from the ray. Phase takes (1 - cosTheta,
 // 1 + cosTheta). cosTheta = -x/r with x = t - tL; sums that cancel are replaced by h^2 over their
-// conjugates.
+// conjugates. `kinks` are scattering angles at which the phase function is not smooth.
 template <typename Phase>
-double PointLightAirlight(
-  const Phase& phase, double sigmaT, long double tL, long double h, long double t0, long double t1)
+double PointLightAirlight(const Phase& phase, double sigmaT, long double tL, long double h,
+  long double t0, long double t1, const std::vector<long double>& kinks = {})
 {
   const double depthOfFoot = static_cast<double>(sigmaT * tL);
   const double height = static_cast<double>(h);
@@ -171,7 +171,17 @@ double PointLightAirlight(
     const long double end = 0.5L * (sum - h * h / sum);
     x1 = std::min(x1, std::max(end, x0));
   }
-  return x1 > x0 ? Integrate(integrand, PeakPanels(x0, x1, h), 1e-13) : 0.0;
+  if (!(x1 > x0))
+  {
+    return 0.0;
+  }
+  std::vector<long double> ends = PeakPanels(x0, x1, h);
+  for (const long double angle : kinks)
+  {
+    ends.push_back(std::clamp(-h / std::tan(angle), x0, x1));
+  }
+  std::sort(ends.begin(), ends.end());
+  return Integrate(integrand, ends, 1e-13);
 }
 }
 

@@ -5,6 +5,7 @@
 // function, against adaptive quadrature of the integrand of physics.md (AirlightTestMatrixReference.h); and
 // what it says of directional lights in unbounded media, against exponentials written here.
 
+#include "AirlightTestErrors.h"
 #include "AirlightTestMatrix.h"
 #include "AirlightTestMatrixReference.h"
 
@@ -52,12 +53,10 @@ void PlaceMedium(vtkParticipatingMedium* medium, Random& random)
 
 //------------------------------------------------------------------------------
 // One light and one ray; the ray goes through the region, and a spot shines at it there.
-void RunCell(
-  const MatrixCell& cell, int i, Random& random, Comparison& closed, Comparison& quadrature)
+void RunCell(const MatrixCell& cell, int i, vtkParticipatingMedium* medium, Random& random,
+  Comparison& closed, Comparison& quadrature)
 {
-  vtkNew<vtkParticipatingMedium> medium;
   vtkNew<vtkLight> light;
-  medium->SetPhaseTolerance(1e-6);
   PlaceMedium(medium, random);
   cell.Apply(medium, light);
   const glm::dvec3 position = PlacePoint(cell, i % 2 == 0, random);
@@ -116,10 +115,15 @@ bool TestCells()
   Comparison closed("closed form, all cells");
   Comparison quadrature("quadrature, all cells");
   Random random(71);
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetPhaseTolerance(1e-6);
+  // The table's fit misses that, and its bound says by how much.
+  ErrorListener warnings(medium, vtkCommand::WarningEvent);
+  int i = 0; // what there is of rays repeats after 12
   ForEachCell([&](const MatrixCell& cell) {
-    for (int i = 0; i < 12; ++i)
+    for (const int end = i + 12; i < end; ++i)
     {
-      RunCell(cell, i, random, closed, quadrature);
+      RunCell(cell, i % 12, medium, random, closed, quadrature);
     }
   });
   return AllOk({ &closed, &quadrature });
@@ -139,7 +143,7 @@ bool TestUnboundedSun()
     vtkNew<vtkParticipatingMedium> medium;
     vtkNew<vtkLight> light;
     PlaceMedium(medium, random);
-    MatrixCell cell{ MATRIX_SUN, vtkParticipatingMedium::UNBOUNDED, i % 2, 0.0 };
+    MatrixCell cell{ MATRIX_SUN, vtkParticipatingMedium::UNBOUNDED, i % 2, MATRIX_ISOTROPIC };
     cell.Apply(medium, light);
     const glm::dvec3 origin = random.Uniform(0.0, 10.0) * RandomUnit(random);
     const glm::dvec3 direction = RandomUnit(random);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The pass for every kind of light in every kind of region, density and phase function, in
-// perspective and parallel projection, with and without a plane that ends rays. Lights at a place
-// are inside the region here.
+// The pass for every kind of light in every kind of region, density and phase function, with and
+// without a plane that ends rays; in uniform media both in perspective and in parallel projection,
+// in others in one of them by turns. Lights at a place are inside the region here.
 
 #include "AirlightTestPassMatrix.h"
 
@@ -16,10 +16,25 @@ int TestAirlightPassMatrix(int, char*[])
   PassMatrixComparisons comparisons;
   PassMatrix experiment;
   ForEachCell([&](const MatrixCell& cell) {
-    for (int i = 0; i < 4; ++i)
+    const bool uniform = cell.Density == vtkParticipatingMedium::UNIFORM;
+    const int turn = cell.Phase + cell.Light + cell.Region;
+    for (int parallel = 0; parallel < 2; ++parallel)
     {
-      experiment.Run(cell, i % 2 == 1, i / 2 == 1, true, comparisons);
+      if (uniform || parallel == turn % 2)
+      {
+        experiment.Run(cell, parallel == 1, (turn / 2 + parallel) % 2 == 1, true, comparisons);
+      }
     }
   });
+  // The other tables, whose fits have other poles.
+  for (int table = TABLE_SMOOTH + 1; table < TEST_TABLES; ++table)
+  {
+    for (int light = 0; light < MATRIX_LIGHTS; ++light)
+    {
+      const MatrixCell cell{ light, vtkParticipatingMedium::UNBOUNDED,
+        vtkParticipatingMedium::UNIFORM, MATRIX_TABLE + table };
+      experiment.Run(cell, light % 2 == 1, table % 2 == 1, true, comparisons);
+    }
+  }
   return comparisons.Report() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

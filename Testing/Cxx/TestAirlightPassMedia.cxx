@@ -97,7 +97,7 @@ bool TestTouchingBoxes()
     for (int axis = 0; axis < 3; ++axis)
     {
       const MatrixCell cell{ light, vtkParticipatingMedium::BOX, vtkParticipatingMedium::UNIFORM,
-        axis == 1 ? 0.0 : 0.6 };
+        axis == 1 ? MATRIX_ISOTROPIC : MATRIX_FORWARD };
       Experiment scene;
       PlaceLight(cell, scene);
       SetFog(scene.Medium, 1.0);
@@ -137,10 +137,10 @@ bool TestOverlap()
   Comparison transmittance("two media in one place and one twice as dense, Transmittance");
   for (int light = 0; light < MATRIX_LIGHTS; ++light)
   {
-    for (const double g : { 0.0, 0.6 })
+    for (const int phase : { MATRIX_ISOTROPIC, MATRIX_FORWARD })
     {
       const MatrixCell cell{ light, vtkParticipatingMedium::UNBOUNDED,
-        vtkParticipatingMedium::UNIFORM, g };
+        vtkParticipatingMedium::UNIFORM, phase };
       Experiment scene;
       PlaceLight(cell, scene);
       SetFog(scene.Medium, 2.0);
@@ -180,7 +180,7 @@ bool TestLightAtFace()
     for (const int region : { vtkParticipatingMedium::BOX, vtkParticipatingMedium::SPHERE })
     {
       Experiment scene;
-      const MatrixCell cell{ light, region, vtkParticipatingMedium::UNIFORM, 0.6 };
+      const MatrixCell cell{ light, region, vtkParticipatingMedium::UNIFORM, MATRIX_FORWARD };
       cell.Apply(scene.Medium, scene.Light);
       SetFog(scene.Medium, 1.0);
       scene.Medium->SetBounds(-2.0, 2.5, -2.0, 3.0, -2.5, 1.8);
@@ -223,9 +223,9 @@ bool TestTwoLights()
     for (int region = 0; region < 3; ++region)
     {
       Experiment scene;
-      const MatrixCell cell{ light, region, vtkParticipatingMedium::UNIFORM, 0.6 };
+      const MatrixCell cell{ light, region, vtkParticipatingMedium::UNIFORM, MATRIX_FORWARD };
       vtkNew<vtkLight> second;
-      MatrixCell{ MATRIX_SPOT_EXPONENT, region, 0, 0.6 }.Apply(scene.Medium, second);
+      MatrixCell{ MATRIX_SPOT_EXPONENT, region, 0, MATRIX_FORWARD }.Apply(scene.Medium, second);
       second->SetPosition(2.0, 3.0, 3.0);
       second->SetFocalPoint(0.0, 0.0, 0.0);
       PlaceLight(cell, scene);

@@ -9,6 +9,7 @@
 #include "AirlightTestTools.h"
 
 #include "AirlightMath.h"
+#include "AirlightTestErrors.h"
 #include "AirlightTestPhase.h"
 #include "vtkAirlight.h"
 #include "vtkNew.h"
@@ -87,8 +88,7 @@ f64::AirlightPhase Isotropic()
 
 std::string Describe(vtkParticipatingMedium* medium, const Setting& s)
 {
-  return Text("g ", medium->GetAnisotropy(), ", phase tolerance ", medium->GetPhaseTolerance(),
-    ", ", s.Describe());
+  return Text(DescribePhase(medium), ", ", s.Describe());
 }
 
 //------------------------------------------------------------------------------
@@ -134,10 +134,10 @@ void CompareFloat(const Setting& exact, vtkParticipatingMedium* medium, Comparis
 }
 
 //------------------------------------------------------------------------------
-// vtkAirlight with the exact phase function: 1e-9 plus the bound of the fit. A ray in any
+// vtkAirlight with the exact phase function: `limit` plus the bound of the fit. A ray in any
 // direction, and another extinction in each channel.
-void CompareApi(
-  const Setting& s, vtkParticipatingMedium* medium, Random& random, Comparison& comparison)
+void CompareApi(const Setting& s, vtkParticipatingMedium* medium, const ReferencePhase& phase,
+  double limit, Random& random, Comparison& comparison)
 {
   const double origin[3] = { random.Uniform(-5, 5), random.Uniform(-5, 5), random.Uniform(-5, 5) };
   const glm::dvec3 d(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(0.1, 1));
@@ -165,11 +165,10 @@ void CompareApi(
   for (int i = 0; i < 3; ++i)
   {
     const double expected = sigmaS[i] * intensity[i] *
-      PointLightAirlight(
-        HenyeyGreensteinPhase{ medium->GetAnisotropy() }, sigmaT[i], tL, h, s.T0, s.T1);
+      PointLightAirlight(phase, sigmaT[i], tL, h, s.T0, s.T1, phase.GetKinks());
     if (expected > Underflow)
     {
-      comparison.Add(std::abs(rgb[i] - expected) / expected, medium->GetPhaseErrorBound() + 1e-9,
+      comparison.Add(std::abs(rgb[i] - expected) / expected, medium->GetPhaseErrorBound() + limit,
         [&] { return Text("channel ", i, " of sigmaT ", sigmaT[i], "; ", Describe(medium, s)); });
     }
   }
@@ -197,30 +196,68 @@ bool TestRandomSettings()
 {
   Comparison isotropic("double precision, isotropic, relative");
   Comparison fitted("double precision, fitted phase, relative");
-  Comparison api("vtkAirlight, Henyey-Greenstein, relative");
+  Comparison api("vtkAirlight, exact phase function, relative");
   Comparison single("single precision, of the ray's airlight");
   Comparison sum("additivity, relative");
   Random random(20240611);
   constexpr int Media = 250;
   constexpr int SettingsPerMedium = 40; // 10 000 in all
+  const int types[] = { vtkParticipatingMedium::HENYEY_GREENSTEIN, vtkParticipatingMedium::RAYLEIGH,
+    vtkParticipatingMedium::SCHLICK, vtkParticipatingMedium::CORNETTE_SHANKS };
   for (int m = 0; m < Media; ++m)
   {
     vtkNew<vtkParticipatingMedium> medium;
-    medium->SetPhaseFunctionToHenyeyGreenstein();
-    medium->SetAnisotropy(m % 5 == 0 ? 0.0 : random.Uniform(-0.9, 0.9));
-    medium->SetPhaseTolerance(m % 2 == 0 ? 1e-3 : 1e-5);
+    medium->SetPhaseFunction(types[m % 4]);
+    if (types[m % 4] != vtkParticipatingMedium::RAYLEIGH)
+    {
+      medium->SetAnisotropy(m % 5 == 0 ? 0.0 : random.Uniform(-0.9, 0.9));
+    }
+    medium->SetPhaseTolerance(m / 4 % 2 == 0 ? 1e-3 : 1e-5);
+    const ReferencePhase phase(medium);
     for (int i = 0; i < SettingsPerMedium; ++i)
     {
       const Setting s = RandomSetting(random);
       CompareDouble(s, medium, isotropic, fitted);
       CompareFloat(s, medium, single);
-      CompareApi(s, medium, random, api);
+      CompareApi(s, medium, phase, 1e-9, random, api);
       CompareSum(s, random, sum);
     }
   }
   return AllOk({ &isotropic, &fitted, &api, &single, &sum });
 }
+
+//------------------------------------------------------------------------------
+// Mie's functions, which vtkAirlight integrates by adaptive quadrature, and tables.
+bool TestOtherFunctions()
+{
+  Comparison mie("vtkAirlight, Mie's functions, relative");
+  Comparison tables("vtkAirlight, tables, relative");
+  Random random(20240612);
+  constexpr int SettingsPerMedium = 60;
+  for (int m = 0; m < 2 + TEST_TABLES; ++m)
+  {
+    vtkNew<vtkParticipatingMedium> medium;
+    ErrorListener warnings(medium, vtkCommand::WarningEvent);
+    medium->SetPhaseFunction(m == 0 ? vtkParticipatingMedium::MIE_HAZY
+        : m == 1                    ? vtkParticipatingMedium::MIE_MURKY
+                                    : vtkParticipatingMedium::TABULATED);
+    if (m > 1)
+    {
+      medium->SetPhaseTable(MakeTable(m - 2));
+    }
+    const ReferencePhase phase(medium);
+    for (int i = 0; i < SettingsPerMedium; ++i)
+    {
+      CompareApi(RandomSetting(random), medium, phase, 1e-8, random, m < 2 ? mie : tables);
+    }
+  }
+  return AllOk({ &mie, &tables });
+}
 }
 
 //------------------------------------------------------------------------------
-int TestClosedForm(int, char*[]) { return TestRandomSettings() ? EXIT_SUCCESS : EXIT_FAILURE; }
+int TestClosedForm(int, char*[])
+{
+  const bool random = TestRandomSettings();
+  return TestOtherFunctions() && random ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,17 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkParticipatingMedium: defaults, coefficients and the quantities derived from them, refusal of
-// bad values, and the phase functions against their integrals and against their fits.
+// vtkParticipatingMedium: defaults, coefficients and the quantities derived from them, and refusal
+// of bad values. Its phase functions: TestPhaseFunctions.cxx and TestPhaseErrors.cxx.
 
-#include "AirlightMath.h"
-#include "AirlightTestPhase.h"
 #include "vtkCallbackCommand.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -227,113 +223,6 @@ void TestBadInput()
   m->SetBounds(1, 1, 2, 2, 3, 3);
   Check(bounds() == std::vector<double>({ 1, 1, 2, 2, 3, 3 }), "a flat box is accepted");
 }
-
-//------------------------------------------------------------------------------
-// 2 pi times the integral of p(mu) mu^power over mu in [-1, 1], by Simpson's rule.
-double IntegrateOverSphere(vtkParticipatingMedium* medium, int power)
-{
-  const int intervals = 200000;
-  const double h = 2.0 / intervals;
-  double sum = 0.0;
-  for (int i = 0; i <= intervals; ++i)
-  {
-    const double mu = std::min(-1.0 + i * h, 1.0);
-    const double weight = (i == 0 || i == intervals) ? 1.0 : (i % 2 ? 4.0 : 2.0);
-    sum += weight * medium->EvaluatePhaseFunction(mu) * (power ? mu : 1.0);
-  }
-  return 2.0 * vtkMath::Pi() * sum * h / 3.0;
-}
-
-double EvaluateFit(vtkParticipatingMedium* medium, double mu)
-{
-  const auto fit = airlight_test::GetPhase<airlight::f64::AirlightPhase>(medium);
-  return airlight_test::FittedPhase(fit, 1.0 - mu, 1.0 + mu);
-}
-
-// Cosines in [-1, 1]: evenly spaced, and ever closer to both ends, where the functions are steep.
-std::vector<double> DenseCosines()
-{
-  std::vector<double> cosines;
-  for (int i = 0; i <= 20000; ++i)
-  {
-    cosines.push_back(std::min(-1.0 + 1e-4 * i, 1.0));
-  }
-  for (int i = 0; i <= 4000; ++i)
-  {
-    const double distance = std::pow(10.0, -12.0 * i / 4000);
-    cosines.push_back(1.0 - distance);
-    cosines.push_back(distance - 1.0);
-  }
-  return cosines;
-}
-
-void CheckFit(vtkParticipatingMedium* medium, const std::string& what)
-{
-  static const std::vector<double> cosines = DenseCosines();
-  const double bound = medium->GetPhaseErrorBound();
-  double worst = 0.0;
-  double worstAt = 0.0;
-  for (double mu : cosines)
-  {
-    const double error =
-      std::abs(EvaluateFit(medium, mu) / medium->EvaluatePhaseFunction(mu) - 1.0);
-    if (!(error <= worst)) // NaN counts
-    {
-      worst = error;
-      worstAt = mu;
-    }
-  }
-  const double rounding = 1e-13;
-  Check(worst <= bound + rounding,
-    what + ": the fit is off by " + std::to_string(worst / bound) +
-      " times its bound at cosTheta = " + std::to_string(worstAt));
-}
-
-void TestPhaseFunctions()
-{
-  vtkNew<vtkParticipatingMedium> medium;
-  const double isotropic = 1.0 / (4.0 * vtkMath::Pi());
-  for (double mu : { -1.0, -0.3, 0.0, 0.7, 1.0 })
-  {
-    CheckNear(medium->EvaluatePhaseFunction(mu), isotropic, 1e-15, "isotropic phase function");
-  }
-  CheckNear(IntegrateOverSphere(medium, 0), 1.0, 1e-12, "integral of the isotropic function");
-  CheckNear(medium->GetPhaseErrorBound(), 0.0, 0.0, "error bound of the isotropic function");
-
-  medium->SetPhaseFunctionToHenyeyGreenstein();
-  for (double g : { -0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.76, 0.9 })
-  {
-    const std::string name = "Henyey-Greenstein g = " + std::to_string(g);
-    medium->SetAnisotropy(g);
-    // p(mu) = (1 - g^2)/(4 pi (1 + g^2 - 2 g mu)^(3/2)) at both ends.
-    CheckNear(medium->EvaluatePhaseFunction(1.0), isotropic * (1 + g) / ((1 - g) * (1 - g)), 1e-13,
-      name + " forward");
-    CheckNear(medium->EvaluatePhaseFunction(-1.0), isotropic * (1 - g) / ((1 + g) * (1 + g)), 1e-13,
-      name + " backward");
-    CheckNear(IntegrateOverSphere(medium, 0), 1.0, 1e-9, name + ", integral over the sphere");
-    // g is the mean cosine.
-    Check(std::abs(IntegrateOverSphere(medium, 1) - g) <= 1e-9, name + ", mean cosine");
-
-    int previousPoles = 0;
-    for (double tolerance : { 1e-2, 1e-3, 1e-5 })
-    {
-      const std::string what = name + ", tolerance " + std::to_string(tolerance);
-      medium->SetPhaseTolerance(tolerance);
-      Check(medium->GetPhaseErrorBound() <= tolerance, what + ": the bound is within it");
-      Check(medium->GetNumberOfPhasePoles() >= previousPoles, what + ": no fewer poles");
-      previousPoles = medium->GetNumberOfPhasePoles();
-      CheckFit(medium, what);
-    }
-  }
-
-  // At the ends of the range the tolerance may be out of reach, but the bound stays honest.
-  medium->SetPhaseTolerance(1e-3);
-  for (double g : { -0.99, 0.99 })
-  {
-    medium->SetAnisotropy(g);
-    CheckFit(medium, "Henyey-Greenstein g = " + std::to_string(g));
-  }
-}
 }
 
 int TestParticipatingMedium(int, char*[])
@@ -342,6 +231,5 @@ int TestParticipatingMedium(int, char*[])
   TestCoefficients();
   TestDistances();
   TestBadInput();
-  TestPhaseFunctions();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
