@@ -135,24 +135,15 @@ void vtkAirlightPass::Internals::UpdateSurfaceShader(
   const f64::AirlightMedia& media, const std::vector<Lamp>& lamps)
 {
   const int lampCount = static_cast<int>(lamps.size());
-  SurfaceText text;
-  text.LampCount = this->MapperText.LampCount;
-  if (lampCount > text.LampCount)
+  const bool glows = this->Self->ScatteredSurfaceLight;
+  const int kind = glows ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
+  const std::string source = GetScatteringSource(media, kind) + (glows ? GetGlowSource() : "");
+  if (lampCount > this->MapperText.LampCount || source != this->MapperText.Mathematics)
   {
-    text.LampCount = 2 * lampCount;
-  }
-  int kind = AIRLIGHT_POINT_CLOSED;
-  if (this->Self->ScatteredSurfaceLight)
-  {
-    kind = CommonKind(lamps);
-    text.GlowLightCount = std::min(text.LampCount, MaximumGlowLights);
-  }
-  text.Mathematics =
-    GetScatteringSource(media, kind) + (text.GlowLightCount > 0 ? GetGlowSource() : "");
-  if (text.LampCount != this->MapperText.LampCount ||
-    text.Mathematics != this->MapperText.Mathematics)
-  {
-    this->MapperText = text;
+    this->MapperText.LampCount = std::max(this->MapperText.LampCount, 2 * lampCount);
+    this->MapperText.GlowLightCount =
+      glows ? std::min(this->MapperText.LampCount, MaximumGlowLights) : 0;
+    this->MapperText.Mathematics = source;
     this->ShaderTime.Modified();
   }
 }

@@ -22,6 +22,15 @@ AIRLIGHT_FN real airlightArcCosine(real x)
   return airlightAngle(sqrt(max(real(1.0) - x * x, real(0.0))), x);
 }
 
+// Whether a point is inside or on the surface.
+AIRLIGHT_FN bool airlightHolds(AIRLIGHT_IN(AirlightRegion) region, real3 point)
+{
+  return region.kind == AIRLIGHT_REGION_SPHERE
+    ? length(point - region.centre) <= region.radius
+    : region.kind == AIRLIGHT_REGION_UNBOUNDED ||
+      (all(greaterThanEqual(point, region.boxMin)) && all(lessThanEqual(point, region.boxMax)));
+}
+
 // A unit vector across the axis.
 AIRLIGHT_FN real3 airlightAcross(real3 axis)
 {

@@ -51,12 +51,3 @@ AIRLIGHT_FN real2 airlightRegionRange(
   }
   return real2(range.x, max(range.x, range.y));
 }
-
-// Whether a point is inside or on the surface.
-AIRLIGHT_FN bool airlightHolds(AIRLIGHT_IN(AirlightRegion) region, real3 point)
-{
-  return region.kind == AIRLIGHT_REGION_SPHERE
-    ? length(point - region.centre) <= region.radius
-    : region.kind == AIRLIGHT_REGION_UNBOUNDED ||
-      (all(greaterThanEqual(point, region.boxMin)) && all(lessThanEqual(point, region.boxMax)));
-}
