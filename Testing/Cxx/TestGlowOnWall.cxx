@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A lamp close to a wall in dense fog, the wall also lit by scattered light: the picture, and how far
-// it lies above the same scene without. Expected numbers from AirlightTestGlow.h.
+// A lamp close to a wall in dense fog, the wall also lit by scattered light: the picture, and how
+// far it lies above the same scene without. Expected numbers from AirlightTestGlow.h.
 
 #include "AirlightTestGlow.h"
 #include "AirlightTestScene.h"

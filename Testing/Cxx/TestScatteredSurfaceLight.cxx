@@ -255,8 +255,10 @@ bool TestFinite()
       plane.Light->SetConeAngle(kind == 1 ? 30.0 : 90.0);
       plane.Light->SetExponent(kind == 1 ? 2.0 : 0.0);
       plane.Light->SetPositional(kind != 2);
-      for (const glm::dvec3& place : places)
+      // Every other combination, for the time that they take.
+      for (int k = (region + kind) % 2; k < 6; k += 2)
       {
+        const glm::dvec3& place = places[k];
         plane.Light->SetPosition(&place.x);
         plane.Light->SetFocalPoint(place.x, place.y + 0.1, place.z - 1.0);
         const auto off = plane.Render("Radiance", false);
