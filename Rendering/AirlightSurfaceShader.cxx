@@ -55,6 +55,22 @@ bool MayLeaveEarly(const std::string& commented)
   return (first == std::string::npos || body.find("discard", first + 1) == std::string::npos) &&
     body.find("texture(") == std::string::npos && body.find("gl_FragDepth") == std::string::npos;
 }
+
+void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
+{
+  int count = 0;
+  for (const Lamp& lamp : *values.Lamps)
+  {
+    if (lamp.Glows() && count < MaximumGlowLights)
+    {
+      SetLightUniforms(program, "airlightGlowLights[" + std::to_string(count) + "]", lamp.Values);
+      ++count;
+    }
+  }
+  program->SetUniformi("airlightGlowCount", count);
+  glm::mat3 normals = values.Rays->GetNormalMatrix();
+  program->SetUniformMatrix3x3("airlightNormalToWorld", &normals[0].x);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -94,23 +110,6 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
   fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
     "\n" + early + arrives + lit + (early.empty() ? late : ""));
   fragmentShader.insert(mainStart, Declarations(text));
-}
-
-//------------------------------------------------------------------------------
-void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
-{
-  int count = 0;
-  for (const Lamp& lamp : *values.Lamps)
-  {
-    if (lamp.Glows() && count < MaximumGlowLights)
-    {
-      SetLightUniforms(program, "airlightGlowLights[" + std::to_string(count) + "]", lamp.Values);
-      ++count;
-    }
-  }
-  program->SetUniformi("airlightGlowCount", count);
-  glm::mat3 normals = values.Rays->GetNormalMatrix();
-  program->SetUniformMatrix3x3("airlightNormalToWorld", &normals[0].x);
 }
 
 //------------------------------------------------------------------------------

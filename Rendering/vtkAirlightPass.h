@@ -121,7 +121,20 @@ public:
    * Unshadowed: neither is the scattered light dimmed by casters, nor do other surfaces, or the
    * surface itself where it lies between the light and the viewer, hide any of the medium.
    *
-   * TODO errors
+   * Error of E, relative, in fog of optical distance 0.01 to 10 between lamp and surface, with
+   * phase functions from g = -0.6 to 0.9, for any direction of the surface (asserted by
+   * TestScatteredSurfaceLight; measured there: median, largest):
+   *  - point and directional lights in one unbounded uniform medium: 0.3 % (2e-5, 7e-4);
+   *  - spots without exponent in it: 1 % (3e-5, 3e-4);
+   *  - point lights inside a sphere or a box: 1 % (3e-4, 6e-3);
+   *  - directional lights in a box: 3 % (6e-4, 2.1e-2, where little light arrives);
+   *  - lights that the pass integrates by quadrature (see vtkAirlight): 3 % (1e-3, 1.4e-3); in fog
+   *    that varies with height, or where the surface is outside several regions, it can be more.
+   *
+   * Cost: in one unbounded medium without spots 16 to 32 evaluations of the closed form per pixel
+   * and light, else 377 to 1597: for graphics cards rather than for software rendering.
+   *
+   * At most 32 lights are scattered onto surfaces.
    */
   vtkSetMacro(ScatteredSurfaceLight, bool);
   vtkGetMacro(ScatteredSurfaceLight, bool);

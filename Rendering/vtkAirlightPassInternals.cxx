@@ -174,26 +174,18 @@ void vtkAirlightPass::Internals::UpdateSurfaceShader(
   const f64::AirlightMedia& media, const std::vector<Lamp>& lamps)
 {
   const int lampCount = static_cast<int>(lamps.size());
-  SurfaceText text;
-  text.LampCount = this->MapperText.LampCount;
-  if (lampCount > text.LampCount)
-  {
-    text.LampCount = 2 * lampCount;
-  }
+  const bool glows = this->Self->ScatteredSurfaceLight;
+  const int kind = glows ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
   const bool photometry = std::any_of(
     lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
-  int kind = AIRLIGHT_POINT_CLOSED;
-  if (this->Self->ScatteredSurfaceLight)
+  const std::string source =
+    GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
+  if (lampCount > this->MapperText.LampCount || source != this->MapperText.Mathematics)
   {
-    kind = CommonKind(lamps);
-    text.GlowLightCount = std::min(text.LampCount, MaximumGlowLights);
-  }
-  text.Mathematics =
-    GetScatteringSource(media, kind, photometry) + (text.GlowLightCount > 0 ? GetGlowSource() : "");
-  if (text.LampCount != this->MapperText.LampCount ||
-    text.Mathematics != this->MapperText.Mathematics)
-  {
-    this->MapperText = text;
+    this->MapperText.LampCount = std::max(this->MapperText.LampCount, 2 * lampCount);
+    this->MapperText.GlowLightCount =
+      glows ? std::min(this->MapperText.LampCount, MaximumGlowLights) : 0;
+    this->MapperText.Mathematics = source;
     this->ShaderTime.Modified();
   }
 }

@@ -11,10 +11,10 @@
 // Nodes of the lattice below: Fibonacci numbers, the step is the one before.
 #define AIRLIGHT_GLOW_FEW 377
 #define AIRLIGHT_GLOW_FEW_STEP 233
-#define AIRLIGHT_GLOW_SOME 610
-#define AIRLIGHT_GLOW_SOME_STEP 377
-#define AIRLIGHT_GLOW_MANY 987
-#define AIRLIGHT_GLOW_MANY_STEP 610
+#define AIRLIGHT_GLOW_SOME 987
+#define AIRLIGHT_GLOW_SOME_STEP 610
+#define AIRLIGHT_GLOW_MANY 1597
+#define AIRLIGHT_GLOW_MANY_STEP 987
 
 // ---- Where radiance depends on gamma alone: one uniform unbounded medium, no cone ---------------
 

@@ -1,5 +1,5 @@
-// What the integral over a surface's hemisphere in AirlightGlow.glsl is made of: directions, and the
-// radiance that arrives from each.
+// What the integral over a surface's hemisphere in AirlightGlow.glsl is made of: directions, and
+// the radiance that arrives from each.
 
 #define AIRLIGHT_PI 3.1415926535897932
 
