@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * From VTK's objects to the structures of the mathematics. The only place where a vtkLight's
- * numbers become physical ones.
+ * numbers become physical ones. Not installed; exported for the module's own tests.
  */
 
 #ifndef AirlightConvert_h
 #define AirlightConvert_h
 
 #include "AirlightMath.h"
+#include "vtkAirlightModule.h" // for export macro
 
 #include <vector>
 
@@ -24,7 +25,7 @@ inline bool IsModerate(const glm::dvec3& v)
 }
 
 // Media with positions relative to `origin`; those beyond AIRLIGHT_MAX_MEDIA are left out.
-f64::AirlightMedia ConvertMedia(
+VTKAIRLIGHT_EXPORT f64::AirlightMedia ConvertMedia(
   const std::vector<vtkParticipatingMedium*>& media, const glm::dvec3& origin);
 
 // What the mathematics can do with a light.
@@ -40,7 +41,7 @@ f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm:
   const glm::dvec3& radiantIntensity, const glm::dvec3& origin);
 
 // Any vtkLight, relative to `origin`. The light's radius is left for the caller to set.
-LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
+VTKAIRLIGHT_EXPORT LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
   const glm::dvec3& origin, f64::AirlightLight& result);
 }
 
