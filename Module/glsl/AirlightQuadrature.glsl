@@ -1,9 +1,10 @@
 // Airlight by quadrature, for what has no closed form: other attenuations than the inverse square,
 // spots with an exponent, lights outside the region, varying density, several media.
 
-// What a panel's coarser rule may differ by, relative to the piece's integral. The rule itself is
-// better by an order of magnitude.
-#define AIRLIGHT_PANEL_TOLERANCE 1e-3
+// What half the nodes of a panel may make of a difference, relative to the piece's integral. Kinks,
+// where the light's way leaves a region through another face, cost all nodes up to a few times that:
+// 1e-3 is what they are allowed.
+#define AIRLIGHT_PANEL_TOLERANCE 1e-4
 
 // What the media of a piece scatter at a point, without what fades before and after.
 AIRLIGHT_FN real3 airlightScattered(AIRLIGHT_IN(AirlightMedia) media,

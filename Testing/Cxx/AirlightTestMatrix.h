@@ -72,8 +72,9 @@ struct MatrixCell
   }
 
   // What the headers of vtkAirlight and vtkParticipatingMedium say of point lights, spots and
-  // directional lights, and of Mie's functions; along a ray, a directional light has one angle.
-  bool HasClosedForm(bool lightInside) const
+  // directional lights, and of phase functions that are poles or not; along a ray, a directional
+  // light has one angle.
+  bool HasClosedForm(bool lightInside, vtkParticipatingMedium* medium) const
   {
     const bool uniform = this->Density == vtkParticipatingMedium::UNIFORM;
     const bool unbounded = this->Region == vtkParticipatingMedium::UNBOUNDED;
@@ -82,7 +83,8 @@ struct MatrixCell
       return unbounded || (uniform && this->Region == vtkParticipatingMedium::BOX);
     }
     const bool mie = this->Phase == MATRIX_MIE_HAZY || this->Phase == MATRIX_MIE_MURKY;
-    return uniform && (unbounded || lightInside) && !mie &&
+    const bool poles = !mie && medium->GetNumberOfPhasePoles() > 0;
+    return uniform && (unbounded || lightInside) && poles &&
       (this->Light == MATRIX_POINT || this->Light == MATRIX_SPOT);
   }
 

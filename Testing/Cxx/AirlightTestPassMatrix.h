@@ -143,7 +143,7 @@ inline void PassMatrix::Place(const MatrixCell& cell, bool parallel, bool plane,
   }
   this->Light->SetColor(4.0, 7.0, 2.0);
   this->Actor->SetVisibility(plane);
-  this->Closed = cell.HasClosedForm(lightInside);
+  this->Closed = cell.HasClosedForm(lightInside, medium);
 }
 
 //------------------------------------------------------------------------------

@@ -89,7 +89,7 @@ void RunCell(const MatrixCell& cell, int i, vtkParticipatingMedium* medium, Rand
   const double t1 = i % 3 == 0 ? inf : t0 + random.Uniform(0.5, 15.0);
 
   const MatrixReference reference(medium, light);
-  const bool isClosed = cell.HasClosedForm(reference.IsInside(position));
+  const bool isClosed = cell.HasClosedForm(reference.IsInside(position), medium);
   double rgb[3];
   vtkAirlight::Inscatter(medium, light, &origin.x, &direction.x, t0, t1, rgb);
   for (int k = 0; k < 3; ++k)

@@ -206,21 +206,34 @@ void TestFormulas(Comparisons& comparisons)
 }
 
 //------------------------------------------------------------------------------
+// A table that poles do not follow within the tolerance is used as it is, without poles and without
+// an error (TestAirlightPassMatrix holds the airlight against it).
+void CompareTableFit(Medium* medium, const std::string& name, Comparisons& comparisons)
+{
+  comparisons.Tolerance.Add(
+    medium->GetPhaseErrorBound(), medium->GetPhaseTolerance(), [&] { return name; });
+  if (medium->GetNumberOfPhasePoles() > 0)
+  {
+    CompareFit(medium, name, comparisons.Bound);
+  }
+  else
+  {
+    comparisons.Exact.Add(medium->GetPhaseErrorBound(), 1e-300, [&] { return name; });
+  }
+}
+
 void TestTables(Comparisons& comparisons)
 {
   for (int kind = 0; kind < TEST_TABLES; ++kind)
   {
     const std::string name = TestTableName(kind);
     vtkNew<Medium> medium;
-    // Some cannot be followed to the tolerance, and say so.
     ErrorListener warnings(medium, vtkCommand::WarningEvent);
     medium->SetPhaseTable(MakeTable(kind));
     medium->SetPhaseFunctionToTabulated();
     CompareFunction(medium, name, comparisons);
-    CompareFit(medium, name, comparisons.Bound);
-    const bool above = medium->GetPhaseErrorBound() > medium->GetPhaseTolerance();
-    comparisons.Tolerance.Add(std::abs(warnings.Take() - (above ? 1 : 0)), 0.5,
-      [&] { return name + ": a warning where the tolerance is missed, and only there"; });
+    CompareTableFit(medium, name, comparisons);
+    comparisons.Tolerance.Add(warnings.Take(), 0.5, [&] { return name + ": a warning"; });
     std::cout << name << ": bound " << medium->GetPhaseErrorBound() << " with "
               << medium->GetNumberOfPhasePoles() << " poles\n";
 
@@ -244,7 +257,7 @@ void TestTables(Comparisons& comparisons)
       const double same = scaled->EvaluatePhaseFunction(mu);
       comparisons.Table.Add(std::abs(same / value - 1.0), 1e-12, describe);
     }
-    CompareFit(scaled, name + " times 1000", comparisons.Bound);
+    CompareTableFit(scaled, name + " times 1000", comparisons);
   }
 }
 }
