@@ -19,6 +19,21 @@
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+const char* const RecordDefinition = "#define AIRLIGHT_RECORD\n";
+
+// What the pass states of the airlight's relative error, beside the phase function's (see
+// Documentation/accuracy.md).
+constexpr float ClosedFormError = 1e-4f;
+constexpr float QuadratureError = 1e-3f;
+
+bool IsQuadrature(const airlight::f64::AirlightLight& light)
+{
+  return light.kind == AIRLIGHT_POINT_QUADRATURE || light.kind == AIRLIGHT_DIRECTIONAL_QUADRATURE;
+}
+}
+
 namespace airlight
 {
 //------------------------------------------------------------------------------
@@ -106,10 +121,10 @@ bool Frame::BindScene()
 //------------------------------------------------------------------------------
 std::vector<vtkTextureObject*> Frame::GetScatterTargets()
 {
-  std::vector<vtkTextureObject*> targets = { this->Textures.Scattered, this->Textures.Lit,
-    this->Textures.Counts };
+  std::vector<vtkTextureObject*> targets = { this->Textures.Scattered, this->Textures.Lit };
   if (this->Settings.Record)
   {
+    targets.push_back(this->Textures.Counts);
     targets.push_back(this->Textures.Single);
   }
   return targets;
@@ -206,7 +221,8 @@ bool Frame::ScatterLight(int index)
 bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
   const bool shadows = lists != Lists::None;
-  const std::string source = (shadows ? "#version 430\n" : "#version 330\n") +
+  const std::string source = std::string(shadows ? "#version 430\n" : "#version 330\n") +
+    (this->Settings.Record ? RecordDefinition : "") +
     GetScatteringSource(
       this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
     AirlightViewShader +
@@ -241,6 +257,12 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
     bit[index / BitsPerChannel] = std::ldexp(1.0f, index % BitsPerChannel);
   }
   program->SetUniform4f("litBit", &bit.x);
+  if (this->Settings.Record)
+  {
+    program->SetUniformf("phaseError", static_cast<float>(this->Settings.PhaseErrorBound));
+    program->SetUniformf(
+      "error", IsQuadrature(this->Lamps[index].Values) ? QuadratureError : ClosedFormError);
+  }
   if (shadows)
   {
     this->Boundaries.Use(program);
@@ -263,8 +285,7 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
 //------------------------------------------------------------------------------
 bool Frame::ReadyComposite(bool record, int x, int y)
 {
-  const std::string source = std::string("#version 330\n") +
-    (record ? "#define AIRLIGHT_RECORD\n" : "") +
+  const std::string source = std::string("#version 330\n") + (record ? RecordDefinition : "") +
     GetScatteringSource(this->Media, AIRLIGHT_POINT_CLOSED, false) + AirlightViewShader +
     AirlightCompositeFS;
   Quad& quad = record ? this->RecordQuad : this->CompositeQuad;
@@ -275,6 +296,10 @@ bool Frame::ReadyComposite(bool record, int x, int y)
   }
   SetMediaUniforms(program, "media", this->Media);
   this->Rays->SetUniforms(program, x, y);
+  if (record)
+  {
+    program->SetUniformf("error", ClosedFormError);
+  }
   return true;
 }
 
@@ -283,7 +308,8 @@ void Frame::DrawComposite(Quad& quad)
 {
   quad.Draw({ { "distances", this->Textures.Distances }, { "scene", this->Textures.Scene },
     { "sceneDepth", this->Textures.Depth }, { "scattered", this->Textures.Scattered },
-    { "airlightData", this->Data.GetTexture() } });
+    { "airlightData", this->Data.GetTexture() },
+    { "counts", &quad == &this->RecordQuad ? this->Textures.Counts.Get() : nullptr } });
 }
 
 //------------------------------------------------------------------------------
@@ -339,6 +365,7 @@ bool Frame::Record()
   this->Buffers["Airlight"] = this->Textures.Read(1, 0, 3);
   this->Buffers["Surface"] = this->Textures.Read(2, 0, 3);
   this->Buffers["Transmittance"] = this->Textures.Read(3, 0, 3);
+  this->Buffers["ErrorBound"] = this->Textures.Read(1, 3, 1);
   if (!this->Textures.Bind(
         { this->Textures.Scattered, this->Textures.Counts, this->Textures.Distances }, nullptr))
   {

@@ -44,6 +44,7 @@ struct FrameSettings
   bool SurfaceShadows = false;
   bool SurfaceGlow = false; // surfaces are lit by scattered light, too
   bool Record = false;
+  double PhaseErrorBound = 0.0;  // the largest of the media, relative
   std::uint64_t MemoryLimit = 0; // bytes
 };
 

@@ -25,8 +25,8 @@ bool Targets::Allocate(vtkTextureObject* texture, int components)
   if (texture->GetHandle() == 0)
   {
     texture->SetContext(this->Window);
-    texture->SetFormat(components == 1 ? GL_RED : GL_RGBA);
-    texture->SetInternalFormat(components == 1 ? GL_R32F : GL_RGBA32F);
+    texture->SetFormat(components == 1 ? GL_RED : components == 2 ? GL_RG : GL_RGBA);
+    texture->SetInternalFormat(components == 1 ? GL_R32F : components == 2 ? GL_RG32F : GL_RGBA32F);
     texture->SetDataType(GL_FLOAT);
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
@@ -53,8 +53,7 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool
   this->Height = height;
   this->Framebuffer->SetContext(window);
   bool ok = this->Allocate(this->Distances, 1) && this->Allocate(this->Scene, 4) &&
-    this->Allocate(this->Scattered, 4) && this->Allocate(this->Lit, 4) &&
-    this->Allocate(this->Counts, 1);
+    this->Allocate(this->Scattered, 4) && this->Allocate(this->Lit, 4);
   if (this->Depth->GetHandle() == 0)
   {
     this->Depth->SetContext(window);
@@ -66,9 +65,9 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool
   this->Depth->Resize(width, height);
   if (record)
   {
-    ok = ok && this->Allocate(this->Single, 4) && this->Allocate(this->Radiance, 4) &&
-      this->Allocate(this->Airlight, 4) && this->Allocate(this->Surface, 4) &&
-      this->Allocate(this->Transmittance, 4);
+    ok = ok && this->Allocate(this->Counts, 2) && this->Allocate(this->Single, 4) &&
+      this->Allocate(this->Radiance, 4) && this->Allocate(this->Airlight, 4) &&
+      this->Allocate(this->Surface, 4) && this->Allocate(this->Transmittance, 4);
   }
   this->Error = ok ? "" : "the graphics card refused a floating-point texture";
   return ok;

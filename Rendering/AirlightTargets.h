@@ -48,7 +48,7 @@ public:
   vtkNew<vtkTextureObject> Scene;
   vtkNew<vtkTextureObject> Scattered; // RGB: airlight, A: lit length
   vtkNew<vtkTextureObject> Lit;       // bits of lights, 24 a channel
-  vtkNew<vtkTextureObject> Counts;    // R: boundaries
+  vtkNew<vtkTextureObject> Counts;    // R: boundaries; G: error bound, recorded only
   vtkNew<vtkTextureObject> Single;    // recorded: one light's airlight
   vtkNew<vtkTextureObject> Radiance;  // recorded
   vtkNew<vtkTextureObject> Airlight;

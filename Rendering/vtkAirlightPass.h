@@ -225,6 +225,12 @@ public:
    *  - "Depth": distance along the unit ray, world units; -1 where there is no surface;
    *  - "LitLength": length of the ray inside the medium that light reaches, summed over lights;
    *  - "BoundaryCount": number of shadow planes that the ray crosses, summed over lights;
+   *  - "ErrorBound": how far each component of "Airlight" may be from the exact integral, W/(m^2 sr):
+   *    for each light the error bound of the medium's phase function
+   *    (vtkParticipatingMedium::GetPhaseErrorBound()) times the light's airlight, and 1e-4 (closed
+   *    forms) or 1e-3 (quadrature) of the airlight that the ray would have without shadows; and 1e-4
+   *    of the ambient part. A ray that meets the very edge of a shadow within rounding, some 1e-6
+   *    of its distance, may fall on either side of it, which this does not count;
    *  - "Airlight:0", "Airlight:1", ... (RGB): the airlight of each switched-on light, in the order
    *    of the renderer's lights.
    */

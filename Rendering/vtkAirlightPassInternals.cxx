@@ -222,6 +222,10 @@ bool vtkAirlightPass::Internals::RenderFrame(
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Record = this->Self->RecordBuffers;
+  for (vtkParticipatingMedium* medium : media)
+  {
+    settings.PhaseErrorBound = std::max(settings.PhaseErrorBound, medium->GetPhaseErrorBound());
+  }
   settings.MemoryLimit = static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20;
 
   vtkOpenGLState* state = window->GetState();

@@ -8,7 +8,9 @@ uniform sampler2D scattered;
 
 layout(location = 0) out vec4 radiance;
 #ifdef AIRLIGHT_RECORD
-layout(location = 1) out vec4 airlight;
+uniform sampler2D counts;
+uniform float error; // of what the media scatter of the ambient light, relative
+layout(location = 1) out vec4 airlight; // radiance; error bound
 layout(location = 2) out vec4 surface;
 layout(location = 3) out vec4 transmittance;
 #endif
@@ -25,13 +27,14 @@ void main()
   vec3 direction = normalize(airlightDirection(p));
   float end = t >= 0.0 ? t : AIRLIGHT_FAR;
   vec3 passes = exp(-airlightDepth(media, origin, direction, end));
-  vec3 added =
-    texelFetch(scattered, pixel, 0).rgb + airlightAmbient(media, origin, direction, end);
+  vec3 ambient = airlightAmbient(media, origin, direction, end);
+  vec3 added = texelFetch(scattered, pixel, 0).rgb + ambient;
   // A picture with a transparent background becomes as opaque as the medium is.
   float opacity = 1.0 - (1.0 - colour.a) * dot(passes, vec3(1.0 / 3.0));
   radiance = vec4(added + passes * colour.rgb, opacity);
 #ifdef AIRLIGHT_RECORD
-  airlight = vec4(added, 1.0);
+  airlight = vec4(added,
+    texelFetch(counts, pixel, 0).g + error * max(ambient.r, max(ambient.g, ambient.b)));
   surface = vec4(t >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
   transmittance = vec4(passes, 1.0);
 #else

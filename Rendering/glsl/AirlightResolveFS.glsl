@@ -6,6 +6,10 @@ uniform AirlightLight light;
 uniform sampler2D distances;
 uniform int startCount; // shadow volumes that hold the ray's start
 uniform vec4 litBit;    // what to add where the surface is lit
+#ifdef AIRLIGHT_RECORD
+uniform float phaseError; // of the medium's fitted phase function, relative
+uniform float error;      // of the integration, of the ray's airlight without shadows
+#endif
 
 // The light's own pixel, its whole part and the rest, and what the distance between light and ray
 // grows by per pixel away from it.
@@ -17,8 +21,10 @@ uniform vec3 lightPerY;
 
 layout(location = 0) out vec4 airlight; // radiance; lit length
 layout(location = 1) out vec4 lit;
-layout(location = 2) out vec4 boundaryCount;
+#ifdef AIRLIGHT_RECORD
+layout(location = 2) out vec4 counts; // boundaries; error bound
 layout(location = 3) out vec4 single; // this light's own
+#endif
 
 float lightDistance(vec2 p)
 {
@@ -26,6 +32,22 @@ float lightDistance(vec2 p)
   float l = length(q.x * lightPerX + q.y * lightPerY);
   return airlightParallel != 0 ? l : l / length(airlightDirection(p));
 }
+
+#ifdef AIRLIGHT_RECORD
+float brightest(vec3 colour)
+{
+  return max(colour.r, max(colour.g, colour.b));
+}
+
+// Scattered along the whole ray, shadows or not.
+vec3 unshadowed(AirlightRay ray)
+{
+  vec3 tail = airlightTail3(media, light, ray, ray.lit.x);
+  return ray.lit.y > ray.lit.x ? airlightInterval3(media, light, ray, ray.lit.x, tail, ray.lit.y,
+                                   airlightTail3(media, light, ray, ray.lit.y))
+                               : vec3(0.0);
+}
+#endif
 
 void main()
 {
@@ -92,7 +114,15 @@ void main()
     sigmaS += media.item[i].sigmaS;
   }
   airlight = vec4(mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0))), litLength);
-  single = airlight;
   lit = state == AIRLIGHT_END && shadows <= 0 ? litBit : vec4(0.0);
-  boundaryCount = vec4(float(boundaries));
+#ifdef AIRLIGHT_RECORD
+  single = airlight;
+  bool shadowless = boundaries == 0 && startCount <= 0;
+  vec3 whole = shadowless ? sum : unshadowed(ray);
+  whole = mix(vec3(0.0), whole, greaterThan(sigmaS, vec3(0.0)));
+  // A ray that takes several draws has this error once.
+  float bound = phaseError * brightest(airlight.rgb) +
+    (state == AIRLIGHT_PAUSE ? 0.0 : error * brightest(whole));
+  counts = vec4(float(boundaries), bound, 0.0, 0.0);
+#endif
 }

@@ -244,8 +244,8 @@ public:
   Buffers CopyBuffers()
   {
     Buffers copies;
-    for (const char* name :
-      { "Radiance", "Airlight", "Surface", "Transmittance", "Depth", "LitLength", "BoundaryCount" })
+    for (const char* name : { "Radiance", "Airlight", "Surface", "Transmittance", "Depth",
+           "LitLength", "BoundaryCount", "ErrorBound" })
     {
       copies[name] = vtkSmartPointer<vtkImageData>::New();
       if (Check(this->GetBuffer(name) != nullptr, std::string("there is a buffer ") + name))
