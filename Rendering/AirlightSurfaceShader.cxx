@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <regex>
-#include <set>
 
 namespace airlight
 {
@@ -88,19 +87,8 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
 
   // VTK names the lights lightColor0, lightColor1, ...
   static const std::regex lightColor("\\blightColor([0-9]+)\\b");
-  std::set<int> used;
-  for (std::sregex_iterator it(body.begin(), body.end(), lightColor), end; it != end; ++it)
-  {
-    used.insert(std::stoi((*it)[1]));
-  }
-  std::string arrives;
-  for (int k : used)
-  {
-    const std::string number = std::to_string(k);
-    arrives += "  vec3 airlightArrives" + number + " = " +
-      (k < text.LampCount ? "airlightArrives(" + number + ")" : "vec3(1.0)") + ";\n";
-  }
-  std::string lit = std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrives$1)");
+  const bool anyLight = std::regex_search(body, lightColor);
+  std::string lit = std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])");
   lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
   const std::string writeDistance = "    gl_FragData[0] = vec4(airlightFragmentDistance());\n";
   const std::string early = MayLeaveEarly(body)
@@ -108,7 +96,7 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
     : "";
   const std::string late = "  if (airlightStage == 0)\n  {\n" + writeDistance + "  }\n";
   fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
-    "\n" + early + arrives + lit + (early.empty() ? late : ""));
+    "\n" + early + (anyLight ? "  airlightReceive();\n" : "") + lit + (early.empty() ? late : ""));
   fragmentShader.insert(mainStart, Declarations(text));
 }
 
@@ -162,6 +150,7 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     program->SetUniform4fv("airlightLamps", static_cast<int>(lamps.size()), &lamps[0].x);
   }
+  program->SetUniformi("airlightLampCount", static_cast<int>(lamps.size()));
   SetPhotometries(program, *values.Lamps);
   program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
   if (values.Glow)

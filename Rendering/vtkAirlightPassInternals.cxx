@@ -182,7 +182,8 @@ void vtkAirlightPass::Internals::UpdateSurfaceShader(
     GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
   if (lampCount > this->MapperText.LampCount || source != this->MapperText.Mathematics)
   {
-    this->MapperText.LampCount = std::max(this->MapperText.LampCount, 2 * lampCount);
+    // Some more, so that another lamp does not make other shaders.
+    this->MapperText.LampCount = std::max(this->MapperText.LampCount, (lampCount + 7) / 8 * 8);
     this->MapperText.GlowLightCount =
       glows ? std::min(this->MapperText.LampCount, MaximumGlowLights) : 0;
     this->MapperText.Mathematics = source;

@@ -50,7 +50,7 @@ vtkSmartPointer<vtkImageData> GetExposedBuffer(
 const std::vector<std::string>& GetBufferNames()
 {
   static const std::vector<std::string> names = { "Radiance", "Airlight", "Surface",
-    "Transmittance", "Depth", "LitLength", "BoundaryCount" };
+    "Transmittance", "Depth", "LitLength", "BoundaryCount", "ErrorBound" };
   return names;
 }
 

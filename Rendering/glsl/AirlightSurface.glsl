@@ -5,6 +5,7 @@ uniform int airlightStage; // 0: write distances, 1: write colours
 uniform AirlightMedia airlightMedia;
 // w 1: position; 0: direction towards a light at infinity; -1: left as VTK shades it
 uniform vec4 airlightLamps[AIRLIGHT_LAMPS];
+uniform int airlightLampCount;
 uniform sampler2D airlightLit;              // bits of the lights that reach the pixel's surface
 uniform int airlightUseLit;
 #if AIRLIGHT_HAS_PHOTOMETRY
@@ -12,10 +13,13 @@ uniform AirlightPhotometry airlightPhotometries[AIRLIGHT_LAMPS];
 uniform int airlightGoniometric[AIRLIGHT_LAMPS]; // 1: light k shines by its table
 #endif
 
-// The share of light k that arrives: transmittance, 0 in shadow.
-vec3 airlightArrives(int k)
+// The share of each light that arrives; see airlightReceive().
+vec3 airlightArrived[AIRLIGHT_LAMPS];
+
+// The share of light k that arrives at a point: transmittance, 0 in shadow.
+vec3 airlightShare(int k, vec3 point)
 {
-  if (airlightStage == 0 || airlightLamps[k].w < 0.0)
+  if (airlightLamps[k].w < 0.0)
   {
     return vec3(1.0);
   }
@@ -28,9 +32,6 @@ vec3 airlightArrives(int k)
       return vec3(0.0);
     }
   }
-  vec2 p = airlightPixel();
-  vec3 point =
-    airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
   vec3 share = exp(-(airlightLamps[k].w == 0.0
       ? airlightSunDepths(airlightMedia, point, airlightLamps[k].xyz)
       : airlightDepthBetween(airlightMedia, point, airlightLamps[k].xyz)));
@@ -41,4 +42,18 @@ vec3 airlightArrives(int k)
   }
 #endif
   return share;
+}
+
+// In a loop and before the mapper's own lines of every light: compilers take time for what is there
+// several times.
+void airlightReceive()
+{
+  vec2 p = airlightPixel();
+  vec3 point =
+    airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
+  int count = airlightStage == 0 ? 0 : airlightLampCount;
+  for (int k = 0; k < count; k++)
+  {
+    airlightArrived[k] = airlightShare(k, point);
+  }
 }

@@ -157,6 +157,7 @@ class TestPictures(ProgramTest):
 
     def test_buffers(self):
         for name, channels in (("Depth", 1), ("LitLength", 1), ("BoundaryCount", 1),
+                               ("ErrorBound", 1),
                                ("Transmittance", 3)):
             image = self.render(self.SCENE, name + ".pfm", "--buffer", name)
             self.assertEqual(image.shape, (120, 160, channels), name)
