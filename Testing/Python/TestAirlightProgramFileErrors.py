@@ -76,7 +76,8 @@ class TestBadFiles(SceneTest):
             good = file.read()
         output = self.path("x.png")
         for i, (content, words) in enumerate((
-                ("", ["empty"]), ("no photometry\n", [":1: "]), (good[:len(good) // 2], ["expected"]),
+                ("", ["empty"]), ("no photometry\n", [":1: "]),
+                (good[:len(good) // 2], ["expected"]),
                 (good.replace("236.4", "-236.4"), [":9: ", "-236.4"]),
                 (good.replace("236.4", "nan"), [":9: ", "nan"]))):
             with self.subTest(content=content[:30]):
