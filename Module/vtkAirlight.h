@@ -13,8 +13,8 @@
  * is normalised). t is the distance from the origin in world units. Radiance is in W/(m^2 sr) per
  * RGB channel when lights are given in W/sr and lengths in metres.
  *
- * Errors: values that are not finite or above 1e100, a direction of length 0 or a null medium give an error that
- * names the value, an answer of zeros, and the return value false. A reversed or empty interval
+ * Errors: values that are not finite or above 1e100, a direction of length 0 or a null medium give an
+ * error that names the value, an answer of zeros, and the return value false. A reversed or empty interval
  * gives zeros and true. Nothing is ever NaN.
  *
  * Source: the closed form of V. Biri, D. Arques and S. Michelin, "Real Time Rendering of
@@ -44,9 +44,10 @@ public:
    * Airlight that reaches `origin` from the part [t0, t1] of the ray, of a point light of radiant
    * intensity `radiantIntensity` [W/sr] at `lightPosition`, unshadowed:
    * the integral of sigma_s p(cosTheta) I/r^2 exp(-sigma_t (lengths inside the medium)) dt.
-   * t0 is clamped at 0. t1 may be infinite. Relative error: 1e-9 for an isotropic medium that
-   * holds the light, plus at most vtkParticipatingMedium::GetPhaseErrorBound() for others; 1e-6
-   * where the light is outside the medium's region.
+   * t0 is clamped at 0. t1 may be infinite. Relative error: 1e-9 in a uniform medium that is
+   * unbounded or a box or sphere that holds the light, and 1e-6 by quadrature in all others, and
+   * with Mie's phase functions or a table that no fit follows; to both comes at most
+   * vtkParticipatingMedium::GetPhaseErrorBound().
    */
   static bool Inscatter(vtkParticipatingMedium* medium, const double lightPosition[3],
     const double radiantIntensity[3], const double origin[3], const double direction[3], double t0,
@@ -55,9 +56,10 @@ public:
   /**
    * The same for a vtkLight: a point light or spot with any attenuation, or a directional light. A
    * directional light in an unbounded uniform medium arrives unattenuated. A light that is switched
-   * off gives zeros. Relative error: 1e-9 (plus the phase function's) for point lights and spots of
-   * exponent 0 with attenuation (0, 0, c) inside a uniform medium, for directional lights in a box
-   * or unbounded; 1e-6 for all others, which take quadrature.
+   * off gives zeros. Photometric files belong to a vtkAirlightPass and are not known here. Relative
+   * error (plus the phase function's): 1e-9 for point lights and spots of exponent 0 with attenuation
+   * (0, 0, c) where the function above has it, for directional lights in a box or unbounded; 1e-6 for
+   * all others, which take quadrature.
    */
   static bool Inscatter(vtkParticipatingMedium* medium, vtkLight* light, const double origin[3],
     const double direction[3], double t0, double t1, double rgb[3]);

@@ -10,21 +10,26 @@
  * @endcode
  * Every switched-on light of the renderer then lights the surfaces and the medium alike; both are
  * attenuated on the way from the light and on the way to the eye, and every opaque polygonal actor
- * casts a shadow through the medium and on the surfaces. Nothing is precomputed or sampled: the
- * light scattered into a ray comes from a closed form, and the shadows' edges from geometry.
+ * casts a shadow through the medium and on the surfaces. Nothing is sampled at random: the
+ * light scattered into a ray comes from a closed form or, where there is none, from quadrature, and
+ * the shadows' edges from geometry.
  *
  * All arithmetic is in linear radiance. What VTK's Phong shading shows is taken as linear; the
  * picture is written without tone mapping. See vtkAirlight::SetRadiantIntensity() for the units of
  * a vtkLight.
  *
  * Cost: the opaque scene is drawn twice (distances first, then colours); the closed form is
- * evaluated once per pixel and light, plus once per visible edge of a shadow volume; each
- * silhouette edge seen from a light is drawn as one quadrilateral.
+ * evaluated once per pixel and light, plus once per visible edge of a shadow volume, quadrature once
+ * per lit interval of a ray; each silhouette edge seen from a light is drawn as one quadrilateral.
  *
  * Limits:
  *  - A directional light in an unbounded uniform medium arrives unattenuated.
- *  - Lights outside the region of a bounded medium take quadrature in single precision: within 1e-3
- *    but on rays whose way to the light grazes a face, where it can be some 1e-3.
+ *  - What has no closed form takes quadrature in single precision: within 1e-3 but on rays whose way
+ *    to the light grazes a face of a region, where it can be some 1e-3. That is lights outside the
+ *    region of a bounded medium, with photometric files, other attenuations than the inverse square
+ *    or exponents; regions of closed surfaces; Mie's phase functions and tables that no fit
+ *    follows, but for directional lights in an unbounded medium or a box; directional lights in a
+ *    sphere; height fog, but for directional lights where it is unbounded; several media.
  *  - Headlights cast no shadows: they see what the camera sees.
  *  - Translucent surfaces and volumes cast no shadows, and are fogged as what lies behind them.
  *  - At most eight media; where they overlap, their coefficients add.
@@ -223,7 +228,8 @@ public:
    *  - "Surface" (RGB): the part that opaque surfaces sent, attenuated; 0 where there is none;
    *  - "Transmittance" (RGB): from the eye to the surface, or to the far side of the medium;
    *  - "Depth": distance along the unit ray, world units; -1 where there is no surface;
-   *  - "LitLength": length of the ray inside the medium that light reaches, summed over lights;
+   *  - "LitLength": length of the ray inside media (once where they overlap) that light reaches,
+   *    summed over lights;
    *  - "BoundaryCount": number of shadow planes that the ray crosses, summed over lights;
    *  - "ErrorBound": how far each component of "Airlight" may be from the exact integral, W/(m^2 sr):
    *    for each light the error bound of the medium's phase function

@@ -3,6 +3,8 @@
 #include "LightText.h"
 
 #include "OptionNumbers.h"
+#include "PhotometryFile.h"
+#include "UserError.h"
 
 #include <vtkMath.h>
 
@@ -40,6 +42,14 @@ bool IsApart(const Vector3& target, const Vector3& position, Vector3& direction)
 {
   vtkMath::Subtract(target.data(), position.data(), direction.data());
   return vtkMath::Norm(direction.data()) > 0.0;
+}
+
+void RequirePhotometry(const std::string& option, const std::string& text, const LightSource& light)
+{
+  if (light.PhotometryFile.empty())
+  {
+    throw UserError(option + " '" + text + "': expected behind the --ies FILE of its lamp");
+  }
 }
 
 std::string DescribeSpot()
@@ -98,6 +108,50 @@ LightSource ParseSun(const std::string& option, const std::string& text)
   }
   vtkMath::MultiplyScalar(light.Direction.data(), -1.0); // the light's travel
   return light;
+}
+
+//------------------------------------------------------------------------------
+void ParsePhotometry(const std::string& option, const std::string& text, LightSource& light)
+{
+  if (!light.PhotometryFile.empty())
+  {
+    throw UserError(option + " '" + text + "': the lamp before it has the photometric file '" +
+      light.PhotometryFile + "' already; expected one for each lamp");
+  }
+  try
+  {
+    CheckPhotometryFile(text);
+  }
+  catch (const UserError& error)
+  {
+    throw UserError(option + " " + error.what());
+  }
+  light.PhotometryFile = text;
+}
+
+//------------------------------------------------------------------------------
+void ParsePhotometryAim(const std::string& option, const std::string& text, LightSource& light)
+{
+  RequirePhotometry(option, text, light);
+  Vector3 target;
+  if (light.Type == LightSource::Kind::Spot)
+  {
+    throw UserError(option + " '" + text + "': expected behind a --point: a --spot aims itself");
+  }
+  if (!GetVector(text, target) || !IsApart(target, light.Position, light.Direction))
+  {
+    FailOption(option, text, "tx,ty,tz, another point than that of the lamp");
+  }
+}
+
+//------------------------------------------------------------------------------
+void ParsePhotometryUp(const std::string& option, const std::string& text, LightSource& light)
+{
+  RequirePhotometry(option, text, light);
+  if (!GetDirection(text, light.PhotometryUp))
+  {
+    FailOption(option, text, "ux,uy,uz, a direction other than 0");
+  }
 }
 
 }

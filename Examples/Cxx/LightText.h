@@ -26,6 +26,14 @@ LightSource ParseSpot(const std::string& option, const std::string& text);
 /// "dx,dy,dz:E": direction towards the sun, irradiance of a plane that faces it.
 LightSource ParseSun(const std::string& option, const std::string& text);
 
+///@{
+/// What goes with a point or spot: the photometric file, the point that a point lamp with such a
+/// file aims at, and the direction "ux,uy,uz" by which the file is turned.
+void ParsePhotometry(const std::string& option, const std::string& text, LightSource& light);
+void ParsePhotometryAim(const std::string& option, const std::string& text, LightSource& light);
+void ParsePhotometryUp(const std::string& option, const std::string& text, LightSource& light);
+///@}
+
 }
 
 #endif

@@ -136,6 +136,16 @@ std::string LocatedJson::GetString() const
 }
 
 //------------------------------------------------------------------------------
+bool LocatedJson::GetBoolean() const
+{
+  if (!this->GetValue().is_boolean())
+  {
+    this->Fail("must be true or false, not " + this->GetShortText());
+  }
+  return this->GetValue().get<bool>();
+}
+
+//------------------------------------------------------------------------------
 double LocatedJson::GetNumber(double low, double high) const
 {
   const auto& value = this->GetValue();

@@ -49,6 +49,7 @@ public:
    * The value itself, with the range it has to be in, ends included.
    */
   std::string GetString() const;
+  bool GetBoolean() const;
   double GetNumber(double low, double high) const;
   int GetInteger(int low, int high) const;
   Vector3 GetVector(double low = -std::numeric_limits<double>::max(),

@@ -3,6 +3,7 @@
 #include "MediumText.h"
 
 #include "OptionNumbers.h"
+#include "PhaseName.h"
 #include "Scene.h"
 
 #include <vtkParticipatingMedium.h>
@@ -11,6 +12,31 @@
 
 namespace airlight
 {
+
+//------------------------------------------------------------------------------
+void ParsePhase(const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
+{
+  const std::vector<std::string> parts = SplitText(text, ':');
+  const PhaseName* phase = FindPhaseName(parts[0]);
+  if (!phase)
+  {
+    FailOption(option, text, "one of " + ListPhaseNames() + "; for a table, use --phase-table");
+  }
+  if (!phase->Parameter && parts.size() != 1)
+  {
+    FailOption(option, text, parts[0] + " alone: it has no parameter");
+  }
+  double anisotropy = 0.0;
+  if (phase->Parameter &&
+    (parts.size() != 2 || !GetNumber(parts[1], anisotropy) ||
+      !IsInRange({ anisotropy }, -MaximumAnisotropy, MaximumAnisotropy)))
+  {
+    FailOption(option, text,
+      parts[0] + ":" + phase->Parameter + " with a number of -0.99 to 0.99 for " +
+        phase->Parameter);
+  }
+  SetPhase(medium, *phase, anisotropy);
+}
 
 //------------------------------------------------------------------------------
 void ParseBox(const std::string& option, const std::string& text, vtkParticipatingMedium* medium)

@@ -53,10 +53,15 @@ struct LightSource
 
   Kind Type = Kind::Point;
   Vector3 Position = { 0.0, 0.0, 0.0 };   ///< point and spot
-  Vector3 Direction = { 0.0, -1.0, 0.0 }; ///< of the light's travel; spot and directional
+  Vector3 Direction = { 0.0, -1.0, 0.0 }; ///< of the light's travel; all but plain points
   Vector3 Power = { 1.0, 1.0, 1.0 };      ///< radiant intensity W/sr; directional: irradiance W/m^2
   double ConeHalfAngle = 30.0;            ///< spot, degrees
   double Exponent = 0.0;                  ///< spot: intensity times cos(angle to the axis)^exponent
+
+  /// Point and spot: a photometric file, empty for none. A point shines along Direction then, and
+  /// Power is that of its brightest direction.
+  std::string PhotometryFile;
+  Vector3 PhotometryUp = { 0.0, 1.0, 0.0 }; ///< vtkAirlightPass::SetLightPhotometryUp()
 };
 
 struct Surface
@@ -74,6 +79,7 @@ struct Scene
   vtkSmartPointer<vtkParticipatingMedium> Medium;
   std::vector<LightSource> Lights;
   std::vector<Surface> Surfaces;
+  bool ScatteredSurfaceLight = false; ///< vtkAirlightPass::SetScatteredSurfaceLight()
 
   /**
    * Box around all surfaces: xmin, xmax, ymin, ymax, zmin, zmax. False if there is no surface.

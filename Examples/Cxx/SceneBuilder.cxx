@@ -43,6 +43,20 @@ vtkSmartPointer<vtkLight> MakeLight(const LightSource& source)
   return light;
 }
 
+void AddPhotometry(vtkAirlightPass* pass, vtkLight* light, const LightSource& source)
+{
+  if (!source.PhotometryFile.empty())
+  {
+    const VTKMessages messages;
+    if (!pass->SetLightPhotometry(light, source.PhotometryFile.c_str()))
+    {
+      throw UserError(messages.GetFirstError());
+    }
+    const Vector3& up = source.PhotometryUp;
+    pass->SetLightPhotometryUp(light, up[0], up[1], up[2]);
+  }
+}
+
 // The picture's camera, with a depth range that holds every surface. There may be none.
 void SetCamera(vtkRenderer* renderer, const Scene& scene)
 {
@@ -103,6 +117,11 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
     built.Pass->SetMedium(scene.Medium);
     built.Pass->SetShadowTechnique(settings.ShadowTechnique);
     built.Pass->SetRecordBuffers(settings.RecordBuffers);
+    built.Pass->SetScatteredSurfaceLight(scene.ScatteredSurfaceLight);
+    for (std::size_t i = 0; i < scene.Lights.size(); ++i)
+    {
+      AddPhotometry(built.Pass, built.Lights[i], scene.Lights[i]);
+    }
     built.Renderer->SetPass(built.Pass);
   }
   built.Window = vtkSmartPointer<vtkRenderWindow>::New();

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneOptions.h"
 
-#include "LightText.h"
+#include "MediumFile.h"
 #include "MediumText.h"
+#include "ModelReader.h"
 #include "ModelScene.h"
 #include "OptionText.h"
+#include "PhaseName.h"
+#include "UserError.h"
 
 #include <limits>
 #include <utility>
@@ -22,14 +25,29 @@ const char* const Description = R"(Lengths are in world units, colours linear.
 A model stands on its own: its camera looks along -z and sees all of it; a point lamp hangs above,
 to the left and in front; the medium is unbounded, isotropic and purely scattering, with a
 visibility of 10 times the diagonal of the box around the model. The options change all of that.
-Over a scene file, --point, --spot and --sun replace all of its lamps and add up with each other;
-any other option replaces what it names and leaves the rest as the file has it.)";
+Over a scene file, --point, --spot and --sun replace all of its lamps and add up with each other,
+and the --ies options change the lamp before them on the command line; any other option replaces
+what it names and leaves the rest as the file has it.)";
 
 // An option with one value, which leaves the words after it to others.
 CLI::Option* AddText(
   CLI::App* command, const char* name, std::vector<std::string>& texts, const char* help)
 {
   return command->add_option(name, texts, help)->expected(1)->allow_extra_args(false);
+}
+
+// To what is wrong with a file, add the option that names it.
+template <typename Task>
+void UseFile(const char* option, const std::string& file, const Task& task)
+{
+  try
+  {
+    task(file);
+  }
+  catch (const UserError& error)
+  {
+    throw UserError(std::string(option) + " " + error.what());
+  }
 }
 }
 
@@ -44,57 +62,33 @@ void SceneOptions::AddTo(CLI::App* command)
   AddText(command, "--size", this->Size, "Size of the picture, WxH pixels");
   AddText(command, "--camera", this->Camera,
     "px,py,pz:fx,fy,fz[:angle]: position, point looked at, vertical view angle in degrees");
-  this->AddLightOptions(command);
+  this->Lights.AddTo(command);
   this->AddMediumOptions(command);
-}
-
-//------------------------------------------------------------------------------
-void SceneOptions::AddLightOptions(CLI::App* command)
-{
-  const auto add = [command](const char* name, std::vector<std::string>& texts, const char* help) {
-    command->add_option(name, texts, help)->take_all()->allow_extra_args(false);
-  };
-  add("--point", this->Points,
-    "x,y,z:I: a point lamp, in place of the scene's lamps; I is its radiant intensity in W/sr, a "
-    "number or r,g,b. Repeat it for more lamps");
-  add("--spot", this->Spots,
-    "x,y,z:tx,ty,tz:ANGLE:I[:EXPONENT]: a spot at x,y,z that aims at tx,ty,tz, in place of the "
-    "scene's lamps. ANGLE is the half angle of its cone in degrees, above 0 and below 90; I is the "
-    "radiant intensity on its axis in W/sr, a number or r,g,b; off the axis it falls with the "
-    "cosine to the power of EXPONENT, 0 to 128 (default 0: even up to a hard edge). Repeat it for "
-    "more");
-  add("--sun", this->Suns,
-    "dx,dy,dz:E: a sun that stands in the direction dx,dy,dz, in place of the scene's lamps; E is "
-    "the irradiance in W/m^2 of a surface that faces it, a number or r,g,b. Repeat it for more");
 }
 
 //------------------------------------------------------------------------------
 void SceneOptions::AddMediumOptions(CLI::App* command)
 {
-  std::vector<CLI::Option*> options;
+  std::vector<CLI::Option*> options = this->Lights.GetPassOptions();
   const auto add = [command, &options](const char* name, Text& text, const char* help) {
     options.push_back(AddText(command, name, text, help));
-    return options.back();
   };
   add("--scattering", this->Scattering, "r,g,b: scattering coefficient per world unit");
   add("--absorption", this->Absorption, "r,g,b: absorption coefficient per world unit");
   add("--visibility", this->Visibility,
     "Distance in world units at which a black object's contrast falls to 2 %; scales the "
     "coefficients");
-  add("--anisotropy", this->Anisotropy,
-    "Mean cosine g of the Henyey-Greenstein phase function, -0.99 to 0.99, above 0 forward; 0 is "
-    "isotropic");
+  this->AddPhaseOptions(command, options);
   add("--ambient", this->Ambient,
     "r,g,b: ambient radiance in W/(m^2 sr) that the medium scatters (default 0,0,0)");
-  CLI::Option* box = add("--box", this->Box,
-    "xmin,xmax,ymin,ymax,zmin,zmax: the medium fills this box, with vacuum around it");
-  CLI::Option* sphere = add("--sphere", this->Sphere,
-    "x,y,z:R: the medium fills this sphere of centre x,y,z and radius R, with vacuum around it");
-  box->excludes(sphere);
+  this->AddRegionOptions(command, options);
   add("--height-fog", this->HeightFog,
     "REFERENCE:SCALE[:ux,uy,uz]: the medium thins out with height and has its coefficients at the "
     "height REFERENCE, 1/e of them SCALE above it; heights are along ux,uy,uz from the origin "
     "(default 0,1,0)");
+  options.push_back(command->add_flag("--glow", this->Glow,
+    "Light surfaces also by the light that the medium scatters onto them; slow without a graphics "
+    "card"));
   options.push_back(command->add_option("--technique", this->Technique, "Shadow technique")
                       ->check(CLI::IsMember({ "Automatic", "ShadowPlanes", "None" }))
                       ->capture_default_str());
@@ -107,8 +101,43 @@ void SceneOptions::AddMediumOptions(CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
+void SceneOptions::AddPhaseOptions(CLI::App* command, std::vector<CLI::Option*>& options)
+{
+  CLI::Option* anisotropy = AddText(command, "--anisotropy", this->Anisotropy,
+    "Mean cosine g of the Henyey-Greenstein phase function, -0.99 to 0.99, above 0 forward; 0 is "
+    "isotropic");
+  CLI::Option* phase = AddText(command, "--phase", this->Phase,
+    "Phase function: isotropic, rayleigh, mie_hazy, mie_murky, henyey_greenstein:g, schlick:k or "
+    "cornette_shanks:g, with g or k from -0.99 to 0.99, above 0 forward");
+  CLI::Option* table = AddText(command, "--phase-table", this->PhaseTable,
+    "FILE: measured phase function, lines of angle,value: the scattering angle in degrees, "
+    "ascending from 0 (forward) to 180, and a value above 0 in any unit");
+  anisotropy->excludes(phase)->excludes(table);
+  phase->excludes(table);
+  options.insert(options.end(), { anisotropy, phase, table });
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::AddRegionOptions(CLI::App* command, std::vector<CLI::Option*>& options)
+{
+  CLI::Option* box = AddText(command, "--box", this->Box,
+    "xmin,xmax,ymin,ymax,zmin,zmax: the medium fills this box, with vacuum around it");
+  CLI::Option* sphere = AddText(command, "--sphere", this->Sphere,
+    "x,y,z:R: the medium fills this sphere of centre x,y,z and radius R, with vacuum around it");
+  CLI::Option* surface = AddText(command, "--surface", this->Surface,
+    "FILE: the medium fills this closed mesh, any kind of model, with vacuum around it");
+  box->excludes(sphere)->excludes(surface);
+  sphere->excludes(surface);
+  options.insert(options.end(), { box, sphere, surface });
+}
+
+//------------------------------------------------------------------------------
 Scene SceneOptions::Load() const
 {
+  for (const std::string& file : this->Surface) // before the first file is read
+  {
+    UseFile("--surface", file, CheckModelFile);
+  }
   Scene scene = ReadSceneOrModel(this->FileName);
   for (const std::string& text : this->Size)
   {
@@ -118,31 +147,14 @@ Scene SceneOptions::Load() const
   {
     scene.Camera = ParseCamera("--camera", text, scene.Camera);
   }
-  this->ChangeLights(scene.Lights);
+  std::vector<LightSource> lights = this->Lights.Read();
+  if (!lights.empty())
+  {
+    scene.Lights = std::move(lights);
+  }
   this->ChangeMedium(scene.Medium);
+  scene.ScatteredSurfaceLight = scene.ScatteredSurfaceLight || this->Glow;
   return scene;
-}
-
-//------------------------------------------------------------------------------
-void SceneOptions::ChangeLights(std::vector<LightSource>& lights) const
-{
-  std::vector<LightSource> wanted;
-  for (const std::string& point : this->Points)
-  {
-    wanted.push_back(ParsePoint("--point", point));
-  }
-  for (const std::string& spot : this->Spots)
-  {
-    wanted.push_back(ParseSpot("--spot", spot));
-  }
-  for (const std::string& sun : this->Suns)
-  {
-    wanted.push_back(ParseSun("--sun", sun));
-  }
-  if (!wanted.empty())
-  {
-    lights = std::move(wanted);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -160,17 +172,39 @@ void SceneOptions::ChangeMedium(vtkParticipatingMedium* medium) const
   {
     medium->SetVisibility(ParseNumber("--visibility", text, Smallest, Largest));
   }
-  for (const std::string& text : this->Anisotropy)
-  {
-    const double g = ParseNumber("--anisotropy", text, -0.99, 0.99);
-    medium->SetPhaseFunction(
-      g == 0.0 ? vtkParticipatingMedium::ISOTROPIC : vtkParticipatingMedium::HENYEY_GREENSTEIN);
-    medium->SetAnisotropy(g);
-  }
+  this->ChangePhase(medium);
   for (const std::string& text : this->Ambient)
   {
     medium->SetAmbientRadiance(ParseColor("--ambient", text).data());
   }
+  this->ChangeRegion(medium);
+  for (const std::string& text : this->HeightFog)
+  {
+    ParseHeightFog("--height-fog", text, medium);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::ChangePhase(vtkParticipatingMedium* medium) const
+{
+  for (const std::string& text : this->Anisotropy)
+  {
+    SetPhase(medium, *FindPhaseName("henyey_greenstein"),
+      ParseNumber("--anisotropy", text, -MaximumAnisotropy, MaximumAnisotropy));
+  }
+  for (const std::string& text : this->Phase)
+  {
+    ParsePhase("--phase", text, medium);
+  }
+  for (const std::string& file : this->PhaseTable)
+  {
+    UseFile("--phase-table", file, [medium](const auto& name) { ReadPhaseTable(name, medium); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::ChangeRegion(vtkParticipatingMedium* medium) const
+{
   for (const std::string& text : this->Box)
   {
     ParseBox("--box", text, medium);
@@ -179,9 +213,9 @@ void SceneOptions::ChangeMedium(vtkParticipatingMedium* medium) const
   {
     ParseSphere("--sphere", text, medium);
   }
-  for (const std::string& text : this->HeightFog)
+  for (const std::string& file : this->Surface)
   {
-    ParseHeightFog("--height-fog", text, medium);
+    UseFile("--surface", file, [medium](const auto& name) { ReadMediumSurface(name, medium); });
   }
 }
 

@@ -3,6 +3,7 @@
 #ifndef SceneOptions_h
 #define SceneOptions_h
 
+#include "LightOptions.h"
 #include "Scene.h"
 #include "SceneBuilder.h"
 
@@ -37,9 +38,11 @@ public:
   RenderSettings GetSettings() const;
 
 private:
-  void AddLightOptions(CLI::App* command);
   void AddMediumOptions(CLI::App* command);
-  void ChangeLights(std::vector<LightSource>& lights) const;
+  void AddPhaseOptions(CLI::App* command, std::vector<CLI::Option*>& options);
+  void AddRegionOptions(CLI::App* command, std::vector<CLI::Option*>& options);
+  void ChangePhase(vtkParticipatingMedium* medium) const;
+  void ChangeRegion(vtkParticipatingMedium* medium) const;
   void ChangeMedium(vtkParticipatingMedium* medium) const;
 
   std::string FileName;
@@ -49,18 +52,20 @@ private:
 
   Text Size;
   Text Camera;
-  std::vector<std::string> Points;
-  std::vector<std::string> Spots;
-  std::vector<std::string> Suns;
+  LightOptions Lights;
   Text Scattering;
   Text Absorption;
   Text Visibility;
   Text Anisotropy;
+  Text Phase;
+  Text PhaseTable;
   Text Ambient;
   Text Box;
   Text Sphere;
+  Text Surface;
   Text HeightFog;
   std::string Technique = "Automatic";
+  bool Glow = false;
   bool NoMedium = false;
 };
 

@@ -5,12 +5,14 @@
 #include "LambertActor.h"
 #include "LocatedJson.h"
 #include "ModelReader.h"
-#include "UserError.h"
+#include "PhotometryFile.h"
+#include "SceneFile.h"
+#include "SceneMediumReader.h"
 
 #include <vtkMath.h>
 
-#include <filesystem>
-#include <system_error>
+#include <string>
+#include <vector>
 
 namespace airlight
 {
@@ -18,17 +20,6 @@ namespace airlight
 namespace
 {
 constexpr int MaximumImageSize = 16384;
-constexpr double MaximumAnisotropy = 0.99;
-
-Vector3 ReadDirection(const LocatedJson& json)
-{
-  const Vector3 direction = json.GetVector(-LargestNumber, LargestNumber);
-  if (vtkMath::Norm(direction.data()) == 0.0)
-  {
-    json.Fail("must not be zero");
-  }
-  return direction;
-}
 
 CameraSettings ReadCamera(const LocatedJson& json)
 {
@@ -36,7 +27,7 @@ CameraSettings ReadCamera(const LocatedJson& json)
   CameraSettings camera;
   camera.Position = json["position"].GetVector(-LargestNumber, LargestNumber);
   camera.FocalPoint = json["focal_point"].GetVector(-LargestNumber, LargestNumber);
-  camera.ViewUp = ReadDirection(json["view_up"]);
+  camera.ViewUp = ReadSceneDirection(json["view_up"]);
   camera.ViewAngle = json["view_angle_deg"].GetNumber(0.001, 179.0);
   Vector3 forward;
   Vector3 right;
@@ -54,192 +45,121 @@ CameraSettings ReadCamera(const LocatedJson& json)
   return camera;
 }
 
-void ReadPhase(const LocatedJson& json, vtkParticipatingMedium* medium)
+// How a lamp shines into all directions, from a photometric file.
+void ReadPhotometry(const LocatedJson& json, const std::string& sceneFile, LightSource& light)
 {
-  json.CheckKeys({ "type" }, { "g" });
-  const std::string type = json["type"].GetString();
-  if (type != "isotropic" && type != "henyey_greenstein")
+  light.PhotometryFile = FindSceneFile(json["photometry"], sceneFile);
+  UseSceneFile(json["photometry"], [&light] { CheckPhotometryFile(light.PhotometryFile); });
+  if (json.Has("photometry_up"))
   {
-    json["type"].Fail("must be \"isotropic\" or \"henyey_greenstein\", not \"" + type + "\"");
+    light.PhotometryUp = ReadSceneDirection(json["photometry_up"]);
   }
-  if (type == "henyey_greenstein")
+  if (json.Has("direction"))
   {
-    json.CheckKeys({ "type", "g" });
-    const double g = json["g"].GetNumber(-MaximumAnisotropy, MaximumAnisotropy);
-    if (g != 0.0) // where both are the same, the isotropic one is exact
-    {
-      medium->SetPhaseFunctionToHenyeyGreenstein();
-      medium->SetAnisotropy(g);
-    }
-  }
-  else
-  {
-    json.CheckKeys({ "type" });
+    light.Direction = ReadSceneDirection(json["direction"]);
   }
 }
 
-void ReadBox(const LocatedJson& json, vtkParticipatingMedium* medium)
+void CheckLightKeys(const LocatedJson& json, LightSource::Kind type)
 {
-  json.CheckKeys({ "type", "min", "max" });
-  const Vector3 low = json["min"].GetVector(-LargestNumber, LargestNumber);
-  const Vector3 high = json["max"].GetVector(-LargestNumber, LargestNumber);
-  for (std::size_t i = 0; i < 3; ++i)
+  std::vector<std::string> optional = { "photometry" };
+  if (json.Has("photometry"))
   {
-    if (low[i] > high[i])
-    {
-      json["min"].Fail("must be at most medium.bounds.max in each coordinate");
-    }
+    optional.emplace_back("photometry_up");
   }
-  medium->SetRegionToBox();
-  medium->SetBounds(low[0], high[0], low[1], high[1], low[2], high[2]);
-}
-
-void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
-{
-  json.CheckKeys({ "type" }, { "min", "max", "center", "radius" });
-  const std::string type = json["type"].GetString();
-  if (type == "box")
+  switch (type)
   {
-    ReadBox(json, medium);
-  }
-  else if (type == "sphere")
-  {
-    json.CheckKeys({ "type", "center", "radius" });
-    medium->SetRegionToSphere();
-    medium->SetCenter(json["center"].GetVector(-LargestNumber, LargestNumber).data());
-    medium->SetRadius(json["radius"].GetNumber(0.0, LargestNumber));
-  }
-  else
-  {
-    json["type"].Fail("must be \"box\" or \"sphere\", not \"" + type + "\"");
+    case LightSource::Kind::Point:
+      if (json.Has("photometry"))
+      {
+        optional.emplace_back("direction");
+      }
+      json.CheckKeys({ "type", "position", "intensity" }, optional);
+      break;
+    case LightSource::Kind::Spot:
+      json.CheckKeys(
+        { "type", "position", "direction", "cone_half_angle_deg", "exponent", "intensity" },
+        optional);
+      break;
+    default:
+      json.CheckKeys({ "type", "direction", "irradiance" });
   }
 }
 
-void ReadDensity(const LocatedJson& json, vtkParticipatingMedium* medium)
+LightSource::Kind ReadLightType(const LocatedJson& json)
 {
-  json.CheckKeys({ "type", "reference_height", "scale_height" }, { "up" });
-  const std::string type = json["type"].GetString();
-  if (type != "exponential_height")
-  {
-    json["type"].Fail("must be \"exponential_height\", not \"" + type + "\"");
-  }
-  medium->SetDensityToExponentialHeight();
-  medium->SetReferenceHeight(json["reference_height"].GetNumber(-LargestNumber, LargestNumber));
-  medium->SetScaleHeight(json["scale_height"].GetNumber(SmallestScaleHeight, LargestNumber));
-  if (json.Has("up"))
-  {
-    medium->SetUp(ReadDirection(json["up"]).data());
-  }
-}
-
-vtkSmartPointer<vtkParticipatingMedium> ReadMedium(const LocatedJson& json)
-{
-  json.CheckKeys({ "sigma_s", "sigma_a", "phase" }, { "bounds", "density", "ambient_radiance" });
-  auto medium = vtkSmartPointer<vtkParticipatingMedium>::New();
-  medium->SetScattering(json["sigma_s"].GetVector(0.0, LargestNumber).data());
-  medium->SetAbsorption(json["sigma_a"].GetVector(0.0, LargestNumber).data());
-  ReadPhase(json["phase"], medium);
-  if (json.Has("bounds"))
-  {
-    ReadBounds(json["bounds"], medium);
-  }
-  if (json.Has("density"))
-  {
-    ReadDensity(json["density"], medium);
-  }
-  if (json.Has("ambient_radiance"))
-  {
-    medium->SetAmbientRadiance(json["ambient_radiance"].GetVector(0.0, LargestNumber).data());
-  }
-  return medium;
-}
-
-LightSource ReadLight(const LocatedJson& json)
-{
-  json.CheckKeys({ "type" },
-    { "position", "direction", "intensity", "irradiance", "cone_half_angle_deg", "exponent" });
-  LightSource light;
   const std::string type = json["type"].GetString();
   if (type == "point")
   {
-    json.CheckKeys({ "type", "position", "intensity" });
+    return LightSource::Kind::Point;
   }
-  else if (type == "spot")
+  if (type == "spot")
   {
-    light.Type = LightSource::Kind::Spot;
-    json.CheckKeys(
-      { "type", "position", "direction", "cone_half_angle_deg", "exponent", "intensity" });
+    return LightSource::Kind::Spot;
+  }
+  if (type != "directional")
+  {
+    json["type"].Fail("must be \"point\", \"spot\" or \"directional\", not \"" + type + "\"");
+  }
+  return LightSource::Kind::Directional;
+}
+
+LightSource ReadLight(const LocatedJson& json, const std::string& sceneFile)
+{
+  json.CheckKeys({ "type" },
+    { "position", "direction", "intensity", "irradiance", "cone_half_angle_deg", "exponent",
+      "photometry", "photometry_up" });
+  LightSource light;
+  light.Type = ReadLightType(json);
+  CheckLightKeys(json, light.Type);
+  if (light.Type == LightSource::Kind::Spot)
+  {
     light.ConeHalfAngle =
       json["cone_half_angle_deg"].GetNumber(SmallestConeAngle, LargestConeAngle);
     light.Exponent = json["exponent"].GetNumber(0.0, LargestExponent);
   }
-  else if (type == "directional")
-  {
-    light.Type = LightSource::Kind::Directional;
-    json.CheckKeys({ "type", "direction", "irradiance" });
-  }
-  else
-  {
-    json["type"].Fail("must be \"point\", \"spot\" or \"directional\", not \"" + type + "\"");
-  }
-  if (light.Type != LightSource::Kind::Directional)
+  const bool directional = light.Type == LightSource::Kind::Directional;
+  if (!directional)
   {
     light.Position = json["position"].GetVector(-LargestNumber, LargestNumber);
   }
   if (light.Type != LightSource::Kind::Point)
   {
-    light.Direction = ReadDirection(json["direction"]);
+    light.Direction = ReadSceneDirection(json["direction"]);
   }
-  const bool directional = light.Type == LightSource::Kind::Directional;
   light.Power = json[directional ? "irradiance" : "intensity"].GetVector(0.0, LargestNumber);
+  if (json.Has("photometry"))
+  {
+    ReadPhotometry(json, sceneFile, light);
+  }
   return light;
 }
 
-// The reference keeps scenes/ and meshes/ side by side, others may keep a mesh beside its scene.
-std::string FindMesh(const LocatedJson& json, const std::string& sceneFile)
+// The files of all surfaces, each looked at in a child process.
+std::vector<std::string> CheckSurfaces(const LocatedJson& json, const std::string& sceneFile)
 {
-  const std::string name = json.GetString();
-  const std::filesystem::path folder = std::filesystem::absolute(sceneFile).parent_path();
-  for (const auto& candidate : { folder / name, folder.parent_path() / name })
-  {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(candidate, error))
-    {
-      return candidate.string();
-    }
-  }
-  json.Fail("names a file that does not exist: \"" + name + "\" (looked in " + folder.string() +
-    " and in " + folder.parent_path().string() + ")");
-}
-
-std::vector<Surface> ReadSurfaces(const LocatedJson& json, const std::string& sceneFile)
-{
-  std::vector<Vector3> albedos;
   std::vector<std::string> files;
-  std::vector<LocatedJson> meshes;
   for (const LocatedJson& item : json.GetItems())
   {
     item.CheckKeys({ "mesh", "albedo" });
-    albedos.push_back(item["albedo"].GetVector(0.0, 1.0));
-    meshes.push_back(item["mesh"]);
-    files.push_back(FindMesh(meshes.back(), sceneFile));
+    item["albedo"].GetVector(0.0, 1.0);
+    files.push_back(FindSceneFile(item["mesh"], sceneFile));
   }
-  // All files are checked before the first is read: see CheckModelFile().
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    UseSceneFile(json.GetItems()[i]["mesh"], [&files, i] { CheckModelFile(files[i]); });
+  }
+  return files;
+}
+
+std::vector<Surface> ReadSurfaces(const LocatedJson& json, const std::vector<std::string>& files)
+{
   std::vector<Surface> surfaces;
-  for (std::size_t i = 0; i < files.size(); ++i)
+  for (const LocatedJson& item : json.GetItems())
   {
-    try
-    {
-      CheckModelFile(files[i]);
-    }
-    catch (const UserError& error)
-    {
-      meshes[i].Fail(std::string("cannot be used: ") + error.what());
-    }
-  }
-  for (std::size_t i = 0; i < files.size(); ++i)
-  {
-    surfaces.push_back({ files[i], MakeLambertActor(ReadMesh(files[i]), albedos[i]) });
+    const std::string& file = files[surfaces.size()];
+    const Vector3 albedo = item["albedo"].GetVector(0.0, 1.0);
+    surfaces.push_back({ file, MakeLambertActor(ReadMesh(file), albedo) });
   }
   return surfaces;
 }
@@ -249,7 +169,8 @@ std::vector<Surface> ReadSurfaces(const LocatedJson& json, const std::string& sc
 Scene ReadScene(const std::string& fileName)
 {
   const LocatedJson json = LocatedJson::ReadFile(fileName);
-  json.CheckKeys({ "image", "camera", "medium", "lights", "surfaces" }, { "name", "description" });
+  json.CheckKeys({ "image", "camera", "medium", "lights", "surfaces" },
+    { "name", "description", "scattered_surface_light" });
   Scene scene;
   scene.FileName = fileName;
   for (const char* text : { "name", "description" })
@@ -263,12 +184,18 @@ Scene ReadScene(const std::string& fileName)
   scene.Width = json["image"]["width"].GetInteger(1, MaximumImageSize);
   scene.Height = json["image"]["height"].GetInteger(1, MaximumImageSize);
   scene.Camera = ReadCamera(json["camera"]);
-  scene.Medium = ReadMedium(json["medium"]);
+  scene.Medium = ReadMedium(json["medium"], fileName);
   for (const LocatedJson& light : json["lights"].GetItems())
   {
-    scene.Lights.push_back(ReadLight(light));
+    scene.Lights.push_back(ReadLight(light, fileName));
   }
-  scene.Surfaces = ReadSurfaces(json["surfaces"], fileName);
+  scene.ScatteredSurfaceLight =
+    json.Has("scattered_surface_light") && json["scattered_surface_light"].GetBoolean();
+  // All files are checked before the first is read: see CheckModelFile().
+  const std::vector<std::string> files = CheckSurfaces(json["surfaces"], fileName);
+  CheckMediumBoundary(json["medium"], fileName);
+  ReadMediumBoundary(json["medium"], fileName, scene.Medium);
+  scene.Surfaces = ReadSurfaces(json["surfaces"], files);
   return scene;
 }
 

@@ -85,14 +85,21 @@ def write_pfm(path, image):
         file.write(np.ascontiguousarray(image[::-1], "<f4").tobytes())
 
 
+def write_mesh(mesh, path):
+    """A vtkPolyData, in the format that the name says."""
+    writer = {".obj": vtkOBJWriter, ".stl": vtkSTLWriter, ".ply": vtkPLYWriter,
+              ".vtp": vtkXMLPolyDataWriter}[os.path.splitext(path)[1]]()
+    writer.SetInputData(mesh)
+    writer.SetFileName(path)
+    writer.Write()
+
+
 def write_models(path):
     """A sphere in every format that VTK writes, and a tetrahedron and a triangle; their names."""
     sphere = vtkSphereSource()
-    for writer, name in ((vtkOBJWriter(), "a.obj"), (vtkSTLWriter(), "a.stl"),
-                         (vtkPLYWriter(), "a.ply"), (vtkXMLPolyDataWriter(), "a.vtp")):
-        writer.SetInputConnection(sphere.GetOutputPort())
-        writer.SetFileName(path(name))
-        writer.Write()
+    sphere.Update()
+    for name in ("a.obj", "a.stl", "a.ply", "a.vtp"):
+        write_mesh(sphere.GetOutput(), path(name))
     for name, text in (("b.obj", TETRAHEDRON), ("b.gltf", GLTF)):
         with open(path(name), "w") as file:
             file.write(text)
