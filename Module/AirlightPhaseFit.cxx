@@ -212,42 +212,64 @@ PhaseFit FitCornetteShanks(double g, double tolerance, int maximumPoles)
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+// So many samples to each row, and as many to each of 45 even steps: a table is flat beyond its ends.
+std::vector<double> TableSamples(const PhaseTable& table, int perRow)
+{
+  std::vector<double> samples = { 1e-6, 1e6 };
+  const std::vector<glm::dvec4>& rows = table.GetRows();
+  const int even = 45 * perRow;
+  for (int i = 1; i < even; ++i)
+  {
+    samples.push_back(std::tan(0.5 * M_PI * i / even));
+  }
+  for (size_t i = 1; i < rows.size(); ++i)
+  {
+    for (int j = 0; j < perRow; ++j)
+    {
+      samples.push_back(std::tan(0.5 * (rows[i - 1].x + (rows[i].x - rows[i - 1].x) * j / perRow)));
+    }
+  }
+  return samples;
+}
+
+// Whether more poles will not bring the error to the tolerance either: if each gains a little more
+// than the last two did on the average.
+bool IsHopeless(const std::vector<double>& errors, double tolerance, int maximumPoles)
+{
+  const size_t n = errors.size();
+  if (n < 4)
+  {
+    return false;
+  }
+  const double gain = 1.5 * std::sqrt(errors[n - 3] / errors[n - 1]);
+  return errors[n - 1] > tolerance * std::pow(gain, maximumPoles - static_cast<double>(n));
+}
+}
+
+//------------------------------------------------------------------------------
 PhaseFit FitTable(const PhaseTable& table, double tolerance, int maximumPoles)
 {
   const PhaseFunction function = [&](double s) { return table.Evaluate(s); };
-  // Between 2 and 16 samples to each row, and some where the table is flat beyond its ends.
-  const auto choose = [&](int perRow) {
-    std::vector<double> samples;
-    const std::vector<glm::dvec4>& rows = table.GetRows();
-    const int even = 45 * perRow;
-    for (int i = 1; i < even; ++i)
-    {
-      samples.push_back(std::tan(0.5 * M_PI * i / even));
-    }
-    for (size_t i = 1; i < rows.size(); ++i)
-    {
-      for (int j = 0; j < perRow; ++j)
-      {
-        samples.push_back(
-          std::tan(0.5 * (rows[i - 1].x + (rows[i].x - rows[i - 1].x) * j / perRow)));
-      }
-    }
-    samples.push_back(1e-6);
-    samples.push_back(1e6);
-    return samples;
-  };
-  const PoleFitter fitter(function, choose(4), 3);
-  const PoleFitter check(function, choose(32), 3);
+  const int rows = static_cast<int>(table.GetRows().size());
+  const int perRow = std::clamp(240 / rows, 1, 4);
+  const PoleFitter fitter(function, TableSamples(table, perRow), 3);
+  const PoleFitter check(function, TableSamples(table, 4 * perRow), 3);
   PhaseSearch search(fitter, check, tolerance);
   // From even ratios between a narrow peak and a wide one, forward alone or backward, too.
   constexpr double ranges[3][2] = { { 0.03, 0.8 }, { 0.2, 3.0 }, { 0.03, 30.0 } };
-  for (int n = 0; n < maximumPoles && !search.IsDone(); ++n)
+  std::vector<double> errors;
+  while (static_cast<int>(errors.size()) < maximumPoles && !search.IsDone() &&
+    !IsHopeless(errors, tolerance, maximumPoles))
   {
+    const auto n = static_cast<Eigen::Index>(errors.size());
     for (const auto& range : ranges)
     {
       search.Try(Eigen::VectorXd::LinSpaced(n, std::log(range[0]), std::log(range[1])));
     }
+    errors.push_back(search.GetBest().ErrorBound);
   }
-  return search.GetBest();
+  return Measure(PoleFitter(function, TableSamples(table, 32), 3), search.GetBest());
 }
 }

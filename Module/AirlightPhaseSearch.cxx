@@ -43,6 +43,21 @@ PhaseFit MakeFit(const PoleFitter& check, const Eigen::VectorXd& logB, const Eig
 }
 
 //------------------------------------------------------------------------------
+PhaseFit Measure(const PoleFitter& check, const PhaseFit& fit)
+{
+  const auto n = static_cast<Eigen::Index>(fit.Poles.size()) - 1;
+  Eigen::VectorXd logB(n);
+  Eigen::VectorXd c(n + 3);
+  for (Eigen::Index k = 0; k < n; ++k)
+  {
+    logB[k] = std::log(fit.Poles[k].b);
+    c[k] = fit.Poles[k].c[0];
+  }
+  c.tail(3) = Eigen::Map<const Eigen::Vector3d>(fit.Poles[n].c.data());
+  return MakeFit(check, logB, c);
+}
+
+//------------------------------------------------------------------------------
 PhaseSearch::PhaseSearch(const PoleFitter& fitter, const PoleFitter& check, double tolerance)
   : Fitter(fitter)
   , Check(check)

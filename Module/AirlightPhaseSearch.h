@@ -18,6 +18,9 @@ namespace airlight
 // The fit of given poles and weights, with its bound from the samples of `check`.
 PhaseFit MakeFit(const PoleFitter& check, const Eigen::VectorXd& logB, const Eigen::VectorXd& c);
 
+// The same fit, whose last pole has the fixed terms, with its bound from the samples of `check`.
+PhaseFit Measure(const PoleFitter& check, const PhaseFit& fit);
+
 class PhaseSearch
 {
 public:
