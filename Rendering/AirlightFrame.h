@@ -38,6 +38,14 @@ class vtkWindow;
 
 namespace airlight
 {
+// Asks the shaders for what is recorded.
+constexpr const char* RecordDefinition = "#define AIRLIGHT_RECORD\n";
+
+// What the pass states of the airlight's relative error, beside the phase function's (see
+// Documentation/accuracy.md).
+constexpr float ClosedFormError = 1e-4f;
+constexpr float QuadratureError = 1e-3f;
+
 struct FrameSettings
 {
   bool Shadows = false;
