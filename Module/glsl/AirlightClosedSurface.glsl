@@ -129,7 +129,11 @@ AIRLIGHT_FN real3 airlightSurfaceSums(
     // Into the subtree, or past it.
     node = meets && greatest.w < real(0.0) ? node + 1 : int(least.w + real(0.5));
   }
-  sums.x = max(sums.x, real(0.0));
+  // Roundings can make a ray along a triangle lose one of its hits, from which the sum is off by a
+  // distance: what is inside the surface is inside its box.
+  real2 range = airlightRegionRange(medium.region, origin, direction, l);
+  sums.x = clamp(
+    sums.x, real(0.0), airlightInsideDepth(medium, origin, direction, range.x, range.y));
 #endif
   return sums;
 }

@@ -63,7 +63,7 @@ struct MatrixCell
   std::string Describe() const
   {
     static const char* const lights[] = { "point", "spot", "spot^4", "sun", "falloff" };
-    static const char* const regions[] = { "unbounded", "box", "sphere" };
+    static const char* const regions[] = { "unbounded", "box", "sphere", "surface" };
     static const char* const phases[] = { "isotropic", "HG 0.6", "HG -0.4", "Rayleigh",
       "Schlick 0.5", "Cornette-Shanks 0.5", "Mie hazy", "Mie murky" };
     return Text(lights[this->Light], ", ", regions[this->Region], ", ",

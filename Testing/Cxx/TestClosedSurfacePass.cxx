@@ -1,0 +1,1 @@
+int TestClosedSurfacePass(int, char*[]) { return 0; }
