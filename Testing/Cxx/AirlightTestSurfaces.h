@@ -34,7 +34,8 @@ using Mesh = vtkSmartPointer<vtkPolyData>;
 struct Solid
 {
   std::string Name;
-  std::vector<Box> Boxes;
+  std::vector<Box> Boxes; // the first one and one that adds to it or, within it, is taken from it
+  bool Taken;
   Mesh Surface;
 };
 
@@ -104,6 +105,29 @@ inline Mesh MakePrism(const std::vector<glm::dvec2>& outline, double z0, double 
   return MakeMesh(corners, polygons);
 }
 
+// About z, of ring radius 1, each circle of `resolution` corners.
+inline Mesh MakeTorus(double tube, int resolution)
+{
+  std::vector<glm::dvec3> corners;
+  std::vector<std::vector<vtkIdType>> triangles;
+  const auto corner = [&](int i, int j) {
+    return static_cast<vtkIdType>(i % resolution * resolution + j % resolution);
+  };
+  for (int i = 0; i < resolution; ++i)
+  {
+    for (int j = 0; j < resolution; ++j)
+    {
+      const double u = 2.0 * 3.14159265358979323846 * i / resolution;
+      const double v = 2.0 * 3.14159265358979323846 * j / resolution;
+      const double ring = 1.0 + tube * std::cos(v);
+      corners.emplace_back(ring * std::cos(u), ring * std::sin(u), tube * std::sin(v));
+      triangles.push_back({ corner(i, j), corner(i + 1, j), corner(i + 1, j + 1) });
+      triangles.push_back({ corner(i, j), corner(i + 1, j + 1), corner(i, j + 1) });
+    }
+  }
+  return MakeMesh(corners, triangles);
+}
+
 //------------------------------------------------------------------------------
 // All lie within 4 of the origin and hold or surround it.
 inline std::vector<Solid> MakeSolids()
@@ -117,20 +141,20 @@ inline std::vector<Solid> MakeSolids()
   const Box lower{ -2.0, 2.5, -1.5, 0.1, -2.5, 1.8 };
   const Box upper{ -0.9, 1.2, 0.1, 1.6, -1.0, 1.1 };
   std::vector<Solid> solids;
-  solids.push_back({ "box", { outer }, MakeBoxMesh(outer) });
-  solids.push_back({ "box with a cavity", { outer, cavity },
+  solids.push_back({ "box", { outer }, false, MakeBoxMesh(outer) });
+  solids.push_back({ "box with a cavity", { outer, cavity }, true,
     Join({ MakeBoxMesh(outer), MakeBoxMesh(cavity) }) });
-  solids.push_back({ "U", { outer, notch },
+  solids.push_back({ "U", { outer, notch }, true,
     MakePrism({ { -2.0, -1.5 }, { 2.5, -1.5 }, { 2.5, 2.0 }, { 1.0, 2.0 }, { 1.0, -0.4 },
                 { -0.7, -0.4 }, { -0.7, 2.0 }, { -2.0, 2.0 } },
       -2.5, 1.8) });
-  solids.push_back({ "L", { outer, corner },
+  solids.push_back({ "L", { outer, corner }, true,
     MakePrism({ { -2.0, -1.5 }, { 2.5, -1.5 }, { 2.5, 0.3 }, { 0.4, 0.3 }, { 0.4, 2.0 },
                 { -2.0, 2.0 } },
       -2.5, 1.8) });
   solids.push_back(
-    { "two boxes", { left, right }, Join({ MakeBoxMesh(left), MakeBoxMesh(right) }) });
-  solids.push_back({ "one box on another", { lower, upper },
+    { "two boxes", { left, right }, false, Join({ MakeBoxMesh(left), MakeBoxMesh(right) }) });
+  solids.push_back({ "one box on another", { lower, upper }, false,
     Join({ MakeBoxMesh(lower), MakeBoxMesh(upper) }) });
   return solids;
 }

@@ -139,7 +139,7 @@ bool TestSolids()
   Experiment experiment;
   for (const Solid& solid : MakeSolids())
   {
-    for (int i = 0; i < 60; ++i)
+    for (int i = 0; i < 120; ++i)
     {
       MatrixCell cell{ i % MATRIX_LIGHTS, vtkParticipatingMedium::SURFACE, i / 5 % 3 == 2,
         MATRIX_ISOTROPIC };
