@@ -26,6 +26,12 @@ int TestAirlightPassMatrix(int, char*[])
       }
     }
   });
+  for (int i = 0; i < 3 * MATRIX_LIGHTS * 2 * 2; ++i)
+  {
+    const MatrixCell cell{ i / 3 % MATRIX_LIGHTS, vtkParticipatingMedium::BOX + i % 3,
+      i / 15 % 2, i % MATRIX_PHASES };
+    experiment.Run(cell, i / 30 == 1, i / 2 % 2 == 1, false, comparisons);
+  }
   // The other tables, whose fits have other poles.
   for (int table = TABLE_SMOOTH + 1; table < TEST_TABLES; ++table)
   {

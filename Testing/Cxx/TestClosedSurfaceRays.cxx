@@ -113,7 +113,7 @@ TestRay TakeRay(const Body& body, int aim, Random& random)
   const std::array<glm::dvec3, 3> t = body.TakeTriangle(random);
   const glm::dvec3 u = t[1] - t[0];
   const glm::dvec3 v = t[2] - t[0];
-  const glm::dvec3 away = t[0] + random.Uniform(0.5, 12.0) * glm::dvec3(random.Uniform(-1, 1),
+  const glm::dvec3 away = t[0] + random.LogUniform(0.5, 1000.0) * glm::dvec3(random.Uniform(-1, 1),
                                    random.Uniform(-1, 1), random.Uniform(-1, 1));
   const double share = random.Uniform(0.0, 1.0);
   switch (aim)
@@ -140,8 +140,8 @@ TestRay TakeRay(const Body& body, int aim, Random& random)
 // Bounds of a ray's length inside, with the body smaller and larger by `change`.
 using Bounds = std::function<glm::dvec2(const TestRay&, double change)>;
 
-// Points and roundings: 1e-9 in double precision; 1e-5 in single precision, which resolves 1e-6 of
-// the distances of some 10.
+// Points and roundings: 1e-9 in double precision; in single precision, whose unit is 1.2e-7, a
+// millionth of the distances.
 bool TestRays(const std::string& name, Body& body, const Bounds& bounds, Random& random)
 {
   Comparison lengths(name + ", length beyond its bounds, double precision");
@@ -149,7 +149,7 @@ bool TestRays(const std::string& name, Body& body, const Bounds& bounds, Random&
   for (int i = 0; i < 20000; ++i)
   {
     const TestRay ray = TakeRay(body, i % AIMS, random);
-    const double reach = 60.0;
+    const double reach = 4000.0;
     const auto test = [&](Comparison& comparison, double length, double change) {
       const glm::dvec2 range = bounds(ray, change);
       comparison.Add(std::max(range.x - length, length - range.y), change, [&] {
@@ -158,7 +158,8 @@ bool TestRays(const std::string& name, Body& body, const Bounds& bounds, Random&
       });
     };
     test(lengths, body.GetLength(ray.Origin, ray.Direction, reach), 1e-9);
-    test(shader, body.GetShaderLength(ray.Origin, ray.Direction, reach), 1e-5);
+    test(shader, body.GetShaderLength(ray.Origin, ray.Direction, reach),
+      1e-6 * (10.0 + glm::length(ray.Origin)));
   }
   return AllOk({ &lengths, &shader });
 }
@@ -173,7 +174,7 @@ glm::dvec2 BoundBoxes(const Solid& solid, const TestRay& ray, double change)
     {
       result[i] = box[i] + (i % 2 ? by : -by);
     }
-    return LengthInside({ result }, ray.Origin, ray.Direction, 60.0);
+    return LengthInside({ result }, ray.Origin, ray.Direction, 4000.0);
   };
   glm::dvec2 range(0.0);
   for (size_t i = 0; i < solid.Boxes.size(); ++i)
