@@ -186,7 +186,9 @@ AIRLIGHT_FN real3 airlightQuadraturePiece(AIRLIGHT_IN(AirlightMedia) media,
     x1 - x0 < real(0.05) * max(abs(x0), ray.foot.h);
   real v0 = straight ? t0 : airlightAsinh(x0 / ray.foot.h);
   real v1 = straight ? t1 : airlightAsinh(x1 / ray.foot.h);
-  int panels = straight ? 2 : airlightPanelCount(v1 - v0, real(1.0));
+  // The ways to a light at infinity pass a surface's edges on any part of the ray.
+  int few = AIRLIGHT_HAS_SURFACE == 1 ? 4 : 2;
+  int panels = straight ? few : airlightPanelCount(v1 - v0, real(1.0));
   real3 sum = real3(real(0.0));
   real3 doubt = real3(real(0.0));
   for (int i = 0; i < panels; i++)
