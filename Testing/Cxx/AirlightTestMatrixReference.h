@@ -58,8 +58,7 @@ public:
       bool inside = false;
       for (const Box& b : this->Boxes)
       {
-        inside ^=
-          p.x > b[0] && p.x < b[1] && p.y > b[2] && p.y < b[3] && p.z > b[4] && p.z < b[5];
+        inside ^= p.x > b[0] && p.x < b[1] && p.y > b[2] && p.y < b[3] && p.z > b[4] && p.z < b[5];
       }
       return inside;
     }

@@ -199,7 +199,8 @@ inline std::vector<Sample> PassMatrix::TakeSamples()
 {
   std::vector<Sample> samples;
   const int count = PixelScene::Width * PixelScene::Height;
-  const int step = this->Scene.Medium->GetRegion() == vtkParticipatingMedium::SURFACE ? 5 * Step : Step;
+  const int step =
+    this->Scene.Medium->GetRegion() == vtkParticipatingMedium::SURFACE ? 5 * Step : Step;
   for (int pixel = this->Index % step; pixel < count; pixel += step)
   {
     Sample sample;

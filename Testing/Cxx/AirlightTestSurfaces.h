@@ -149,8 +149,8 @@ inline std::vector<Solid> MakeSolids()
                 { -0.7, -0.4 }, { -0.7, 2.0 }, { -2.0, 2.0 } },
       -2.5, 1.8) });
   solids.push_back({ "L", { outer, corner }, true,
-    MakePrism({ { -2.0, -1.5 }, { 2.5, -1.5 }, { 2.5, 0.3 }, { 0.4, 0.3 }, { 0.4, 2.0 },
-                { -2.0, 2.0 } },
+    MakePrism(
+      { { -2.0, -1.5 }, { 2.5, -1.5 }, { 2.5, 0.3 }, { 0.4, 0.3 }, { 0.4, 2.0 }, { -2.0, 2.0 } },
       -2.5, 1.8) });
   solids.push_back(
     { "two boxes", { left, right }, false, Join({ MakeBoxMesh(left), MakeBoxMesh(right) }) });

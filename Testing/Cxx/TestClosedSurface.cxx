@@ -79,8 +79,7 @@ Numbers Measure(Experiment& experiment, const Setting& setting)
   const glm::dvec3 end = setting.Origin + std::min(setting.T1, 1e3) * setting.Direction;
   vtkAirlight::Inscatter(experiment.Medium, experiment.Light, &setting.Origin.x,
     &setting.Direction.x, 0.0, setting.T1, numbers.Airlight);
-  vtkAirlight::Transmittance(
-    experiment.Medium, &setting.Origin.x, &end.x, numbers.Transmittance);
+  vtkAirlight::Transmittance(experiment.Medium, &setting.Origin.x, &end.x, numbers.Transmittance);
   return numbers;
 }
 
@@ -147,8 +146,8 @@ bool TestSolids()
       const Numbers numbers = Measure(experiment, setting);
       MatrixReference reference(experiment.Medium, experiment.Light);
       reference.SetBoxes(solid.Boxes);
-      const double length = LengthInside(
-        solid.Boxes, setting.Origin, setting.Direction, std::min(setting.T1, 1e3));
+      const double length =
+        LengthInside(solid.Boxes, setting.Origin, setting.Direction, std::min(setting.T1, 1e3));
       for (int k = 0; k < 3; ++k)
       {
         const auto describe = [&] { return Describe(cell, solid.Name, experiment, setting); };
@@ -186,8 +185,7 @@ bool TestOrientation()
       {
         const auto describe = [&] { return Describe(cell, solid.Name, experiment, setting); };
         Compare(airlight, turned.Airlight[k], straight.Airlight[k], 1e-10, describe);
-        Compare(
-          transmittance, turned.Transmittance[k], straight.Transmittance[k], 1e-13, describe);
+        Compare(transmittance, turned.Transmittance[k], straight.Transmittance[k], 1e-13, describe);
       }
     }
   }

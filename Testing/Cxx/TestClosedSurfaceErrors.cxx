@@ -149,8 +149,8 @@ void TestTaken()
   degenerate->GetPolys()->InsertNextCell(3, thrice);
   CheckTaken("triangles of one or two corners", degenerate);
   // The same box twice and once more: an odd number of crossings.
-  CheckTaken("the same box thrice",
-    Join({ MakeBoxMesh(Unit), MakeBoxMesh(Unit), MakeBoxMesh(Unit) }));
+  CheckTaken(
+    "the same box thrice", Join({ MakeBoxMesh(Unit), MakeBoxMesh(Unit), MakeBoxMesh(Unit) }));
   // Halves that share a face, which bounds nothing: with the same corners.
   CheckTaken("halves that share a face",
     Join({ MakeBoxMesh({ -1.0, 0.3, -1.0, 1.0, -1.0, 1.0 }),

@@ -113,8 +113,9 @@ TestRay TakeRay(const Body& body, int aim, Random& random)
   const std::array<glm::dvec3, 3> t = body.TakeTriangle(random);
   const glm::dvec3 u = t[1] - t[0];
   const glm::dvec3 v = t[2] - t[0];
-  const glm::dvec3 away = t[0] + random.LogUniform(0.5, 1000.0) * glm::dvec3(random.Uniform(-1, 1),
-                                   random.Uniform(-1, 1), random.Uniform(-1, 1));
+  const glm::dvec3 away = t[0] +
+    random.LogUniform(0.5, 1000.0) *
+      glm::dvec3(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
   const double share = random.Uniform(0.0, 1.0);
   switch (aim)
   {
@@ -287,10 +288,10 @@ double LengthInTorus(const TestRay& ray, double tube)
   const glm::dvec3& d = ray.Direction;
   const double k = glm::dot(o, o) + 1.0 - tube * tube;
   const double b = 2.0 * glm::dot(o, d);
-  std::vector<double> ends = FindRoots(
-    { k * k - 4.0 * (o.x * o.x + o.y * o.y), 2.0 * k * b - 8.0 * (o.x * d.x + o.y * d.y),
-      b * b + 2.0 * k - 4.0 * (d.x * d.x + d.y * d.y), 2.0 * b, 1.0 },
-    -3.0, 3.0);
+  std::vector<double> ends =
+    FindRoots({ k * k - 4.0 * (o.x * o.x + o.y * o.y), 2.0 * k * b - 8.0 * (o.x * d.x + o.y * d.y),
+                b * b + 2.0 * k - 4.0 * (d.x * d.x + d.y * d.y), 2.0 * b, 1.0 },
+      -3.0, 3.0);
   double sum = 0.0;
   for (size_t i = 0; i + 1 < ends.size(); i += 2)
   {
