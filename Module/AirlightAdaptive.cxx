@@ -57,12 +57,25 @@ private:
     return this->Straight ? t : std::asinh(x / this->Ray.foot.h);
   }
 
+  // The way to the light can pass a corner of a surface on so short a part of the ray that no node
+  // sees it: smaller panels from the first.
+  int GetFineness() const
+  {
+    int fineness = 1;
+    for (int i = 0; i < this->Media.count; ++i)
+    {
+      const bool surface = this->Media.item[i].region.kind == AIRLIGHT_REGION_SURFACE;
+      fineness = surface ? 8 : fineness;
+    }
+    return fineness;
+  }
+
   std::vector<double> ChooseEnds() const
   {
     const double from = this->Variable(this->T0);
     const double to = this->Variable(this->T1);
-    const int panels =
-      this->Straight ? 4 : static_cast<int>(std::min((to - from) / 1.5, 1000.0)) + 1;
+    const int panels = this->GetFineness() *
+      (this->Straight ? 4 : static_cast<int>(std::min((to - from) / 1.5, 1000.0)) + 1);
     std::vector<double> ends;
     for (int i = 0; i <= panels; ++i)
     {

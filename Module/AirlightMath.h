@@ -19,6 +19,7 @@
 #define AIRLIGHT_FN inline
 #define AIRLIGHT_OUT(T) T&
 #define AIRLIGHT_IN(T) const T&
+#define AIRLIGHT_PRECISE
 // Surfaces and tables lie in memory.
 #define AIRLIGHT_DATA_MEMBER const real4* data;
 #define AIRLIGHT_FETCH(owner, i) ((owner).data[(i)])
@@ -56,6 +57,7 @@ using namespace glm;
 #undef AIRLIGHT_FN
 #undef AIRLIGHT_OUT
 #undef AIRLIGHT_IN
+#undef AIRLIGHT_PRECISE
 #undef AIRLIGHT_DATA_MEMBER
 #undef AIRLIGHT_FETCH
 

@@ -61,6 +61,11 @@ std::shared_ptr<const SurfaceTree> SurfaceTree::Build(vtkPolyData* mesh, std::st
   }
   tree->Pack();
   tree->OrientOutwards();
+  if (tree->Triangles.empty())
+  {
+    error = "encloses nothing: all of it is flat or there twice";
+    return nullptr;
+  }
   tree->Pack();
   return tree;
 }
@@ -74,12 +79,16 @@ bool SurfaceTree::ReadMesh(vtkPolyData* mesh, std::string& error)
     error = "has no polygons: update its source before, or set another one";
     return false;
   }
-  for (double bound : { mesh->GetBounds()[0], mesh->GetBounds()[1], mesh->GetBounds()[2],
-         mesh->GetBounds()[3], mesh->GetBounds()[4], mesh->GetBounds()[5] })
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    if (!(std::abs(bound) < 1e15))
+    double p[3];
+    mesh->GetPoint(i, p);
+    if (!(std::abs(p[0]) < 1e15 && std::abs(p[1]) < 1e15 && std::abs(p[2]) < 1e15))
     {
-      error = "has points that are not finite or beyond 1e15";
+      std::ostringstream text;
+      text << "has a point " << i << " at (" << p[0] << ", " << p[1] << ", " << p[2]
+           << "); all points must be finite and below 1e15: mend or remove it";
+      error = text.str();
       return false;
     }
   }
@@ -116,6 +125,7 @@ bool SurfaceTree::ReadMesh(vtkPolyData* mesh, std::string& error)
         { static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2]) });
     }
   }
+  this->DropPairs();
   if (this->Triangles.empty() || this->Triangles.size() > MostTriangles)
   {
     error = "has " + std::to_string(this->Triangles.size()) + " triangles; it needs 1 to " +
@@ -123,6 +133,27 @@ bool SurfaceTree::ReadMesh(vtkPolyData* mesh, std::string& error)
     return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Two triangles on the same corners bound nothing, as where two bodies share a face.
+void SurfaceTree::DropPairs()
+{
+  std::map<Triangle, Triangle> single;
+  for (const Triangle& triangle : this->Triangles)
+  {
+    Triangle corners = triangle;
+    std::sort(corners.begin(), corners.end());
+    if (!single.emplace(corners, triangle).second)
+    {
+      single.erase(corners);
+    }
+  }
+  this->Triangles.clear();
+  for (const auto& [corners, triangle] : single)
+  {
+    this->Triangles.push_back(triangle);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -209,10 +240,10 @@ glm::dvec3 SurfaceTree::GetAreaVector(int triangle) const
 }
 
 //------------------------------------------------------------------------------
-// Whether the place just above a triangle, where its corners run counter-clockwise, is inside. The
-// crossings on the way from there to infinity, each 1 or -1, have an odd sum where their number is
-// odd, however their triangles are oriented.
-bool SurfaceTree::IsInsideAbove(int triangle) const
+// Whether the place just above a triangle (side 1: where its corners run counter-clockwise) or below
+// it (-1) is inside. The crossings on the way from there to infinity, each 1 or -1, have an odd sum
+// where their number is odd, however their triangles are oriented.
+bool SurfaceTree::IsInsideFrom(int triangle, double side) const
 {
   const Triangle& t = this->Triangles[triangle];
   f64::AirlightMedium medium{};
@@ -222,39 +253,61 @@ bool SurfaceTree::IsInsideAbove(int triangle) const
   medium.region.data = this->Texels.data();
   medium.region.nodes = this->NodeCount;
   const glm::dvec3 middle = (this->Points[t[0]] + this->Points[t[1]] + this->Points[t[2]]) / 3.0;
-  const glm::dvec3 up = glm::normalize(this->GetAreaVector(triangle));
+  const glm::dvec3 way = side * glm::normalize(this->GetAreaVector(triangle));
   const double above = 1e-9 * glm::distance(this->Least, this->Greatest);
-  const glm::dvec3 sums = f64::airlightSurfaceSums(medium, middle, up, 0.0, above);
+  const glm::dvec3 sums = f64::airlightSurfaceSums(medium, middle, way, 0.0, above);
   return std::lround(sums.z) % 2 != 0;
 }
 
 //------------------------------------------------------------------------------
-// Patch by patch, judged by the largest triangle.
+// 1 where the patch's triangles look outwards or have no area, -1 where they look inwards, 0 where
+// they bound nothing. Larger triangles are judged first; one that lies on another body's has the
+// same on both sides and says nothing.
+int SurfaceTree::JudgePatch(const std::vector<int>& patch) const
+{
+  std::vector<std::pair<double, int>> sizes;
+  for (int triangle : patch)
+  {
+    sizes.emplace_back(-glm::length(this->GetAreaVector(triangle)), triangle);
+  }
+  std::sort(sizes.begin(), sizes.end());
+  for (const auto& [size, triangle] : sizes)
+  {
+    if (size < 0.0)
+    {
+      const bool above = this->IsInsideFrom(triangle, 1.0);
+      if (above != this->IsInsideFrom(triangle, -1.0))
+      {
+        return above ? -1 : 1;
+      }
+    }
+  }
+  return sizes.front().first < 0.0 ? 0 : 1;
+}
+
+//------------------------------------------------------------------------------
+// Patch by patch; those that bound nothing vanish.
 void SurfaceTree::OrientOutwards()
 {
-  std::vector<int> largest(this->PatchCount, -1);
-  std::vector<double> area(this->PatchCount, -1.0);
+  std::vector<std::vector<int>> patches(this->PatchCount);
   for (size_t i = 0; i < this->Triangles.size(); ++i)
   {
-    const double size = glm::length(this->GetAreaVector(static_cast<int>(i)));
-    if (size > area[this->Patches[i]])
+    patches[this->Patches[i]].push_back(static_cast<int>(i));
+  }
+  std::vector<Triangle> kept;
+  for (const std::vector<int>& patch : patches)
+  {
+    const int looks = this->JudgePatch(patch);
+    for (int i : patch)
     {
-      area[this->Patches[i]] = size;
-      largest[this->Patches[i]] = static_cast<int>(i);
+      const Triangle& t = this->Triangles[i];
+      if (looks != 0)
+      {
+        kept.push_back(looks > 0 ? t : Triangle{ t[0], t[2], t[1] });
+      }
     }
   }
-  std::vector<bool> turn(this->PatchCount);
-  for (int k = 0; k < this->PatchCount; ++k)
-  {
-    turn[k] = area[k] > 0.0 && this->IsInsideAbove(largest[k]);
-  }
-  for (size_t i = 0; i < this->Triangles.size(); ++i)
-  {
-    if (turn[this->Patches[i]])
-    {
-      std::swap(this->Triangles[i][1], this->Triangles[i][2]);
-    }
-  }
+  this->Triangles = kept;
 }
 
 //------------------------------------------------------------------------------

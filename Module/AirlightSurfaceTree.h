@@ -37,12 +37,14 @@ public:
 
 private:
   bool ReadMesh(vtkPolyData* mesh, std::string& error);
+  void DropPairs();
   bool OrientAlike(std::string& error);
   void OrientOutwards();
+  int JudgePatch(const std::vector<int>& patch) const;
   void Pack();
   void PackNodes(
     std::vector<int>& order, int begin, int end, const std::vector<glm::dvec3>& centres);
-  bool IsInsideAbove(int triangle) const;
+  bool IsInsideFrom(int triangle, double side) const;
   glm::dvec3 GetAreaVector(int triangle) const;
 
   std::vector<glm::dvec3> Points; // from the centre

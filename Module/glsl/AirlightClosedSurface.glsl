@@ -12,6 +12,45 @@
 // triangle + its number of triangles - 1); then three for each triangle, its corners, as seen from
 // the region's centre.
 
+// What rounding took from the product of a and b (Dekker 1971), of numbers in which nothing
+// underflows.
+AIRLIGHT_FN real airlightProductError(real a, real b, real product)
+{
+#ifdef AIRLIGHT_DOUBLE
+  const real splitter = real(134217729.0);
+#else
+  const real splitter = real(4097.0);
+#endif
+  AIRLIGHT_PRECISE real bigA = splitter * a;
+  AIRLIGHT_PRECISE real highA = bigA - (bigA - a);
+  AIRLIGHT_PRECISE real lowA = a - highA;
+  AIRLIGHT_PRECISE real bigB = splitter * b;
+  AIRLIGHT_PRECISE real highB = bigB - (bigB - b);
+  AIRLIGHT_PRECISE real lowB = b - highB;
+  AIRLIGHT_PRECISE real error =
+    ((highA * highB - product) + highA * lowB + lowA * highB) + lowA * lowB;
+  return error;
+}
+
+// p.x q.y - p.y q.x with its true sign, 0 where it is 0: without it, the triangles on a plane through
+// the line would not agree on which of them the line meets.
+AIRLIGHT_FN real airlightCross(real2 p, real2 q)
+{
+#ifdef AIRLIGHT_DOUBLE
+  const real doubt = real(4e-16);
+#else
+  const real doubt = real(2.5e-7);
+#endif
+  AIRLIGHT_PRECISE real a = p.x * q.y;
+  AIRLIGHT_PRECISE real b = p.y * q.x;
+  AIRLIGHT_PRECISE real side = a - b;
+  if (abs(side) <= doubt * (abs(a) + abs(b)))
+  {
+    side += airlightProductError(p.x, q.y, a) - airlightProductError(p.y, q.x, b);
+  }
+  return side;
+}
+
 // Twice the signed area of the triangle (origin, a, b), for which the origin lies on no edge: where
 // it does, it counts as moved by (e, e^2), e > 0 and infinitely small. Taken in one order of a and b,
 // so that the two triangles on an edge agree to the last digit and a line through the edge meets
@@ -21,7 +60,7 @@ AIRLIGHT_FN real airlightSide(real2 a, real2 b)
   bool swap = a.x > b.x || (a.x == b.x && a.y > b.y);
   real2 p = swap ? b : a;
   real2 q = swap ? a : b;
-  real side = p.x * q.y - p.y * q.x;
+  real side = airlightCross(p, q);
   if (side == real(0.0))
   {
     side = q.y != p.y ? real(1e-37) * sign(p.y - q.y) : real(1e-37);
@@ -64,11 +103,12 @@ AIRLIGHT_FN void airlightFrame(
   frame1 = real3(b, s + direction.y * direction.y * a, -direction.y);
 }
 
-// Whether the ray from `point` can meet the box; `inverse` of its direction.
-AIRLIGHT_FN bool airlightMeetsBox(real3 point, real3 inverse, real3 least, real3 greatest)
+// Whether the ray from `point` can meet the box, larger by `margin`; `inverse` of its direction.
+AIRLIGHT_FN bool airlightMeetsBox(
+  real3 point, real3 inverse, real3 least, real3 greatest, real margin)
 {
-  real3 a = (least - point) * inverse;
-  real3 b = (greatest - point) * inverse;
+  real3 a = (least - margin - point) * inverse;
+  real3 b = (greatest + margin - point) * inverse;
   real3 near = min(a, b);
   real3 far = max(a, b);
   real from = max(max(near.x, near.y), max(near.z, real(0.0)));
@@ -93,6 +133,12 @@ AIRLIGHT_FN real3 airlightSurfaceSums(
   real3 point = origin - medium.region.centre;
   real3 inverse = real3(
     airlightInverse(direction.x), airlightInverse(direction.y), airlightInverse(direction.z));
+  // What roundings make of a triangle's place as seen from afar.
+#ifdef AIRLIGHT_DOUBLE
+  real margin = real(1e-15) * length(point);
+#else
+  real margin = real(1e-6) * length(point);
+#endif
   // Density is summed up from where the surface can begin, not from afar, where it may be huge.
   real start = airlightRegionRange(medium.region, origin, direction, real(AIRLIGHT_FAR)).x;
   int first = medium.region.first;
@@ -104,7 +150,7 @@ AIRLIGHT_FN real3 airlightSurfaceSums(
     real4 greatest = AIRLIGHT_FETCH(medium.region, first + 2 * node + 1);
     bool meets =
       airlightMeetsBox(point, inverse, real3(least.x, least.y, least.z),
-        real3(greatest.x, greatest.y, greatest.z));
+        real3(greatest.x, greatest.y, greatest.z), margin);
     if (meets && greatest.w >= real(0.0))
     {
       int leaf = int(greatest.w + real(0.5));
@@ -129,7 +175,11 @@ AIRLIGHT_FN real3 airlightSurfaceSums(
     // Into the subtree, or past it.
     node = meets && greatest.w < real(0.0) ? node + 1 : int(least.w + real(0.5));
   }
-  sums.x = max(sums.x, real(0.0));
+  // Roundings can make a ray along a triangle lose one of its hits, from which the sum is off by a
+  // distance: what is inside the surface is inside its box.
+  real2 range = airlightRegionRange(medium.region, origin, direction, l);
+  sums.x = clamp(
+    sums.x, real(0.0), airlightInsideDepth(medium, origin, direction, range.x, range.y));
 #endif
   return sums;
 }

@@ -26,21 +26,26 @@ AIRLIGHT_FN real airlightSunDepth(
   return min(airlightPathDepth(medium, point, toLight, real(AIRLIGHT_FAR)), real(1e30));
 }
 
-// x: where after t the ray next enters or leaves the region; y: 1 where it is inside between, else 0.
+// x: where after t the ray next enters or leaves the region, or a surface's box; y: 1 where it is
+// inside between, else 0.
 AIRLIGHT_FN real2 airlightNextEnd(
   AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real t)
 {
-  if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
-  {
-    real3 sums = airlightSurfaceSums(medium, origin, direction, real(0.0), t);
-    return real2(sums.y, sums.z > real(0.5) ? real(1.0) : real(0.0));
-  }
   real2 range = airlightRegionRange(medium.region, origin, direction, real(AIRLIGHT_FAR));
   if (range.y <= range.x || t >= range.y)
   {
     return real2(real(AIRLIGHT_FAR), real(0.0));
   }
-  return t < range.x ? real2(range.x, real(0.0)) : real2(range.y, real(1.0));
+  if (t < range.x)
+  {
+    return real2(range.x, real(0.0));
+  }
+  if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
+  {
+    real3 sums = airlightSurfaceSums(medium, origin, direction, real(0.0), t);
+    return real2(min(sums.y, range.y), sums.z > real(0.5) ? real(1.0) : real(0.0));
+  }
+  return real2(range.y, real(1.0));
 }
 
 // Extinction, at density 1, of the channel that fades least among those that fade: the far end of

@@ -7,6 +7,12 @@
 #define AIRLIGHT_FN
 #define AIRLIGHT_OUT(T) out T
 #define AIRLIGHT_IN(T) T
+// Forbids optimisations that change roundings, where the language can.
+#if __VERSION__ >= 400
+#define AIRLIGHT_PRECISE precise
+#else
+#define AIRLIGHT_PRECISE
+#endif
 // Triangles, tables: what does not fit into uniforms.
 #define AIRLIGHT_DATA_MEMBER
 #define AIRLIGHT_FETCH(owner, i) texelFetch(airlightData, i)

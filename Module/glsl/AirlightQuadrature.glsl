@@ -6,6 +6,9 @@
 // 1e-3 is what they are allowed.
 #define AIRLIGHT_PANEL_TOLERANCE 1e-4
 
+// So many times more panels where media are inside surfaces.
+#define AIRLIGHT_SURFACE_PANELS 2
+
 // What the media of a piece scatter at a point, without what fades before and after.
 AIRLIGHT_FN real3 airlightScattered(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightPiece) piece, real3 point, real cosTheta)
@@ -187,6 +190,11 @@ AIRLIGHT_FN real3 airlightQuadraturePiece(AIRLIGHT_IN(AirlightMedia) media,
   real v0 = straight ? t0 : airlightAsinh(x0 / ray.foot.h);
   real v1 = straight ? t1 : airlightAsinh(x1 / ray.foot.h);
   int panels = straight ? 2 : airlightPanelCount(v1 - v0, real(1.0));
+#if AIRLIGHT_HAS_SURFACE
+  // The way to the light can pass a corner of a surface on so short a part of the ray that no node
+  // of larger panels sees it.
+  panels *= AIRLIGHT_SURFACE_PANELS;
+#endif
   real3 sum = real3(real(0.0));
   real3 doubt = real3(real(0.0));
   for (int i = 0; i < panels; i++)

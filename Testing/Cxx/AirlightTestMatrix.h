@@ -8,6 +8,7 @@
 #define AirlightTestMatrix_h
 
 #include "AirlightTestPhaseTable.h"
+#include "AirlightTestSurfaces.h"
 #include "AirlightTestTools.h"
 
 #include "vtkLight.h"
@@ -26,6 +27,8 @@ enum MatrixLight
   MATRIX_FALLOFF, // attenuation (1, 0.1, 0.02)
   MATRIX_LIGHTS
 };
+
+constexpr int MATRIX_REGIONS = 4; // vtkParticipatingMedium's; a surface is a mesh of the box
 
 enum MatrixPhase
 {
@@ -63,7 +66,7 @@ struct MatrixCell
   std::string Describe() const
   {
     static const char* const lights[] = { "point", "spot", "spot^4", "sun", "falloff" };
-    static const char* const regions[] = { "unbounded", "box", "sphere" };
+    static const char* const regions[] = { "unbounded", "box", "sphere", "surface" };
     static const char* const phases[] = { "isotropic", "HG 0.6", "HG -0.4", "Rayleigh",
       "Schlick 0.5", "Cornette-Shanks 0.5", "Mie hazy", "Mie murky" };
     return Text(lights[this->Light], ", ", regions[this->Region], ", ",
@@ -78,6 +81,10 @@ struct MatrixCell
   {
     const bool uniform = this->Density == vtkParticipatingMedium::UNIFORM;
     const bool unbounded = this->Region == vtkParticipatingMedium::UNBOUNDED;
+    if (this->Region == vtkParticipatingMedium::SURFACE)
+    {
+      return false;
+    }
     if (this->Light == MATRIX_SUN)
     {
       return unbounded || (uniform && this->Region == vtkParticipatingMedium::BOX);
@@ -125,7 +132,14 @@ struct MatrixCell
   }
 };
 
-// Calls run(cell) for all 270 cells, phase by phase, because fits take their time.
+// Gives the medium these bounds as a box and as a mesh.
+inline void SetBox(vtkParticipatingMedium* medium, const Box& box)
+{
+  medium->SetBounds(box.data());
+  medium->SetSurface(MakeBoxMesh(box));
+}
+
+// Calls run(cell) for all 360 cells, phase by phase, because fits take their time.
 template <typename Run>
 void ForEachCell(const Run& run)
 {
@@ -133,7 +147,7 @@ void ForEachCell(const Run& run)
   {
     for (int light = 0; light < MATRIX_LIGHTS; ++light)
     {
-      for (int region = 0; region < 3; ++region)
+      for (int region = 0; region < MATRIX_REGIONS; ++region)
       {
         for (int density = 0; density < 2; ++density)
         {

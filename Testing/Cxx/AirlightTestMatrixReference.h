@@ -13,6 +13,7 @@
 
 #include "AirlightTestPhase.h"
 #include "AirlightTestQuadrature.h"
+#include "AirlightTestSurfaces.h"
 
 #include "vtkLight.h"
 #include "vtkParticipatingMedium.h"
@@ -38,21 +39,31 @@ public:
     , Strength(Pi * light->GetIntensity() * Vector(light->GetDiffuseColor()))
     , Axis(glm::normalize(Vector(light->GetFocalPoint()) - Position))
     , Up(Vector(medium->GetUp()))
+    , HasBoxes(medium->GetRegion() == vtkParticipatingMedium::BOX ||
+        medium->GetRegion() == vtkParticipatingMedium::SURFACE)
   {
+    Box bounds;
+    medium->GetBounds(bounds.data());
+    this->Boxes = { bounds };
   }
+
+  // A surface's inside: where an odd number of these boxes holds a point. Else it is the medium's
+  // bounds.
+  void SetBoxes(const std::vector<Box>& boxes) { this->Boxes = boxes; }
 
   bool IsInside(const glm::dvec3& p) const
   {
-    const double* b = this->Medium->GetBounds();
-    switch (this->Medium->GetRegion())
+    if (this->HasBoxes)
     {
-      case vtkParticipatingMedium::BOX:
-        return p.x > b[0] && p.x < b[1] && p.y > b[2] && p.y < b[3] && p.z > b[4] && p.z < b[5];
-      case vtkParticipatingMedium::SPHERE:
-        return glm::distance(p, Vector(this->Medium->GetCenter())) < this->Medium->GetRadius();
-      default:
-        return true;
+      bool inside = false;
+      for (const Box& b : this->Boxes)
+      {
+        inside ^= p.x > b[0] && p.x < b[1] && p.y > b[2] && p.y < b[3] && p.z > b[4] && p.z < b[5];
+      }
+      return inside;
     }
+    return this->Medium->GetRegion() != vtkParticipatingMedium::SPHERE ||
+      glm::distance(p, Vector(this->Medium->GetCenter())) < this->Medium->GetRadius();
   }
 
   // Airlight in one channel on [t0, t1]; `direction` of length 1.
@@ -125,11 +136,14 @@ private:
   // Where a line meets the region's surface.
   void AddCuts(const glm::dvec3& o, const glm::dvec3& d, std::vector<double>& cuts) const
   {
-    if (this->Medium->GetRegion() == vtkParticipatingMedium::BOX)
+    if (this->HasBoxes)
     {
-      for (int i = 0; i < 6; ++i)
+      for (const Box& box : this->Boxes)
       {
-        cuts.push_back((this->Medium->GetBounds()[i] - o[i / 2]) / d[i / 2]);
+        for (int i = 0; i < 6; ++i)
+        {
+          cuts.push_back((box[i] - o[i / 2]) / d[i / 2]);
+        }
       }
     }
     else if (this->Medium->GetRegion() == vtkParticipatingMedium::SPHERE)
@@ -157,8 +171,12 @@ private:
   // way from o + t d, along l, the faces ahead are (face - o - t d)/l away.
   void AddSunCuts(const glm::dvec3& o, const glm::dvec3& d, std::vector<double>& cuts) const
   {
-    const double* bounds = this->Medium->GetBounds();
-    for (int i = 0; this->IsSun && i < 3; ++i)
+    if (!this->IsSun || !this->HasBoxes)
+    {
+      return;
+    }
+    const Box& bounds = this->Boxes.front();
+    for (int i = 0; i < 3; ++i)
     {
       const int j = (i + 1) % 3;
       const double li = -this->Axis[i];
@@ -262,6 +280,8 @@ private:
   glm::dvec3 Strength;
   glm::dvec3 Axis; // from the position to the focal point
   glm::dvec3 Up;
+  bool HasBoxes;
+  std::vector<Box> Boxes;
 };
 }
 

@@ -113,7 +113,7 @@ inline void PassMatrix::Place(const MatrixCell& cell, bool parallel, bool plane,
   cell.Apply(medium, this->Light);
   medium->SetScattering(random.Uniform(0.05, 0.4), 0.2, random.Uniform(0.05, 0.4));
   medium->SetAbsorption(0.0, random.Uniform(0.0, 0.2), 0.05);
-  medium->SetBounds(-2.0, 2.5, -1.5, 2.0, -2.5, 1.8);
+  SetBox(medium, { -2.0, 2.5, -1.5, 2.0, -2.5, 1.8 });
   medium->SetCenter(0.3, 0.2, -0.1);
   medium->SetRadius(2.2);
   medium->SetScaleHeight(random.Uniform(1.0, 4.0));
@@ -167,20 +167,20 @@ inline bool PassMatrix::Grazes(const Sample& sample)
 {
   constexpr double change = 6e-6;
   vtkParticipatingMedium* medium = this->Scene.Medium;
-  double bounds[6];
-  double larger[6];
-  medium->GetBounds(bounds);
+  Box bounds;
+  Box larger;
+  medium->GetBounds(bounds.data());
   for (int i = 0; i < 6; ++i)
   {
     larger[i] = bounds[i] + (i % 2 ? change : -change);
   }
   const double radius = medium->GetRadius();
   const double cone = this->Light->GetConeAngle();
-  medium->SetBounds(larger);
+  SetBox(medium, larger);
   medium->SetRadius(radius + change);
   this->Light->SetConeAngle(cone < 90.0 ? cone + 1e-6 * 180.0 / 3.14159265 : cone);
   const Expected other = this->Compute(sample);
-  medium->SetBounds(bounds);
+  SetBox(medium, bounds);
   medium->SetRadius(radius);
   this->Light->SetConeAngle(cone);
   bool grazes = false;
@@ -199,7 +199,9 @@ inline std::vector<Sample> PassMatrix::TakeSamples()
 {
   std::vector<Sample> samples;
   const int count = PixelScene::Width * PixelScene::Height;
-  for (int pixel = this->Index % Step; pixel < count; pixel += Step)
+  const int step =
+    this->Scene.Medium->GetRegion() == vtkParticipatingMedium::SURFACE ? 5 * Step : Step;
+  for (int pixel = this->Index % step; pixel < count; pixel += step)
   {
     Sample sample;
     sample.I = pixel % PixelScene::Width;

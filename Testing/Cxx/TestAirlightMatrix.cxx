@@ -36,12 +36,12 @@ void PlaceMedium(vtkParticipatingMedium* medium, Random& random)
   medium->SetScattering(
     random.Uniform(0.02, 0.5), random.Uniform(0.02, 0.5), random.Uniform(0.02, 0.5));
   medium->SetAbsorption(random.Uniform(0.0, 0.2), 0.0, random.Uniform(0.0, 0.2));
-  double bounds[6];
+  Box bounds;
   for (int i = 0; i < 6; ++i)
   {
     bounds[i] = (i % 2 ? 1.0 : -1.0) * random.Uniform(1.0, 4.0);
   }
-  medium->SetBounds(bounds);
+  SetBox(medium, bounds);
   const glm::dvec3 centre = random.Uniform(0.0, 1.0) * RandomUnit(random);
   medium->SetCenter(&centre.x);
   medium->SetRadius(random.Uniform(2.0, 5.0));
