@@ -42,6 +42,8 @@
 #include "AirlightMedia.glsl"
 #include "AirlightLight.glsl"
 #include "AirlightQuadrature.glsl"
+#include "AirlightGoniometricRay.glsl"
+#include "AirlightPieces.glsl"
 #include "AirlightScattering.glsl"
 #include "AirlightGlowRay.glsl"
 #include "AirlightGlow.glsl"
