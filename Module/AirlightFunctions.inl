@@ -4,6 +4,7 @@
 // for each precision, so the macros that depend on precision are undone first.
 
 #undef AIRLIGHT_GAUSS_COUNT
+#undef AIRLIGHT_NARROW
 #undef AIRLIGHT_PANEL_TOLERANCE
 #undef AIRLIGHT_POLE_COUNT
 #undef AIRLIGHT_POLE_ORDER
