@@ -111,7 +111,11 @@ AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
 {
   real middle = real(0.5) * (w0 + w1);
   real reach = real(0.5) * (w1 - w0);
-  bool narrow = straight || w1 - w0 < real(AIRLIGHT_NARROW);
+  // Not where the light comes in from outside a region: there its way has kinks of its own.
+  bool smoothWay = AIRLIGHT_MEDIUM_COUNT == 1 &&
+    media.item[0].region.kind != AIRLIGHT_REGION_SURFACE &&
+    airlightHolds(media.item[0].region, light.position);
+  bool narrow = smoothWay && (straight || w1 - w0 < real(AIRLIGHT_NARROW));
   int count = narrow ? 3 : AIRLIGHT_GAUSS_COUNT;
   real tL = ray.range.x + ray.foot.tL;
   real h = ray.foot.h;
