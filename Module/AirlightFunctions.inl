@@ -4,6 +4,7 @@
 // for each precision, so the macros that depend on precision are undone first.
 
 #undef AIRLIGHT_GAUSS_COUNT
+#undef AIRLIGHT_NARROW
 #undef AIRLIGHT_PANEL_TOLERANCE
 #undef AIRLIGHT_POLE_COUNT
 #undef AIRLIGHT_POLE_ORDER
@@ -41,7 +42,10 @@
 #include "AirlightPath.glsl"
 #include "AirlightMedia.glsl"
 #include "AirlightLight.glsl"
+#include "AirlightKinks.glsl"
 #include "AirlightQuadrature.glsl"
+#include "AirlightGoniometricRay.glsl"
+#include "AirlightPieces.glsl"
 #include "AirlightScattering.glsl"
 #include "AirlightGlowRay.glsl"
 #include "AirlightGlow.glsl"

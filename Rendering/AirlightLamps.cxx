@@ -4,12 +4,14 @@
 
 #include "AirlightMatrix.h"
 #include "AirlightView.h"
+#include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace airlight
 {
@@ -36,16 +38,20 @@ Lamp MakeLamp(vtkLight* light, const f64::AirlightMedia& media, const View& view
   return lamp;
 }
 
-// Cameras and headlights carry their axes along.
-glm::dvec3 TransformDirection(vtkLight* light, const glm::dvec3& direction)
+// The camera carries headlights and camera lights along; VTK gives its matrix to the latter only.
+glm::dvec3 TransformDirection(vtkLight* light, vtkRenderer* renderer, const glm::dvec3& direction)
 {
-  vtkMatrix4x4* matrix = light->GetTransformMatrix();
+  vtkMatrix4x4* matrix = light->LightTypeIsHeadlight()
+    ? renderer->GetActiveCamera()->GetCameraLightTransformMatrix()
+    : light->GetTransformMatrix();
   return matrix ? glm::dvec3(ToGlm(matrix) * glm::dvec4(direction, 0.0)) : direction;
 }
 
 // `up` made perpendicular to the axis; another direction across it where up lies along it.
-glm::dvec3 MakeAcross(const glm::dvec3& up, const glm::dvec3& axis)
+glm::dvec3 MakeAcross(glm::dvec3 up, const glm::dvec3& axis)
 {
+  // Squares of very small or large components would leave the range of numbers.
+  up /= std::max({ std::abs(up.x), std::abs(up.y), std::abs(up.z) });
   for (const glm::dvec3& other : { up, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.0, 0.0) })
   {
     const glm::dvec3 across = other - glm::dot(other, axis) * axis;
@@ -57,7 +63,7 @@ glm::dvec3 MakeAcross(const glm::dvec3& up, const glm::dvec3& axis)
   return glm::dvec3(0.0, 1.0, 0.0);
 }
 
-void Apply(const LightOptions& options, Lamp& lamp)
+void Apply(const LightOptions& options, vtkRenderer* renderer, Lamp& lamp)
 {
   if (!options.Scatters)
   {
@@ -78,7 +84,7 @@ void Apply(const LightOptions& options, Lamp& lamp)
   lamp.Values.goniometric = 1;
   lamp.Values.photometry.axis = glm::normalize(axis);
   lamp.Values.photometry.up =
-    MakeAcross(TransformDirection(lamp.Light, options.Up), lamp.Values.photometry.axis);
+    MakeAcross(TransformDirection(lamp.Light, renderer, options.Up), lamp.Values.photometry.axis);
 }
 }
 
@@ -99,7 +105,7 @@ std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& 
         [light](const LightOptions& option) { return option.Light == light; });
       if (it != options.end())
       {
-        Apply(*it, lamps.back());
+        Apply(*it, renderer, lamps.back());
       }
     }
   }

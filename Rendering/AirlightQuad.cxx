@@ -9,6 +9,8 @@
 #include "AirlightGlow.h"
 #include "AirlightGlowRay.h"
 #include "AirlightGoniometric.h"
+#include "AirlightGoniometricRay.h"
+#include "AirlightKinks.h"
 #include "AirlightLight.h"
 #include "AirlightMath.h"
 #include "AirlightMedia.h"
@@ -16,6 +18,7 @@
 #include "AirlightOpenGL.h"
 #include "AirlightPath.h"
 #include "AirlightPhase.h"
+#include "AirlightPieces.h"
 #include "AirlightPointLight.h"
 #include "AirlightPrelude.h"
 #include "AirlightQuadrature.h"
@@ -95,7 +98,7 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") + AirlightExponentialIntegral +
     AirlightGauss + AirlightGoniometric + AirlightPhase + AirlightPointLight + AirlightRegion +
     AirlightMedium + AirlightClosedSurface + AirlightPath + AirlightMedia + AirlightLight +
-    AirlightQuadrature + AirlightScattering;
+    AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces + AirlightScattering;
 }
 
 //------------------------------------------------------------------------------

@@ -189,7 +189,7 @@ void vtkAirlightPass::SetLightPhotometryUp(vtkLight* light, double x, double y, 
       << (light ? "(" : "null and (") << x << ", " << y << ", " << z << ").");
     return;
   }
-  this->Impl->GetOptions(light).Up = up / std::max({ std::abs(x), std::abs(y), std::abs(z) });
+  this->Impl->GetOptions(light).Up = up;
   this->Modified();
 }
 

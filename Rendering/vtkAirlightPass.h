@@ -192,8 +192,10 @@ public:
    * intensity are those of the brightest direction, all others are the file's share of it, for
    * medium and surfaces alike. The light aims from its position at its focal point. Photometric
    * types A, B and C, linear between the file's angles, nothing beyond them; the lamp is a point,
-   * its tilt is ignored. Airlight is integrated by quadrature, within 1e-3. A spot's cone
-   * and exponent apply besides.
+   * its tilt is ignored. Airlight is integrated by quadrature, within 1e-3, cell by cell of the
+   * file's table: three or eight nodes for each cell that a ray crosses. A spot's cone and exponent
+   * apply besides. Directional lights, and lamps whose focal point is their position, shine as
+   * without the file, and one warning says so.
    *
    * False, with an error that names file, line and culprit, and the light as it was, where the file
    * is no good. Null or an empty name: as without a file, the default.

@@ -67,18 +67,37 @@ AIRLIGHT_FN real4 airlightPhotometryInterval(AIRLIGHT_IN(AirlightPhotometry) pho
   return AIRLIGHT_FETCH(photometry, firstTexel + low);
 }
 
-// The intensity relative to the largest in a unit direction away from the light: linear in both
-// angles between those of the file, 0 outside.
-AIRLIGHT_FN real airlightPhotometry(AIRLIGHT_IN(AirlightPhotometry) photometry, real3 direction)
+// One cell of the table: the intensity in it is linear in both angles.
+struct AirlightPhotometryCell
 {
+  int type;     // of coordinates
+  real4 row;    // intervals of vertical and horizontal angles
+  real4 column;
+  real4 corners;
+};
+
+// The angle, in turns of the circle, that is next to the interval.
+AIRLIGHT_FN real airlightPhotometryTurn(real angle, real4 interval)
+{
+  real fromMiddle = angle - real(0.5) * (interval.x + interval.y);
+  real turn = real(6.283185307179586);
+  return fromMiddle > real(0.5) * turn ? angle - turn
+                                       : (fromMiddle < real(-0.5) * turn ? angle + turn : angle);
+}
+
+// The cell of a unit direction; outside the table the cell next to it, dark.
+AIRLIGHT_FN AirlightPhotometryCell airlightPhotometryCell(
+  AIRLIGHT_IN(AirlightPhotometry) photometry, real3 direction)
+{
+  AirlightPhotometryCell cell;
   real4 head = AIRLIGHT_FETCH(photometry, photometry.first);
   int rows = int(head.x);
   int columns = int(head.y);
-  int type = int(head.z);
+  cell.type = int(head.z);
   int firstRow = photometry.first + 1;
   int firstColumn = firstRow + rows;
-  real2 angles = airlightPhotometryAngles(photometry, type, direction);
-  if (type == 1)
+  real2 angles = airlightPhotometryAngles(photometry, cell.type, direction);
+  if (cell.type == 1)
   {
     // All around, from the first horizontal angle, 0 or 90 degrees. Rounding must not lead out.
     real start = AIRLIGHT_FETCH(photometry, firstColumn).x;
@@ -88,16 +107,37 @@ AIRLIGHT_FN real airlightPhotometry(AIRLIGHT_IN(AirlightPhotometry) photometry, 
   }
   int i;
   int j;
-  real4 row = airlightPhotometryInterval(photometry, firstRow, rows, angles.x, i);
-  real4 column = airlightPhotometryInterval(photometry, firstColumn, columns, angles.y, j);
-  if (angles.x < row.x || angles.x > row.y || angles.y < column.x || angles.y > column.y)
+  cell.row = airlightPhotometryInterval(photometry, firstRow, rows, angles.x, i);
+  cell.column = airlightPhotometryInterval(photometry, firstColumn, columns, angles.y, j);
+  cell.corners = AIRLIGHT_FETCH(photometry, firstColumn + columns + j * rows + i);
+  if (angles.x < cell.row.x || angles.x > cell.row.y || angles.y < cell.column.x ||
+    angles.y > cell.column.y)
   {
-    return real(0.0);
+    cell.corners = real4(real(0.0));
   }
-  real4 cell = AIRLIGHT_FETCH(photometry, firstColumn + columns + j * rows + i);
-  real v = clamp((angles.x - row.x) * row.z, real(0.0), real(1.0));
-  real h = clamp((angles.y - column.x) * column.z, real(0.0), real(1.0));
-  return mix(mix(cell.x, cell.y, v), mix(cell.z, cell.w, v), h);
+  return cell;
+}
+
+// The intensity in a unit direction of the cell, at the cell's edge for those that are not.
+AIRLIGHT_FN real airlightPhotometryInside(AIRLIGHT_IN(AirlightPhotometry) photometry,
+  AIRLIGHT_IN(AirlightPhotometryCell) cell, real3 direction)
+{
+  real2 angles = airlightPhotometryAngles(photometry, cell.type, direction);
+  if (cell.type == 1)
+  {
+    angles.y = airlightPhotometryTurn(angles.y, cell.column);
+  }
+  real v = clamp((angles.x - cell.row.x) * cell.row.z, real(0.0), real(1.0));
+  real h = clamp((angles.y - cell.column.x) * cell.column.z, real(0.0), real(1.0));
+  return mix(mix(cell.corners.x, cell.corners.y, v), mix(cell.corners.z, cell.corners.w, v), h);
+}
+
+// The intensity relative to the largest in a unit direction away from the light: linear in both
+// angles between those of the file, 0 outside.
+AIRLIGHT_FN real airlightPhotometry(AIRLIGHT_IN(AirlightPhotometry) photometry, real3 direction)
+{
+  return airlightPhotometryInside(
+    photometry, airlightPhotometryCell(photometry, direction), direction);
 }
 
 #endif

@@ -1,10 +1,15 @@
 // Airlight by quadrature, for what has no closed form: other attenuations than the inverse square,
 // spots with an exponent, lights outside the region, varying density, several media.
 
-// What half the nodes of a panel may make of a difference, relative to the piece's integral. Kinks,
-// where the light's way leaves a region through another face, cost all nodes up to a few times that:
-// 1e-3 is what they are allowed.
+// What half the nodes of a panel may make of a difference, relative to the piece's integral. Where
+// the integrand is smooth, all nodes are better by some orders of magnitude. Kinks that the panels
+// are not cut at (AirlightKinks.glsl), at the edges of surfaces, cost all nodes up to a few times
+// that: 1e-3 is what they are allowed.
+#if AIRLIGHT_HAS_SURFACE
 #define AIRLIGHT_PANEL_TOLERANCE 1e-4
+#else
+#define AIRLIGHT_PANEL_TOLERANCE 1e-3
+#endif
 
 // So many times more panels where media are inside surfaces.
 #define AIRLIGHT_SURFACE_PANELS 2
@@ -25,7 +30,8 @@ AIRLIGHT_FN real3 airlightScattered(AIRLIGHT_IN(AirlightMedia) media,
   return sum;
 }
 
-// Fall-off and cone of a light at a place, in the direction of a point r away.
+// Fall-off and cone of a light at a place, in the direction of a point r away. What a photometric
+// table says comes on top.
 AIRLIGHT_FN real airlightFalloff(AIRLIGHT_IN(AirlightLight) light, real3 point, real r)
 {
   real fall = light.attenuation.x + r * (light.attenuation.y + r * light.attenuation.z);
@@ -35,16 +41,23 @@ AIRLIGHT_FN real airlightFalloff(AIRLIGHT_IN(AirlightLight) light, real3 point, 
     real cosAngle = dot(point - light.position, light.axis) / max(r, light.radius);
     spot = pow(max(cosAngle, real(1e-6)), light.exponent);
   }
-#if AIRLIGHT_HAS_PHOTOMETRY
-  if (light.goniometric != 0)
-  {
-    spot *= airlightPhotometry(light.photometry, normalize(point - light.position));
-  }
-#endif
   return spot / fall;
 }
 
-// The integrand for a light at a place: x from the light's foot, r from the light.
+// What a light's photometric table says of the direction of a point.
+AIRLIGHT_FN real airlightShare(AIRLIGHT_IN(AirlightLight) light, real3 point)
+{
+#if AIRLIGHT_HAS_PHOTOMETRY
+  if (light.goniometric != 0)
+  {
+    return airlightPhotometry(light.photometry, normalize(point - light.position));
+  }
+#endif
+  return real(1.0);
+}
+
+// The integrand for a light at a place, but for that share: x from the light's foot, r from the
+// light.
 AIRLIGHT_FN real3 airlightPointIntegrand(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
   AIRLIGHT_IN(AirlightPiece) piece, real x, real r)
@@ -84,7 +97,9 @@ AIRLIGHT_FN real3 airlightPointPanel(AIRLIGHT_IN(AirlightMedia) media,
     real e = exp(middle + (k % 2 == 0 ? reach : -reach) * node.x);
     real r = real(0.5) * ray.foot.h * (e + real(1.0) / e);
     real x = real(0.5) * ray.foot.h * (e - real(1.0) / e);
-    real3 value = r * airlightPointIntegrand(media, light, ray, piece, x, r);
+    real3 point = ray.origin + (ray.range.x + ray.foot.tL + x) * ray.direction;
+    real3 value = r * airlightShare(light, point) *
+      airlightPointIntegrand(media, light, ray, piece, x, r);
     sum += node.y * value;
     coarse += airlightCoarseWeight(k / 2) * value;
   }
@@ -173,58 +188,6 @@ AIRLIGHT_FN real3 airlightHalvedPanels(AIRLIGHT_IN(AirlightMedia) media,
       a = b;
       step = min(real(2.0) * step, width);
     }
-  }
-  return sum;
-}
-
-// One piece, up to t1, where what is left of the light no longer counts.
-AIRLIGHT_FN real3 airlightQuadraturePiece(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real t1)
-{
-  real t0 = piece.from;
-  real x0 = t0 - ray.range.x - ray.foot.tL;
-  real x1 = t1 - ray.range.x - ray.foot.tL;
-  bool straight = airlightIsDirectional(light) ||
-    x1 - x0 < real(0.05) * max(abs(x0), ray.foot.h);
-  real v0 = straight ? t0 : airlightAsinh(x0 / ray.foot.h);
-  real v1 = straight ? t1 : airlightAsinh(x1 / ray.foot.h);
-  int panels = straight ? 2 : airlightPanelCount(v1 - v0, real(1.0));
-#if AIRLIGHT_HAS_SURFACE
-  // The way to the light can pass a corner of a surface on so short a part of the ray that no node
-  // of larger panels sees it.
-  panels *= AIRLIGHT_SURFACE_PANELS;
-#endif
-  real3 sum = real3(real(0.0));
-  real3 doubt = real3(real(0.0));
-  for (int i = 0; i < panels; i++)
-  {
-    real a = v0 + (v1 - v0) * real(i) / real(panels);
-    real b = v0 + (v1 - v0) * real(i + 1) / real(panels);
-    real3 coarse;
-    real3 value = airlightPanel(media, light, ray, piece, straight, a, b, coarse);
-    sum += value;
-    doubt += abs(value - coarse);
-  }
-  return any(greaterThan(doubt, real(2.0 * AIRLIGHT_PANEL_TOLERANCE) * sum))
-    ? airlightHalvedPanels(media, light, ray, piece, straight, v0, v1, panels, sum)
-    : sum;
-}
-
-// The integral over [t0, t1], sigmaS included.
-AIRLIGHT_FN real3 airlightQuadrature(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
-{
-  real3 sum = real3(real(0.0));
-  while (t0 < t1)
-  {
-    AirlightPiece piece = airlightPieceAt(media, ray.origin, ray.direction, t0, t1);
-    if (piece.inside != 0)
-    {
-      real end = airlightFadedAt(media, piece, ray.origin, ray.direction);
-      sum += airlightQuadraturePiece(media, light, ray, piece, end);
-    }
-    t0 = piece.to;
   }
   return sum;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the tests of one picture per feature share: a window of 640x480 and coloured bodies.
+ * What the tests of one picture per feature share: a window and coloured bodies.
  */
 
 #ifndef AirlightFeatureScene_h
@@ -20,8 +20,8 @@ namespace airlighttest
 class FeatureScene : public Scene
 {
 public:
-  FeatureScene()
-    : Scene(640, 480)
+  explicit FeatureScene(int width = 640, int height = 480)
+    : Scene(width, height)
   {
     this->Renderer->SetBackground(0.0, 0.0, 0.0);
     // The buffers stay as the pass writes them; the picture's edges are smoothed.

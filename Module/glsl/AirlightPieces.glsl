@@ -1,0 +1,66 @@
+// Quadrature piece by piece of a ray.
+
+// A part of a piece without kinks.
+AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
+  AIRLIGHT_IN(AirlightPiece) piece, real t0, real t1)
+{
+  real x0 = t0 - ray.range.x - ray.foot.tL;
+  real x1 = t1 - ray.range.x - ray.foot.tL;
+  bool straight = airlightIsDirectional(light) ||
+    x1 - x0 < real(0.05) * max(abs(x0), ray.foot.h);
+  real v0 = straight ? t0 : airlightAsinh(x0 / ray.foot.h);
+  real v1 = straight ? t1 : airlightAsinh(x1 / ray.foot.h);
+#if AIRLIGHT_HAS_PHOTOMETRY
+  if (light.goniometric != 0)
+  {
+    return airlightGoniometricPiece(media, light, ray, piece, straight, v0, v1);
+  }
+#endif
+  int panels = straight ? 2 : airlightPanelCount(v1 - v0, real(1.0));
+#if AIRLIGHT_HAS_SURFACE
+  // The way to the light can pass a corner of a surface on so short a part of the ray that no node
+  // of larger panels sees it.
+  panels *= AIRLIGHT_SURFACE_PANELS;
+#endif
+  real3 sum = real3(real(0.0));
+  real3 doubt = real3(real(0.0));
+  for (int i = 0; i < panels; i++)
+  {
+    real a = v0 + (v1 - v0) * real(i) / real(panels);
+    real b = v0 + (v1 - v0) * real(i + 1) / real(panels);
+    real3 coarse;
+    real3 value = airlightPanel(media, light, ray, piece, straight, a, b, coarse);
+    sum += value;
+    doubt += abs(value - coarse);
+  }
+  return any(greaterThan(doubt, real(2.0 * AIRLIGHT_PANEL_TOLERANCE) * sum))
+    ? airlightHalvedPanels(media, light, ray, piece, straight, v0, v1, panels, sum)
+    : sum;
+}
+
+// The integral over [t0, t1], sigmaS included.
+AIRLIGHT_FN real3 airlightQuadrature(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
+{
+  AirlightWay way = airlightWay(light, ray);
+  real3 sum = real3(real(0.0));
+  while (t0 < t1)
+  {
+    AirlightPiece piece = airlightPieceAt(media, ray.origin, ray.direction, t0, t1);
+    if (piece.inside != 0)
+    {
+      // What lies beyond no longer counts.
+      real end = airlightFadedAt(media, piece, ray.origin, ray.direction);
+      real from = piece.from;
+      while (from < end)
+      {
+        real to = airlightNextKink(media, way, from, end);
+        sum += airlightQuadraturePart(media, light, ray, piece, from, to);
+        from = to;
+      }
+    }
+    t0 = piece.to;
+  }
+  return sum;
+}
