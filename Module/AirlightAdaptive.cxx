@@ -95,9 +95,9 @@ private:
 
   glm::dvec3 Panel(double from, double to) const
   {
-    glm::dvec3 coarse;
+    glm::dvec3 doubt;
     return f64::airlightPanel(
-      this->Media, this->Light, this->Ray, this->Piece, this->Straight, from, to, coarse);
+      this->Media, this->Light, this->Ray, this->Piece, this->Straight, from, to, doubt);
   }
 
   glm::dvec3 Refine(double from, double to, const glm::dvec3& whole, int depth)

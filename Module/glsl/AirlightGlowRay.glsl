@@ -91,10 +91,10 @@ AIRLIGHT_FN real3 airlightGlowPiece(AIRLIGHT_IN(AirlightMedia) media,
   {
     t1 = t0 + airlightGlowReach(media.item[0], ray.direction, t1 - t0);
   }
-  real3 coarse;
+  real3 doubt;
   if (airlightIsDirectional(light))
   {
-    return airlightStraightPanel(media, light, ray, piece, t0, t1, coarse);
+    return airlightStraightPanel(media, light, ray, piece, t0, t1, doubt);
   }
   // One panel on each side of the light's foot, where the peak is.
   real3 sum = real3(real(0.0));
@@ -103,11 +103,11 @@ AIRLIGHT_FN real3 airlightGlowPiece(AIRLIGHT_IN(AirlightMedia) media,
   real middle = clamp(real(0.0), v0, v1);
   if (middle > v0)
   {
-    sum += airlightPointPanel(media, light, ray, piece, v0, middle, coarse);
+    sum += airlightPointPanel(media, light, ray, piece, v0, middle, doubt);
   }
   if (v1 > middle)
   {
-    sum += airlightPointPanel(media, light, ray, piece, middle, v1, coarse);
+    sum += airlightPointPanel(media, light, ray, piece, middle, v1, doubt);
   }
   return sum;
 }

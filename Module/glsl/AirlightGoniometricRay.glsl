@@ -89,17 +89,20 @@ AIRLIGHT_FN real airlightPhotometryCut(AIRLIGHT_IN(AirlightPhotometryLine) line,
 // than this in v (the integrand's next singularities are pi/2 away from real v).
 #define AIRLIGHT_NARROW 0.2
 
-// Node k of a panel on [-1, 1]: position, weight, weight in a coarser rule.
-AIRLIGHT_FN real3 airlightCellNode(bool narrow, int k)
+// Node k of a panel on [-1, 1]: position, weight, weights of what tells how rough the integrand is:
+// airlightRoughWeight(), or for three nodes what one node would make of a difference.
+AIRLIGHT_FN real4 airlightCellNode(bool narrow, int k)
 {
   if (narrow)
   {
-    return k == 1 ? real3(real(0.0), real(0.8888888888888889), real(2.0))
-                  : real3(real(k - 1) * real(0.7745966692414834), real(0.5555555555555556),
-                      real(0.0));
+    return k == 1 ? real4(real(0.0), real(0.8888888888888889), real(-1.1111111111111111), real(0.0))
+                  : real4(real(k - 1) * real(0.7745966692414834), real(0.5555555555555556),
+                      real(0.5555555555555556), real(0.0));
   }
   real2 node = airlightGaussNode(k / 2);
-  return real3(k % 2 == 0 ? node.x : -node.x, node.y, airlightCoarseWeight(k / 2));
+  real2 rough = airlightRoughWeight(k / 2);
+  return k % 2 == 0 ? real4(node.x, node.y, rough.x, rough.y)
+                    : real4(-node.x, node.y, rough.x, -rough.y);
 }
 
 // What is scattered on one panel inside one cell; `doubt` is how much it may be wrong by. The
@@ -120,10 +123,11 @@ AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
   real tL = ray.range.x + ray.foot.tL;
   real h = ray.foot.h;
   real3 sum = real3(real(0.0));
-  real3 coarse = real3(real(0.0));
+  real3 even = real3(real(0.0));
+  real3 odd = real3(real(0.0));
   for (int k = 0; k < count; k++)
   {
-    real3 node = airlightCellNode(narrow, k);
+    real4 node = airlightCellNode(narrow, k);
     real w = middle + reach * node.x;
     real e = exp(straight ? real(0.0) : w);
     real x = straight ? w - tL : real(0.5) * h * (e - real(1.0) / e);
@@ -133,15 +137,14 @@ AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
       airlightPhotometryInside(light.photometry, cell, direction) *
       airlightPointIntegrand(media, light, ray, piece, x, r);
     sum += node.y * value;
-    coarse += node.z * value;
+    even += node.z * value;
+    odd += node.w * value;
   }
-  doubt = reach * abs(sum - coarse);
-  if (narrow)
-  {
-    // One node is wrong by the square of the width, three by its sixth power: the square of the
-    // relative difference is still on the safe side.
-    doubt *= min(abs(sum - coarse) / max(sum, real3(real(1e-30))), real3(real(1.0)));
-  }
+  // One node is wrong by the square of the width, three by its sixth power: the square of the
+  // relative difference is still on the safe side.
+  doubt = reach *
+    (narrow ? abs(even) * min(abs(even) / max(sum, real3(real(1e-30))), real3(real(1.0)))
+            : airlightRough(even, odd));
   return reach * sum;
 }
 

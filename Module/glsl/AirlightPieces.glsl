@@ -29,10 +29,9 @@ AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_IN(AirlightMedia) media,
   {
     real a = v0 + (v1 - v0) * real(i) / real(panels);
     real b = v0 + (v1 - v0) * real(i + 1) / real(panels);
-    real3 coarse;
-    real3 value = airlightPanel(media, light, ray, piece, straight, a, b, coarse);
-    sum += value;
-    doubt += abs(value - coarse);
+    real3 part;
+    sum += airlightPanel(media, light, ray, piece, straight, a, b, part);
+    doubt += part;
   }
   return any(greaterThan(doubt, real(2.0 * AIRLIGHT_PANEL_TOLERANCE) * sum))
     ? airlightHalvedPanels(media, light, ray, piece, straight, v0, v1, panels, sum)

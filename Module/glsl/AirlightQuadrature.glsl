@@ -1,11 +1,11 @@
 // Airlight by quadrature, for what has no closed form: other attenuations than the inverse square,
 // spots with an exponent, lights outside the region, varying density, several media.
 
-// What half the nodes of a panel may make of a difference, relative to the piece's integral. Where
-// the integrand is smooth, all nodes are better by some orders of magnitude. Kinks that the panels
-// are not cut at (AirlightKinks.glsl), at the edges of surfaces, cost all nodes up to a few times
-// that: 1e-3 is what they are allowed.
-#if AIRLIGHT_HAS_SURFACE
+// What a panel may be in doubt by, relative to the piece's integral. Where the integrand is smooth it
+// is better than that by some orders of magnitude. Kinks that the panels are not cut at
+// (AirlightKinks.glsl) are those of surfaces and tables: there are many, and 1e-3 is what they are
+// allowed together.
+#if AIRLIGHT_HAS_SURFACE || AIRLIGHT_HAS_TABLE || AIRLIGHT_HAS_PHOTOMETRY
 #define AIRLIGHT_PANEL_TOLERANCE 1e-4
 #else
 #define AIRLIGHT_PANEL_TOLERANCE 1e-3
@@ -85,12 +85,13 @@ AIRLIGHT_FN real3 airlightSunIntegrand(AIRLIGHT_IN(AirlightMedia) media,
 // of width h, as smooth as the tails: dx = r dv.
 AIRLIGHT_FN real3 airlightPointPanel(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real v0, real v1, AIRLIGHT_OUT(real3) coarse)
+  AIRLIGHT_IN(AirlightPiece) piece, real v0, real v1, AIRLIGHT_OUT(real3) doubt)
 {
   real middle = real(0.5) * (v0 + v1);
   real reach = real(0.5) * (v1 - v0);
   real3 sum = real3(real(0.0));
-  coarse = real3(real(0.0));
+  real3 even = real3(real(0.0));
+  real3 odd = real3(real(0.0));
   for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
   {
     real2 node = airlightGaussNode(k / 2);
@@ -101,9 +102,11 @@ AIRLIGHT_FN real3 airlightPointPanel(AIRLIGHT_IN(AirlightMedia) media,
     real3 value = r * airlightShare(light, point) *
       airlightPointIntegrand(media, light, ray, piece, x, r);
     sum += node.y * value;
-    coarse += airlightCoarseWeight(k / 2) * value;
+    real2 rough = airlightRoughWeight(k / 2);
+    even += rough.x * value;
+    odd += (k % 2 == 0 ? rough.y : -rough.y) * value;
   }
-  coarse *= reach;
+  doubt = reach * airlightRough(even, odd);
   return reach * sum;
 }
 
@@ -111,10 +114,11 @@ AIRLIGHT_FN real3 airlightPointPanel(AIRLIGHT_IN(AirlightMedia) media,
 // on intervals so short that v0 and v1 would be one number.
 AIRLIGHT_FN real3 airlightStraightPanel(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real t0, real t1, AIRLIGHT_OUT(real3) coarse)
+  AIRLIGHT_IN(AirlightPiece) piece, real t0, real t1, AIRLIGHT_OUT(real3) doubt)
 {
   real3 sum = real3(real(0.0));
-  coarse = real3(real(0.0));
+  real3 even = real3(real(0.0));
+  real3 odd = real3(real(0.0));
   for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
   {
     real2 node = airlightGaussNode(k / 2);
@@ -132,9 +136,11 @@ AIRLIGHT_FN real3 airlightStraightPanel(AIRLIGHT_IN(AirlightMedia) media,
       value = airlightPointIntegrand(media, light, ray, piece, x, r);
     }
     sum += node.y * value;
-    coarse += airlightCoarseWeight(k / 2) * value;
+    real2 rough = airlightRoughWeight(k / 2);
+    even += rough.x * value;
+    odd += (k % 2 == 0 ? rough.y : -rough.y) * value;
   }
-  coarse *= real(0.5) * (t1 - t0);
+  doubt = real(0.5) * (t1 - t0) * airlightRough(even, odd);
   return real(0.5) * (t1 - t0) * sum;
 }
 
@@ -150,13 +156,13 @@ AIRLIGHT_FN int airlightPanelCount(real length, real scale)
   return int(clamp(length / scale, real(0.0), real(60.0))) + 1;
 }
 
-// One panel; `coarse` is what half the nodes give.
+// One panel; `doubt` is how much it may be wrong by.
 AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, AIRLIGHT_OUT(real3) coarse)
+  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, AIRLIGHT_OUT(real3) doubt)
 {
-  return straight ? airlightStraightPanel(media, light, ray, piece, v0, v1, coarse)
-                  : airlightPointPanel(media, light, ray, piece, v0, v1, coarse);
+  return straight ? airlightStraightPanel(media, light, ray, piece, v0, v1, doubt)
+                  : airlightPointPanel(media, light, ray, piece, v0, v1, doubt);
 }
 
 // The panels from v0 to v1 again, where `total` turned out not to be good enough. A panel whose nodes
@@ -174,10 +180,10 @@ AIRLIGHT_FN real3 airlightHalvedPanels(AIRLIGHT_IN(AirlightMedia) media,
   {
     // The last one may be a rounding error wide.
     real b = v1 - a < real(1.01) * step ? v1 : a + step;
-    real3 coarse;
-    real3 value = airlightPanel(media, light, ray, piece, straight, a, b, coarse);
+    real3 doubt;
+    real3 value = airlightPanel(media, light, ray, piece, straight, a, b, doubt);
     // Written so that what is not a number ends it, too.
-    bool few = any(greaterThan(abs(value - coarse), real(AIRLIGHT_PANEL_TOLERANCE) * total));
+    bool few = any(greaterThan(doubt, real(AIRLIGHT_PANEL_TOLERANCE) * total));
     if (few && step > width * real(1.0 / 512.0))
     {
       step *= real(0.5);
