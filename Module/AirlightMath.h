@@ -18,12 +18,14 @@
 
 #define AIRLIGHT_FN inline
 #define AIRLIGHT_OUT(T) T&
+#define AIRLIGHT_INOUT(T) T&
 #define AIRLIGHT_IN(T) const T&
 #define AIRLIGHT_PRECISE
 // Surfaces and tables lie in memory.
 #define AIRLIGHT_DATA_MEMBER const real4* data;
 #define AIRLIGHT_FETCH(owner, i) ((owner).data[(i)])
 #define AIRLIGHT_HAS_SURFACE 1
+#define AIRLIGHT_MAY_TRY true
 #define AIRLIGHT_HAS_TABLE 1
 #define AIRLIGHT_HAS_PHOTOMETRY 1
 
@@ -56,6 +58,7 @@ using namespace glm;
 
 #undef AIRLIGHT_FN
 #undef AIRLIGHT_OUT
+#undef AIRLIGHT_INOUT
 #undef AIRLIGHT_IN
 #undef AIRLIGHT_PRECISE
 #undef AIRLIGHT_DATA_MEMBER

@@ -120,66 +120,109 @@ AIRLIGHT_FN real airlightInverse(real x)
   return (x < real(0.0) ? real(-1.0) : real(1.0)) / max(abs(x), real(1e-18));
 }
 
+#if AIRLIGHT_HAS_SURFACE
+// A ray on its way through the tree of a surface.
+struct AirlightTreeWalk
+{
+  real3 point; // origin, from the surface's centre
+  real3 origin;
+  real3 direction;
+  real3 inverse; // of the direction
+  real3 frame0;  // directions across it
+  real3 frame1;
+  real margin; // of boxes
+  real start;  // where the surface can begin
+  real l;      // see airlightSurfaceSums()
+  real t;
+  int node; // the next one
+  real3 sums;
+};
+
+AIRLIGHT_FN void airlightTestTriangle(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_INOUT(AirlightTreeWalk) walk, int at)
+{
+  real4 a = AIRLIGHT_FETCH(medium.region, at);
+  real4 b = AIRLIGHT_FETCH(medium.region, at + 1);
+  real4 c = AIRLIGHT_FETCH(medium.region, at + 2);
+  real2 hit = airlightTriangleHit(walk.frame0, walk.frame1, walk.direction,
+    real3(a.x, a.y, a.z) - walk.point, real3(b.x, b.y, b.z) - walk.point,
+    real3(c.x, c.y, c.z) - walk.point);
+  if (hit.y != real(0.0) && hit.x > real(0.0))
+  {
+    real to = min(hit.x, walk.l);
+    real depth = airlightInsideDepth(
+      medium, walk.origin, walk.direction, min(walk.start, to), max(walk.start, to));
+    walk.sums.x += hit.y * (to > walk.start ? depth : -depth);
+    walk.sums.y = hit.x > walk.t ? min(walk.sums.y, hit.x) : walk.sums.y;
+    walk.sums.z += hit.x > walk.t ? hit.y : real(0.0);
+  }
+}
+
+// One node: into its subtree, or past it.
+AIRLIGHT_FN void airlightTestNode(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_INOUT(AirlightTreeWalk) walk)
+{
+  if (walk.node >= medium.region.nodes)
+  {
+    return;
+  }
+  int at = medium.region.first + 2 * walk.node;
+  real4 least = AIRLIGHT_FETCH(medium.region, at);
+  real4 greatest = AIRLIGHT_FETCH(medium.region, at + 1);
+  bool meets = airlightMeetsBox(walk.point, walk.inverse, real3(least.x, least.y, least.z),
+    real3(greatest.x, greatest.y, greatest.z), walk.margin);
+  if (meets && greatest.w >= real(0.0))
+  {
+    int leaf = int(greatest.w + real(0.5));
+    int triangle = medium.region.first + 2 * medium.region.nodes + 3 * (leaf / 4);
+    for (int i = 0; i <= leaf % 4; i++)
+    {
+      airlightTestTriangle(medium, walk, triangle + 3 * i);
+    }
+  }
+  walk.node = meets && greatest.w < real(0.0) ? walk.node + 1 : int(least.w + real(0.5));
+}
+#endif
+
 // Of a medium inside a surface: x: integral of the density on [0, l] of a ray; y: the next t_i after
 // t; z: how many times the surface holds the ray after t, which is 0 or 1.
 AIRLIGHT_FN real3 airlightSurfaceSums(
   AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real l, real t)
 {
-  real3 sums = real3(real(0.0), real(AIRLIGHT_FAR), real(0.0));
 #if AIRLIGHT_HAS_SURFACE
-  real3 frame0;
-  real3 frame1;
-  airlightFrame(direction, frame0, frame1);
-  real3 point = origin - medium.region.centre;
-  real3 inverse = real3(
+  AirlightTreeWalk walk;
+  airlightFrame(direction, walk.frame0, walk.frame1);
+  walk.point = origin - medium.region.centre;
+  walk.origin = origin;
+  walk.direction = direction;
+  walk.inverse = real3(
     airlightInverse(direction.x), airlightInverse(direction.y), airlightInverse(direction.z));
   // What roundings make of a triangle's place as seen from afar.
 #ifdef AIRLIGHT_DOUBLE
-  real margin = real(1e-15) * length(point);
+  walk.margin = real(1e-15) * length(walk.point);
 #else
-  real margin = real(1e-6) * length(point);
+  walk.margin = real(1e-6) * length(walk.point);
 #endif
   // Density is summed up from where the surface can begin, not from afar, where it may be huge.
-  real start = airlightRegionRange(medium.region, origin, direction, real(AIRLIGHT_FAR)).x;
-  int first = medium.region.first;
-  int triangles = first + 2 * medium.region.nodes;
-  int node = 0;
-  while (node < medium.region.nodes)
+  walk.start = airlightRegionRange(medium.region, origin, direction, real(AIRLIGHT_FAR)).x;
+  walk.l = l;
+  walk.t = t;
+  walk.node = 0;
+  walk.sums = real3(real(0.0), real(AIRLIGHT_FAR), real(0.0));
+  while (walk.node < medium.region.nodes)
   {
-    real4 least = AIRLIGHT_FETCH(medium.region, first + 2 * node);
-    real4 greatest = AIRLIGHT_FETCH(medium.region, first + 2 * node + 1);
-    bool meets =
-      airlightMeetsBox(point, inverse, real3(least.x, least.y, least.z),
-        real3(greatest.x, greatest.y, greatest.z), margin);
-    if (meets && greatest.w >= real(0.0))
-    {
-      int leaf = int(greatest.w + real(0.5));
-      for (int i = leaf / 4; i <= leaf / 4 + leaf % 4; i++)
-      {
-        real4 a = AIRLIGHT_FETCH(medium.region, triangles + 3 * i);
-        real4 b = AIRLIGHT_FETCH(medium.region, triangles + 3 * i + 1);
-        real4 c = AIRLIGHT_FETCH(medium.region, triangles + 3 * i + 2);
-        real2 hit = airlightTriangleHit(frame0, frame1, direction, real3(a.x, a.y, a.z) - point,
-          real3(b.x, b.y, b.z) - point, real3(c.x, c.y, c.z) - point);
-        if (hit.y != real(0.0) && hit.x > real(0.0))
-        {
-          real to = min(hit.x, l);
-          sums.x += hit.y *
-            (to > start ? airlightInsideDepth(medium, origin, direction, start, to)
-                        : -airlightInsideDepth(medium, origin, direction, to, start));
-          sums.y = hit.x > t ? min(sums.y, hit.x) : sums.y;
-          sums.z += hit.x > t ? hit.y : real(0.0);
-        }
-      }
-    }
-    // Into the subtree, or past it.
-    node = meets && greatest.w < real(0.0) ? node + 1 : int(least.w + real(0.5));
+    // Several a round: see AIRLIGHT_MOST_TRIES.
+    airlightTestNode(medium, walk);
+    airlightTestNode(medium, walk);
+    airlightTestNode(medium, walk);
   }
   // Roundings can make a ray along a triangle lose one of its hits, from which the sum is off by a
   // distance: what is inside the surface is inside its box.
   real2 range = airlightRegionRange(medium.region, origin, direction, l);
-  sums.x = clamp(
-    sums.x, real(0.0), airlightInsideDepth(medium, origin, direction, range.x, range.y));
+  walk.sums.x = clamp(
+    walk.sums.x, real(0.0), airlightInsideDepth(medium, origin, direction, range.x, range.y));
+  return walk.sums;
+#else
+  return real3(real(0.0), real(AIRLIGHT_FAR), real(0.0));
 #endif
-  return sums;
 }

@@ -6,6 +6,7 @@
 #define bool3 bvec3
 #define AIRLIGHT_FN
 #define AIRLIGHT_OUT(T) out T
+#define AIRLIGHT_INOUT(T) inout T
 #define AIRLIGHT_IN(T) T
 // Forbids optimisations that change roundings, where the language can.
 #if __VERSION__ >= 400

@@ -11,6 +11,19 @@
 #define AIRLIGHT_PANEL_TOLERANCE 1e-3
 #endif
 
+// So many panels may be halved, on all of a pixel's ray together. Mesa's software renderer ends all
+// loops of a shader, without a word, after 65 535 rounds together; with surfaces, where every node
+// walks through a tree, a panel takes some hundreds.
+#if AIRLIGHT_HAS_SURFACE
+#define AIRLIGHT_MOST_TRIES 150
+#else
+#define AIRLIGHT_MOST_TRIES 800
+#endif
+#ifndef AIRLIGHT_MAY_TRY // in shaders
+int airlightTries = 0;
+#define AIRLIGHT_MAY_TRY (airlightTries++ < AIRLIGHT_MOST_TRIES)
+#endif
+
 // So many times more panels where media are inside surfaces.
 #define AIRLIGHT_SURFACE_PANELS 2
 
@@ -175,8 +188,9 @@ AIRLIGHT_FN real3 airlightHalvedPanels(AIRLIGHT_IN(AirlightMedia) media,
   real step = width;
   real a = v0;
   real3 sum = real3(real(0.0));
-  // More than any number of kinks has needed; a bound, so that every driver ends.
-  for (int i = 0; i < 600 && a < v1; i++)
+  // Bounded, so that every driver ends: where nothing is halved any more, as many as there were at
+  // first (at most 122) reach the end.
+  for (int i = 0; i < AIRLIGHT_MOST_TRIES + 150 && a < v1; i++)
   {
     // The last one may be a rounding error wide.
     real b = v1 - a < real(1.01) * step ? v1 : a + step;
@@ -184,7 +198,7 @@ AIRLIGHT_FN real3 airlightHalvedPanels(AIRLIGHT_IN(AirlightMedia) media,
     real3 value = airlightPanel(media, light, ray, piece, straight, a, b, doubt);
     // Written so that what is not a number ends it, too.
     bool few = any(greaterThan(doubt, real(AIRLIGHT_PANEL_TOLERANCE) * total));
-    if (few && step > width * real(1.0 / 512.0))
+    if (few && step > width * real(1.0 / 512.0) && AIRLIGHT_MAY_TRY)
     {
       step *= real(0.5);
     }
