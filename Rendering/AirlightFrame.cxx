@@ -14,9 +14,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace airlight
 {
 //------------------------------------------------------------------------------

@@ -98,7 +98,8 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") + AirlightExponentialIntegral +
     AirlightGauss + AirlightGoniometric + AirlightPhase + AirlightPointLight + AirlightRegion +
     AirlightMedium + AirlightClosedSurface + AirlightPath + AirlightMedia + AirlightLight +
-    AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces + AirlightScattering;
+    AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces +
+    AirlightScattering;
 }
 
 //------------------------------------------------------------------------------

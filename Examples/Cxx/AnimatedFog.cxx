@@ -61,7 +61,7 @@ std::size_t ChooseSurface(const Scene& scene, int wanted)
         std::string::npos;
     });
   return bunny == scene.Surfaces.end() ? 0
-                                        : static_cast<std::size_t>(bunny - scene.Surfaces.begin());
+                                       : static_cast<std::size_t>(bunny - scene.Surfaces.begin());
 }
 
 void ShowProgress(int done, int all)

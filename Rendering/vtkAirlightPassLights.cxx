@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What vtkAirlightPass lets its users say of single lights.
+
+#include "vtkAirlightPass.h"
+
+#include "vtkAirlightPassInternals.h"
+
+#include "vtkLight.h"
+
+#include <algorithm>
+
+using namespace airlight;
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetLightScatters(vtkLight* light, bool scatters)
+{
+  if (!light)
+  {
+    vtkErrorMacro("SetLightScatters() needs a light; it got null.");
+    return;
+  }
+  if (this->GetLightScatters(light) != scatters)
+  {
+    this->Impl->GetOptions(light).Scatters = scatters;
+    this->Modified();
+  }
+}
+
+bool vtkAirlightPass::GetLightScatters(vtkLight* light)
+{
+  const LightOptions* options = this->Impl->FindOptions(light);
+  return !options || options->Scatters;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::SetLightPhotometry(vtkLight* light, const char* file)
+{
+  if (!light)
+  {
+    vtkErrorMacro("SetLightPhotometry() needs a light; it got null.");
+    return false;
+  }
+  const std::string name = file ? file : "";
+  std::shared_ptr<const Photometry> photometry;
+  std::string error;
+  if (!name.empty() && !(photometry = Photometry::Read(name, error)))
+  {
+    vtkErrorMacro(<< "The light keeps its photometry: " << error);
+    return false;
+  }
+  LightOptions& options = this->Impl->GetOptions(light);
+  options.PhotometryFile = name;
+  options.Goniometry = photometry;
+  options.Table =
+    photometry ? std::make_shared<std::vector<glm::dvec4>>(photometry->Pack()) : nullptr;
+  this->Modified();
+  return true;
+}
+
+const char* vtkAirlightPass::GetLightPhotometry(vtkLight* light)
+{
+  const LightOptions* options = this->Impl->FindOptions(light);
+  return options && options->Goniometry ? options->PhotometryFile.c_str() : nullptr;
+}
+
+double vtkAirlightPass::GetLightPhotometryMaximum(vtkLight* light)
+{
+  const LightOptions* options = this->Impl->FindOptions(light);
+  return options && options->Goniometry ? options->Goniometry->GetMaximum() : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetLightPhotometryUp(vtkLight* light, double x, double y, double z)
+{
+  const glm::dvec3 up(x, y, z);
+  if (!light || !IsModerate(up) || up == glm::dvec3(0.0))
+  {
+    vtkErrorMacro(
+      << "SetLightPhotometryUp() needs a light and a finite direction that is not 0; it "
+         "got "
+      << (light ? "(" : "null and (") << x << ", " << y << ", " << z << ").");
+    return;
+  }
+  this->Impl->GetOptions(light).Up = up;
+  this->Modified();
+}
+
+void vtkAirlightPass::GetLightPhotometryUp(vtkLight* light, double up[3])
+{
+  const LightOptions* options = this->Impl->FindOptions(light);
+  const glm::dvec3 direction = options ? options->Up : LightOptions().Up;
+  std::copy_n(&direction.x, 3, up);
+}
