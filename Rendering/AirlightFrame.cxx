@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightFrame.h"
 
-#include "AirlightCompositeFS.h"
 #include "AirlightOpenGL.h"
-#include "AirlightViewShader.h"
 
 #include "vtkImageData.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -42,7 +40,7 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   this->Settings = settings;
   this->Width = width;
   this->Height = height;
-  if (!this->Textures.Prepare(this->Window, width, height, settings.Record))
+  if (!this->Textures.Prepare(this->Window, width, height, settings.Record, settings.Layers))
   {
     return this->Fail(this->Textures.GetError());
   }
@@ -156,101 +154,6 @@ bool Frame::RecordSingle(int index)
 }
 
 //------------------------------------------------------------------------------
-bool Frame::ReadyComposite(bool record, int x, int y)
-{
-  const std::string source = std::string("#version 330\n") + (record ? RecordDefinition : "") +
-    GetScatteringSource(this->Media, AIRLIGHT_POINT_CLOSED, false) + AirlightViewShader +
-    AirlightCompositeFS;
-  Quad& quad = record ? this->RecordQuad : this->CompositeQuad;
-  vtkShaderProgram* program = quad.Ready(this->Window, source);
-  if (!program)
-  {
-    return this->Fail("the composite shader did not compile: " + quad.GetError());
-  }
-  SetMediaUniforms(program, "media", this->Media);
-  this->Rays->SetUniforms(program, x, y);
-  if (record)
-  {
-    program->SetUniformf("error", ClosedFormError);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void Frame::DrawComposite(Quad& quad)
-{
-  quad.Draw({ { "distances", this->Textures.Distances }, { "scene", this->Textures.Scene },
-    { "sceneDepth", this->Textures.Depth }, { "scattered", this->Textures.Scattered },
-    { "airlightData", this->Data.GetTexture() },
-    { "counts", &quad == &this->RecordQuad ? this->Textures.Counts.Get() : nullptr } });
-}
-
-//------------------------------------------------------------------------------
-bool Frame::Composite(int x, int y, bool blend)
-{
-  // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
-  if (!this->ReadyComposite(false, x, y))
-  {
-    return false;
-  }
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglViewport(x, y, this->Width, this->Height);
-  state->vtkglScissor(x, y, this->Width, this->Height);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_ALWAYS);
-  state->vtkglDepthMask(GL_TRUE);
-  if (blend)
-  {
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  }
-  else
-  {
-    state->vtkglDisable(GL_BLEND);
-  }
-  this->DrawComposite(this->CompositeQuad);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(
-    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool Frame::Record()
-{
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  if (!this->ReadyComposite(true, 0, 0))
-  {
-    return false;
-  }
-  if (!this->Textures.Bind({ this->Textures.Radiance, this->Textures.Airlight,
-                             this->Textures.Surface, this->Textures.Transmittance },
-        nullptr))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  this->DrawComposite(this->RecordQuad);
-  this->Buffers["Radiance"] = this->Textures.Read(0, 0, 3);
-  this->Buffers["Airlight"] = this->Textures.Read(1, 0, 3);
-  this->Buffers["Surface"] = this->Textures.Read(2, 0, 3);
-  this->Buffers["Transmittance"] = this->Textures.Read(3, 0, 3);
-  this->Buffers["ErrorBound"] = this->Textures.Read(1, 3, 1);
-  if (!this->Textures.Bind(
-        { this->Textures.Scattered, this->Textures.Counts, this->Textures.Distances }, nullptr))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  this->Buffers["LitLength"] = this->Textures.Read(0, 3, 1);
-  this->Buffers["BoundaryCount"] = this->Textures.Read(1, 0, 1);
-  this->Buffers["Depth"] = this->Textures.Read(2, 0, 1);
-  return true;
-}
-
-//------------------------------------------------------------------------------
 vtkImageData* Frame::GetBuffer(const std::string& name)
 {
   const auto it = this->Buffers.find(name);
@@ -268,7 +171,9 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Lit = this->Textures.Lit;
   values.Data = this->Data.GetTexture();
   values.Glow = this->Settings.SurfaceGlow;
-  values.UseLit = this->Settings.Shadows && this->Settings.SurfaceShadows;
+  // The bits are those of the opaque surface, which lies behind what is drawn over the medium.
+  values.UseLit =
+    this->Settings.Shadows && this->Settings.SurfaceShadows && stage != SurfaceStage::Layer;
   return values;
 }
 
@@ -280,7 +185,8 @@ void Frame::Release(vtkWindow* window)
     quad.Release();
   }
   this->CompositeQuad.Release();
-  this->RecordQuad.Release();
+  this->LayersQuad.Release();
+  this->CopyQuad.Release();
   this->Boundaries.Release();
   this->Casters.Clear();
   this->Volumes.clear();

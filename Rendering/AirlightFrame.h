@@ -7,7 +7,9 @@
  *   2. for each light: shadow planes into lists, lists into airlight and into the bit that says
  *      whether the light reaches the surface;
  *   3. colours of the scene, each light dimmed and shadowed;
- *   4. airlight + transmittance * colours, into the caller's framebuffer.
+ *   4. airlight + transmittance * colours, and what is drawn over it, translucent surfaces and
+ *      volumes;
+ *   5. into the caller's framebuffer.
  */
 
 #ifndef AirlightFrame_h
@@ -28,11 +30,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
 
@@ -51,6 +55,7 @@ struct FrameSettings
   bool Shadows = false;
   bool SurfaceShadows = false;
   bool SurfaceGlow = false; // surfaces are lit by scattered light, too
+  bool Layers = false;      // translucent surfaces or volumes are drawn over the medium
   bool Record = false;
   double PhaseErrorBound = 0.0;  // the largest of the media, relative
   std::uint64_t MemoryLimit = 0; // bytes
@@ -76,12 +81,18 @@ public:
   // Step 3: binds the target that the scene is to be drawn into.
   bool BindScene();
 
-  // Step 4: into the framebuffer that is bound, with the viewport at x, y.
-  bool Composite(int x, int y, bool blend);
+  // Step 4 where something is to be drawn over the medium, or buffers to be recorded: into a texture,
+  // which stays bound.
+  bool CompositeLayers();
 
-  // The buffers of vtkAirlightPass::GetBuffer(), after ScatterLights() and BindScene().
+  // The buffers of vtkAirlightPass::GetBuffer(), after that.
   bool Record();
   vtkImageData* GetBuffer(const std::string& name);
+
+  // Step 5: into the framebuffer that is bound, with the viewport at x, y.
+  bool Composite(int x, int y, bool blend);
+
+  bool HasLayers() const { return this->Settings.Layers; }
 
   SurfaceUniforms GetSurfaceUniforms(SurfaceStage stage);
   vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Textures.GetFramebuffer(); }
@@ -104,8 +115,9 @@ private:
   };
   bool Resolve(int index, Lists lists, int row, int rows);
 
-  bool ReadyComposite(bool record, int x, int y);
-  void DrawComposite(Quad& quad);
+  vtkShaderProgram* ReadyComposite(bool layers, int x, int y);
+  vtkShaderProgram* ReadyCopy(int x, int y);
+  std::vector<std::pair<const char*, vtkTextureObject*>> GetCompositeTextures();
   std::vector<vtkTextureObject*> GetScatterTargets();
   void ClearTarget(float value);
 
@@ -116,7 +128,8 @@ private:
   std::vector<ShadowVolumes> Volumes; // by light number
   std::array<Quad, 3> ResolveQuads;   // by Lists; the last two share one
   Quad CompositeQuad;
-  Quad RecordQuad;
+  Quad LayersQuad;
+  Quad CopyQuad;
   std::map<std::string, vtkSmartPointer<vtkImageData>> Buffers;
   std::string Error;
 

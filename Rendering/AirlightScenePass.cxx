@@ -2,10 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightScenePass.h"
 
+#include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkRenderState.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(AirlightScenePass);
+
+//------------------------------------------------------------------------------
+AirlightScenePass::AirlightScenePass() = default;
+AirlightScenePass::~AirlightScenePass() = default;
 
 //------------------------------------------------------------------------------
 void AirlightScenePass::PrepareLights(vtkRenderer* renderer)
@@ -20,5 +30,67 @@ void AirlightScenePass::Render(const vtkRenderState* s)
   vtkRenderer* renderer = s->GetRenderer();
   this->ClearLights(renderer);
   this->PrepareLights(renderer);
-  this->UpdateGeometry(renderer, s->GetFrameBuffer());
+  if (this->OpaqueOnly)
+  {
+    renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer());
+  }
+  else
+  {
+    this->UpdateGeometry(renderer, s->GetFrameBuffer());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Assemblies and the like may hold volumes.
+bool AirlightScenePass::HasTransparent(const vtkRenderState* s)
+{
+  vtkProp** props = s->GetPropArray();
+  return std::any_of(props, props + s->GetPropArrayCount(), [](vtkProp* prop) {
+    return prop->HasTranslucentPolygonalGeometry() ||
+      !(prop->IsA("vtkActor") || prop->IsA("vtkActor2D"));
+  });
+}
+
+//------------------------------------------------------------------------------
+// In VTK's order; where translucent surfaces are peeled together with volumes, these are done.
+void AirlightScenePass::RenderTransparent(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkProp** props = s->GetPropArray();
+  const int count = s->GetPropArrayCount();
+  const bool translucent = std::any_of(
+    props, props + count, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+  if (translucent)
+  {
+    renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
+  }
+  if (!translucent || !renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes())
+  {
+    std::for_each(
+      props, props + count, [&](vtkProp* prop) { prop->RenderVolumetricGeometry(renderer); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::RenderOverlay(const vtkRenderState* s, bool antialias)
+{
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  if (antialias && renderer && renderer->GetUseFXAA())
+  {
+    if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
+    {
+      this->Antialiasing->UpdateConfiguration(options);
+    }
+    this->Antialiasing->Execute(renderer);
+  }
+  vtkProp** props = s->GetPropArray();
+  std::for_each(props, props + s->GetPropArrayCount(),
+    [&](vtkProp* prop) { prop->RenderOverlay(s->GetRenderer()); });
+}
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Antialiasing->ReleaseGraphicsResources();
 }

@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The delegate that vtkAirlightPass uses when it is given none: all that a renderer without a pass
- * would draw.
+ * What vtkAirlightPass draws where it is given no delegate: the scene as a renderer without a pass
+ * draws it, in parts, since the medium comes between them.
  */
 
 #ifndef AirlightScenePass_h
 #define AirlightScenePass_h
 
+#include "vtkNew.h"
 #include "vtkRenderPass.h"
+
+class vtkFrameBufferObjectBase;
+class vtkOpenGLFXAAFilter;
+class vtkWindow;
 
 class AirlightScenePass : public vtkRenderPass
 {
@@ -16,19 +21,36 @@ public:
   static AirlightScenePass* New();
   vtkTypeMacro(AirlightScenePass, vtkRenderPass);
 
+  // All of the scene, or its opaque geometry alone; for a vtkCameraPass.
   void Render(const vtkRenderState* s) override;
+  void SetOpaqueOnly(bool only) { this->OpaqueOnly = only; }
 
   // Brings the lights of the renderer into place (headlights and camera lights follow the camera)
   // and into its mappers.
   void PrepareLights(vtkRenderer* renderer);
 
+  // Whether RenderTransparent() would draw anything.
+  static bool HasTransparent(const vtkRenderState* s);
+
+  // Translucent surfaces as the renderer's settings say, then volumes.
+  void RenderTransparent(const vtkRenderState* s);
+
+  // Into the framebuffer that is bound: VTK's FXAA where it is allowed and the renderer asks for it,
+  // then annotations.
+  void RenderOverlay(const vtkRenderState* s, bool antialias);
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
 protected:
-  AirlightScenePass() = default;
-  ~AirlightScenePass() override = default;
+  AirlightScenePass();
+  ~AirlightScenePass() override;
 
 private:
   AirlightScenePass(const AirlightScenePass&) = delete;
   void operator=(const AirlightScenePass&) = delete;
+
+  bool OpaqueOnly = false;
+  vtkNew<vtkOpenGLFXAAFilter> Antialiasing;
 };
 
 #endif

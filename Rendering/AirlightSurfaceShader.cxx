@@ -6,6 +6,7 @@
 #include "AirlightQuad.h"
 #include "AirlightSurface.h"
 #include "AirlightSurfaceGlow.h"
+#include "AirlightSurfaceMedium.h"
 #include "AirlightView.h"
 #include "AirlightViewShader.h"
 
@@ -29,7 +30,8 @@ std::string Declarations(const SurfaceText& text)
                                                    : "";
   return text.Mathematics + "#define AIRLIGHT_LAMPS " + std::to_string(text.LampCount) +
     "\n#define AIRLIGHT_BITS " + std::to_string(BitsPerChannel) + "\n" + AirlightViewShader +
-    AirlightFragment + AirlightSurface + glow + Undefine;
+    AirlightFragment + AirlightSurface + glow + (text.Translucent ? AirlightSurfaceMedium : "") +
+    Undefine;
 }
 
 // Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
@@ -42,6 +44,16 @@ std::string AddGlow(const std::string& body)
   return std::regex_replace(std::regex_replace(body, phong,
                               "ambientColor + diffuse + diffuseColor * " + glow + " + specular"),
     physical, "color += Lo + (1.0 - metallic) * DiffuseLambert(albedo) * " + glow + ";");
+}
+
+// Puts the fragment behind the medium, before other passes make of it what they blend.
+std::string AddMedium(const std::string& body)
+{
+  const std::string marker = "//VTK::DepthPeeling::Impl";
+  const size_t place = body.find(marker);
+  return place == std::string::npos ? body
+                                    : body.substr(0, place) +
+      "\n  gl_FragData[0].rgb = airlightThrough(gl_FragData[0].rgb);\n  " + body.substr(place);
 }
 
 // Whether nothing but the template's own test of the final opacity can discard a fragment. Then a
@@ -90,6 +102,7 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
   const bool anyLight = std::regex_search(body, lightColor);
   std::string lit = std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])");
   lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
+  lit = text.Translucent ? AddMedium(lit) : lit;
   const std::string writeDistance = "    gl_FragData[0] = vec4(airlightFragmentDistance());\n";
   const std::string early = MayLeaveEarly(body)
     ? "  if (airlightStage == 0)\n  {\n" + writeDistance + "    return;\n  }\n"
@@ -156,6 +169,13 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   if (values.Glow)
   {
     SetGlowUniforms(program, values);
+  }
+  const bool layer = values.Stage == SurfaceStage::Layer;
+  program->SetUniformi("airlightThroughMedium", layer ? 1 : 0);
+  for (size_t k = 0; k < values.Lamps->size() && layer; ++k)
+  {
+    SetLightUniforms(
+      program, "airlightLights[" + std::to_string(k) + "]", (*values.Lamps)[k].Values);
   }
 }
 }

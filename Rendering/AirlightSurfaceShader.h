@@ -23,7 +23,8 @@ class View;
 enum class SurfaceStage
 {
   Distance = 0, // writes distances in place of colours
-  Colour = 1
+  Colour = 1,
+  Layer = 2 // as Colour, in front of the medium behind
 };
 
 // Lights whose shadows on surfaces can be told apart: 24 bits in each of four channels of single
@@ -37,15 +38,17 @@ constexpr int MaximumGlowLights = 32;
 // What a mapper's fragment shader is rewritten for.
 struct SurfaceText
 {
-  int LampCount = 4;       // at most
-  int GlowLightCount = 0;  // at most; 0: surfaces get no scattered light
-  std::string Mathematics; // GetScatteringSource() and, for scattered light, GetGlowSource()
+  int LampCount = 4;        // at most
+  int GlowLightCount = 0;   // at most; 0: surfaces get no scattered light
+  bool Translucent = false; // fragments may be put behind the medium before them
+  std::string Mathematics;  // GetScatteringSource() and, for scattered light, GetGlowSource()
 };
 
 // Rewrites a mapper's fragment shader. Every mention of a light's colour in main() is multiplied by
 // what arrives of the light, which leaves the mapper's shading model, whatever it is, as it was.
 // Scattered light is added to the diffuse part of the models that VTK has. Shaders without main()
-// are left alone.
+// are left alone. Where fragments are put behind the medium, that is the last thing before VTK's
+// marker for the passes of translucent surfaces.
 void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text);
 
 // The state that the added text reads.

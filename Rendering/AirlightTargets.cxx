@@ -39,7 +39,8 @@ bool Targets::Allocate(vtkTextureObject* texture, int components)
 }
 
 //------------------------------------------------------------------------------
-bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool record)
+bool Targets::Prepare(
+  vtkOpenGLRenderWindow* window, int width, int height, bool record, bool layers)
 {
   const int most = vtkTextureObject::GetMaximumTextureSize(window);
   if (width > most || height > most)
@@ -63,11 +64,15 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool
           : this->Depth->AllocateDepth(width, height, vtkTextureObject::Fixed32));
   }
   this->Depth->Resize(width, height);
+  if (record || layers)
+  {
+    ok = ok && this->Allocate(this->Radiance, 4);
+  }
   if (record)
   {
     ok = ok && this->Allocate(this->Counts, 2) && this->Allocate(this->Single, 4) &&
-      this->Allocate(this->Radiance, 4) && this->Allocate(this->Airlight, 4) &&
-      this->Allocate(this->Surface, 4) && this->Allocate(this->Transmittance, 4);
+      this->Allocate(this->Airlight, 4) && this->Allocate(this->Surface, 4) &&
+      this->Allocate(this->Transmittance, 4);
   }
   this->Error = ok ? "" : "the graphics card refused a floating-point texture";
   return ok;
@@ -110,6 +115,14 @@ bool Targets::Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObje
   }
   this->Framebuffer->StartNonOrtho(this->Width, this->Height);
   vtkOpenGLState* state = this->Window->GetState();
+  // VTK's record of the draw buffers outlives the framebuffer that had them, and the next one that
+  // asks for as many would not get them.
+  unsigned int buffers[8] = { GL_NONE };
+  for (int i = 0; i < count && i < 8; ++i)
+  {
+    buffers[i] = GL_COLOR_ATTACHMENT0 + i;
+  }
+  state->vtkglDrawBuffers(8, buffers);
   state->vtkglViewport(0, 0, this->Width, this->Height);
   state->vtkglScissor(0, 0, this->Width, this->Height);
   const char* description = "";

@@ -29,7 +29,7 @@ public:
 
   // Makes or resizes what the next frame needs. False with a reason in GetError() where the size
   // is beyond the graphics card.
-  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool record);
+  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool record, bool layers);
   const std::string& GetError() const { return this->Error; }
   void Release(vtkWindow* window);
 
@@ -50,7 +50,7 @@ public:
   vtkNew<vtkTextureObject> Lit;       // bits of lights, 24 a channel
   vtkNew<vtkTextureObject> Counts;    // R: boundaries; G: error bound, recorded only
   vtkNew<vtkTextureObject> Single;    // recorded: one light's airlight
-  vtkNew<vtkTextureObject> Radiance;  // recorded
+  vtkNew<vtkTextureObject> Radiance;  // recorded, or to draw translucent surfaces into
   vtkNew<vtkTextureObject> Airlight;
   vtkNew<vtkTextureObject> Surface;
   vtkNew<vtkTextureObject> Transmittance;

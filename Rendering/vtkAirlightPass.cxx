@@ -184,7 +184,7 @@ void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
   this->Impl->CurrentFrame.Release(w);
   this->Impl->CameraPass->ReleaseGraphicsResources(w);
   this->Impl->OpaquePass->ReleaseGraphicsResources(w);
-  this->Impl->OverlayPass->ReleaseGraphicsResources(w);
+  this->Impl->ScenePass->ReleaseGraphicsResources(w);
 }
 
 //------------------------------------------------------------------------------
@@ -200,8 +200,8 @@ bool vtkAirlightPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   SurfaceUniforms values = this->Impl->CurrentFrame.GetSurfaceUniforms(this->Impl->Stage);
-  // The bits are those of the opaque surface, which lies behind a translucent one.
-  values.UseLit = values.UseLit && !prop->HasTranslucentPolygonalGeometry();
+  // A delegate may draw translucent surfaces in any stage.
+  values.UseLit = values.UseLit && !prop->IsRenderingTranslucentPolygonalGeometry();
   SetSurfaceUniforms(program, values);
   return true;
 }

@@ -38,12 +38,13 @@ int CommonKind(const std::vector<Lamp>& lamps)
 }
 
 //------------------------------------------------------------------------------
-vtkRenderPass* vtkAirlightPass::Internals::GetDelegate()
+vtkRenderPass* vtkAirlightPass::Internals::GetDelegate(bool opaqueOnly)
 {
   if (this->Self->DelegatePass)
   {
     return this->Self->DelegatePass;
   }
+  this->ScenePass->SetOpaqueOnly(opaqueOnly);
   this->CameraPass->SetDelegatePass(this->ScenePass);
   return this->CameraPass;
 }
@@ -51,26 +52,30 @@ vtkRenderPass* vtkAirlightPass::Internals::GetDelegate()
 //------------------------------------------------------------------------------
 void vtkAirlightPass::Internals::RenderPlain(const vtkRenderState* s)
 {
-  vtkRenderPass* delegate = this->GetDelegate();
+  vtkRenderPass* delegate = this->GetDelegate(false);
   delegate->Render(s);
   this->Self->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------
 // The text added to the mappers' shaders depends on the numbers of lights and media, and for
-// scattered light on the lights' kinds.
+// scattered light and translucent surfaces on the lights' kinds. What was there once stays: surfaces
+// that become translucent for a moment shall not make all shaders anew each time.
 void vtkAirlightPass::Internals::UpdateSurfaceShader(
-  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps)
+  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps, bool translucent)
 {
+  translucent = translucent || this->MapperText.Translucent;
   const int lampCount = static_cast<int>(lamps.size());
   const bool glows = this->Self->ScatteredSurfaceLight;
-  const int kind = glows ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
+  const int kind = glows || translucent ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
   const bool photometry = std::any_of(
     lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
   const std::string source =
     GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
-  if (lampCount > this->MapperText.LampCount || source != this->MapperText.Mathematics)
+  if (lampCount > this->MapperText.LampCount || source != this->MapperText.Mathematics ||
+    translucent != this->MapperText.Translucent)
   {
+    this->MapperText.Translucent = translucent;
     // Some more, so that another lamp does not make other shaders.
     this->MapperText.LampCount = std::max(this->MapperText.LampCount, (lampCount + 7) / 8 * 8);
     this->MapperText.GlowLightCount =
@@ -104,13 +109,16 @@ bool vtkAirlightPass::Internals::RenderFrame(
   std::vector<Lamp> lamps =
     CollectLamps(renderer, converted, view, this->Self->LightRadius, this->Lights);
   this->CheckLamps(lamps);
-  this->UpdateSurfaceShader(converted, lamps);
+  // A delegate draws everything at once.
+  const bool layers = !this->Self->DelegatePass && AirlightScenePass::HasTransparent(s);
+  this->UpdateSurfaceShader(converted, lamps, layers);
 
   this->EffectiveTechnique = this->ChooseTechnique(window);
   FrameSettings settings;
   settings.Shadows = this->EffectiveTechnique == SHADOW_PLANES;
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
+  settings.Layers = layers;
   settings.Record = this->Self->RecordBuffers;
   for (vtkParticipatingMedium* medium : media)
   {
@@ -141,8 +149,8 @@ bool vtkAirlightPass::Internals::RenderFrame(
     this->Error = this->CurrentFrame.GetError();
     return false;
   }
-  // Annotations were drawn with the scene and fogged; drawn again they are not.
-  this->OverlayPass->Render(s);
+  // A delegate has drawn annotations with the scene, fogged; drawn again they are not.
+  this->ScenePass->RenderOverlay(s, !this->Self->DelegatePass);
   return true;
 }
 
@@ -196,35 +204,51 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
   inner.SetFrameBuffer(this->CurrentFrame.GetFramebuffer());
 
-  const SurfaceUniforms values = this->CurrentFrame.GetSurfaceUniforms(SurfaceStage::Colour);
-  const auto activate = [&values](bool on) {
-    for (vtkTextureObject* texture : { values.Lit, values.Data })
-    {
-      if (texture)
-      {
-        on ? texture->Activate() : texture->Deactivate();
-      }
-    }
-  };
   this->Self->PreRender(s);
-  activate(true);
-  this->Stage = SurfaceStage::Distance;
   bool ok = this->CurrentFrame.BindDistances();
   if (ok)
   {
-    this->OpaquePass->Render(&inner);
+    this->RenderStage(SurfaceStage::Distance, [&] { this->OpaquePass->Render(&inner); });
   }
-  activate(false);
   ok = ok && this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
-  this->Stage = SurfaceStage::Colour;
   if (ok)
   {
-    activate(true);
-    vtkRenderPass* delegate = this->GetDelegate();
-    delegate->Render(&inner);
-    this->Self->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
-    activate(false);
+    this->RenderStage(SurfaceStage::Colour, [&] {
+      vtkRenderPass* delegate = this->GetDelegate(true);
+      delegate->Render(&inner);
+      this->Self->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
+    });
+  }
+  const bool layers = this->CurrentFrame.HasLayers();
+  ok = ok && (!(layers || this->Self->RecordBuffers) || this->CurrentFrame.CompositeLayers());
+  if (ok && layers)
+  {
+    this->RenderStage(SurfaceStage::Layer, [&] { this->ScenePass->RenderTransparent(&inner); });
   }
   this->Self->PostRender(s);
   return ok && (!this->Self->RecordBuffers || this->CurrentFrame.Record());
+}
+
+//------------------------------------------------------------------------------
+// Draws with the mappers' shaders in this stage and the textures that they read.
+void vtkAirlightPass::Internals::RenderStage(
+  SurfaceStage stage, const std::function<void()>& render)
+{
+  this->Stage = stage;
+  const SurfaceUniforms values = this->CurrentFrame.GetSurfaceUniforms(stage);
+  for (vtkTextureObject* texture : { values.Lit, values.Data })
+  {
+    if (texture)
+    {
+      texture->Activate();
+    }
+  }
+  render();
+  for (vtkTextureObject* texture : { values.Lit, values.Data })
+  {
+    if (texture)
+    {
+      texture->Deactivate();
+    }
+  }
 }

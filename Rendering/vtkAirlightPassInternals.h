@@ -15,12 +15,12 @@
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
-#include "vtkOverlayPass.h"
 #include "vtkParticipatingMedium.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -65,7 +65,6 @@ public:
   vtkNew<AirlightScenePass> ScenePass;
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<vtkOpaquePass> OpaquePass;
-  vtkNew<vtkOverlayPass> OverlayPass;
   vtkNew<vtkParticipatingMedium> Vacuum;
 
   bool WarnedOpenGL = false;
@@ -78,11 +77,12 @@ public:
 
 private:
   bool RenderSteps(const vtkRenderState* s);
+  void RenderStage(airlight::SurfaceStage stage, const std::function<void()>& render);
   bool UploadData(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
     airlight::f64::AirlightMedia& converted, std::vector<airlight::Lamp>& lamps);
-  void UpdateSurfaceShader(
-    const airlight::f64::AirlightMedia& media, const std::vector<airlight::Lamp>& lamps);
-  vtkRenderPass* GetDelegate();
+  void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media,
+    const std::vector<airlight::Lamp>& lamps, bool translucent);
+  vtkRenderPass* GetDelegate(bool opaqueOnly);
 };
 
 #endif

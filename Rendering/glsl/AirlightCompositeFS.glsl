@@ -3,7 +3,9 @@
 uniform AirlightMedia media;
 uniform sampler2D distances;
 uniform sampler2D scene;
+#ifndef AIRLIGHT_LAYERS
 uniform sampler2D sceneDepth;
+#endif
 uniform sampler2D scattered;
 
 layout(location = 0) out vec4 radiance;
@@ -37,7 +39,8 @@ void main()
     texelFetch(counts, pixel, 0).g + error * max(ambient.r, max(ambient.g, ambient.b)));
   surface = vec4(t >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
   transmittance = vec4(passes, 1.0);
-#else
+#endif
+#ifndef AIRLIGHT_LAYERS
   gl_FragDepth = texelFetch(sceneDepth, pixel, 0).r;
 #endif
 }

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The last steps of a frame: the medium before the scene, the recorded buffers, and the picture into
+// the caller's framebuffer.
+
+#include "AirlightFrame.h"
+
+#include "AirlightCompositeFS.h"
+#include "AirlightCopyFS.h"
+#include "AirlightOpenGL.h"
+#include "AirlightViewShader.h"
+
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+namespace airlight
+{
+//------------------------------------------------------------------------------
+std::vector<std::pair<const char*, vtkTextureObject*>> Frame::GetCompositeTextures()
+{
+  return { { "distances", this->Textures.Distances }, { "scene", this->Textures.Scene },
+    { "scattered", this->Textures.Scattered }, { "airlightData", this->Data.GetTexture() } };
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
+{
+  const std::string source = std::string("#version 330\n") +
+    (layers ? "#define AIRLIGHT_LAYERS\n" : "") +
+    (layers && this->Settings.Record ? RecordDefinition : "") +
+    GetScatteringSource(this->Media, AIRLIGHT_POINT_CLOSED, false) + AirlightViewShader +
+    AirlightCompositeFS;
+  Quad& quad = layers ? this->LayersQuad : this->CompositeQuad;
+  vtkShaderProgram* program = quad.Ready(this->Window, source);
+  if (!program)
+  {
+    this->Fail("the composite shader did not compile: " + quad.GetError());
+    return nullptr;
+  }
+  SetMediaUniforms(program, "media", this->Media);
+  // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
+  this->Rays->SetUniforms(program, x, y);
+  if (layers && this->Settings.Record)
+  {
+    program->SetUniformf("error", ClosedFormError);
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* Frame::ReadyCopy(int x, int y)
+{
+  vtkShaderProgram* program =
+    this->CopyQuad.Ready(this->Window, std::string("#version 330\n") + AirlightCopyFS);
+  if (!program)
+  {
+    this->Fail("the shader of the last step did not compile: " + this->CopyQuad.GetError());
+    return nullptr;
+  }
+  const int corner[2] = { x, y };
+  program->SetUniform2i("airlightViewport", corner);
+  return program;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::CompositeLayers()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  if (!this->ReadyComposite(true, 0, 0))
+  {
+    return false;
+  }
+  std::vector<vtkTextureObject*> targets = { this->Textures.Radiance };
+  auto textures = this->GetCompositeTextures();
+  if (this->Settings.Record)
+  {
+    targets.insert(targets.end(),
+      { this->Textures.Airlight, this->Textures.Surface, this->Textures.Transmittance });
+    textures.emplace_back("counts", this->Textures.Counts);
+  }
+  if (!this->Textures.Bind(targets, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->LayersQuad.Draw(textures);
+  if (!this->Textures.Bind({ this->Textures.Radiance }, this->Textures.Depth))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Record()
+{
+  if (!this->Textures.Bind({ this->Textures.Radiance, this->Textures.Airlight,
+                             this->Textures.Surface, this->Textures.Transmittance },
+        nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Buffers["Radiance"] = this->Textures.Read(0, 0, 3);
+  this->Buffers["Airlight"] = this->Textures.Read(1, 0, 3);
+  this->Buffers["Surface"] = this->Textures.Read(2, 0, 3);
+  this->Buffers["Transmittance"] = this->Textures.Read(3, 0, 3);
+  this->Buffers["ErrorBound"] = this->Textures.Read(1, 3, 1);
+  if (!this->Textures.Bind(
+        { this->Textures.Scattered, this->Textures.Counts, this->Textures.Distances }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Buffers["LitLength"] = this->Textures.Read(0, 3, 1);
+  this->Buffers["BoundaryCount"] = this->Textures.Read(1, 0, 1);
+  this->Buffers["Depth"] = this->Textures.Read(2, 0, 1);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Composite(int x, int y, bool blend)
+{
+  const bool copy = this->Settings.Layers;
+  if (!(copy ? this->ReadyCopy(x, y) : this->ReadyComposite(false, x, y)))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglViewport(x, y, this->Width, this->Height);
+  state->vtkglScissor(x, y, this->Width, this->Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglDepthMask(GL_TRUE);
+  if (blend)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  else
+  {
+    state->vtkglDisable(GL_BLEND);
+  }
+  if (copy)
+  {
+    this->CopyQuad.Draw(
+      { { "radiances", this->Textures.Radiance }, { "sceneDepth", this->Textures.Depth } });
+  }
+  else
+  {
+    auto textures = this->GetCompositeTextures();
+    textures.emplace_back("sceneDepth", this->Textures.Depth);
+    this->CompositeQuad.Draw(textures);
+  }
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  return true;
+}
+}
