@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace airlight
@@ -73,7 +74,7 @@ PhaseTable PhaseTable::Read(vtkTable* table, std::string& error)
               "value";
   }
   double last = -1.0; // in degrees as they are: rounding may hide that an angle is repeated
-  double largest = 0.0;
+  double largest = std::numeric_limits<double>::min();
   for (vtkIdType row = 0; row < rows && reason.tellp() == 0; ++row)
   {
     bool isNumber[2] = { false, false };

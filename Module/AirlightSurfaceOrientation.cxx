@@ -150,6 +150,7 @@ bool SurfaceTree::IsInsideFrom(int triangle, double side) const
 int SurfaceTree::JudgePatch(const std::vector<int>& patch) const
 {
   std::vector<std::pair<double, int>> sizes;
+  sizes.reserve(patch.size());
   for (int triangle : patch)
   {
     sizes.emplace_back(-glm::length(this->GetAreaVector(triangle)), triangle);

@@ -169,7 +169,8 @@ void SurfaceTree::PackNodes(
     this->PackNodes(order, begin, middle, centres);
     this->PackNodes(order, middle, end, centres);
   }
-  this->Texels[node].w = static_cast<double>(this->Texels.size() / 2);
+  const size_t nodes = this->Texels.size() / 2;
+  this->Texels[node].w = static_cast<double>(nodes);
 }
 
 //------------------------------------------------------------------------------

@@ -24,8 +24,7 @@
  *
  * Limits:
  *  - A directional light in an unbounded uniform medium arrives unattenuated.
- *  - What has no closed form takes quadrature in single precision: within 1e-3 but on rays whose way
- *    to the light grazes a face of a region, where it can be some 1e-3. That is lights outside the
+ *  - What has no closed form takes quadrature, within 1e-3. That is lights outside the
  *    region of a bounded medium, with photometric files, other attenuations than the inverse square
  *    or exponents; regions of closed surfaces; Mie's phase functions and tables that no fit
  *    follows, but for directional lights in an unbounded medium or a box; directional lights in a

@@ -8,6 +8,7 @@
 #define AirlightTestBuffers_h
 
 #include "AirlightBruteForce.h"
+#include "AirlightTestCheck.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -26,17 +27,8 @@
 
 namespace airlighttest
 {
-inline int Failures = 0;
-
-inline bool Check(bool ok, const std::string& what)
-{
-  if (!ok)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++Failures;
-  }
-  return ok;
-}
+using airlight_test::Check;
+using airlight_test::Failures;
 
 //------------------------------------------------------------------------------
 // A value of one of the pass's buffers.

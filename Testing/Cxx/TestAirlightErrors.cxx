@@ -4,6 +4,7 @@
 // vtkAirlight with bad input: the answer false, zeros, and an error that an observer sees. Finite
 // input of any size is either refused that way or gives finite numbers.
 
+#include "AirlightTestCheck.h"
 #include "AirlightTestTools.h"
 
 #include "vtkAirlight.h"
@@ -22,21 +23,13 @@
 #include <limits>
 #include <string>
 
+using airlight_test::Check;
+using airlight_test::Failures;
+
 namespace
 {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-int failures = 0;
-
-void Check(bool ok, const std::string& what)
-{
-  if (!ok)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
 
 // Counts an object's error events while it lives.
 class ErrorCounter
@@ -294,6 +287,6 @@ int TestAirlightErrors(int, char*[])
   TestBadLights(medium);
   TestDirectionLength(medium);
   TestHugeNumbers(medium);
-  std::cout << failures << " failures\n";
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  std::cout << Failures << " failures\n";
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

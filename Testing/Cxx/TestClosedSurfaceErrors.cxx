@@ -4,6 +4,7 @@
 // Surfaces that close nothing: an error that says what and what to do, once, and a medium that is
 // nowhere, in numbers and in pictures, until it is mended. Surfaces that only look bad are taken.
 
+#include "AirlightTestCheck.h"
 #include "AirlightTestErrors.h"
 #include "AirlightTestPixels.h"
 #include "AirlightTestSurfaces.h"
@@ -19,17 +20,6 @@ using namespace airlight_test;
 
 namespace
 {
-int failures = 0;
-
-void Check(bool ok, const std::string& what)
-{
-  if (!ok)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
-
 const Box Unit{ -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
 
 // The unit box without one of its six faces.
@@ -248,5 +238,5 @@ int TestClosedSurfaceErrors(int, char*[])
   TestMissing();
   TestChanged();
   TestPicture();
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

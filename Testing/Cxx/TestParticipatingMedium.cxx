@@ -4,6 +4,8 @@
 // vtkParticipatingMedium: defaults, coefficients and the quantities derived from them, and refusal
 // of bad values. Its phase functions: TestPhaseFunctions.cxx and TestPhaseErrors.cxx.
 
+#include "AirlightTestCheck.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
@@ -16,21 +18,13 @@
 #include <string>
 #include <vector>
 
+using airlight_test::Check;
+using airlight_test::Failures;
+
 namespace
 {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-int failures = 0;
-
-void Check(bool ok, const std::string& what)
-{
-  if (!ok)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
 
 void CheckNear(double value, double expected, double relative, const std::string& what)
 {
@@ -38,7 +32,7 @@ void CheckNear(double value, double expected, double relative, const std::string
   {
     std::cerr.precision(17);
     std::cerr << "FAILED: " << what << " is " << value << ", expected " << expected << "\n";
-    ++failures;
+    ++Failures;
   }
 }
 
@@ -231,5 +225,5 @@ int TestParticipatingMedium(int, char*[])
   TestCoefficients();
   TestDistances();
   TestBadInput();
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

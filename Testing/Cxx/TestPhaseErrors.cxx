@@ -4,6 +4,7 @@
 // Phase functions with bad input: tables that are none, tables that change, an anisotropy where
 // there is none. Every error says what was wrong, and the old state stays.
 
+#include "AirlightTestCheck.h"
 #include "AirlightTestErrors.h"
 #include "AirlightTestPhase.h"
 
@@ -22,17 +23,6 @@ namespace
 {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-int failures = 0;
-
-void Check(bool ok, const std::string& what)
-{
-  if (!ok)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
 
 void CheckNear(double value, double expected, const std::string& what)
 {
@@ -283,5 +273,5 @@ int TestPhaseErrors(int, char*[])
   TestTableChanges();
   TestAnisotropyRefused();
   TestAnisotropyFirst();
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

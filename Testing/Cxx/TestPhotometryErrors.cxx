@@ -4,6 +4,7 @@
 // Bad photometric files: each is refused with an error that names the file, the line and the
 // culprit.
 
+#include "AirlightTestCheck.h"
 #include "AirlightTestPhotometry.h"
 
 #include "vtkTestUtilities.h"
@@ -17,17 +18,6 @@ using namespace airlight_test;
 
 namespace
 {
-int failures = 0;
-
-void Check(bool ok, const std::string& what)
-{
-  if (!ok)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
-
 bool Contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != text.npos;
@@ -225,5 +215,5 @@ int TestPhotometryErrors(int argc, char* argv[])
   TestNumbers(file);
   TestAngles(file);
   TestUnreadable(file, folder);
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

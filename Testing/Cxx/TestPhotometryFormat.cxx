@@ -4,6 +4,7 @@
 // Photometric files of all versions, TILTs, separators and ends of lines mean the same. Random
 // mutations of good files are refused or give sound numbers.
 
+#include "AirlightTestCheck.h"
 #include "AirlightTestPhotometry.h"
 
 #include "vtkTestUtilities.h"
@@ -17,17 +18,6 @@ using namespace airlight_test;
 
 namespace
 {
-int failures = 0;
-
-void Check(bool ok, const std::string& what)
-{
-  if (!ok)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
-
 //------------------------------------------------------------------------------
 // Versions, TILT, separators and ends of lines of one table.
 bool TestStyles(const std::string& file)
@@ -185,5 +175,5 @@ int TestPhotometryFormat(int argc, char* argv[])
   delete[] temporary;
   Check(TestStyles(file), "styles");
   TestMutations(file);
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
