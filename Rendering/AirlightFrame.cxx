@@ -44,6 +44,10 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   {
     return this->Fail(this->Textures.GetError());
   }
+  if (settings.LayerRecords && !this->LayerLists.Prepare(width, height))
+  {
+    return this->Fail(this->LayerLists.GetError());
+  }
   if (settings.Shadows &&
     !this->Boundaries.Prepare(this->Window, width, height, settings.MemoryLimit))
   {
@@ -77,6 +81,31 @@ bool Frame::BindDistances()
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_BLEND);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::BindCollect()
+{
+  if (!this->Textures.Bind({}, this->Textures.Depth))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDisable(GL_BLEND);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+LayerRecords::Outcome Frame::CheckCollected()
+{
+  const LayerRecords::Outcome outcome = this->LayerLists.Check();
+  if (outcome == LayerRecords::Outcome::Failed)
+  {
+    this->Fail(this->LayerLists.GetError());
+  }
+  return outcome;
 }
 
 //------------------------------------------------------------------------------
@@ -171,9 +200,10 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Lit = this->Textures.Lit;
   values.Data = this->Data.GetTexture();
   values.Glow = this->Settings.SurfaceGlow;
-  // The bits are those of the opaque surface, which lies behind what is drawn over the medium.
-  values.UseLit =
-    this->Settings.Shadows && this->Settings.SurfaceShadows && stage != SurfaceStage::Layer;
+  values.Records = this->Settings.LayerRecords ? &this->LayerLists : nullptr;
+  // Without records the bits are those of the opaque surface, which lies behind the layers.
+  values.UseLit = this->Settings.Shadows && this->Settings.SurfaceShadows &&
+    (stage != SurfaceStage::Layer || values.Records);
   return values;
 }
 
@@ -188,6 +218,7 @@ void Frame::Release(vtkWindow* window)
   this->LayersQuad.Release();
   this->CopyQuad.Release();
   this->Boundaries.Release();
+  this->LayerLists.Release();
   this->Casters.Clear();
   this->Volumes.clear();
   this->Textures.Release(window);

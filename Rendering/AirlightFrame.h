@@ -17,6 +17,7 @@
 
 #include "AirlightCasters.h"
 #include "AirlightLamps.h"
+#include "AirlightLayerRecords.h"
 #include "AirlightQuad.h"
 #include "AirlightSceneData.h"
 #include "AirlightShadowLists.h"
@@ -54,8 +55,9 @@ struct FrameSettings
 {
   bool Shadows = false;
   bool SurfaceShadows = false;
-  bool SurfaceGlow = false; // surfaces are lit by scattered light, too
-  bool Layers = false;      // translucent surfaces or volumes are drawn over the medium
+  bool SurfaceGlow = false;  // surfaces are lit by scattered light, too
+  bool Layers = false;       // translucent surfaces or volumes are drawn over the medium
+  bool LayerRecords = false; // and their fragments have records
   bool Record = false;
   double PhaseErrorBound = 0.0;  // the largest of the media, relative
   std::uint64_t MemoryLimit = 0; // bytes
@@ -75,6 +77,11 @@ public:
   // Step 1: binds the target that the opaque geometry is to be drawn into, cleared.
   bool BindDistances();
 
+  // Before step 2 where there are records: binds nothing but the depth of the opaque geometry, for the
+  // translucent geometry to be drawn; and whether it has to be drawn again.
+  bool BindCollect();
+  LayerRecords::Outcome CheckCollected();
+
   // Step 2.
   bool ScatterLights();
 
@@ -93,6 +100,7 @@ public:
   bool Composite(int x, int y, bool blend);
 
   bool HasLayers() const { return this->Settings.Layers; }
+  bool HasLayerRecords() const { return this->Settings.LayerRecords; }
 
   SurfaceUniforms GetSurfaceUniforms(SurfaceStage stage);
   vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Textures.GetFramebuffer(); }
@@ -124,6 +132,7 @@ private:
   Targets Textures;
   SceneData Data;
   ShadowLists Boundaries;
+  LayerRecords LayerLists;
   CasterCache Casters;
   std::vector<ShadowVolumes> Volumes; // by light number
   std::array<Quad, 3> ResolveQuads;   // by Lists; the last two share one

@@ -5,9 +5,11 @@
 
 #include "AirlightFrame.h"
 
+#include "AirlightLayers.h"
 #include "AirlightNoBoundaries.h"
 #include "AirlightOpenGL.h"
 #include "AirlightResolveFS.h"
+#include "AirlightResolveLayers.h"
 #include "AirlightViewShader.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -74,13 +76,15 @@ bool Frame::ScatterLight(int index)
 bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
   const bool shadows = lists != Lists::None;
-  const std::string source = std::string(shadows ? "#version 430\n" : "#version 330\n") +
+  const bool records = this->Settings.LayerRecords;
+  const std::string source = std::string(shadows || records ? "#version 430\n" : "#version 330\n") +
     (this->Settings.Record ? RecordDefinition : "") +
+    (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
     GetScatteringSource(
       this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
     AirlightViewShader +
     (shadows ? ShadowLists::GetBoundariesSource(lists != Lists::Short) : AirlightNoBoundaries) +
-    AirlightResolveFS;
+    (records ? std::string(AirlightLayers) + AirlightResolveLayers : "") + AirlightResolveFS;
   Quad& quad =
     this->ResolveQuads[std::min(static_cast<size_t>(lists), this->ResolveQuads.size() - 1)];
   vtkShaderProgram* program = quad.Ready(this->Window, source);
@@ -115,6 +119,12 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
     program->SetUniformf("phaseError", static_cast<float>(this->Settings.PhaseErrorBound));
     program->SetUniformf(
       "error", IsQuadrature(this->Lamps[index].Values) ? QuadratureError : ClosedFormError);
+  }
+  if (records)
+  {
+    this->LayerLists.Use(program);
+    program->SetUniformi("layerBit", index < MaximumShadowingLights ? index : -1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
   if (shadows)
   {

@@ -3,6 +3,8 @@
 #include "AirlightSurfaceShader.h"
 
 #include "AirlightFragment.h"
+#include "AirlightLayerRecords.h"
+#include "AirlightLayers.h"
 #include "AirlightQuad.h"
 #include "AirlightSurface.h"
 #include "AirlightSurfaceGlow.h"
@@ -23,15 +25,27 @@ namespace
 // The prelude's words must not reach the mapper's own text.
 const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef bool3\n";
 
+std::string DefineStages()
+{
+  const auto define = [](const char* name, SurfaceStage stage) {
+    return std::string("#define AIRLIGHT_STAGE_") + name + " " +
+      std::to_string(static_cast<int>(stage)) + "\n";
+  };
+  return define("DISTANCE", SurfaceStage::Distance) + define("COLOUR", SurfaceStage::Colour) +
+    define("LAYER", SurfaceStage::Layer) + define("COLLECT", SurfaceStage::Collect);
+}
+
 std::string Declarations(const SurfaceText& text)
 {
   const std::string glow = text.GlowLightCount > 0 ? "#define AIRLIGHT_GLOW_LIGHTS " +
       std::to_string(text.GlowLightCount) + "\n" + AirlightSurfaceGlow
                                                    : "";
-  return text.Mathematics + "#define AIRLIGHT_LAMPS " + std::to_string(text.LampCount) +
+  const bool records = text.Translucent && text.LayerRecords;
+  return text.Mathematics + DefineStages() + "#define AIRLIGHT_LAYER_RECORDS " +
+    (records ? "1\n" : "0\n") + "#define AIRLIGHT_LAMPS " + std::to_string(text.LampCount) +
     "\n#define AIRLIGHT_BITS " + std::to_string(BitsPerChannel) + "\n" + AirlightViewShader +
-    AirlightFragment + AirlightSurface + glow + (text.Translucent ? AirlightSurfaceMedium : "") +
-    Undefine;
+    AirlightFragment + (records ? AirlightLayers : "") + AirlightSurface + glow +
+    (text.Translucent ? AirlightSurfaceMedium : "") + Undefine;
 }
 
 // Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
@@ -103,14 +117,32 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
   std::string lit = std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])");
   lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
   lit = text.Translucent ? AddMedium(lit) : lit;
-  const std::string writeDistance = "    gl_FragData[0] = vec4(airlightFragmentDistance());\n";
-  const std::string early = MayLeaveEarly(body)
-    ? "  if (airlightStage == 0)\n  {\n" + writeDistance + "    return;\n  }\n"
+  const bool records = text.Translucent && text.LayerRecords;
+  const std::string find = records
+    ? "  if (airlightStage == AIRLIGHT_STAGE_LAYER)\n  {\n    airlightFindLayer();\n  }\n"
     : "";
-  const std::string late = "  if (airlightStage == 0)\n  {\n" + writeDistance + "  }\n";
+  const bool early = MayLeaveEarly(body);
+  const std::string leave = early ? "    return;\n" : "";
+  const std::string others = "  if (airlightStage == AIRLIGHT_STAGE_DISTANCE)\n  {\n"
+                             "    gl_FragData[0] = vec4(airlightFragmentDistance());\n" +
+    leave + "  }\n" +
+    (records ? "  if (airlightStage == AIRLIGHT_STAGE_COLLECT)\n  {\n    airlightCollect();\n" +
+          leave + "  }\n"
+             : "");
   fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
-    "\n" + early + (anyLight ? "  airlightReceive();\n" : "") + lit + (early.empty() ? late : ""));
+    "\n" + (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
+      (early ? "" : others));
   fragmentShader.insert(mainStart, Declarations(text));
+  if (records)
+  {
+    // After VTK's line for the version, which is as old as can be.
+    const std::string version = "//VTK::System::Dec";
+    const size_t line = fragmentShader.find(version);
+    fragmentShader.insert(line == std::string::npos ? 0 : line + version.size(),
+      "\n#extension GL_ARB_shader_storage_buffer_object : require\n"
+      "#extension GL_ARB_shading_language_420pack : require\n"
+      "#extension GL_ARB_shader_bit_encoding : require\n");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -146,7 +178,11 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     program->SetUniformi("airlightData", values.Data->GetTextureUnit());
   }
-  if (values.Stage == SurfaceStage::Distance)
+  if (values.Records)
+  {
+    values.Records->Use(program);
+  }
+  if (values.Stage == SurfaceStage::Distance || values.Stage == SurfaceStage::Collect)
   {
     return;
   }
@@ -170,9 +206,8 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     SetGlowUniforms(program, values);
   }
-  const bool layer = values.Stage == SurfaceStage::Layer;
-  program->SetUniformi("airlightThroughMedium", layer ? 1 : 0);
-  for (size_t k = 0; k < values.Lamps->size() && layer; ++k)
+  const bool lights = values.Stage == SurfaceStage::Layer && !values.Records;
+  for (size_t k = 0; k < values.Lamps->size() && lights; ++k)
   {
     SetLightUniforms(
       program, "airlightLights[" + std::to_string(k) + "]", (*values.Lamps)[k].Values);

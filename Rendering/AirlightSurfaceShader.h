@@ -18,13 +18,15 @@ class vtkTextureObject;
 
 namespace airlight
 {
+class LayerRecords;
 class View;
 
 enum class SurfaceStage
 {
   Distance = 0, // writes distances in place of colours
   Colour = 1,
-  Layer = 2 // as Colour, in front of the medium behind
+  Layer = 2,  // as Colour, in front of the medium behind
+  Collect = 3 // makes the records of what will be drawn so
 };
 
 // Lights whose shadows on surfaces can be told apart: 24 bits in each of four channels of single
@@ -38,10 +40,11 @@ constexpr int MaximumGlowLights = 32;
 // What a mapper's fragment shader is rewritten for.
 struct SurfaceText
 {
-  int LampCount = 4;        // at most
-  int GlowLightCount = 0;   // at most; 0: surfaces get no scattered light
-  bool Translucent = false; // fragments may be put behind the medium before them
-  std::string Mathematics;  // GetScatteringSource() and, for scattered light, GetGlowSource()
+  int LampCount = 4;         // at most
+  int GlowLightCount = 0;    // at most; 0: surfaces get no scattered light
+  bool Translucent = false;  // fragments may be put behind the medium before them
+  bool LayerRecords = false; // and have records (AirlightLayers.h)
+  std::string Mathematics;   // GetScatteringSource() and, for scattered light, GetGlowSource()
 };
 
 // Rewrites a mapper's fragment shader. Every mention of a light's colour in main() is multiplied by
@@ -58,10 +61,11 @@ struct SurfaceUniforms
   const View* Rays = nullptr;
   const f64::AirlightMedia* Media = nullptr;
   const std::vector<Lamp>* Lamps = nullptr;
-  vtkTextureObject* Lit = nullptr;  // an active texture in any case
-  vtkTextureObject* Data = nullptr; // an active texture, or null where the shaders read none
-  bool UseLit = false;              // false: all surfaces are lit
-  bool Glow = false;                // the shaders were rewritten for scattered light
+  vtkTextureObject* Lit = nullptr;       // an active texture in any case
+  vtkTextureObject* Data = nullptr;      // an active texture, or null where the shaders read none
+  const LayerRecords* Records = nullptr; // null: there are none
+  bool UseLit = false;                   // false: all surfaces are lit
+  bool Glow = false;                     // the shaders were rewritten for scattered light
 };
 
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values);

@@ -184,6 +184,7 @@ void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
   this->Impl->CurrentFrame.Release(w);
   this->Impl->CameraPass->ReleaseGraphicsResources(w);
   this->Impl->OpaquePass->ReleaseGraphicsResources(w);
+  this->Impl->TranslucentPass->ReleaseGraphicsResources(w);
   this->Impl->ScenePass->ReleaseGraphicsResources(w);
 }
 
@@ -200,8 +201,9 @@ bool vtkAirlightPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   SurfaceUniforms values = this->Impl->CurrentFrame.GetSurfaceUniforms(this->Impl->Stage);
-  // A delegate may draw translucent surfaces in any stage.
-  values.UseLit = values.UseLit && !prop->IsRenderingTranslucentPolygonalGeometry();
+  // A delegate may draw translucent surfaces with the opaque ones, whose bits are not theirs.
+  values.UseLit = values.UseLit &&
+    !(this->Impl->Stage == SurfaceStage::Colour && prop->IsRenderingTranslucentPolygonalGeometry());
   SetSurfaceUniforms(program, values);
   return true;
 }

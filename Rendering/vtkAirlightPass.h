@@ -18,7 +18,10 @@
  * picture is written without tone mapping. See vtkAirlight::SetRadiantIntensity() for the units of
  * a vtkLight.
  *
- * Cost: the opaque scene is drawn twice (distances first, then colours); the closed form is
+ * Order: opaque geometry (with the renderer's SSAO and hidden line removal), the medium, translucent
+ * geometry (order-independent, peeled or blended as the renderer says), volumes, FXAA, annotations.
+ *
+ * Cost: the opaque scene is drawn twice (distances first, then colours), the translucent one too; the closed form is
  * evaluated once per pixel and light, plus once per visible edge of a shadow volume, quadrature once
  * per lit interval of a ray; each silhouette edge seen from a light is drawn as one quadrilateral.
  *
@@ -30,7 +33,13 @@
  *    follows, but for directional lights in an unbounded medium or a box; directional lights in a
  *    sphere; height fog, but for directional lights where it is unbounded; several media.
  *  - Headlights cast no shadows: they see what the camera sees.
- *  - Translucent surfaces and volumes cast no shadows, and are fogged as what lies behind them.
+ *  - Translucent surfaces and volumes cast no shadows. Translucent surfaces are put behind the medium
+ *    before them, fragment by fragment, with its shadows (32 bytes a fragment); without OpenGL 4.3
+ *    without shadows. VTK's depth peeling keeps 8 bits a layer and clips radiances above 1. Volumes
+ *    are drawn as if there were no medium before them.
+ *  - With a DelegatePass, which draws everything at once, translucent surfaces and volumes are fogged
+ *    as what lies behind them, and annotations are drawn a second time over the medium.
+ *  - VTK's own shadow maps (vtkRenderer::UseShadows) are not drawn besides those of the pass.
  *  - At most eight media; where they overlap, their coefficients add.
  *  - Volumetric shadows need OpenGL 4.3; without it the scene is drawn with airlight and without
  *    volumetric shadows, and one warning says so.

@@ -67,7 +67,8 @@ void vtkAirlightPass::Internals::UpdateSurfaceShader(
   translucent = translucent || this->MapperText.Translucent;
   const int lampCount = static_cast<int>(lamps.size());
   const bool glows = this->Self->ScatteredSurfaceLight;
-  const int kind = glows || translucent ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
+  const bool lights = glows || (translucent && !this->MapperText.LayerRecords);
+  const int kind = lights ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
   const bool photometry = std::any_of(
     lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
   const std::string source =
@@ -111,6 +112,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   this->CheckLamps(lamps);
   // A delegate draws everything at once.
   const bool layers = !this->Self->DelegatePass && AirlightScenePass::HasTransparent(s);
+  this->MapperText.LayerRecords = ShadowLists::IsSupported(window);
   this->UpdateSurfaceShader(converted, lamps, layers);
 
   this->EffectiveTechnique = this->ChooseTechnique(window);
@@ -119,6 +121,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Layers = layers;
+  settings.LayerRecords = layers && ShadowLists::IsSupported(window);
   settings.Record = this->Self->RecordBuffers;
   for (vtkParticipatingMedium* medium : media)
   {
@@ -210,7 +213,8 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   {
     this->RenderStage(SurfaceStage::Distance, [&] { this->OpaquePass->Render(&inner); });
   }
-  ok = ok && this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
+  ok = ok && (!this->CurrentFrame.HasLayerRecords() || this->CollectLayers(inner)) &&
+    this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
   if (ok)
   {
     this->RenderStage(SurfaceStage::Colour, [&] {
@@ -227,6 +231,23 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   }
   this->Self->PostRender(s);
   return ok && (!this->Self->RecordBuffers || this->CurrentFrame.Record());
+}
+
+//------------------------------------------------------------------------------
+// Makes the records of translucent fragments.
+bool vtkAirlightPass::Internals::CollectLayers(const vtkRenderState& inner)
+{
+  LayerRecords::Outcome outcome = LayerRecords::Outcome::Again;
+  while (outcome == LayerRecords::Outcome::Again)
+  {
+    if (!this->CurrentFrame.BindCollect())
+    {
+      return false;
+    }
+    this->RenderStage(SurfaceStage::Collect, [&] { this->TranslucentPass->Render(&inner); });
+    outcome = this->CurrentFrame.CheckCollected();
+  }
+  return outcome == LayerRecords::Outcome::Done;
 }
 
 //------------------------------------------------------------------------------

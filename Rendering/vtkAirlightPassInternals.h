@@ -18,6 +18,7 @@
 #include "vtkParticipatingMedium.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
+#include "vtkTranslucentPass.h"
 #include "vtkWeakPointer.h"
 
 #include <functional>
@@ -65,6 +66,7 @@ public:
   vtkNew<AirlightScenePass> ScenePass;
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<vtkOpaquePass> OpaquePass;
+  vtkNew<vtkTranslucentPass> TranslucentPass;
   vtkNew<vtkParticipatingMedium> Vacuum;
 
   bool WarnedOpenGL = false;
@@ -77,6 +79,7 @@ public:
 
 private:
   bool RenderSteps(const vtkRenderState* s);
+  bool CollectLayers(const vtkRenderState& inner);
   void RenderStage(airlight::SurfaceStage stage, const std::function<void()>& render);
   bool UploadData(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
     airlight::f64::AirlightMedia& converted, std::vector<airlight::Lamp>& lamps);

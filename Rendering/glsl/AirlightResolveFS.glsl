@@ -63,11 +63,15 @@ void main()
   }
 
   float from = ray.lit.x;
+  float runStart = -1.0; // of what is lit, or not, as a whole
   int shadows = startCount;
   if (!airlightOpenBoundaries(pixel, from, shadows))
   {
     discard;
   }
+#ifdef AIRLIGHT_LAYER_RECORDS
+  runStart = from > ray.lit.x ? from : runStart; // where a draw before this one left off
+#endif
   vec3 fromTail = airlightTail3(media, light, ray, from);
   vec3 sum = vec3(0.0);
   float litLength = 0.0;
@@ -91,17 +95,26 @@ void main()
     if (!more || wasLit != (next <= 0))
     {
       float to = more ? clamp(t, from, ray.lit.y) : ray.lit.y;
+      vec3 toTail = fromTail;
+      vec3 part = vec3(0.0);
       if (to > from)
       {
-        vec3 toTail = airlightTail3(media, light, ray, to);
+        toTail = airlightTail3(media, light, ray, to);
         if (wasLit)
         {
-          sum += airlightInterval3(media, light, ray, from, fromTail, to, toTail);
+          part = airlightInterval3(media, light, ray, from, fromTail, to, toTail);
+          sum += part;
           litLength += airlightLengthInside(media, ray.origin, ray.direction, from, to);
         }
-        from = to;
-        fromTail = toTail;
       }
+#ifdef AIRLIGHT_LAYER_RECORDS
+      float runEnd = more ? t : AIRLIGHT_FAR;
+      addToLayers(
+        media, light, pixel, ray, wasLit, runStart, runEnd, from, fromTail, max(from, to), part);
+      runStart = runEnd;
+#endif
+      from = max(from, to);
+      fromTail = toTail;
     }
     shadows = next;
   }

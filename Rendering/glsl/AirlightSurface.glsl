@@ -1,7 +1,7 @@
 // Added to the mappers' fragment shaders, before main(): what becomes of each light on its way to
 // this fragment.
 
-uniform int airlightStage; // 0: write distances, 1: write colours
+uniform int airlightStage; // what is drawn: see SurfaceStage in AirlightSurfaceShader.h
 uniform AirlightMedia airlightMedia;
 // w 1: position; 0: direction towards a light at infinity; -1: left as VTK shades it
 uniform vec4 airlightLamps[AIRLIGHT_LAMPS];
@@ -11,6 +11,10 @@ uniform int airlightUseLit;
 #if AIRLIGHT_HAS_PHOTOMETRY
 uniform AirlightPhotometry airlightPhotometries[AIRLIGHT_LAMPS];
 uniform int airlightGoniometric[AIRLIGHT_LAMPS]; // 1: light k shines by its table
+#endif
+
+#if AIRLIGHT_LAYER_RECORDS
+uint airlightLayer = 0u; // this fragment's record, 0: none
 #endif
 
 // The share of each light that arrives; see airlightReceive().
@@ -23,7 +27,17 @@ vec3 airlightShare(int k, vec3 point)
   {
     return vec3(1.0);
   }
-  if (airlightUseLit != 0 && k < 4 * AIRLIGHT_BITS)
+#if AIRLIGHT_LAYER_RECORDS
+  if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_LAYER && k < 4 * AIRLIGHT_BITS)
+  {
+    uint word = AIRLIGHT_LAYER_WORDS * airlightLayer + 5u + uint(k / 32);
+    if ((layers[word] & (1u << uint(k % 32))) == 0u)
+    {
+      return vec3(0.0);
+    }
+  }
+#endif
+  if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_COLOUR && k < 4 * AIRLIGHT_BITS)
   {
     vec4 bits = texelFetch(airlightLit, ivec2(airlightPixel()), 0);
     float word = bits[k / AIRLIGHT_BITS];
@@ -51,7 +65,8 @@ void airlightReceive()
   vec2 p = airlightPixel();
   vec3 point =
     airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
-  int count = airlightStage == 0 ? 0 : airlightLampCount;
+  bool shades = airlightStage == AIRLIGHT_STAGE_COLOUR || airlightStage == AIRLIGHT_STAGE_LAYER;
+  int count = shades ? airlightLampCount : 0;
   for (int k = 0; k < count; k++)
   {
     airlightArrived[k] = airlightShare(k, point);

@@ -1,13 +1,56 @@
 // Added to the mappers' fragment shaders where fragments are drawn over the medium behind them: what
 // the medium before each fragment makes of its colour, before it is blended.
 
-uniform int airlightThroughMedium; // 1: do so
+#if AIRLIGHT_LAYER_RECORDS
+
+// In the first draw: a record for this fragment.
+void airlightCollect()
+{
+  ivec2 pixel = ivec2(airlightPixel());
+  uint layer = atomicAdd(layerHeads[0], 1u) + 1u;
+  if (layer < uint(airlightLayerCapacity))
+  {
+    uint word = AIRLIGHT_LAYER_WORDS * layer;
+    layers[word] = atomicExchange(layerHeads[airlightLayerHead(pixel)], layer);
+    layers[word + 1u] = floatBitsToUint(airlightFragmentDistance());
+    for (uint i = 2u; i < AIRLIGHT_LAYER_WORDS; i++)
+    {
+      layers[word + i] = 0u;
+    }
+  }
+}
+
+// In the last draw: the nearest record, since another shader may round its distance otherwise.
+void airlightFindLayer()
+{
+  float t = airlightFragmentDistance();
+  float nearest = AIRLIGHT_FAR;
+  uint layer = layerHeads[airlightLayerHead(ivec2(airlightPixel()))];
+  for (int guard = 0; layer != 0u && guard < airlightLayerCapacity; guard++)
+  {
+    float apart = abs(airlightLayerDistance(layer) - t);
+    airlightLayer = apart < nearest ? layer : airlightLayer;
+    nearest = min(apart, nearest);
+    layer = layers[AIRLIGHT_LAYER_WORDS * layer];
+  }
+}
+
+// Scattered into the ray before this fragment.
+vec3 airlightLightsBefore(vec3 origin, vec3 direction, float t)
+{
+  uint word = AIRLIGHT_LAYER_WORDS * airlightLayer;
+  return vec3(uintBitsToFloat(layers[word + 2u]), uintBitsToFloat(layers[word + 3u]),
+    uintBitsToFloat(layers[word + 4u]));
+}
+
+#else
+
 uniform AirlightLight airlightLights[AIRLIGHT_LAMPS];
 
-// Scattered into the ray before its fragment, shadows left out of account.
-vec3 airlightBefore(vec3 origin, vec3 direction, float t)
+// The same without records, and without shadows.
+vec3 airlightLightsBefore(vec3 origin, vec3 direction, float t)
 {
-  vec3 sum = airlightAmbient(airlightMedia, origin, direction, t);
+  vec3 sum = vec3(0.0);
   for (int k = 0; k < airlightLampCount; k++)
   {
     if (airlightLamps[k].w >= 0.0)
@@ -24,9 +67,11 @@ vec3 airlightBefore(vec3 origin, vec3 direction, float t)
   return sum;
 }
 
+#endif
+
 vec3 airlightThrough(vec3 colour)
 {
-  if (airlightThroughMedium == 0)
+  if (airlightStage != AIRLIGHT_STAGE_LAYER)
   {
     return colour;
   }
@@ -35,5 +80,6 @@ vec3 airlightThrough(vec3 colour)
   vec3 direction = normalize(airlightDirection(p));
   float t = airlightFragmentDistance();
   return colour * exp(-airlightDepth(airlightMedia, origin, direction, t)) +
-    airlightBefore(origin, direction, t);
+    airlightAmbient(airlightMedia, origin, direction, t) +
+    airlightLightsBefore(origin, direction, t);
 }

@@ -166,7 +166,8 @@ inline glm::dvec4 GetPosition(vtkLight* light)
 
 //------------------------------------------------------------------------------
 // What a white diffuse surface at x sends, before it is attenuated: c cos(theta)/r^2 with VTK's
-// c = I/pi, times the transmittance from the lamp.
+// c = I/pi, times the transmittance from the lamp; a light at infinity comes through an unbounded
+// medium as if it were not there.
 inline glm::dvec3 Shade(vtkParticipatingMedium* medium, vtkLight* light, const glm::dvec3& x,
   const glm::dvec3& normalToEye)
 {
@@ -182,6 +183,11 @@ inline glm::dvec3 Shade(vtkParticipatingMedium* medium, vtkLight* light, const g
     const double r2 = r * r;
     vtkAirlight::Transmittance(medium, &x.x, &position.x, &passes.x);
     passes /= r2;
+  }
+  else if (medium->GetRegion() != vtkParticipatingMedium::UNBOUNDED)
+  {
+    const glm::dvec3 outside = x + 1e6 * toLight;
+    vtkAirlight::Transmittance(medium, &x.x, &outside.x, &passes.x);
   }
   return colour * passes;
 }

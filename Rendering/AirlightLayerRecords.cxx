@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightLayerRecords.h"
+
+#include "AirlightOpenGL.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+namespace
+{
+constexpr std::uint32_t RecordSize = 32;
+// Numbers of words have to fit into an integer.
+constexpr std::uint32_t MostRecords = 0x7fffffffu / RecordSize;
+constexpr GLuint RecordBinding = 3;
+constexpr GLuint HeadBinding = 4;
+}
+
+//------------------------------------------------------------------------------
+bool LayerRecords::Reserve(std::uint32_t records)
+{
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Records);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(records) * RecordSize, nullptr,
+    GL_DYNAMIC_COPY);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  const bool ok = glGetError() == GL_NO_ERROR;
+  this->Capacity = ok ? records : 0;
+  this->Error =
+    ok ? "" : "no memory for the records of " + std::to_string(records) + " translucent fragments";
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+void LayerRecords::Clear()
+{
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
+bool LayerRecords::Prepare(int width, int height)
+{
+  if (this->Records == 0)
+  {
+    glGenBuffers(1, &this->Records);
+    glGenBuffers(1, &this->Heads);
+  }
+  if (this->Width != width || this->Height != height)
+  {
+    this->Width = width;
+    this->Height = height;
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+    glBufferData(GL_SHADER_STORAGE_BUFFER,
+      (static_cast<GLsizeiptr>(width) * height + 1) * static_cast<GLsizeiptr>(sizeof(GLuint)),
+      nullptr, GL_DYNAMIC_COPY);
+  }
+  // Room for one layer over a quarter of the pixels, at first.
+  const bool ok =
+    this->Capacity > 0 || this->Reserve(static_cast<std::uint32_t>(width * height / 4 + 64));
+  this->Clear();
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+void LayerRecords::Use(vtkShaderProgram* program) const
+{
+  program->SetUniformi("airlightLayerWidth", this->Width);
+  program->SetUniformi("airlightLayerCapacity", static_cast<int>(this->Capacity));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RecordBinding, this->Records);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
+}
+
+//------------------------------------------------------------------------------
+LayerRecords::Outcome LayerRecords::Check()
+{
+  GLuint count = 0;
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(count), &count);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  if (count < this->Capacity)
+  {
+    return Outcome::Done;
+  }
+  if (count >= MostRecords || !this->Reserve(std::min(count + count / 4 + 1, MostRecords)))
+  {
+    this->Error = "no room for the records of " + std::to_string(count) + " translucent fragments";
+    return Outcome::Failed;
+  }
+  this->Clear();
+  return Outcome::Again;
+}
+
+//------------------------------------------------------------------------------
+void LayerRecords::Release()
+{
+  if (this->Records != 0)
+  {
+    glDeleteBuffers(1, &this->Records);
+    glDeleteBuffers(1, &this->Heads);
+  }
+  this->Records = this->Heads = 0;
+  this->Width = this->Height = 0;
+  this->Capacity = 0;
+}
+}

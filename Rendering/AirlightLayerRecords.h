@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What is drawn over the medium, translucent surfaces, as the shaders keep it: a list of records for
+ * each pixel (glsl/AirlightLayers.glsl). A surface's fragments make them, each light's resolve adds
+ * what it scatters before each of them, with its shadows, and the fragments look theirs up when they
+ * are drawn.
+ *
+ * Memory: 32 bytes a translucent fragment and 4 a pixel.
+ */
+
+#ifndef AirlightLayerRecords_h
+#define AirlightLayerRecords_h
+
+#include <cstdint>
+#include <string>
+
+class vtkShaderProgram;
+
+namespace airlight
+{
+class LayerRecords
+{
+public:
+  // Empty lists for this viewport. False with a reason in GetError() where a buffer cannot be had.
+  bool Prepare(int width, int height);
+  const std::string& GetError() const { return this->Error; }
+
+  // For a program with the source AirlightLayers: binds the lists and sets its uniforms.
+  void Use(vtkShaderProgram* program) const;
+
+  // After a draw that made records: whether there was room for all of them. If not, there is now, and
+  // the draw has to be done again.
+  enum class Outcome
+  {
+    Done,
+    Again,
+    Failed // with a reason in GetError()
+  };
+  Outcome Check();
+
+  void Release();
+
+private:
+  bool Reserve(std::uint32_t records);
+  void Clear();
+
+  unsigned int Records = 0;
+  unsigned int Heads = 0;
+  int Width = 0;
+  int Height = 0;
+  std::uint32_t Capacity = 0; // the unused one at index 0 included
+  std::string Error;
+};
+}
+
+#endif

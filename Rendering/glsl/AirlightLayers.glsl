@@ -1,0 +1,28 @@
+// What is drawn over the medium: a list of records for each pixel, one for each translucent fragment.
+// The fragments make them in a first draw; each light's resolve adds what it scatters into the ray
+// before the fragment, and whether it reaches it; the fragments look for theirs in the last draw.
+
+const uint AIRLIGHT_LAYER_WORDS = 8u;
+
+// Eight words a record: index of the next, 0 at the end; t; radiance; bits of the lights that reach
+// it, 32 a word.
+layout(std430, binding = 3) buffer AirlightLayers
+{
+  uint layers[];
+};
+layout(std430, binding = 4) buffer AirlightLayerHeads
+{
+  uint layerHeads[]; // counter of records, one head a pixel
+};
+uniform int airlightLayerWidth; // of the viewport, pixels
+uniform int airlightLayerCapacity;
+
+uint airlightLayerHead(ivec2 pixel)
+{
+  return uint(1 + pixel.y * airlightLayerWidth + pixel.x);
+}
+
+float airlightLayerDistance(uint layer)
+{
+  return uintBitsToFloat(layers[AIRLIGHT_LAYER_WORDS * layer + 1u]);
+}
