@@ -200,6 +200,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Lit = this->Textures.Lit;
   values.Data = this->Data.GetTexture();
   values.Glow = this->Settings.SurfaceGlow;
+  values.EncodedInput = this->Settings.EncodedInput;
   values.Records = this->Settings.LayerRecords ? &this->LayerLists : nullptr;
   // Without records the bits are those of the opaque surface, which lies behind the layers.
   values.UseLit = this->Settings.Shadows && this->Settings.SurfaceShadows &&

@@ -59,6 +59,8 @@ struct FrameSettings
   bool Layers = false;       // translucent surfaces or volumes are drawn over the medium
   bool LayerRecords = false; // and their fragments have records
   bool Record = false;
+  bool EncodedInput = false;     // the scene's colours are encoded for display
+  int DebugView = 0;             // vtkAirlightPass::DebugViewType
   double PhaseErrorBound = 0.0;  // the largest of the media, relative
   std::uint64_t MemoryLimit = 0; // bytes
 };
@@ -98,6 +100,9 @@ public:
 
   // Step 5: into the framebuffer that is bound, with the viewport at x, y.
   bool Composite(int x, int y, bool blend);
+
+  // Over it, the edges of all shadow planes.
+  bool DrawPlanes();
 
   bool HasLayers() const { return this->Settings.Layers; }
   bool HasLayerRecords() const { return this->Settings.LayerRecords; }

@@ -8,6 +8,7 @@
 
 #include "AirlightCompositeFS.h"
 #include "AirlightCopyFS.h"
+#include "AirlightDisplay.h"
 #include "AirlightOpenGL.h"
 #include "AirlightViewShader.h"
 
@@ -33,7 +34,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     (layers ? "#define AIRLIGHT_LAYERS\n" : "") +
     (layers && this->Settings.Record ? RecordDefinition : "") +
     GetScatteringSource(this->Media, AIRLIGHT_POINT_CLOSED, false) + AirlightViewShader +
-    AirlightCompositeFS;
+    AirlightDisplay + AirlightCompositeFS;
   Quad& quad = layers ? this->LayersQuad : this->CompositeQuad;
   vtkShaderProgram* program = quad.Ready(this->Window, source);
   if (!program)
@@ -44,6 +45,11 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   SetMediaUniforms(program, "media", this->Media);
   // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
   this->Rays->SetUniforms(program, x, y);
+  program->SetUniformi("encodedInput", this->Settings.EncodedInput ? 1 : 0);
+  if (!layers)
+  {
+    program->SetUniformi("debugView", this->Settings.DebugView);
+  }
   if (layers && this->Settings.Record)
   {
     program->SetUniformf("error", ClosedFormError);
@@ -54,8 +60,8 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
 //------------------------------------------------------------------------------
 vtkShaderProgram* Frame::ReadyCopy(int x, int y)
 {
-  vtkShaderProgram* program =
-    this->CopyQuad.Ready(this->Window, std::string("#version 330\n") + AirlightCopyFS);
+  vtkShaderProgram* program = this->CopyQuad.Ready(
+    this->Window, std::string("#version 330\n") + AirlightDisplay + AirlightCopyFS);
   if (!program)
   {
     this->Fail("the shader of the last step did not compile: " + this->CopyQuad.GetError());
@@ -63,6 +69,7 @@ vtkShaderProgram* Frame::ReadyCopy(int x, int y)
   }
   const int corner[2] = { x, y };
   program->SetUniform2i("airlightViewport", corner);
+  program->SetUniformi("encodedInput", this->Settings.EncodedInput ? 1 : 0);
   return program;
 }
 
@@ -130,10 +137,12 @@ bool Frame::Record()
 bool Frame::Composite(int x, int y, bool blend)
 {
   const bool copy = this->Settings.Layers;
-  if (!(copy ? this->ReadyCopy(x, y) : this->ReadyComposite(false, x, y)))
+  vtkShaderProgram* program = copy ? this->ReadyCopy(x, y) : this->ReadyComposite(false, x, y);
+  if (!program)
   {
     return false;
   }
+  program->SetUniformi("blended", blend ? 1 : 0);
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglViewport(x, y, this->Width, this->Height);
   state->vtkglScissor(x, y, this->Width, this->Height);
@@ -159,12 +168,32 @@ bool Frame::Composite(int x, int y, bool blend)
   {
     auto textures = this->GetCompositeTextures();
     textures.emplace_back("sceneDepth", this->Textures.Depth);
+    if (this->Settings.Record)
+    {
+      textures.emplace_back("counts", this->Textures.Counts);
+    }
     this->CompositeQuad.Draw(textures);
   }
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::DrawPlanes()
+{
+  for (size_t k = 0; k < this->Lamps.size() && this->Settings.Shadows; ++k)
+  {
+    const Lamp& lamp = this->Lamps[k];
+    if (lamp.Scatters() && lamp.CastsShadows && this->Volumes[k].HasPlanes() &&
+      !this->Boundaries.DrawWireframe(
+        static_cast<int>(k), this->Volumes[k], lamp.World, *this->Rays))
+    {
+      return this->Fail(this->Boundaries.GetError());
+    }
+  }
   return true;
 }
 }

@@ -4,6 +4,7 @@
 
 #include "AirlightBoundaries.h"
 #include "AirlightOpenGL.h"
+#include "AirlightOutlineFS.h"
 #include "AirlightPlanesFS.h"
 #include "AirlightPlanesVS.h"
 #include "AirlightSortFS.h"
@@ -143,13 +144,12 @@ void ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* ShadowLists::ReadyPlanes(const ShadowVolumes& volumes, const glm::dvec4& light,
-  const View& view, vtkTextureObject* distances)
+vtkShaderProgram* ShadowLists::ReadyPlanes(const std::string& fragment,
+  const ShadowVolumes& volumes, const glm::dvec4& light, const View& view)
 {
-  const std::string fragment =
-    std::string("#version 430\n") + AirlightViewShader + AirlightPlanesFS;
+  const std::string source = "#version 430\n" + fragment;
   vtkShaderProgram* program =
-    this->Window->GetShaderCache()->ReadyShaderProgram(AirlightPlanesVS, fragment.c_str(), "");
+    this->Window->GetShaderCache()->ReadyShaderProgram(AirlightPlanesVS, source.c_str(), "");
   if (!program || !program->GetCompiled())
   {
     this->Error = program ? program->GetError() : "the shader cache returned no program";
@@ -163,7 +163,6 @@ vtkShaderProgram* ShadowLists::ReadyPlanes(const ShadowVolumes& volumes, const g
   program->SetUniformMatrix4x4("anchorToClip", &clip[0][0]);
   program->SetUniform3f("anchor", &anchor.x);
   program->SetUniform4f("fromLight", &fromLight.x);
-  program->SetUniformi("distances", distances->GetTextureUnit());
   return program;
 }
 
@@ -237,10 +236,12 @@ int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& 
   const View& view, vtkTextureObject* distances, int row, int rows)
 {
   distances->Activate();
-  vtkShaderProgram* program = this->ReadyPlanes(volumes, light, view, distances);
+  vtkShaderProgram* program =
+    this->ReadyPlanes(std::string(AirlightViewShader) + AirlightPlanesFS, volumes, light, view);
   int done = 0;
   if (program)
   {
+    program->SetUniformi("distances", distances->GetTextureUnit());
     vtkOpenGLState* state = this->Window->GetState();
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthFunc(GL_LEQUAL);
@@ -261,6 +262,33 @@ int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& 
   }
   distances->Deactivate();
   return done;
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::DrawWireframe(
+  int slot, const ShadowVolumes& volumes, const glm::dvec4& light, const View& view)
+{
+  vtkShaderProgram* program = this->ReadyPlanes(AirlightOutlineFS, volumes, light, view);
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDepthMask(GL_FALSE);
+  glEnable(GL_DEPTH_CLAMP);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  glBindVertexArray(this->VertexArray);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, this->Edges[slot].Handle);
+  program->SetUniformi("kind", 0);
+  glDrawArrays(GL_TRIANGLES, 0, 6 * this->Edges[slot].Count);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
+  glBindVertexArray(0);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glDisable(GL_DEPTH_CLAMP);
+  state->vtkglDepthMask(GL_TRUE);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -53,6 +53,12 @@ public:
   int Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& light, const View& view,
     vtkTextureObject* distances, int row, int rows);
 
+  // Draws the outlines of a light's planes into the bound framebuffer, where nothing hides them; red
+  // where the view enters a shadow through a plane, blue where it leaves it. False with a reason in
+  // GetError() where the shader does not compile.
+  bool DrawWireframe(
+    int slot, const ShadowVolumes& volumes, const glm::dvec4& light, const View& view);
+
   // For a program with the source above: binds the lists and sets its uniforms.
   void Use(vtkShaderProgram* program);
 
@@ -74,8 +80,8 @@ private:
 
   void Upload(Buffer& buffer, const void* data, size_t count, size_t size);
   bool Reserve(std::uint64_t boundaries);
-  vtkShaderProgram* ReadyPlanes(const ShadowVolumes& volumes, const glm::dvec4& light,
-    const View& view, vtkTextureObject* distances);
+  vtkShaderProgram* ReadyPlanes(const std::string& fragment, const ShadowVolumes& volumes,
+    const glm::dvec4& light, const View& view);
   std::uint64_t DrawOnce(vtkShaderProgram* program, int slot, int row, int rows);
   int DrawRows(vtkShaderProgram* program, int slot, int row, int rows);
   std::uint32_t ReadHead(int index);

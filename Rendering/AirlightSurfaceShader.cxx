@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightSurfaceShader.h"
 
+#include "AirlightDisplay.h"
 #include "AirlightFragment.h"
 #include "AirlightLayerRecords.h"
 #include "AirlightLayers.h"
@@ -45,7 +46,7 @@ std::string Declarations(const SurfaceText& text)
     (records ? "1\n" : "0\n") + "#define AIRLIGHT_LAMPS " + std::to_string(text.LampCount) +
     "\n#define AIRLIGHT_BITS " + std::to_string(BitsPerChannel) + "\n" + AirlightViewShader +
     AirlightFragment + (records ? AirlightLayers : "") + AirlightSurface + glow +
-    (text.Translucent ? AirlightSurfaceMedium : "") + Undefine;
+    (text.Translucent ? std::string(AirlightDisplay) + AirlightSurfaceMedium : "") + Undefine;
 }
 
 // Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
@@ -206,6 +207,7 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     SetGlowUniforms(program, values);
   }
+  program->SetUniformi("airlightEncodedInput", values.EncodedInput ? 1 : 0);
   const bool lights = values.Stage == SurfaceStage::Layer && !values.Records;
   for (size_t k = 0; k < values.Lamps->size() && lights; ++k)
   {

@@ -64,6 +64,7 @@ struct SurfaceUniforms
   vtkTextureObject* Lit = nullptr;       // an active texture in any case
   vtkTextureObject* Data = nullptr;      // an active texture, or null where the shaders read none
   const LayerRecords* Records = nullptr; // null: there are none
+  bool EncodedInput = false;             // the mappers' colours are encoded for display
   bool UseLit = false;                   // false: all surfaces are lit
   bool Glow = false;                     // the shaders were rewritten for scattered light
 };

@@ -101,6 +101,22 @@ void vtkAirlightPass::SetShadowTechnique(int technique)
   }
 }
 
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetDebugView(int view)
+{
+  if (view < SHADED || view > OUTLINES)
+  {
+    vtkErrorMacro(<< "DebugView " << view
+                  << " is not a view: use SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT or OUTLINES.");
+    return;
+  }
+  if (this->DebugView != view)
+  {
+    this->DebugView = view;
+    this->Modified();
+  }
+}
+
 int vtkAirlightPass::GetEffectiveShadowTechnique() { return this->Impl->EffectiveTechnique; }
 
 //------------------------------------------------------------------------------
@@ -226,6 +242,9 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
   os << indent << "ScatteredSurfaceLight: " << this->ScatteredSurfaceLight << "\n";
+  os << indent << "LinearInput: " << this->LinearInput << "\n";
+  const char* views[] = { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines" };
+  os << indent << "DebugView: " << views[this->DebugView] << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
   os << indent << "RecordBuffers: " << this->RecordBuffers << "\n";

@@ -14,8 +14,8 @@
  * light scattered into a ray comes from a closed form or, where there is none, from quadrature, and
  * the shadows' edges from geometry.
  *
- * All arithmetic is in linear radiance. What VTK's Phong shading shows is taken as linear; the
- * picture is written without tone mapping. See vtkAirlight::SetRadiantIntensity() for the units of
+ * All arithmetic is in linear radiance. What VTK's mappers show is taken as linear, unless
+ * SetLinearInput() says otherwise; the picture is written without tone mapping. See vtkAirlight::SetRadiantIntensity() for the units of
  * a vtkLight.
  *
  * Order: opaque geometry (with the renderer's SSAO and hidden line removal), the medium, translucent
@@ -156,6 +156,44 @@ public:
 
   ///@{
   /**
+   * Whether the colours that VTK's mappers and backgrounds give are linear radiances, as those of
+   * Phong shading are. Off, they are taken as encoded for display with a gamma of 2.2, as physically
+   * based materials give them: decoded before the medium is put before them, and the picture encoded
+   * again. Buffers are linear in any case. Default: true.
+   */
+  vtkSetMacro(LinearInput, bool);
+  vtkGetMacro(LinearInput, bool);
+  vtkBooleanMacro(LinearInput, bool);
+  ///@}
+
+  /**
+   * What is shown instead of the picture, to see what the pass does. Translucent surfaces and volumes
+   * are left out of all but SHADED; recorded buffers are not touched.
+   */
+  enum DebugViewType
+  {
+    SHADED = 0,        ///< the picture
+    AIRLIGHT_ONLY = 1, ///< what the medium scatters into the rays, without the scene
+    BOUNDARY_COUNT =
+      2,         ///< shadow planes on each ray: black 0, red 5, yellow 39, white 255 and more
+    OUTLINES = 3 ///< the picture with the outlines of the shadow planes, red where the view
+                 ///< enters a shadow, blue where it leaves it
+  };
+
+  ///@{
+  /**
+   * The debug view. Default: SHADED.
+   */
+  void SetDebugView(int view);
+  vtkGetMacro(DebugView, int);
+  void SetDebugViewToShaded() { this->SetDebugView(SHADED); }
+  void SetDebugViewToAirlightOnly() { this->SetDebugView(AIRLIGHT_ONLY); }
+  void SetDebugViewToBoundaryCount() { this->SetDebugView(BOUNDARY_COUNT); }
+  void SetDebugViewToShadowPlanes() { this->SetDebugView(OUTLINES); }
+  ///@}
+
+  ///@{
+  /**
    * Radius of point lights in world units: rays that pass a light more closely are shaded as if
    * they passed at this distance, which bounds the airlight near the light. 0 uses the smallest
    * distance that single precision resolves, 1e-5 of the distance from camera to light. Range:
@@ -288,6 +326,8 @@ private:
   int ShadowTechnique = AUTOMATIC;
   bool SurfaceShadows = true;
   bool ScatteredSurfaceLight = false;
+  bool LinearInput = true;
+  int DebugView = SHADED;
   double LightRadius = 0.0;
   int MemoryLimit = 1024;
   bool RecordBuffers = false;

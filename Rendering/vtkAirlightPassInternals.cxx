@@ -111,7 +111,8 @@ bool vtkAirlightPass::Internals::RenderFrame(
     CollectLamps(renderer, converted, view, this->Self->LightRadius, this->Lights);
   this->CheckLamps(lamps);
   // A delegate draws everything at once.
-  const bool layers = !this->Self->DelegatePass && AirlightScenePass::HasTransparent(s);
+  const bool layers = !this->Self->DelegatePass && this->Self->DebugView == SHADED &&
+    AirlightScenePass::HasTransparent(s);
   this->MapperText.LayerRecords = ShadowLists::IsSupported(window);
   this->UpdateSurfaceShader(converted, lamps, layers);
 
@@ -122,7 +123,9 @@ bool vtkAirlightPass::Internals::RenderFrame(
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Layers = layers;
   settings.LayerRecords = layers && ShadowLists::IsSupported(window);
-  settings.Record = this->Self->RecordBuffers;
+  settings.Record = this->Self->RecordBuffers || this->Self->DebugView == BOUNDARY_COUNT;
+  settings.EncodedInput = !this->Self->LinearInput;
+  settings.DebugView = this->Self->DebugView;
   for (vtkParticipatingMedium* medium : media)
   {
     settings.PhaseErrorBound = std::max(settings.PhaseErrorBound, medium->GetPhaseErrorBound());
@@ -147,7 +150,8 @@ bool vtkAirlightPass::Internals::RenderFrame(
     return false;
   }
   if (!this->CurrentFrame.Composite(
-        x, y, renderer->GetPreserveColorBuffer() || renderer->Transparent()))
+        x, y, renderer->GetPreserveColorBuffer() || renderer->Transparent()) ||
+    (settings.DebugView == OUTLINES && !this->CurrentFrame.DrawPlanes()))
   {
     this->Error = this->CurrentFrame.GetError();
     return false;

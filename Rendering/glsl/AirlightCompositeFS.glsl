@@ -3,14 +3,19 @@
 uniform AirlightMedia media;
 uniform sampler2D distances;
 uniform sampler2D scene;
+uniform int encodedInput; // 1: the scene's colours are encoded for display
 #ifndef AIRLIGHT_LAYERS
 uniform sampler2D sceneDepth;
+uniform int blended;   // over what the framebuffer holds
+uniform int debugView; // vtkAirlightPass::DebugViewType
 #endif
 uniform sampler2D scattered;
 
 layout(location = 0) out vec4 radiance;
-#ifdef AIRLIGHT_RECORD
+#if defined(AIRLIGHT_RECORD) || !defined(AIRLIGHT_LAYERS)
 uniform sampler2D counts;
+#endif
+#ifdef AIRLIGHT_RECORD
 uniform float error; // of what the media scatter of the ambient light, relative
 layout(location = 1) out vec4 airlight; // radiance; error bound
 layout(location = 2) out vec4 surface;
@@ -25,6 +30,7 @@ void main()
   vec4 colour = texelFetch(scene, pixel, 0);
   // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
   colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
+  colour.rgb = encodedInput != 0 ? airlightDecode(colour.rgb) : colour.rgb;
   vec3 origin = airlightOrigin(p);
   vec3 direction = normalize(airlightDirection(p));
   float end = t >= 0.0 ? t : AIRLIGHT_FAR;
@@ -41,6 +47,20 @@ void main()
   transmittance = vec4(passes, 1.0);
 #endif
 #ifndef AIRLIGHT_LAYERS
+  if (debugView == 1)
+  {
+    radiance = vec4(added, 1.0);
+  }
+  if (encodedInput != 0)
+  {
+    radiance = airlightEncode(radiance, blended != 0);
+  }
+  if (debugView == 2)
+  {
+    // Black, red, yellow, white: 0, 5, 39, 255 and more boundaries.
+    float heat = 3.0 * log2(1.0 + texelFetch(counts, pixel, 0).r) / 8.0;
+    radiance = vec4(clamp(vec3(heat, heat - 1.0, heat - 2.0), 0.0, 1.0), 1.0);
+  }
   gl_FragDepth = texelFetch(sceneDepth, pixel, 0).r;
 #endif
 }

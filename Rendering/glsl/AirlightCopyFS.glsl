@@ -3,6 +3,8 @@
 uniform sampler2D radiances;
 uniform sampler2D sceneDepth;
 uniform ivec2 airlightViewport;
+uniform int encodedInput;
+uniform int blended; // over what the framebuffer holds
 
 layout(location = 0) out vec4 radiance;
 
@@ -10,5 +12,9 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - airlightViewport;
   radiance = texelFetch(radiances, pixel, 0);
+  if (encodedInput != 0)
+  {
+    radiance = airlightEncode(radiance, blended != 0);
+  }
   gl_FragDepth = texelFetch(sceneDepth, pixel, 0).r;
 }

@@ -69,6 +69,8 @@ vec3 airlightLightsBefore(vec3 origin, vec3 direction, float t)
 
 #endif
 
+uniform int airlightEncodedInput; // 1: colours are encoded for display
+
 vec3 airlightThrough(vec3 colour)
 {
   if (airlightStage != AIRLIGHT_STAGE_LAYER)
@@ -79,6 +81,7 @@ vec3 airlightThrough(vec3 colour)
   vec3 origin = airlightOrigin(p);
   vec3 direction = normalize(airlightDirection(p));
   float t = airlightFragmentDistance();
+  colour = airlightEncodedInput != 0 ? airlightDecode(colour) : colour;
   return colour * exp(-airlightDepth(airlightMedia, origin, direction, t)) +
     airlightAmbient(airlightMedia, origin, direction, t) +
     airlightLightsBefore(origin, direction, t);
