@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightSurfaceShader.h"
 
+#include "AirlightBefore.h"
 #include "AirlightFragment.h"
 #include "AirlightQuad.h"
 #include "AirlightSurface.h"
 #include "AirlightSurfaceGlow.h"
+#include "AirlightSurfaceLights.h"
 #include "AirlightSurfaceMedium.h"
+#include "AirlightVertexMedium.h"
 #include "AirlightView.h"
 #include "AirlightViewShader.h"
 
@@ -23,15 +26,25 @@ namespace
 // The prelude's words must not reach the mapper's own text.
 const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef bool3\n";
 
+// What both shaders begin with.
+std::string CommonDeclarations(const SurfaceText& text)
+{
+  return text.Mathematics + "#define AIRLIGHT_LAMPS " + std::to_string(text.LampCount) +
+    "\n#define AIRLIGHT_BITS " + std::to_string(BitsPerChannel) + "\n#define AIRLIGHT_IN_PASS " +
+    std::to_string(text.InPass) + "\n#define AIRLIGHT_AT_VERTICES " +
+    std::to_string(text.AtVertices) + "\n" + AirlightSurfaceLights;
+}
+
 std::string Declarations(const SurfaceText& text)
 {
   const std::string glow = text.GlowLightCount > 0 ? "#define AIRLIGHT_GLOW_LIGHTS " +
       std::to_string(text.GlowLightCount) + "\n" + AirlightSurfaceGlow
                                                    : "";
-  return text.Mathematics + "#define AIRLIGHT_LAMPS " + std::to_string(text.LampCount) +
-    "\n#define AIRLIGHT_BITS " + std::to_string(BitsPerChannel) + "\n" + AirlightViewShader +
-    AirlightFragment + AirlightSurface + glow + (text.Translucent ? AirlightSurfaceMedium : "") +
-    Undefine;
+  const std::string medium = text.Translucent
+    ? std::string(text.AtVertices ? "" : AirlightBefore) + AirlightSurfaceMedium
+    : "";
+  return CommonDeclarations(text) + AirlightViewShader + AirlightFragment + AirlightSurface + glow +
+    medium + Undefine;
 }
 
 // Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
@@ -91,7 +104,7 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
   const size_t bodyStart = fragmentShader.find('{', mainStart);
   const size_t bodyEnd = fragmentShader.rfind('}');
   if (mainStart == std::string::npos || bodyStart == std::string::npos || bodyEnd < bodyStart ||
-    fragmentShader.find("airlightStage") != std::string::npos)
+    fragmentShader.find("airlightArrived") != std::string::npos)
   {
     return;
   }
@@ -104,13 +117,52 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
   lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
   lit = text.Translucent ? AddMedium(lit) : lit;
   const std::string writeDistance = "    gl_FragData[0] = vec4(airlightFragmentDistance());\n";
-  const std::string early = MayLeaveEarly(body)
+  const std::string early = text.InPass && MayLeaveEarly(body)
     ? "  if (airlightStage == 0)\n  {\n" + writeDistance + "    return;\n  }\n"
     : "";
-  const std::string late = "  if (airlightStage == 0)\n  {\n" + writeDistance + "  }\n";
+  const std::string late = text.InPass && early.empty()
+    ? "  if (airlightStage == 0)\n  {\n" + writeDistance + "  }\n"
+    : "";
   fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
-    "\n" + early + (anyLight ? "  airlightReceive();\n" : "") + lit + (early.empty() ? late : ""));
+    "\n" + early + (anyLight ? "  airlightReceive();\n" : "") + lit + late);
   fragmentShader.insert(mainStart, Declarations(text));
+}
+
+//------------------------------------------------------------------------------
+void InjectVertexShader(std::string& vertexShader, const SurfaceText& text)
+{
+  const size_t mainStart = vertexShader.find("void main");
+  const size_t bodyStart = vertexShader.find('{', mainStart);
+  if (mainStart == std::string::npos || bodyStart == std::string::npos)
+  {
+    return;
+  }
+  vertexShader.insert(
+    bodyStart + 1, "\n  airlightAtVertex((airlightVertexToEye * vertexMC).xyz);\n");
+  vertexShader.insert(
+    mainStart, CommonDeclarations(text) + AirlightBefore + AirlightVertexMedium + Undefine);
+}
+
+//------------------------------------------------------------------------------
+bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
+  const std::vector<Lamp>& lamps, bool glows, bool translucent)
+{
+  const int lampCount = static_cast<int>(lamps.size());
+  const int kind = glows || translucent ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
+  const bool photometry = std::any_of(
+    lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
+  const std::string source =
+    GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
+  if (lampCount <= text.LampCount && source == text.Mathematics && translucent == text.Translucent)
+  {
+    return false;
+  }
+  text.Translucent = translucent;
+  // Some more, so that another lamp does not make other shaders.
+  text.LampCount = std::max(text.LampCount, (lampCount + 7) / 8 * 8);
+  text.GlowLightCount = glows ? std::min(text.LampCount, MaximumGlowLights) : 0;
+  text.Mathematics = source;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -138,10 +190,14 @@ void SetPhotometries(vtkShaderProgram* program, const std::vector<Lamp>& lamps)
 //------------------------------------------------------------------------------
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
 {
-  program->SetUniformi("airlightStage", static_cast<int>(values.Stage));
-  values.Rays->SetUniforms(program, 0, 0);
-  // A sampler left at unit 0 would clash with the mapper's own.
-  program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
+  if (values.Lit)
+  {
+    program->SetUniformi("airlightStage", static_cast<int>(values.Stage));
+    // A sampler left at unit 0 would clash with the mapper's own.
+    program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
+    program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
+  }
+  values.Rays->SetUniforms(program, values.ViewportX, values.ViewportY);
   if (values.Data)
   {
     program->SetUniformi("airlightData", values.Data->GetTextureUnit());
@@ -165,7 +221,6 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   }
   program->SetUniformi("airlightLampCount", static_cast<int>(lamps.size()));
   SetPhotometries(program, *values.Lamps);
-  program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
   if (values.Glow)
   {
     SetGlowUniforms(program, values);

@@ -2,27 +2,10 @@
 // the medium before each fragment makes of its colour, before it is blended.
 
 uniform int airlightThroughMedium; // 1: do so
-uniform AirlightLight airlightLights[AIRLIGHT_LAMPS];
-
-// Scattered into the ray before its fragment, shadows left out of account.
-vec3 airlightBefore(vec3 origin, vec3 direction, float t)
-{
-  vec3 sum = airlightAmbient(airlightMedia, origin, direction, t);
-  for (int k = 0; k < airlightLampCount; k++)
-  {
-    if (airlightLamps[k].w >= 0.0)
-    {
-      AirlightRay ray = airlightRay(airlightMedia, airlightLights[k], origin, direction, t);
-      if (ray.lit.y > ray.lit.x)
-      {
-        vec3 tail = airlightTail3(airlightMedia, airlightLights[k], ray, ray.lit.x);
-        sum += airlightInterval3(airlightMedia, airlightLights[k], ray, ray.lit.x, tail, ray.lit.y,
-          airlightTail3(airlightMedia, airlightLights[k], ray, ray.lit.y));
-      }
-    }
-  }
-  return sum;
-}
+#if AIRLIGHT_AT_VERTICES
+in vec3 airlightPassesVSOutput;    // named so that VTK knows it for a vertex shader's
+in vec3 airlightAddedVSOutput;
+#endif
 
 vec3 airlightThrough(vec3 colour)
 {
@@ -30,10 +13,16 @@ vec3 airlightThrough(vec3 colour)
   {
     return colour;
   }
+  // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
+  colour = min(mix(vec3(0.0), colour, equal(colour, colour)), vec3(1e30));
+#if AIRLIGHT_AT_VERTICES
+  return colour * airlightPassesVSOutput + airlightAddedVSOutput;
+#else
   vec2 p = airlightPixel();
   vec3 origin = airlightOrigin(p);
   vec3 direction = normalize(airlightDirection(p));
   float t = airlightFragmentDistance();
   return colour * exp(-airlightDepth(airlightMedia, origin, direction, t)) +
     airlightBefore(origin, direction, t);
+#endif
 }
