@@ -124,36 +124,61 @@ void TestLitSurface(Comparison& comparison)
 }
 
 //------------------------------------------------------------------------------
-// Before an opaque plane: alpha (C1 T1 + L1) + (1 - alpha) (C2 T2 + L2).
-void TestTranslucent(Comparison& comparison)
+// A pixel of a window of eight bits a channel; the limit in steps of these.
+void CompareWindow(const std::string& what, const airlighttest::Picture& picture, int width, int x,
+  int y, const glm::dvec3& expected, double steps, Comparison& comparison)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const int got = picture[3 * (y * width + x) + k];
+    comparison.Add(std::abs(got / 255.0 - std::min(expected[k], 1.0)), steps / 255.0, [&] {
+      return Text(what, ", pixel ", x, " ", y, ": expected ", 255.0 * expected[k], ", got ", got);
+    });
+  }
+}
+
+//------------------------------------------------------------------------------
+// Before an opaque plane: alpha (C1 T1 + L1) + (1 - alpha) (C2 T2 + L2), blended in single
+// precision; then in the window's own ways, weighted and by depth peeling. Peeling keeps both layers
+// in eight bits: half a step each of the plane behind, times 1 - alpha, of the one before, and of the
+// sum make 1.3.
+void TestTranslucent(Comparison& comparison, Comparison& window)
 {
   MapperScene scene;
-  scene.AddPointLight({ 1.0, 1.5, 0.5 }, { 40.0, 30.0, 20.0 });
+  scene.AddPointLight({ 1.0, 1.5, 0.5 }, { 4.0, 3.0, 2.0 });
   const double alpha = 0.4;
   scene.Add(MakePlane(1, -3.0));
   const std::vector<Triangle> behind = scene.Triangles;
   scene.Add(MakePlane(1, 1.0))->GetProperty()->SetOpacity(alpha);
   const std::vector<Sample> samples = scene.GetSamples();
   const FloatPicture picture = scene.Render();
+  scene.Renderer->SetPass(nullptr);
+  const airlighttest::Picture weighted = airlighttest::Capture(scene.Window);
+  scene.Renderer->UseDepthPeelingOn();
+  const airlighttest::Picture peeled = airlighttest::Capture(scene.Window);
   scene.Triangles = behind;
   for (const Sample& sample : samples)
   {
     const double depth = scene.GetDepth(sample.I, sample.J);
-    if (std::isfinite(depth))
+    if (!std::isfinite(depth))
     {
-      const glm::dvec3 expected = alpha * scene.Fog(sample.Ray, sample.Depth, scene.Colour) +
-        (1.0 - alpha) * scene.Fog(sample.Ray, depth, scene.Colour);
-      MapperScene::CompareColour("translucent", sample, picture, expected, ClosedForm, comparison);
+      continue;
     }
+    const glm::dvec3 expected = alpha * scene.Fog(sample.Ray, sample.Depth, scene.Colour) +
+      (1.0 - alpha) * scene.Fog(sample.Ray, depth, scene.Colour);
+    MapperScene::CompareColour("blended", sample, picture, expected, ClosedForm, comparison);
+    CompareWindow(
+      "weighted", weighted, PixelScene::Width, sample.I, sample.J, expected, 1.0, window);
+    CompareWindow("peeled", peeled, PixelScene::Width, sample.I, sample.J, expected, 1.3, window);
   }
 }
 
 //------------------------------------------------------------------------------
-// The window's own framebuffer, of eight bits a channel, in a viewport off its corner.
+// The window's own framebuffer, in a viewport off its corner.
 void TestViewport(Comparison& comparison)
 {
   MapperScene scene;
-  scene.AddPointLight({ 1.0, 0.5, 0.5 }, { 10.0, 8.0, 6.0 });
+  scene.AddPointLight({ 1.0, 0.5, 0.5 }, { 4.0, 3.0, 2.0 });
   scene.Add(MakePlane(1));
   scene.Renderer->SetPass(nullptr);
   scene.Window->SetSize(2 * PixelScene::Width, 2 * PixelScene::Height);
@@ -161,16 +186,9 @@ void TestViewport(Comparison& comparison)
   const airlighttest::Picture picture = airlighttest::Capture(scene.Window);
   for (const Sample& sample : scene.GetSamples())
   {
-    const glm::dvec3 expected = scene.Fog(sample.Ray, sample.Depth, scene.Colour);
-    const int x = sample.I + PixelScene::Width / 2;
-    const int y = sample.J + PixelScene::Height;
-    for (int k = 0; k < 3; ++k)
-    {
-      const int got = picture[3 * (y * 2 * PixelScene::Width + x) + k];
-      comparison.Add(std::abs(got / 255.0 - std::min(expected[k], 1.0)), 1.0 / 255.0, [&] {
-        return Text("pixel ", x, " ", y, ": expected ", 255.0 * expected[k], ", got ", got);
-      });
-    }
+    CompareWindow("viewport", picture, 2 * PixelScene::Width, sample.I + PixelScene::Width / 2,
+      sample.J + PixelScene::Height, scene.Fog(sample.Ray, sample.Depth, scene.Colour), 1.0,
+      comparison);
   }
 }
 
@@ -201,14 +219,14 @@ int TestAirlightPolyDataMapper(int, char*[])
   Comparison lights("headlight, camera light, several lights");
   Comparison lit("lit surface");
   Comparison translucent("translucent plane");
-  Comparison viewport("viewport off the origin, steps of 1/255");
+  Comparison window("window, viewport off the origin and translucent");
   Comparison far("far from the origin");
   TestKinds(kinds);
   TestLights(lights);
   TestLitSurface(lit);
-  TestTranslucent(translucent);
-  TestViewport(viewport);
+  TestTranslucent(translucent, window);
+  TestViewport(window);
   TestFarFromOrigin(far);
-  const bool ok = AllOk({ &kinds, &lights, &lit, &translucent, &viewport, &far });
+  const bool ok = AllOk({ &kinds, &lights, &lit, &translucent, &window, &far });
   return ok && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
