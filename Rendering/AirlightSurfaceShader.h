@@ -57,9 +57,9 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text);
 // Rewrites a mapper's vertex shader for SurfaceText::AtVertices.
 void InjectVertexShader(std::string& vertexShader, const SurfaceText& text);
 
-// Brings the text up to date. It depends on the numbers of lights and media, and for scattered light
-// and fragments behind the medium on the lights' kinds; numbers are uniforms. Whether it is another
-// one now.
+// Brings the text up to date. It depends on the numbers of lights and media, and for scattered
+// light and fragments behind the medium on the lights' kinds; numbers are uniforms. Whether it is
+// another one now.
 bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
   const std::vector<Lamp>& lamps, bool glows, bool translucent);
 

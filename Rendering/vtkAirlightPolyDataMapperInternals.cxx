@@ -13,8 +13,8 @@ using namespace airlight;
 
 namespace
 {
-// Shaders that are too large do not link, and VTK's mappers do not survive that. Counts, from above,
-// what members of structures take where each has a register of four components.
+// Shaders that are too large do not link, and VTK's mappers do not survive that. Counts, from
+// above, what members of structures take where each has a register of four components.
 bool HasRoom(const SurfaceText& text, int mediaCount)
 {
   GLint fragment = 0;

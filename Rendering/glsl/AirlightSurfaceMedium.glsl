@@ -1,5 +1,5 @@
-// Added to the mappers' fragment shaders where fragments are drawn over the medium behind them: what
-// the medium before each fragment makes of its colour, before it is blended.
+// Added to the mappers' fragment shaders where fragments are drawn over the medium behind them:
+// what the medium before each fragment makes of its colour, before it is blended.
 
 uniform int airlightThroughMedium; // 1: do so
 #if AIRLIGHT_AT_VERTICES

@@ -209,6 +209,20 @@ public:
 };
 
 //------------------------------------------------------------------------------
+// A pixel of a window of eight bits a channel; the limit in steps of these.
+inline void CompareWindow(const std::string& what, const airlighttest::Picture& picture, int width,
+  int x, int y, const glm::dvec3& expected, double steps, Comparison& comparison)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const int got = picture[3 * (y * width + x) + k];
+    comparison.Add(std::abs(got / 255.0 - std::min(expected[k], 1.0)), steps / 255.0, [&] {
+      return Text(what, ", pixel ", x, " ", y, ": expected ", 255.0 * expected[k], ", got ", got);
+    });
+  }
+}
+
+//------------------------------------------------------------------------------
 // A plane that leans; `resolution` quadrilaterals a side.
 inline vtkSmartPointer<vtkPolyData> MakePlane(int resolution, double z = -1.0)
 {

@@ -124,24 +124,9 @@ void TestLitSurface(Comparison& comparison)
 }
 
 //------------------------------------------------------------------------------
-// A pixel of a window of eight bits a channel; the limit in steps of these.
-void CompareWindow(const std::string& what, const airlighttest::Picture& picture, int width, int x,
-  int y, const glm::dvec3& expected, double steps, Comparison& comparison)
-{
-  for (int k = 0; k < 3; ++k)
-  {
-    const int got = picture[3 * (y * width + x) + k];
-    comparison.Add(std::abs(got / 255.0 - std::min(expected[k], 1.0)), steps / 255.0, [&] {
-      return Text(what, ", pixel ", x, " ", y, ": expected ", 255.0 * expected[k], ", got ", got);
-    });
-  }
-}
-
-//------------------------------------------------------------------------------
 // Before an opaque plane: alpha (C1 T1 + L1) + (1 - alpha) (C2 T2 + L2), blended in single
-// precision; then in the window's own ways, weighted and by depth peeling. Peeling keeps both layers
-// in eight bits: half a step each of the plane behind, times 1 - alpha, of the one before, and of the
-// sum make 1.3.
+// precision; then in the window's own ways, weighted and by depth peeling. There eight bits keep the
+// plane behind, half a step times 1 - alpha, and both products of the sum, half a step each: 1.3.
 void TestTranslucent(Comparison& comparison, Comparison& window)
 {
   MapperScene scene;
@@ -168,7 +153,7 @@ void TestTranslucent(Comparison& comparison, Comparison& window)
       (1.0 - alpha) * scene.Fog(sample.Ray, depth, scene.Colour);
     MapperScene::CompareColour("blended", sample, picture, expected, ClosedForm, comparison);
     CompareWindow(
-      "weighted", weighted, PixelScene::Width, sample.I, sample.J, expected, 1.0, window);
+      "weighted", weighted, PixelScene::Width, sample.I, sample.J, expected, 1.3, window);
     CompareWindow("peeled", peeled, PixelScene::Width, sample.I, sample.J, expected, 1.3, window);
   }
 }
@@ -189,6 +174,72 @@ void TestViewport(Comparison& comparison)
     CompareWindow("viewport", picture, 2 * PixelScene::Width, sample.I + PixelScene::Width / 2,
       sample.J + PixelScene::Height, scene.Fog(sample.Ray, sample.Depth, scene.Colour), 1.0,
       comparison);
+  }
+}
+
+//------------------------------------------------------------------------------
+// All of a mesh that faces the camera is at one distance in parallel projection, its edges and
+// vertices, too, wherever their pixels' centres are.
+void TestLinesAndPoints(Comparison& comparison)
+{
+  MapperScene scene;
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 10.0);
+  camera->ParallelProjectionOn();
+  scene.AddPointLight({ 1.0, 0.5, 2.0 }, { 4.0, 3.0, 2.0 });
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(4, 4);
+  scene.Add(airlighttest::Make(plane));
+  scene.Actor->SetScale(4.0);
+  vtkProperty* property = scene.Actor->GetProperty();
+  for (const int representation : { VTK_POINTS, VTK_WIREFRAME })
+  {
+    for (const float size : { 1.0f, 3.0f })
+    {
+      property->SetRepresentation(representation);
+      property->SetLineWidth(size);
+      property->SetPointSize(size);
+      const FloatPicture picture = scene.Render();
+      int count = 0;
+      for (int pixel = 0; pixel < PixelScene::Width * PixelScene::Height; ++pixel)
+      {
+        const Sample sample{ pixel % PixelScene::Width, pixel / PixelScene::Width,
+          scene.GetRay(pixel % PixelScene::Width, pixel / PixelScene::Width), 10.0 };
+        if (picture[4 * pixel] > 0.0f) // the background is black
+        {
+          ++count;
+          MapperScene::CompareColour(Text("representation ", representation, ", size ", size),
+            sample, picture, scene.Fog(sample.Ray, sample.Depth, scene.Colour), ClosedForm,
+            comparison);
+        }
+      }
+      // 25 points, or five lines each way of 32 pixels.
+      Check(count >= (representation == VTK_POINTS ? 25 : 250), "lines or points are drawn");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// What single precision leaves, as the header states it: 2e-8 d/h where a ray passes at h a light
+// that is d away. The picture of a telescope; rays within the light's radius are left out.
+void TestNearLight(Comparison& comparison)
+{
+  MapperScene scene;
+  scene.Renderer->GetActiveCamera()->SetViewAngle(0.05);
+  const glm::dvec3 lamp(0.003, 0.2, 2.0);
+  scene.AddPointLight(lamp, { 4.0, 3.0, 2.0 });
+  scene.Add(MakePlane(1));
+  const FloatPicture picture = scene.Render();
+  for (const Sample& sample : scene.GetSamples())
+  {
+    const glm::dvec3 toLamp = lamp - sample.Ray.Origin;
+    const double h = glm::length(glm::cross(toLamp, sample.Ray.Direction));
+    if (h > 2e-5 * glm::length(toLamp))
+    {
+      MapperScene::CompareColour(Text("distance ", h), sample, picture,
+        scene.Fog(sample.Ray, sample.Depth, scene.Colour),
+        ClosedForm + 2e-8 * glm::length(toLamp) / h, comparison);
+    }
   }
 }
 
@@ -220,13 +271,17 @@ int TestAirlightPolyDataMapper(int, char*[])
   Comparison lit("lit surface");
   Comparison translucent("translucent plane");
   Comparison window("window, viewport off the origin and translucent");
+  Comparison lines("lines and points");
+  Comparison near("rays close to a light");
   Comparison far("far from the origin");
   TestKinds(kinds);
   TestLights(lights);
   TestLitSurface(lit);
   TestTranslucent(translucent, window);
   TestViewport(window);
+  TestLinesAndPoints(lines);
+  TestNearLight(near);
   TestFarFromOrigin(far);
-  const bool ok = AllOk({ &kinds, &lights, &lit, &translucent, &window, &far });
+  const bool ok = AllOk({ &kinds, &lights, &lit, &translucent, &window, &lines, &near, &far });
   return ok && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightPolyDataMapper from frame to frame: what changes shows, shaders are made anew only where
-// their text changes, a vtkAirlightPass wins and shows the same, and windows and picking do no harm.
+// vtkAirlightPolyDataMapper from frame to frame: what changes shows, shaders are made anew only
+// where their text changes, a vtkAirlightPass wins and shows the same, and windows and picking do
+// no harm.
 
 #include "AirlightTestMapper.h"
 #include "AirlightTestSurfaces.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightPolyDataMapper, evaluated at vertices. The meshes have their vertices where the rays of
-// pixels' centres meet a plane: there the picture must be exact. Between them transmittance and
+// vtkAirlightPolyDataMapper, evaluated at vertices. The meshes have their vertices where the rays
+// of pixels' centres meet a plane: there the picture must be exact. Between them transmittance and
 // airlight are linear on each triangle, and finer meshes come closer to the exact picture.
 
 #include "AirlightTestMapper.h"
