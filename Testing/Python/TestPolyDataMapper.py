@@ -44,7 +44,7 @@ class TestPolyDataMapper(unittest.TestCase):
     def picture(self):
         self.window.Render()
         pixels = vtkUnsignedCharArray()
-        self.window.GetPixelData(0, 0, 39, 29, 1, pixels)
+        self.window.GetPixelData(0, 0, 39, 29, 1, pixels, 0)
         return vtk_to_numpy(pixels).reshape(30, 40, 3)
 
     def test_absorption(self):
