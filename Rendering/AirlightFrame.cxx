@@ -22,9 +22,11 @@ bool Frame::Fail(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<Texels>& arrays)
+bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
+  f64::AirlightMedia& converted, std::vector<Lamp>& lamps)
 {
-  return this->Data.Update(window, arrays) || this->Fail(this->Data.GetError());
+  return UploadData(this->Data, window, media, converted, lamps) ||
+    this->Fail(this->Data.GetError());
 }
 
 //------------------------------------------------------------------------------

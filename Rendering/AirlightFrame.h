@@ -36,6 +36,7 @@
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
+class vtkParticipatingMedium;
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -68,9 +69,9 @@ struct FrameSettings
 class Frame
 {
 public:
-  // Uploads arrays for the shaders, before Begin(), and says where each begins.
-  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<Texels>& arrays);
-  int GetFirst(size_t array) const { return this->Data.GetFirst(array); }
+  // UploadData() for the shaders, before Begin().
+  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
+    f64::AirlightMedia& converted, std::vector<Lamp>& lamps);
 
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
   bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps,

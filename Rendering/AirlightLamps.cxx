@@ -3,11 +3,14 @@
 #include "AirlightLamps.h"
 
 #include "AirlightMatrix.h"
+#include "AirlightPhaseFit.h"
+#include "AirlightSurfaceTree.h"
 #include "AirlightView.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
+#include "vtkParticipatingMedium.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -110,5 +113,61 @@ std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& 
     }
   }
   return lamps;
+}
+
+//------------------------------------------------------------------------------
+int CommonKind(const std::vector<Lamp>& lamps)
+{
+  int kind = AIRLIGHT_POINT_CLOSED;
+  bool first = true;
+  for (const Lamp& lamp : lamps)
+  {
+    if (lamp.Glows())
+    {
+      kind = first || lamp.Values.kind == kind ? lamp.Values.kind : -1;
+      first = false;
+    }
+  }
+  return kind;
+}
+
+//------------------------------------------------------------------------------
+bool UploadData(SceneData& data, vtkOpenGLRenderWindow* window,
+  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
+  std::vector<Lamp>& lamps)
+{
+  std::vector<Texels> arrays;
+  std::vector<int*> first;
+  const auto add = [&](const Texels& array, int& place) {
+    arrays.push_back(array);
+    first.push_back(&place);
+  };
+  for (int i = 0; i < converted.count; ++i)
+  {
+    f64::AirlightMedium& medium = converted.item[i];
+    if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
+    {
+      const std::shared_ptr<const SurfaceTree> tree = media[i]->GetSurfaceTree();
+      add(Texels(tree, &tree->GetTexels()), medium.region.first);
+    }
+    if (medium.phase.rows > 0)
+    {
+      const std::shared_ptr<const PhaseShape> shape = media[i]->GetPhaseShape();
+      add(Texels(shape, &shape->Rows), medium.phase.first);
+    }
+  }
+  for (Lamp& lamp : lamps)
+  {
+    if (lamp.Table)
+    {
+      add(lamp.Table, lamp.Values.photometry.first);
+    }
+  }
+  const bool ok = data.Update(window, arrays);
+  for (size_t i = 0; i < first.size() && ok; ++i)
+  {
+    *first[i] = data.GetFirst(i);
+  }
+  return ok;
 }
 }

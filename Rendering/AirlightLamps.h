@@ -19,6 +19,8 @@
 #include <vector>
 
 class vtkLight;
+class vtkOpenGLRenderWindow;
+class vtkParticipatingMedium;
 class vtkRenderer;
 
 namespace airlight
@@ -49,10 +51,25 @@ struct Lamp
   bool Glows() const { return this->Scatters() && this->Values.intensity != glm::dvec3(0.0); }
 };
 
+// What is said of lights that are LightSupport::Invalid.
+constexpr const char* InvalidLampText =
+  "A light is left out of the medium: its position, colour and attenuation must be finite, "
+  "its attenuation at least 0 with one term above 0, its exponent at least 0, and the focal "
+  "point of a spot or a directional light apart from its position.";
+
+// The kind of all lights that are scattered, -1 where there are several.
+int CommonKind(const std::vector<Lamp>& lamps);
+
 // The switched-on lights, in the order in which VTK's mappers number them. `radius` is the light
 // radius asked for, 0 for the smallest that single precision resolves.
 std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
   const View& view, double radius, const std::vector<LightOptions>& options);
+
+// Puts on the graphics card the surfaces and tables of media and lamps, and their places there into
+// `converted` and `lamps`. False with a reason in data.GetError() where the card has no room.
+bool UploadData(SceneData& data, vtkOpenGLRenderWindow* window,
+  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
+  std::vector<Lamp>& lamps);
 }
 
 #endif

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightSurfaceShader.h"
 
+#include "AirlightBefore.h"
 #include "AirlightDisplay.h"
 #include "AirlightFragment.h"
 #include "AirlightLayerRecords.h"
 #include "AirlightLayers.h"
+#include "AirlightLayersBefore.h"
 #include "AirlightQuad.h"
 #include "AirlightSurface.h"
 #include "AirlightSurfaceGlow.h"
+#include "AirlightSurfaceLights.h"
 #include "AirlightSurfaceMedium.h"
+#include "AirlightVertexMedium.h"
 #include "AirlightView.h"
 #include "AirlightViewShader.h"
 
@@ -36,17 +40,34 @@ std::string DefineStages()
     define("LAYER", SurfaceStage::Layer) + define("COLLECT", SurfaceStage::Collect);
 }
 
+bool HasRecords(const SurfaceText& text)
+{
+  return text.InPass && text.Translucent && text.LayerRecords;
+}
+
+// What both shaders begin with.
+std::string CommonDeclarations(const SurfaceText& text)
+{
+  const auto define = [](const char* name, int value) {
+    return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
+  };
+  return text.Mathematics + DefineStages() + define("LAYER_RECORDS", HasRecords(text)) +
+    define("LAMPS", text.LampCount) + define("BITS", BitsPerChannel) +
+    define("IN_PASS", text.InPass) + define("AT_VERTICES", text.AtVertices) + AirlightSurfaceLights;
+}
+
 std::string Declarations(const SurfaceText& text)
 {
   const std::string glow = text.GlowLightCount > 0 ? "#define AIRLIGHT_GLOW_LIGHTS " +
       std::to_string(text.GlowLightCount) + "\n" + AirlightSurfaceGlow
                                                    : "";
-  const bool records = text.Translucent && text.LayerRecords;
-  return text.Mathematics + DefineStages() + "#define AIRLIGHT_LAYER_RECORDS " +
-    (records ? "1\n" : "0\n") + "#define AIRLIGHT_LAMPS " + std::to_string(text.LampCount) +
-    "\n#define AIRLIGHT_BITS " + std::to_string(BitsPerChannel) + "\n" + AirlightViewShader +
-    AirlightFragment + (records ? AirlightLayers : "") + AirlightSurface + glow +
-    (text.Translucent ? std::string(AirlightDisplay) + AirlightSurfaceMedium : "") + Undefine;
+  const char* before = HasRecords(text) ? AirlightLayersBefore
+    : text.AtVertices                   ? ""
+                                        : AirlightBefore;
+  const std::string medium =
+    text.Translucent ? std::string(before) + AirlightDisplay + AirlightSurfaceMedium : "";
+  return CommonDeclarations(text) + AirlightViewShader + AirlightFragment +
+    (HasRecords(text) ? AirlightLayers : "") + AirlightSurface + glow + medium + Undefine;
 }
 
 // Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
@@ -82,6 +103,17 @@ bool MayLeaveEarly(const std::string& commented)
     body.find("texture(") == std::string::npos && body.find("gl_FragDepth") == std::string::npos;
 }
 
+// What is drawn where no colours are.
+std::string OtherStages(bool records, bool leave)
+{
+  const std::string end = leave ? "    return;\n  }\n" : "  }\n";
+  return "  if (airlightStage == AIRLIGHT_STAGE_DISTANCE)\n  {\n"
+         "    gl_FragData[0] = vec4(airlightFragmentDistance());\n" +
+    end +
+    (records ? "  if (airlightStage == AIRLIGHT_STAGE_COLLECT)\n  {\n    airlightCollect();\n" + end
+             : "");
+}
+
 void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
 {
   int count = 0;
@@ -106,7 +138,7 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
   const size_t bodyStart = fragmentShader.find('{', mainStart);
   const size_t bodyEnd = fragmentShader.rfind('}');
   if (mainStart == std::string::npos || bodyStart == std::string::npos || bodyEnd < bodyStart ||
-    fragmentShader.find("airlightStage") != std::string::npos)
+    fragmentShader.find("airlightArrived") != std::string::npos)
   {
     return;
   }
@@ -118,18 +150,12 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
   std::string lit = std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])");
   lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
   lit = text.Translucent ? AddMedium(lit) : lit;
-  const bool records = text.Translucent && text.LayerRecords;
+  const bool records = HasRecords(text);
   const std::string find = records
     ? "  if (airlightStage == AIRLIGHT_STAGE_LAYER)\n  {\n    airlightFindLayer();\n  }\n"
     : "";
   const bool early = MayLeaveEarly(body);
-  const std::string leave = early ? "    return;\n" : "";
-  const std::string others = "  if (airlightStage == AIRLIGHT_STAGE_DISTANCE)\n  {\n"
-                             "    gl_FragData[0] = vec4(airlightFragmentDistance());\n" +
-    leave + "  }\n" +
-    (records ? "  if (airlightStage == AIRLIGHT_STAGE_COLLECT)\n  {\n    airlightCollect();\n" +
-          leave + "  }\n"
-             : "");
+  const std::string others = text.InPass ? OtherStages(records, early) : "";
   fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
     "\n" + (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
       (early ? "" : others));
@@ -144,6 +170,44 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
       "#extension GL_ARB_shading_language_420pack : require\n"
       "#extension GL_ARB_shader_bit_encoding : require\n");
   }
+}
+
+//------------------------------------------------------------------------------
+void InjectVertexShader(std::string& vertexShader, const SurfaceText& text)
+{
+  const size_t mainStart = vertexShader.find("void main");
+  const size_t bodyStart = vertexShader.find('{', mainStart);
+  if (mainStart == std::string::npos || bodyStart == std::string::npos)
+  {
+    return;
+  }
+  vertexShader.insert(
+    bodyStart + 1, "\n  airlightAtVertex((airlightVertexToEye * vertexMC).xyz);\n");
+  vertexShader.insert(
+    mainStart, CommonDeclarations(text) + AirlightBefore + AirlightVertexMedium + Undefine);
+}
+
+//------------------------------------------------------------------------------
+bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
+  const std::vector<Lamp>& lamps, bool glows, bool translucent)
+{
+  const int lampCount = static_cast<int>(lamps.size());
+  const bool lights = glows || (translucent && !(text.InPass && text.LayerRecords));
+  const int kind = lights ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
+  const bool photometry = std::any_of(
+    lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
+  const std::string source =
+    GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
+  if (lampCount <= text.LampCount && source == text.Mathematics && translucent == text.Translucent)
+  {
+    return false;
+  }
+  text.Translucent = translucent;
+  // Some more, so that another lamp does not make other shaders.
+  text.LampCount = std::max(text.LampCount, (lampCount + 7) / 8 * 8);
+  text.GlowLightCount = glows ? std::min(text.LampCount, MaximumGlowLights) : 0;
+  text.Mathematics = source;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -171,10 +235,14 @@ void SetPhotometries(vtkShaderProgram* program, const std::vector<Lamp>& lamps)
 //------------------------------------------------------------------------------
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
 {
-  program->SetUniformi("airlightStage", static_cast<int>(values.Stage));
-  values.Rays->SetUniforms(program, 0, 0);
-  // A sampler left at unit 0 would clash with the mapper's own.
-  program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
+  if (values.Lit)
+  {
+    program->SetUniformi("airlightStage", static_cast<int>(values.Stage));
+    // A sampler left at unit 0 would clash with the mapper's own.
+    program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
+    program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
+  }
+  values.Rays->SetUniforms(program, values.ViewportX, values.ViewportY);
   if (values.Data)
   {
     program->SetUniformi("airlightData", values.Data->GetTextureUnit());
@@ -202,7 +270,6 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   }
   program->SetUniformi("airlightLampCount", static_cast<int>(lamps.size()));
   SetPhotometries(program, *values.Lamps);
-  program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
   if (values.Glow)
   {
     SetGlowUniforms(program, values);

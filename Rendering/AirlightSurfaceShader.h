@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the pass adds to the shaders of VTK's mappers: the distance of each fragment, and the
- * attenuation and shadow of each light before the mapper's own shading.
+ * What the pass, and vtkAirlightPolyDataMapper without it, adds to the shaders of VTK's mappers:
+ * the distance of each fragment, the attenuation and shadow of each light before the mapper's own
+ * shading, and the medium before the fragment.
  */
 
 #ifndef AirlightSurfaceShader_h
@@ -37,13 +38,15 @@ constexpr int MaximumShadowingLights = 4 * BitsPerChannel;
 // Lights whose scattered light lights surfaces: uniforms are few.
 constexpr int MaximumGlowLights = 32;
 
-// What a mapper's fragment shader is rewritten for.
+// What a mapper's shaders are rewritten for.
 struct SurfaceText
 {
   int LampCount = 4;         // at most
   int GlowLightCount = 0;    // at most; 0: surfaces get no scattered light
   bool Translucent = false;  // fragments may be put behind the medium before them
-  bool LayerRecords = false; // and have records (AirlightLayers.h)
+  bool LayerRecords = false; // and have records (AirlightLayerRecords.h)
+  bool InPass = true;        // there are the pass's stages and its shadows on surfaces
+  bool AtVertices = false;   // the medium before fragments is interpolated between vertices
   std::string Mathematics;   // GetScatteringSource() and, for scattered light, GetGlowSource()
 };
 
@@ -54,14 +57,25 @@ struct SurfaceText
 // marker for the passes of translucent surfaces.
 void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text);
 
+// Rewrites a mapper's vertex shader for SurfaceText::AtVertices.
+void InjectVertexShader(std::string& vertexShader, const SurfaceText& text);
+
+// Brings the text up to date. It depends on the numbers of lights and media, and for scattered
+// light and fragments behind the medium on the lights' kinds; numbers are uniforms. Whether it is
+// another one now.
+bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
+  const std::vector<Lamp>& lamps, bool glows, bool translucent);
+
 // The state that the added text reads.
 struct SurfaceUniforms
 {
   SurfaceStage Stage = SurfaceStage::Distance;
   const View* Rays = nullptr;
+  int ViewportX = 0; // lower left corner of the viewport in the target
+  int ViewportY = 0;
   const f64::AirlightMedia* Media = nullptr;
   const std::vector<Lamp>* Lamps = nullptr;
-  vtkTextureObject* Lit = nullptr;       // an active texture in any case
+  vtkTextureObject* Lit = nullptr;       // in the pass, an active texture in any case
   vtkTextureObject* Data = nullptr;      // an active texture, or null where the shaders read none
   const LayerRecords* Records = nullptr; // null: there are none
   bool EncodedInput = false;             // the mappers' colours are encoded for display

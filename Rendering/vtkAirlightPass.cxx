@@ -34,55 +34,47 @@ vtkAirlightPass::~vtkAirlightPass() = default;
 //------------------------------------------------------------------------------
 void vtkAirlightPass::AddMedium(vtkParticipatingMedium* medium)
 {
-  auto& media = this->Impl->Media;
-  if (medium && std::find(media.begin(), media.end(), medium) == media.end())
+  if (this->Impl->Media.Add(medium))
   {
-    media.emplace_back(medium);
     this->Modified();
   }
 }
 
 void vtkAirlightPass::RemoveMedium(vtkParticipatingMedium* medium)
 {
-  auto& media = this->Impl->Media;
-  const auto it = std::find(media.begin(), media.end(), medium);
-  if (it != media.end())
+  if (this->Impl->Media.Remove(medium))
   {
-    media.erase(it);
     this->Modified();
   }
 }
 
 void vtkAirlightPass::RemoveAllMedia()
 {
-  if (!this->Impl->Media.empty())
+  if (this->Impl->Media.Clear())
   {
-    this->Impl->Media.clear();
     this->Modified();
   }
 }
 
 void vtkAirlightPass::SetMedium(vtkParticipatingMedium* medium)
 {
-  if (this->GetNumberOfMedia() == 1 && this->GetMedium(0) == medium)
+  if (this->Impl->Media.Set(medium))
   {
-    return;
+    this->Modified();
   }
-  this->RemoveAllMedia();
-  this->AddMedium(medium);
 }
 
-int vtkAirlightPass::GetNumberOfMedia() { return static_cast<int>(this->Impl->Media.size()); }
+int vtkAirlightPass::GetNumberOfMedia() { return this->Impl->Media.GetSize(); }
 
 vtkParticipatingMedium* vtkAirlightPass::GetMedium(int index)
 {
-  if (index < 0 || index >= this->GetNumberOfMedia())
+  if (!this->Impl->Media.Has(index))
   {
     vtkErrorMacro(<< "Medium " << index << " does not exist: there are " << this->GetNumberOfMedia()
                   << ".");
     return nullptr;
   }
-  return this->Impl->Media[index];
+  return this->Impl->Media.Get(index);
 }
 
 //------------------------------------------------------------------------------
@@ -145,7 +137,7 @@ vtkImageData* vtkAirlightPass::GetBuffer(const char* name)
 vtkMTimeType vtkAirlightPass::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  for (const auto& medium : this->Impl->Media)
+  for (vtkParticipatingMedium* medium : this->Impl->Media.GetAll())
   {
     time = std::max(time, medium->GetMTime());
   }
@@ -232,7 +224,7 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfMedia: " << this->GetNumberOfMedia() << "\n";
-  for (const auto& medium : this->Impl->Media)
+  for (vtkParticipatingMedium* medium : this->Impl->Media.GetAll())
   {
     medium->PrintSelf(os, indent.GetNextIndent());
   }

@@ -50,7 +50,7 @@
  * Sources: V. Biri, D. Arques and S. Michelin, "Real Time Rendering of Atmospheric Scattering and
  * Volumetric Shadows", WSCG 2006 (closed form, shadow planes).
  *
- * @sa vtkParticipatingMedium vtkAirlight
+ * @sa vtkAirlightPolyDataMapper vtkParticipatingMedium vtkAirlight
  */
 
 #ifndef vtkAirlightPass_h

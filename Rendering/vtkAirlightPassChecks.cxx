@@ -49,12 +49,11 @@ void vtkAirlightPass::Internals::WarnOnce(bool& warned, const std::string& text)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::Internals::CheckMedia()
 {
-  if (this->Media.size() > AIRLIGHT_MAX_MEDIA && !this->WarnedMedia)
+  const std::string text = this->Media.Check();
+  if (!text.empty() && !this->WarnedMedia)
   {
     this->WarnedMedia = true;
-    vtkErrorWithObjectMacro(this->Self,
-      "There are " << this->Media.size() << " media and at most " << AIRLIGHT_MAX_MEDIA
-                   << " are drawn: the first ones are. Call RemoveMedium() for those not needed.");
+    vtkErrorWithObjectMacro(this->Self, << text);
   }
 }
 
@@ -65,10 +64,7 @@ void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
   {
     if (lamp.Support == LightSupport::Invalid)
     {
-      this->WarnOnce(this->WarnedLights,
-        "A light is left out of the medium: its position, colour and attenuation must be finite, "
-        "its attenuation at least 0 with one term above 0, its exponent at least 0, and the focal "
-        "point of a spot or a directional light apart from its position.");
+      this->WarnOnce(this->WarnedLights, InvalidLampText);
     }
   }
   for (const Lamp& lamp : lamps)

@@ -3,8 +3,6 @@
 #include "vtkAirlightPassInternals.h"
 
 #include "AirlightOpenGL.h"
-#include "AirlightPhaseFit.h"
-#include "AirlightSurfaceTree.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -17,25 +15,6 @@
 #include <cstdint>
 
 using namespace airlight;
-
-namespace
-{
-// The kind of all lights that are scattered, -1 where there are several.
-int CommonKind(const std::vector<Lamp>& lamps)
-{
-  int kind = AIRLIGHT_POINT_CLOSED;
-  bool first = true;
-  for (const Lamp& lamp : lamps)
-  {
-    if (lamp.Glows())
-    {
-      kind = first || lamp.Values.kind == kind ? lamp.Values.kind : -1;
-      first = false;
-    }
-  }
-  return kind;
-}
-}
 
 //------------------------------------------------------------------------------
 vtkRenderPass* vtkAirlightPass::Internals::GetDelegate(bool opaqueOnly)
@@ -58,30 +37,15 @@ void vtkAirlightPass::Internals::RenderPlain(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-// The text added to the mappers' shaders depends on the numbers of lights and media, and for
-// scattered light and translucent surfaces on the lights' kinds. What was there once stays: surfaces
-// that become translucent for a moment shall not make all shaders anew each time.
+// What was there once stays: surfaces that become translucent for a moment shall not make all
+// shaders anew each time.
 void vtkAirlightPass::Internals::UpdateSurfaceShader(
   const f64::AirlightMedia& media, const std::vector<Lamp>& lamps, bool translucent)
 {
   translucent = translucent || this->MapperText.Translucent;
-  const int lampCount = static_cast<int>(lamps.size());
-  const bool glows = this->Self->ScatteredSurfaceLight;
-  const bool lights = glows || (translucent && !this->MapperText.LayerRecords);
-  const int kind = lights ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
-  const bool photometry = std::any_of(
-    lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
-  const std::string source =
-    GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
-  if (lampCount > this->MapperText.LampCount || source != this->MapperText.Mathematics ||
-    translucent != this->MapperText.Translucent)
+  if (UpdateSurfaceText(
+        this->MapperText, media, lamps, this->Self->ScatteredSurfaceLight, translucent))
   {
-    this->MapperText.Translucent = translucent;
-    // Some more, so that another lamp does not make other shaders.
-    this->MapperText.LampCount = std::max(this->MapperText.LampCount, (lampCount + 7) / 8 * 8);
-    this->MapperText.GlowLightCount =
-      glows ? std::min(this->MapperText.LampCount, MaximumGlowLights) : 0;
-    this->MapperText.Mathematics = source;
     this->ShaderTime.Modified();
   }
 }
@@ -101,7 +65,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
     this->Error = "the camera's matrices are not finite or cannot be inverted";
     return false;
   }
-  std::vector<vtkParticipatingMedium*> media(this->Media.begin(), this->Media.end());
+  std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   if (media.empty())
   {
     media.push_back(this->Vacuum);
@@ -140,7 +104,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   vtkOpenGLState::ScopedglEnableDisable depthSaver(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
   state->PushFramebufferBindings();
-  const bool ok = this->UploadData(window, media, converted, lamps) &&
+  const bool ok = this->CurrentFrame.Upload(window, media, converted, lamps) &&
     this->CurrentFrame.Begin(renderer, converted, lamps, view, settings, width, height) &&
     this->RenderSteps(s);
   state->PopFramebufferBindings();
@@ -159,48 +123,6 @@ bool vtkAirlightPass::Internals::RenderFrame(
   // A delegate has drawn annotations with the scene, fogged; drawn again they are not.
   this->ScenePass->RenderOverlay(s, !this->Self->DelegatePass);
   return true;
-}
-
-//------------------------------------------------------------------------------
-// Puts on the graphics card the surfaces and tables of media and lamps, and into these where they
-// are there.
-bool vtkAirlightPass::Internals::UploadData(vtkOpenGLRenderWindow* window,
-  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
-  std::vector<Lamp>& lamps)
-{
-  std::vector<Texels> arrays;
-  std::vector<int*> first;
-  const auto add = [&](const Texels& array, int& place) {
-    arrays.push_back(array);
-    first.push_back(&place);
-  };
-  for (int i = 0; i < converted.count; ++i)
-  {
-    f64::AirlightMedium& medium = converted.item[i];
-    if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
-    {
-      const std::shared_ptr<const SurfaceTree> tree = media[i]->GetSurfaceTree();
-      add(Texels(tree, &tree->GetTexels()), medium.region.first);
-    }
-    if (medium.phase.rows > 0)
-    {
-      const std::shared_ptr<const PhaseShape> shape = media[i]->GetPhaseShape();
-      add(Texels(shape, &shape->Rows), medium.phase.first);
-    }
-  }
-  for (Lamp& lamp : lamps)
-  {
-    if (lamp.Table)
-    {
-      add(lamp.Table, lamp.Values.photometry.first);
-    }
-  }
-  const bool ok = this->CurrentFrame.Upload(window, arrays);
-  for (size_t i = 0; i < first.size() && ok; ++i)
-  {
-    *first[i] = this->CurrentFrame.GetFirst(i);
-  }
-  return ok;
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #define vtkAirlightPassInternals_h
 
 #include "AirlightFrame.h"
+#include "AirlightMediaList.h"
 #include "AirlightScenePass.h"
 #include "vtkAirlightPass.h"
 
@@ -54,7 +55,7 @@ public:
   int ChooseTechnique(vtkOpenGLRenderWindow* window);
 
   vtkAirlightPass* Self;
-  std::vector<vtkSmartPointer<vtkParticipatingMedium>> Media;
+  airlight::MediaList Media;
   std::vector<airlight::LightOptions> Lights; // those of which the pass says something
   airlight::Frame CurrentFrame;
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
@@ -81,8 +82,6 @@ private:
   bool RenderSteps(const vtkRenderState* s);
   bool CollectLayers(const vtkRenderState& inner);
   void RenderStage(airlight::SurfaceStage stage, const std::function<void()>& render);
-  bool UploadData(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
-    airlight::f64::AirlightMedia& converted, std::vector<airlight::Lamp>& lamps);
   void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media,
     const std::vector<airlight::Lamp>& lamps, bool translucent);
   vtkRenderPass* GetDelegate(bool opaqueOnly);

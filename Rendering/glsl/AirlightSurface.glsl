@@ -1,13 +1,13 @@
 // Added to the mappers' fragment shaders, before main(): what becomes of each light on its way to
 // this fragment.
 
-uniform int airlightStage; // what is drawn: see SurfaceStage in AirlightSurfaceShader.h
-uniform AirlightMedia airlightMedia;
-// w 1: position; 0: direction towards a light at infinity; -1: left as VTK shades it
-uniform vec4 airlightLamps[AIRLIGHT_LAMPS];
-uniform int airlightLampCount;
-uniform sampler2D airlightLit;              // bits of the lights that reach the pixel's surface
+#if AIRLIGHT_IN_PASS
+uniform int airlightStage;     // what is drawn: see SurfaceStage in AirlightSurfaceShader.h
+uniform sampler2D airlightLit; // bits of the lights that reach the pixel's surface
 uniform int airlightUseLit;
+#else
+const int airlightStage = AIRLIGHT_STAGE_LAYER;
+#endif
 #if AIRLIGHT_HAS_PHOTOMETRY
 uniform AirlightPhotometry airlightPhotometries[AIRLIGHT_LAMPS];
 uniform int airlightGoniometric[AIRLIGHT_LAMPS]; // 1: light k shines by its table
@@ -37,6 +37,7 @@ vec3 airlightShare(int k, vec3 point)
     }
   }
 #endif
+#if AIRLIGHT_IN_PASS
   if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_COLOUR && k < 4 * AIRLIGHT_BITS)
   {
     vec4 bits = texelFetch(airlightLit, ivec2(airlightPixel()), 0);
@@ -46,6 +47,7 @@ vec3 airlightShare(int k, vec3 point)
       return vec3(0.0);
     }
   }
+#endif
   vec3 share = exp(-(airlightLamps[k].w == 0.0
       ? airlightSunDepths(airlightMedia, point, airlightLamps[k].xyz)
       : airlightDepthBetween(airlightMedia, point, airlightLamps[k].xyz)));

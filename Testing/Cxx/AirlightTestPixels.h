@@ -52,8 +52,8 @@ public:
   PixelScene(const PixelScene&) = delete;
   void operator=(const PixelScene&) = delete;
 
-  // Through the centre of pixel (i, j), counted from the lower left.
-  PixelRay GetRay(int i, int j)
+  // Through the centre of pixel (i, j), counted from the lower left; fractions are between pixels.
+  PixelRay GetRay(double i, double j)
   {
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     const glm::dvec3 position = Vector(camera->GetPosition());

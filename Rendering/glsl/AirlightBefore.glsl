@@ -1,0 +1,23 @@
+// What the medium before a point of a surface scatters to the eye.
+
+uniform AirlightLight airlightLights[AIRLIGHT_LAMPS];
+
+// Scattered into the ray before its fragment, shadows left out of account.
+vec3 airlightBefore(vec3 origin, vec3 direction, float t)
+{
+  vec3 sum = airlightAmbient(airlightMedia, origin, direction, t);
+  for (int k = 0; k < airlightLampCount; k++)
+  {
+    if (airlightLamps[k].w >= 0.0)
+    {
+      AirlightRay ray = airlightRay(airlightMedia, airlightLights[k], origin, direction, t);
+      if (ray.lit.y > ray.lit.x)
+      {
+        vec3 tail = airlightTail3(airlightMedia, airlightLights[k], ray, ray.lit.x);
+        sum += airlightInterval3(airlightMedia, airlightLights[k], ray, ray.lit.x, tail, ray.lit.y,
+          airlightTail3(airlightMedia, airlightLights[k], ray, ray.lit.y));
+      }
+    }
+  }
+  return sum;
+}

@@ -1,0 +1,6 @@
+// What both shaders of a mapper know of media and lights.
+
+uniform AirlightMedia airlightMedia;
+// w 1: position; 0: direction towards a light at infinity; -1: left as VTK shades it
+uniform vec4 airlightLamps[AIRLIGHT_LAMPS];
+uniform int airlightLampCount;

@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAirlightPolyDataMapper.h"
+
+#include "AirlightMatrix.h"
+#include "vtkAirlightPass.h"
+#include "vtkAirlightPolyDataMapperInternals.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkRenderer.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <cmath>
+#include <string>
+
+using namespace airlight;
+
+namespace
+{
+bool IsDrawnByPass(vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  const int count = keys && keys->Has(passes) ? keys->Length(passes) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    if (vtkAirlightPass::SafeDownCast(keys->Get(passes, i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(vtkAirlightPolyDataMapper);
+
+vtkAirlightPolyDataMapper::vtkAirlightPolyDataMapper()
+  : Impl(new Internals)
+{
+}
+
+vtkAirlightPolyDataMapper::~vtkAirlightPolyDataMapper() { this->Impl->SetWindow(nullptr); }
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::AddMedium(vtkParticipatingMedium* medium)
+{
+  if (this->Impl->Media.Add(medium))
+  {
+    this->Modified();
+  }
+}
+
+void vtkAirlightPolyDataMapper::RemoveMedium(vtkParticipatingMedium* medium)
+{
+  if (this->Impl->Media.Remove(medium))
+  {
+    this->Modified();
+  }
+}
+
+void vtkAirlightPolyDataMapper::RemoveAllMedia()
+{
+  if (this->Impl->Media.Clear())
+  {
+    this->Modified();
+  }
+}
+
+void vtkAirlightPolyDataMapper::SetMedium(vtkParticipatingMedium* medium)
+{
+  if (this->Impl->Media.Set(medium))
+  {
+    this->Modified();
+  }
+}
+
+int vtkAirlightPolyDataMapper::GetNumberOfMedia() { return this->Impl->Media.GetSize(); }
+
+vtkParticipatingMedium* vtkAirlightPolyDataMapper::GetMedium(int index)
+{
+  if (!this->Impl->Media.Has(index))
+  {
+    vtkErrorMacro(<< "Medium " << index << " does not exist: there are " << this->GetNumberOfMedia()
+                  << ".");
+    return nullptr;
+  }
+  return this->Impl->Media.Get(index);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::SetEvaluation(int evaluation)
+{
+  if (evaluation != FRAGMENT && evaluation != VERTEX)
+  {
+    vtkErrorMacro(<< "Evaluation " << evaluation << " is unknown: use FRAGMENT or VERTEX.");
+    return;
+  }
+  if (this->Evaluation != evaluation)
+  {
+    this->Evaluation = evaluation;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::SetLightRadius(double radius)
+{
+  if (!std::isfinite(radius) || radius < 0.0)
+  {
+    vtkErrorMacro(<< "LightRadius " << radius << " must be finite and at least 0; it stays "
+                  << this->LightRadius << ".");
+    return;
+  }
+  if (this->LightRadius != radius)
+  {
+    this->LightRadius = radius;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkAirlightPolyDataMapper::SafeDownCast(mapper))
+  {
+    this->Impl->Media = other->Impl->Media;
+    this->SetEvaluation(other->GetEvaluation());
+    this->SetLightRadius(other->GetLightRadius());
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  Internals& impl = *this->Impl;
+  impl.Shades = false;
+  if (impl.Media.GetSize() == 0 || renderer->GetSelector() || IsDrawnByPass(actor))
+  {
+    this->Superclass::RenderPiece(renderer, actor);
+    return;
+  }
+  impl.SetWindow(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+  impl.Shades = impl.Prepare(renderer, this->LightRadius);
+  impl.Check(this);
+
+  vtkTextureObject* data = impl.Shades ? impl.Data.GetTexture() : nullptr;
+  if (data)
+  {
+    data->Activate();
+  }
+  this->Superclass::RenderPiece(renderer, actor);
+  if (data)
+  {
+    data->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPolyDataMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
+  Internals::Build& built = this->Impl->Built[&cellBO];
+  const Internals::Build now{ this->Impl->Shades, this->Impl->TextVersion };
+  const bool other =
+    built.Shades != now.Shades || (now.Shades && built.TextVersion != now.TextVersion);
+  built = now;
+  return rebuild || other;
+}
+
+//------------------------------------------------------------------------------
+// After the superclass's own text and before other passes' turns: those of translucent surfaces
+// replace the marker that the medium is put at.
+void vtkAirlightPolyDataMapper::ReplaceShaderRenderPass(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor,
+  bool prePass)
+{
+  if (!prePass && this->Impl->Shades)
+  {
+    SurfaceText text = this->Impl->Text;
+    text.AtVertices =
+      this->Evaluation == VERTEX && shaders[vtkShader::Geometry]->GetSource().empty();
+    std::string fragmentShader = shaders[vtkShader::Fragment]->GetSource();
+    InjectSurfaceShader(fragmentShader, text);
+    shaders[vtkShader::Fragment]->SetSource(fragmentShader);
+    if (text.AtVertices)
+    {
+      std::string vertexShader = shaders[vtkShader::Vertex]->GetSource();
+      InjectVertexShader(vertexShader, text);
+      shaders[vtkShader::Vertex]->SetSource(vertexShader);
+    }
+  }
+  this->Superclass::ReplaceShaderRenderPass(shaders, renderer, actor, prePass);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
+  if (!this->Impl->Shades)
+  {
+    return;
+  }
+  const SurfaceUniforms values = this->Impl->GetUniforms();
+  SetSurfaceUniforms(cellBO.Program, values);
+
+  // From the vertices' buffer, in which VTK may have shifted and scaled them; VTK keeps the inverse
+  // transposed. The eye is subtracted in double precision.
+  glm::dmat4 vertexToEye = ToGlm(actor->GetMatrix());
+  vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO("vertexMC");
+  if (buffer && buffer->GetCoordShiftAndScaleEnabled())
+  {
+    vertexToEye = vertexToEye * glm::transpose(ToGlm(this->VBOShiftScale));
+  }
+  vertexToEye[3] -= glm::dvec4(values.Rays->GetEye(), 0.0);
+  glm::mat4 matrix(vertexToEye);
+  cellBO.Program->SetUniformMatrix4x4("airlightVertexToEye", &matrix[0].x);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  // What is there for another window stays, while the superclass changes windows.
+  if (window == this->Impl->Window)
+  {
+    this->Impl->Data.Release(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfMedia: " << this->GetNumberOfMedia() << "\n";
+  for (vtkParticipatingMedium* medium : this->Impl->Media.GetAll())
+  {
+    medium->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "Evaluation: " << (this->Evaluation == VERTEX ? "Vertex" : "Fragment") << "\n";
+  os << indent << "LightRadius: " << this->LightRadius << "\n";
+}
