@@ -147,7 +147,7 @@ vtkSmartPointer<vtkImageData> Targets::Read(
   auto* out = static_cast<float*>(image->GetScalarPointer());
   std::vector<float> pixels(4 * static_cast<size_t>(this->Width) * this->Height);
   this->Framebuffer->ActivateReadBuffer(attachment);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  // Rows of four floats need no alignment set, and VTK's record of it would not know.
   glReadPixels(0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, pixels.data());
   for (size_t i = 0; i < pixels.size() / 4; ++i)
   {

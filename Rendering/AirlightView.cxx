@@ -46,19 +46,25 @@ View::View(vtkRenderer* renderer, int width, int height)
   }
   this->NormalMatrix = glm::mat3(glm::transpose(glm::dmat3(worldToView)));
   this->Parallel = camera->GetParallelProjection() != 0;
-  this->Eye = glm::dvec3(viewToWorld[3]);
   this->Forward = -glm::normalize(glm::dvec3(viewToWorld[2]));
   camera->GetClippingRange(this->Near, this->Far);
 
-  // A pixel's point in view coordinates, one unit before the eye in a perspective; affine in the
-  // pixel's position.
+  // Where all rays meet. The cameras of a stereo pair have their projections sheared by VTK, which
+  // takes them from the origin of the view; in parallel projection it tilts the rays.
+  const glm::dvec4 apex = clipToView * glm::dvec4(0.0, 0.0, 1.0, 0.0);
+  const glm::dvec3 eye = this->Parallel ? glm::dvec3(0.0) : glm::dvec3(apex) / apex.w;
+  const glm::dvec3 tilt = this->Parallel ? glm::dvec3(apex) / -apex.z : glm::dvec3(0.0);
+  const glm::dmat3 axes(viewToWorld);
+  this->Eye = glm::dvec3(viewToWorld[3]) + axes * eye;
+
+  // Of a pixel, affine in its position: the direction of its ray, one unit deep; in parallel
+  // projection the point where its ray leaves the camera's plane.
   const auto viewPoint = [&](double px, double py) {
     const glm::dvec4 q =
       clipToView * glm::dvec4(2.0 * px / width - 1.0, 2.0 * py / height - 1.0, 0.0, 1.0);
-    const glm::dvec3 point = glm::dvec3(q) / q.w;
-    return this->Parallel ? glm::dvec3(point.x, point.y, 0.0) : point / -point.z;
+    const glm::dvec3 point = glm::dvec3(q) / q.w - eye;
+    return this->Parallel ? point + point.z * tilt : point / -point.z;
   };
-  const glm::dmat3 axes(viewToWorld);
   const glm::dvec3 corner = viewPoint(0.0, 0.0);
   this->Affine[0] = axes * corner;
   this->Affine[1] = axes * (viewPoint(width, 0.0) - corner) / static_cast<double>(width);
@@ -70,14 +76,16 @@ View::View(vtkRenderer* renderer, int width, int height)
   }
   if (this->Parallel)
   {
-    this->RayDirection[0] = glm::vec3(this->Forward);
+    this->Along = glm::normalize(axes * tilt);
+    this->PerDepth = glm::length(tilt);
+    this->RayDirection[0] = glm::vec3(this->Along);
   }
 }
 
 //------------------------------------------------------------------------------
 glm::dvec4 View::GetStart() const
 {
-  return this->Parallel ? glm::dvec4(-this->Forward, 0.0) : glm::dvec4(this->Eye, 1.0);
+  return this->Parallel ? glm::dvec4(-this->Along, 0.0) : glm::dvec4(this->Eye, 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -92,8 +100,8 @@ glm::mat4 View::GetClipMatrix(const glm::dvec3& origin) const
 void View::SetUniforms(vtkShaderProgram* program, int x, int y) const
 {
   const int corner[2] = { x, y };
-  const float depth[2] = { static_cast<float>(this->Near),
-    static_cast<float>(this->Far - this->Near) };
+  const float depth[2] = { static_cast<float>(this->PerDepth * this->Near),
+    static_cast<float>(this->PerDepth * (this->Far - this->Near)) };
   program->SetUniform2i("airlightViewport", corner);
   program->SetUniform3fv("airlightRayOrigin", 3, &this->RayOrigin[0].x);
   program->SetUniform3fv("airlightRayDirection", 3, &this->RayDirection[0].x);
@@ -106,9 +114,9 @@ void View::SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position
 {
   // In a perspective the light is a multiple of one pixel's direction; in parallel projection it is
   // one pixel's origin plus a multiple of the common direction.
-  const glm::dvec3 along = this->Parallel ? this->Forward : position;
+  const glm::dvec3 along = this->Parallel ? this->Along : position;
   const glm::dmat3 basis(
-    this->Affine[1], this->Affine[2], this->Parallel ? this->Forward : this->Affine[0]);
+    this->Affine[1], this->Affine[2], this->Parallel ? this->Along : this->Affine[0]);
   const glm::dvec3 solution =
     glm::inverse(basis) * (this->Parallel ? position - this->Affine[0] : position);
   const glm::dvec2 pixel =

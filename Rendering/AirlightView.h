@@ -24,8 +24,10 @@ public:
 
   bool IsValid() const { return this->Valid; }
   bool IsParallel() const { return this->Parallel; }
+  // Where all rays meet; in parallel projection the camera's position.
   const glm::dvec3& GetEye() const { return this->Eye; }
   double GetNear() const { return this->Near; }
+  // The camera's axis.
   const glm::dvec3& GetForward() const { return this->Forward; }
 
   // From normals in view coordinates to normals in the world, of any length.
@@ -53,6 +55,8 @@ private:
   glm::dvec3 Forward{ 0.0 };
   double Near = 0.0;
   double Far = 0.0;
+  glm::dvec3 Along{ 0.0 }; // parallel projection: the rays' direction, unit
+  double PerDepth = 1.0;   // parallel projection: length of a ray one unit deep
   glm::dmat4 WorldToClip{ 1.0 };
   glm::mat3 NormalMatrix{ 1.0f };
   glm::dvec3 Affine[3]; // constant, per x, per y: the rays' directions; parallel: their origins

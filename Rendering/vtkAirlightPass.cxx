@@ -14,6 +14,7 @@
 #include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -165,6 +166,7 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   {
     return;
   }
+  this->Impl->UpdateStereo(renderer);
   // Picking reads colours as numbers: nothing may change them.
   if (renderer->GetSelector())
   {
@@ -189,11 +191,8 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
 void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Superclass::ReleaseGraphicsResources(w);
-  this->Impl->CurrentFrame.Release(w);
-  this->Impl->CameraPass->ReleaseGraphicsResources(w);
-  this->Impl->OpaquePass->ReleaseGraphicsResources(w);
-  this->Impl->TranslucentPass->ReleaseGraphicsResources(w);
-  this->Impl->ScenePass->ReleaseGraphicsResources(w);
+  // In whichever window they are.
+  this->Impl->Context->SetContext(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -213,6 +212,8 @@ bool vtkAirlightPass::SetShaderParameters(
   values.UseLit = values.UseLit &&
     !(this->Impl->Stage == SurfaceStage::Colour && prop->IsRenderingTranslucentPolygonalGeometry());
   SetSurfaceUniforms(program, values);
+  // VTK leaves the lights of another renderer in a program that both use and that is newer than they.
+  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
   return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include "AirlightOpenGL.h"
 
+#include "vtkCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -17,6 +18,19 @@
 using namespace airlight;
 
 //------------------------------------------------------------------------------
+vtkAirlightPass::Internals::Internals(vtkAirlightPass* self)
+  : Self(self)
+{
+  this->Context->SetRelease([this](vtkWindow* window) {
+    this->CurrentFrame.Release(window);
+    this->TranslucentPass->ReleaseGraphicsResources(window);
+    this->ScenePass->ReleaseGraphicsResources(window);
+  });
+}
+
+vtkAirlightPass::Internals::~Internals() { this->Context->SetContext(nullptr); }
+
+//------------------------------------------------------------------------------
 vtkRenderPass* vtkAirlightPass::Internals::GetDelegate(bool opaqueOnly)
 {
   if (this->Self->DelegatePass)
@@ -26,6 +40,24 @@ vtkRenderPass* vtkAirlightPass::Internals::GetDelegate(bool opaqueOnly)
   this->ScenePass->SetOpaqueOnly(opaqueOnly);
   this->CameraPass->SetDelegatePass(this->ScenePass);
   return this->CameraPass;
+}
+
+//------------------------------------------------------------------------------
+// A renderer with a pass leaves that out, and a camera learns it from vtkCamera::Render() alone. That
+// also clears the viewport, as every frame does.
+void vtkAirlightPass::Internals::UpdateStereo(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkCamera* camera = renderer->GetActiveCamera(); // makes one where there is none
+  if (camera->GetStereo() != window->GetStereoRender())
+  {
+    vtkOpenGLState* state = window->GetState();
+    vtkOpenGLState::ScopedglViewport viewportSaver(state);
+    vtkOpenGLState::ScopedglScissor scissorSaver(state);
+    vtkOpenGLState::ScopedglEnableDisable scissorTestSaver(state, GL_SCISSOR_TEST);
+    camera->Render(renderer);
+    camera->Modified(); // or matrices that VTK keeps would stay
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -56,7 +88,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
 {
   vtkRenderer* renderer = s->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  renderer->GetActiveCamera(); // makes one where there is none
+  this->Context->SetContext(window);
   this->ScenePass->PrepareLights(renderer);
 
   const View view(renderer, width, height);

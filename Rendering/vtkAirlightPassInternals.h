@@ -7,6 +7,7 @@
 #ifndef vtkAirlightPassInternals_h
 #define vtkAirlightPassInternals_h
 
+#include "AirlightContext.h"
 #include "AirlightFrame.h"
 #include "AirlightMediaList.h"
 #include "AirlightScenePass.h"
@@ -29,14 +30,16 @@
 class vtkOpenGLRenderWindow;
 class vtkRenderPass;
 class vtkRenderState;
+class vtkRenderer;
 
 class vtkAirlightPass::Internals
 {
 public:
-  explicit Internals(vtkAirlightPass* self)
-    : Self(self)
-  {
-  }
+  explicit Internals(vtkAirlightPass* self);
+  ~Internals();
+
+  // Tells the camera whether it is one of a stereo pair.
+  void UpdateStereo(vtkRenderer* renderer);
 
   // Draws the scene as if the pass were not there.
   void RenderPlain(const vtkRenderState* s);
@@ -64,6 +67,7 @@ public:
   vtkTimeStamp ShaderTime;
   std::string Error;
 
+  vtkNew<AirlightContext> Context;
   vtkNew<AirlightScenePass> ScenePass;
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<vtkOpaquePass> OpaquePass;
