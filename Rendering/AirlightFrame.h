@@ -75,6 +75,9 @@ public:
   // Step 1: binds the target that the opaque geometry is to be drawn into, cleared.
   bool BindDistances();
 
+  // After that.
+  bool FinishDistances();
+
   // Step 2.
   bool ScatterLights();
 
@@ -127,6 +130,7 @@ private:
   CasterCache Casters;
   std::vector<ShadowVolumes> Volumes; // by light number
   std::array<Quad, 3> ResolveQuads;   // by Lists; the last two share one
+  Quad DistancesQuad;
   Quad CompositeQuad;
   Quad LayersQuad;
   Quad CopyQuad;

@@ -85,7 +85,7 @@ void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
 }
 
 //------------------------------------------------------------------------------
-void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
+void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, bool splats)
 {
   const size_t mainStart = fragmentShader.find("void main");
   const size_t bodyStart = fragmentShader.find('{', mainStart);
@@ -103,14 +103,19 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
   std::string lit = std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])");
   lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
   lit = text.Translucent ? AddMedium(lit) : lit;
-  const std::string writeDistance = "    gl_FragData[0] = vec4(airlightFragmentDistance());\n";
+  // Below 0 in green: no shader that writes colours does that.
+  const std::string writeDistance =
+    "    gl_FragData[0] = vec4(airlightFragmentDistance(), -1.0, 0.0, 1.0);\n";
+  const std::string hide = splats ? "  if (airlightHidden != 0)\n  {\n    discard;\n  }\n" : "";
   const std::string early = MayLeaveEarly(body)
     ? "  if (airlightStage == 0)\n  {\n" + writeDistance + "    return;\n  }\n"
     : "";
   const std::string late = "  if (airlightStage == 0)\n  {\n" + writeDistance + "  }\n";
   fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
-    "\n" + early + (anyLight ? "  airlightReceive();\n" : "") + lit + (early.empty() ? late : ""));
-  fragmentShader.insert(mainStart, Declarations(text));
+    "\n" + hide + early + (anyLight ? "  airlightReceive();\n" : "") + lit +
+      (early.empty() ? late : ""));
+  fragmentShader.insert(
+    mainStart, Declarations(text) + (splats ? "uniform int airlightHidden;\n" : ""));
 }
 
 //------------------------------------------------------------------------------
@@ -146,6 +151,10 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     program->SetUniformi("airlightData", values.Data->GetTextureUnit());
   }
+  if (values.Splats)
+  {
+    program->SetUniformi("airlightHidden", values.Hidden ? 1 : 0);
+  }
   if (values.Stage == SurfaceStage::Distance)
   {
     return;
@@ -171,7 +180,7 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
     SetGlowUniforms(program, values);
   }
   const bool layer = values.Stage == SurfaceStage::Layer;
-  program->SetUniformi("airlightThroughMedium", layer ? 1 : 0);
+  program->SetUniformi("airlightThroughMedium", !layer ? 0 : values.Additive ? 2 : 1);
   for (size_t k = 0; k < values.Lamps->size() && layer; ++k)
   {
     SetLightUniforms(

@@ -14,6 +14,7 @@
 #include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -189,9 +190,9 @@ void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
 
 //------------------------------------------------------------------------------
 bool vtkAirlightPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  InjectSurfaceShader(fragmentShader, this->Impl->MapperText);
+  InjectSurfaceShader(fragmentShader, this->Impl->MapperText, AirlightScenePass::IsSplats(prop));
   return true;
 }
 
@@ -202,6 +203,9 @@ bool vtkAirlightPass::SetShaderParameters(
   SurfaceUniforms values = this->Impl->CurrentFrame.GetSurfaceUniforms(this->Impl->Stage);
   // A delegate may draw translucent surfaces in any stage.
   values.UseLit = values.UseLit && !prop->IsRenderingTranslucentPolygonalGeometry();
+  values.Splats = program->IsUniformUsed("airlightHidden");
+  values.Hidden = values.Splats && this->Impl->IsDrawnLater(prop);
+  values.Additive = AirlightScenePass::IsEmissive(prop);
   SetSurfaceUniforms(program, values);
   return true;
 }

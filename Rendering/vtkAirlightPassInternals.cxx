@@ -155,6 +155,14 @@ bool vtkAirlightPass::Internals::RenderFrame(
 }
 
 //------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::IsDrawnLater(vtkProp* prop)
+{
+  return this->CurrentFrame.HasLayers() && this->Stage != SurfaceStage::Layer &&
+    AirlightScenePass::IsSplats(prop) &&
+    std::find(this->FrameProps.begin(), this->FrameProps.end(), prop) != this->FrameProps.end();
+}
+
+//------------------------------------------------------------------------------
 // Puts on the graphics card the surfaces and tables of media and lamps, and into these where they
 // are there.
 bool vtkAirlightPass::Internals::UploadData(vtkOpenGLRenderWindow* window,
@@ -204,13 +212,15 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
   inner.SetFrameBuffer(this->CurrentFrame.GetFramebuffer());
 
+  this->FrameProps.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
   this->Self->PreRender(s);
   bool ok = this->CurrentFrame.BindDistances();
   if (ok)
   {
     this->RenderStage(SurfaceStage::Distance, [&] { this->OpaquePass->Render(&inner); });
   }
-  ok = ok && this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
+  ok = ok && this->CurrentFrame.FinishDistances() && this->CurrentFrame.ScatterLights() &&
+    this->CurrentFrame.BindScene();
   if (ok)
   {
     this->RenderStage(SurfaceStage::Colour, [&] {

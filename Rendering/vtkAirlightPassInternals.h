@@ -47,6 +47,10 @@ public:
   airlight::LightOptions& GetOptions(vtkLight* light);
   const airlight::LightOptions* FindOptions(vtkLight* light) const;
 
+  // Whether a prop of the opaque stages is left for the one that blends over the medium. Parts of
+  // assemblies are not.
+  bool IsDrawnLater(vtkProp* prop);
+
   void WarnOnce(bool& warned, const std::string& text);
   void CheckMedia();
   void CheckLamps(const std::vector<airlight::Lamp>& lamps);
@@ -66,6 +70,8 @@ public:
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<vtkOpaquePass> OpaquePass;
   vtkNew<vtkParticipatingMedium> Vacuum;
+
+  std::vector<vtkProp*> FrameProps; // those that the frame began with
 
   bool WarnedOpenGL = false;
   bool WarnedMedia = false;

@@ -1,7 +1,7 @@
 // Added to the mappers' fragment shaders where fragments are drawn over the medium behind them: what
 // the medium before each fragment makes of its colour, before it is blended.
 
-uniform int airlightThroughMedium; // 1: do so
+uniform int airlightThroughMedium; // 1: do so; 2: for fragments that are added to what is behind
 uniform AirlightLight airlightLights[AIRLIGHT_LAMPS];
 
 // Scattered into the ray before its fragment, shadows left out of account.
@@ -34,6 +34,7 @@ vec3 airlightThrough(vec3 colour)
   vec3 origin = airlightOrigin(p);
   vec3 direction = normalize(airlightDirection(p));
   float t = airlightFragmentDistance();
-  return colour * exp(-airlightDepth(airlightMedia, origin, direction, t)) +
-    airlightBefore(origin, direction, t);
+  vec3 passes = exp(-airlightDepth(airlightMedia, origin, direction, t));
+  return airlightThroughMedium == 2 ? colour * passes
+                                    : colour * passes + airlightBefore(origin, direction, t);
 }

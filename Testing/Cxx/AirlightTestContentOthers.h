@@ -102,7 +102,7 @@ inline void AddAssemblies(Theatre& theatre)
   theatre.Renderer->AddActor(props);
 }
 
-inline void AddFollowers(Theatre& theatre)
+inline void AddFollower(Theatre& theatre)
 {
   vtkNew<vtkFollower> follower;
   vtkNew<vtkPolyDataMapper> mapper;
@@ -111,11 +111,16 @@ inline void AddFollowers(Theatre& theatre)
   follower->SetCamera(theatre.Renderer->GetActiveCamera());
   follower->SetPosition(-0.8, 0.5, 0.0);
   theatre.Renderer->AddActor(follower);
+  theatre.Add(MakeSphere(0.5), 1.0, -0.8, 1.0);
+}
+
+inline void AddBillboard(Theatre& theatre)
+{
+  theatre.Add(MakeSphere(0.5));
   vtkNew<vtkBillboardTextActor3D> text;
   text->SetInput("Billboard");
-  text->SetPosition(0.0, -0.5, 0.0);
+  text->SetPosition(-0.8, 0.0, 1.0);
   theatre.Renderer->AddActor(text);
-  theatre.Add(MakeSphere(0.5), 1.0, -0.8, 1.0);
 }
 
 // All that is drawn over the picture.
