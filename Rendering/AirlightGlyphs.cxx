@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightGlyphs.h"
 
+#include "vtkBitArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
@@ -117,7 +118,9 @@ std::vector<Glyph> GetGlyphs(vtkGlyph3DMapper* mapper)
   {
     return glyphs;
   }
-  vtkDataArray* mask = Get(mapper, data, mapper->GetMasking(), &Arrays::GetMaskArray);
+  // The mapper takes no other kind of array for a mask.
+  vtkDataArray* mask =
+    vtkBitArray::SafeDownCast(Get(mapper, data, mapper->GetMasking(), &Arrays::GetMaskArray));
   vtkDataArray* turn = Get(mapper, data, mapper->GetOrient(), &Arrays::GetOrientationArray);
   vtkDataArray* scale = Get(mapper, data, mapper->GetScaling(), &Arrays::GetScaleArray);
   vtkDataArray* index =

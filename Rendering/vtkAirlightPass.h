@@ -30,7 +30,11 @@
  *    follows, but for directional lights in an unbounded medium or a box; directional lights in a
  *    sphere; height fog, but for directional lights where it is unbounded; several media.
  *  - Headlights cast no shadows: they see what the camera sees.
- *  - Translucent surfaces and volumes cast no shadows, and are fogged as what lies behind them.
+ *  - Translucent surfaces, point gaussians, volumes and the glyphs of composite data or of source
+ *    tables cast no shadows. Translucent surfaces and point gaussians are fogged each at its own
+ *    distance; peeled ones to 5e-3, since VTK peels into 8 bits.
+ *  - Props that draw with actors of their own (axes, skyboxes) are fogged by the depth buffer, to its
+ *    precision; billboard texts, annotations and volumes are not fogged.
  *  - At most eight media; where they overlap, their coefficients add.
  *  - Volumetric shadows need OpenGL 4.3; without it the scene is drawn with airlight and without
  *    volumetric shadows, and one warning says so.
