@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightCasters.h"
 
+#include "AirlightGlyphs.h"
 #include "AirlightMatrix.h"
 #include "vtkActor.h"
 #include "vtkAirlightPass.h"
@@ -15,8 +16,11 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -41,8 +45,7 @@ bool MayCast(vtkProp* prop)
       keys->Get(vtkAirlightPass::CASTS_SHADOW()) == 0);
 }
 
-// Mappers that draw their input's polygons as they are. The others (glyphs, splats, imposters)
-// draw something else in their place.
+// Mappers that draw their input's polygons as they are. The others (splats, imposters) draw something else in their place.
 bool DrawsItsPolygons(vtkMapper* mapper)
 {
   return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper")) &&
@@ -171,7 +174,9 @@ void CasterCache::AddProp(vtkProp* prop)
 void CasterCache::AddActor(vtkActor* actor, vtkMatrix4x4* matrix)
 {
   vtkMapper* mapper = actor->GetMapper();
-  if (!mapper || !DrawsItsPolygons(mapper) || mapper->GetNumberOfInputConnections(0) == 0)
+  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
+  if (!mapper || !(glyphs || DrawsItsPolygons(mapper)) ||
+    mapper->GetNumberOfInputConnections(0) == 0)
   {
     return;
   }
@@ -184,6 +189,11 @@ void CasterCache::AddActor(vtkActor* actor, vtkMatrix4x4* matrix)
   vtkProperty* property = actor->GetProperty();
   const bool hidesFaces = property->GetBackfaceCulling() || property->GetFrontfaceCulling() ||
     (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0);
+  if (glyphs)
+  {
+    this->AddGlyphs(glyphs, matrix, hidesFaces);
+    return;
+  }
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   if (auto* data = vtkPolyData::SafeDownCast(input))
   {
@@ -199,6 +209,18 @@ void CasterCache::AddActor(vtkActor* actor, vtkMatrix4x4* matrix)
   else if (auto* grid = vtkDataSet::SafeDownCast(input))
   {
     this->AddData(this->GetSurface(grid), matrix, hidesFaces);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Each a caster of its own; they share the meshes of their sources.
+void CasterCache::AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, bool hidesFaces)
+{
+  vtkNew<vtkMatrix4x4> toWorld;
+  for (const Glyph& glyph : GetGlyphs(mapper))
+  {
+    vtkMatrix4x4::Multiply4x4(matrix, glyph.ToActor, toWorld);
+    this->AddData(glyph.Source, toWorld, hidesFaces);
   }
 }
 

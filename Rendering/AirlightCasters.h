@@ -22,6 +22,7 @@
 class vtkActor;
 class vtkDataSet;
 class vtkGeometryFilter;
+class vtkGlyph3DMapper;
 class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProp;
@@ -48,7 +49,7 @@ struct Caster
 class CasterCache
 {
 public:
-  // All visible opaque polygonal actors, parts of assemblies and blocks of composite data sets,
+  // All visible opaque polygonal actors, glyphs, parts of assemblies and blocks of composite data sets,
   // but for those whose property keys say otherwise.
   const std::vector<Caster>& Collect(vtkRenderer* renderer);
 
@@ -72,6 +73,7 @@ private:
 
   void AddProp(vtkProp* prop);
   void AddActor(vtkActor* actor, vtkMatrix4x4* matrix);
+  void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, bool hidesFaces);
   void AddData(vtkPolyData* data, vtkMatrix4x4* matrix, bool hidesFaces);
 
   vtkPolyData* GetSurface(vtkDataSet* grid);

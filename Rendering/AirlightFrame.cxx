@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightFrame.h"
 
+#include "AirlightDistancesFS.h"
 #include "AirlightOpenGL.h"
+#include "AirlightViewShader.h"
 
 #include "vtkImageData.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -70,7 +72,7 @@ void Frame::ClearTarget(float value)
 //------------------------------------------------------------------------------
 bool Frame::BindDistances()
 {
-  if (!this->Textures.Bind({ this->Textures.Distances }, this->Textures.Depth))
+  if (!this->Textures.Bind({ this->Textures.Drawn }, this->Textures.Depth))
   {
     return this->Fail(this->Textures.GetError());
   }
@@ -96,6 +98,29 @@ bool Frame::BindCollect()
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_BLEND);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::FinishDistances()
+{
+  if (!this->Textures.Bind({ this->Textures.Distances }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  vtkShaderProgram* program = this->DistancesQuad.Ready(
+    this->Window, std::string("#version 330\n") + AirlightViewShader + AirlightDistancesFS);
+  if (!program)
+  {
+    return this->Fail("the shader of distances did not compile: " + this->DistancesQuad.GetError());
+  }
+  this->Rays->SetUniforms(program, 0, 0);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  this->DistancesQuad.Draw(
+    { { "drawn", this->Textures.Drawn }, { "sceneDepth", this->Textures.Depth } });
   return true;
 }
 
@@ -217,6 +242,7 @@ void Frame::Release(vtkWindow* window)
   {
     quad.Release();
   }
+  this->DistancesQuad.Release();
   this->CompositeQuad.Release();
   this->LayersQuad.Release();
   this->CopyQuad.Release();

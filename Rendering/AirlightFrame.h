@@ -84,6 +84,8 @@ public:
   // translucent geometry to be drawn; and whether it has to be drawn again.
   bool BindCollect();
   LayerRecords::Outcome CheckCollected();
+  // After that.
+  bool FinishDistances();
 
   // Step 2.
   bool ScatterLights();
@@ -142,6 +144,7 @@ private:
   CasterCache Casters;
   std::vector<ShadowVolumes> Volumes; // by light number
   std::array<Quad, 3> ResolveQuads;   // by Lists; the last two share one
+  Quad DistancesQuad;
   Quad CompositeQuad;
   Quad LayersQuad;
   Quad CopyQuad;

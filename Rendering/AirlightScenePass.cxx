@@ -7,11 +7,21 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkRenderState.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(AirlightScenePass);
+
+namespace
+{
+vtkPointGaussianMapper* GetSplatMapper(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+}
+}
 
 //------------------------------------------------------------------------------
 AirlightScenePass::AirlightScenePass() = default;
@@ -41,14 +51,43 @@ void AirlightScenePass::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+// Without a scale they are plain points.
+bool AirlightScenePass::IsSplats(vtkProp* prop)
+{
+  vtkPointGaussianMapper* mapper = GetSplatMapper(prop);
+  return mapper && mapper->GetScaleFactor() != 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool AirlightScenePass::IsEmissive(vtkProp* prop)
+{
+  vtkPointGaussianMapper* mapper = GetSplatMapper(prop);
+  return mapper && mapper->GetEmissive();
+}
+
+//------------------------------------------------------------------------------
 // Assemblies and the like may hold volumes.
 bool AirlightScenePass::HasTransparent(const vtkRenderState* s)
 {
   vtkProp** props = s->GetPropArray();
   return std::any_of(props, props + s->GetPropArrayCount(), [](vtkProp* prop) {
-    return prop->HasTranslucentPolygonalGeometry() ||
+    return prop->HasTranslucentPolygonalGeometry() || IsSplats(prop) ||
       !(prop->IsA("vtkActor") || prop->IsA("vtkActor2D"));
   });
+}
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::RenderFragments(const vtkRenderState* s)
+{
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = s->GetPropArray()[i];
+    if (IsSplats(prop))
+    {
+      prop->RenderOpaqueGeometry(s->GetRenderer());
+    }
+    prop->RenderTranslucentPolygonalGeometry(s->GetRenderer());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -58,6 +97,13 @@ void AirlightScenePass::RenderTransparent(const vtkRenderState* s)
   vtkRenderer* renderer = s->GetRenderer();
   vtkProp** props = s->GetPropArray();
   const int count = s->GetPropArrayCount();
+  for (int i = 0; i < count; ++i)
+  {
+    if (IsSplats(props[i]))
+    {
+      props[i]->RenderOpaqueGeometry(renderer);
+    }
+  }
   const bool translucent = std::any_of(
     props, props + count, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
   if (translucent)

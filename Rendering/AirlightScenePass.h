@@ -13,6 +13,7 @@
 
 class vtkFrameBufferObjectBase;
 class vtkOpenGLFXAAFilter;
+class vtkProp;
 class vtkWindow;
 
 class AirlightScenePass : public vtkRenderPass
@@ -29,10 +30,18 @@ public:
   // and into its mappers.
   void PrepareLights(vtkRenderer* renderer);
 
+  // Whether an actor is drawn as splats: blended with what is behind, at any opacity, though VTK
+  // draws opaque ones with the opaque surfaces.
+  static bool IsSplats(vtkProp* prop);
+  static bool IsEmissive(vtkProp* prop);
+
   // Whether RenderTransparent() would draw anything.
   static bool HasTransparent(const vtkRenderState* s);
 
-  // Translucent surfaces as the renderer's settings say, then volumes.
+  // The surfaces among that, plainly.
+  static void RenderFragments(const vtkRenderState* s);
+
+  // Opaque splats, translucent surfaces as the renderer's settings say, then volumes.
   void RenderTransparent(const vtkRenderState* s);
 
   // Into the framebuffer that is bound: VTK's FXAA where it is allowed and the renderer asks for it,

@@ -108,9 +108,12 @@ std::string OtherStages(bool records, bool leave)
 {
   const std::string end = leave ? "    return;\n  }\n" : "  }\n";
   return "  if (airlightStage == AIRLIGHT_STAGE_DISTANCE)\n  {\n"
-         "    gl_FragData[0] = vec4(airlightFragmentDistance());\n" +
+         // Below 0 in green: no shader that writes colours does that.
+         "    gl_FragData[0] = vec4(airlightFragmentDistance(), -1.0, 0.0, 1.0);\n" +
     end +
-    (records ? "  if (airlightStage == AIRLIGHT_STAGE_COLLECT)\n  {\n    airlightCollect();\n" + end
+    // Discarded: opaque splats would hide one another.
+    (records ? "  if (airlightStage == AIRLIGHT_STAGE_COLLECT)\n  {\n    airlightCollect();\n"
+               "    discard;\n  }\n"
              : "");
 }
 
@@ -132,7 +135,7 @@ void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
 }
 
 //------------------------------------------------------------------------------
-void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
+void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, bool splats)
 {
   const size_t mainStart = fragmentShader.find("void main");
   const size_t bodyStart = fragmentShader.find('{', mainStart);
@@ -151,15 +154,17 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text)
   lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
   lit = text.Translucent ? AddMedium(lit) : lit;
   const bool records = HasRecords(text);
+  const std::string hide = splats ? "  if (airlightHidden != 0)\n  {\n    discard;\n  }\n" : "";
   const std::string find = records
     ? "  if (airlightStage == AIRLIGHT_STAGE_LAYER)\n  {\n    airlightFindLayer();\n  }\n"
     : "";
   const bool early = MayLeaveEarly(body);
   const std::string others = text.InPass ? OtherStages(records, early) : "";
   fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
-    "\n" + (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
+    "\n" + hide + (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
       (early ? "" : others));
-  fragmentShader.insert(mainStart, Declarations(text));
+  fragmentShader.insert(
+    mainStart, Declarations(text) + (splats ? "uniform int airlightHidden;\n" : ""));
   if (records)
   {
     // After VTK's line for the version, which is as old as can be.
@@ -251,6 +256,10 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     values.Records->Use(program);
   }
+  if (values.Splats)
+  {
+    program->SetUniformi("airlightHidden", values.Hidden ? 1 : 0);
+  }
   if (values.Stage == SurfaceStage::Distance || values.Stage == SurfaceStage::Collect)
   {
     return;
@@ -275,6 +284,7 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
     SetGlowUniforms(program, values);
   }
   program->SetUniformi("airlightEncodedInput", values.EncodedInput ? 1 : 0);
+  program->SetUniformi("airlightAdditive", values.Additive ? 1 : 0);
   const bool lights = values.Stage == SurfaceStage::Layer && !values.Records;
   for (size_t k = 0; k < values.Lamps->size() && lights; ++k)
   {

@@ -54,8 +54,8 @@ struct SurfaceText
 // what arrives of the light, which leaves the mapper's shading model, whatever it is, as it was.
 // Scattered light is added to the diffuse part of the models that VTK has. Shaders without main()
 // are left alone. Where fragments are put behind the medium, that is the last thing before VTK's
-// marker for the passes of translucent surfaces.
-void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text);
+// marker for the passes of translucent surfaces. Splats can be left out of a stage.
+void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, bool splats = false);
 
 // Rewrites a mapper's vertex shader for SurfaceText::AtVertices.
 void InjectVertexShader(std::string& vertexShader, const SurfaceText& text);
@@ -81,6 +81,9 @@ struct SurfaceUniforms
   bool EncodedInput = false;             // the mappers' colours are encoded for display
   bool UseLit = false;                   // false: all surfaces are lit
   bool Glow = false;                     // the shaders were rewritten for scattered light
+  bool Splats = false;                   // the shader was rewritten for splats
+  bool Hidden = false;                   // splats: nothing is drawn
+  bool Additive = false; // adds to what is behind, and the medium has done so already
 };
 
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values);

@@ -53,8 +53,9 @@ bool Targets::Prepare(
   this->Width = width;
   this->Height = height;
   this->Framebuffer->SetContext(window);
-  bool ok = this->Allocate(this->Distances, 1) && this->Allocate(this->Scene, 4) &&
-    this->Allocate(this->Scattered, 4) && this->Allocate(this->Lit, 4);
+  bool ok = this->Allocate(this->Distances, 1) && this->Allocate(this->Drawn, 2) &&
+    this->Allocate(this->Scene, 4) && this->Allocate(this->Scattered, 4) &&
+    this->Allocate(this->Lit, 4);
   if (this->Depth->GetHandle() == 0)
   {
     this->Depth->SetContext(window);
@@ -163,9 +164,9 @@ vtkSmartPointer<vtkImageData> Targets::Read(
 void Targets::Release(vtkWindow* window)
 {
   for (vtkTextureObject* texture :
-    { this->Distances.Get(), this->Depth.Get(), this->Scene.Get(), this->Scattered.Get(),
-      this->Lit.Get(), this->Counts.Get(), this->Single.Get(), this->Radiance.Get(),
-      this->Airlight.Get(), this->Surface.Get(), this->Transmittance.Get() })
+    { this->Distances.Get(), this->Drawn.Get(), this->Depth.Get(), this->Scene.Get(),
+      this->Scattered.Get(), this->Lit.Get(), this->Counts.Get(), this->Single.Get(),
+      this->Radiance.Get(), this->Airlight.Get(), this->Surface.Get(), this->Transmittance.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

@@ -44,6 +44,7 @@ public:
   vtkSmartPointer<vtkImageData> Read(unsigned int attachment, int firstComponent, int components);
 
   vtkNew<vtkTextureObject> Distances; // R: distance along the ray, -1 without surface
+  vtkNew<vtkTextureObject> Drawn; // R: the same as the mappers drew it; G: below 0 where they did
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkTextureObject> Scene;
   vtkNew<vtkTextureObject> Scattered; // RGB: airlight, A: lit length

@@ -100,8 +100,10 @@ glm::mat4 View::GetClipMatrix(const glm::dvec3& origin) const
 void View::SetUniforms(vtkShaderProgram* program, int x, int y) const
 {
   const int corner[2] = { x, y };
-  const float depth[2] = { static_cast<float>(this->PerDepth * this->Near),
-    static_cast<float>(this->PerDepth * (this->Far - this->Near)) };
+  // Of the depth buffer: linear in the distance, in a perspective in its reciprocal.
+  const double start = this->Parallel ? this->PerDepth * this->Near : 1.0 / this->Near;
+  const double end = this->Parallel ? this->PerDepth * this->Far : 1.0 / this->Far;
+  const float depth[2] = { static_cast<float>(start), static_cast<float>(end - start) };
   program->SetUniform2i("airlightViewport", corner);
   program->SetUniform3fv("airlightRayOrigin", 3, &this->RayOrigin[0].x);
   program->SetUniform3fv("airlightRayDirection", 3, &this->RayDirection[0].x);

@@ -197,9 +197,9 @@ void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
 
 //------------------------------------------------------------------------------
 bool vtkAirlightPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  InjectSurfaceShader(fragmentShader, this->Impl->MapperText);
+  InjectSurfaceShader(fragmentShader, this->Impl->MapperText, AirlightScenePass::IsSplats(prop));
   return true;
 }
 
@@ -211,6 +211,9 @@ bool vtkAirlightPass::SetShaderParameters(
   // A delegate may draw translucent surfaces with the opaque ones, whose bits are not theirs.
   values.UseLit = values.UseLit &&
     !(this->Impl->Stage == SurfaceStage::Colour && prop->IsRenderingTranslucentPolygonalGeometry());
+  values.Splats = program->IsUniformUsed("airlightHidden");
+  values.Hidden = values.Splats && this->Impl->IsDrawnLater(prop);
+  values.Additive = AirlightScenePass::IsEmissive(prop);
   SetSurfaceUniforms(program, values);
   // VTK leaves the lights of another renderer in a program that both use and that is newer than they.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);

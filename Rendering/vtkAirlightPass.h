@@ -33,10 +33,12 @@
  *    follows, but for directional lights in an unbounded medium or a box; directional lights in a
  *    sphere; height fog, but for directional lights where it is unbounded; several media.
  *  - Headlights cast no shadows: they see what the camera sees.
- *  - Translucent surfaces and volumes cast no shadows. Translucent surfaces are put behind the medium
- *    before them, fragment by fragment, with its shadows (32 bytes a fragment); without OpenGL 4.3
- *    without shadows. VTK's depth peeling keeps 8 bits a layer and clips radiances above 1. Volumes
- *    are drawn as if there were no medium before them.
+ *  - Translucent surfaces, point gaussians, volumes and the glyphs of composite data or of source
+ *    tables cast no shadows. Translucent surfaces and point gaussians are put behind the medium before
+ *    them, fragment by fragment, with its shadows (32 bytes a fragment); without OpenGL 4.3 without
+ *    shadows. VTK's depth peeling keeps 8 bits a layer (5e-3) and clips radiances above 1.
+ *  - Props that draw with actors of their own (axes, skyboxes) are fogged by the depth buffer, to its
+ *    precision; billboard texts, annotations and volumes are not fogged.
  *  - With a DelegatePass, which draws everything at once, translucent surfaces and volumes are fogged
  *    as what lies behind them, and annotations are drawn a second time over the medium.
  *  - VTK's own shadow maps (vtkRenderer::UseShadows) are not drawn besides those of the pass.

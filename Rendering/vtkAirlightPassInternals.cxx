@@ -23,7 +23,6 @@ vtkAirlightPass::Internals::Internals(vtkAirlightPass* self)
 {
   this->Context->SetRelease([this](vtkWindow* window) {
     this->CurrentFrame.Release(window);
-    this->TranslucentPass->ReleaseGraphicsResources(window);
     this->ScenePass->ReleaseGraphicsResources(window);
   });
 }
@@ -158,6 +157,14 @@ bool vtkAirlightPass::Internals::RenderFrame(
 }
 
 //------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::IsDrawnLater(vtkProp* prop)
+{
+  return this->CurrentFrame.HasLayers() && this->Stage != SurfaceStage::Layer &&
+    this->Stage != SurfaceStage::Collect && AirlightScenePass::IsSplats(prop) &&
+    std::find(this->FrameProps.begin(), this->FrameProps.end(), prop) != this->FrameProps.end();
+}
+
+//------------------------------------------------------------------------------
 // The steps inside the pass's own framebuffer.
 bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
 {
@@ -165,13 +172,15 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
   inner.SetFrameBuffer(this->CurrentFrame.GetFramebuffer());
 
+  this->FrameProps.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
   this->Self->PreRender(s);
   bool ok = this->CurrentFrame.BindDistances();
   if (ok)
   {
     this->RenderStage(SurfaceStage::Distance, [&] { this->OpaquePass->Render(&inner); });
   }
-  ok = ok && (!this->CurrentFrame.HasLayerRecords() || this->CollectLayers(inner)) &&
+  ok = ok && this->CurrentFrame.FinishDistances() &&
+    (!this->CurrentFrame.HasLayerRecords() || this->CollectLayers(inner)) &&
     this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
   if (ok)
   {
@@ -202,7 +211,7 @@ bool vtkAirlightPass::Internals::CollectLayers(const vtkRenderState& inner)
     {
       return false;
     }
-    this->RenderStage(SurfaceStage::Collect, [&] { this->TranslucentPass->Render(&inner); });
+    this->RenderStage(SurfaceStage::Collect, [&] { AirlightScenePass::RenderFragments(&inner); });
     outcome = this->CurrentFrame.CheckCollected();
   }
   return outcome == LayerRecords::Outcome::Done;

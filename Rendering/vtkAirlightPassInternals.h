@@ -20,7 +20,6 @@
 #include "vtkParticipatingMedium.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
-#include "vtkTranslucentPass.h"
 #include "vtkWeakPointer.h"
 
 #include <functional>
@@ -52,6 +51,10 @@ public:
   airlight::LightOptions& GetOptions(vtkLight* light);
   const airlight::LightOptions* FindOptions(vtkLight* light) const;
 
+  // Whether a prop of the opaque stages is left for the one that blends over the medium. Parts of
+  // assemblies are not.
+  bool IsDrawnLater(vtkProp* prop);
+
   void WarnOnce(bool& warned, const std::string& text);
   void CheckMedia();
   void CheckLamps(const std::vector<airlight::Lamp>& lamps);
@@ -71,8 +74,9 @@ public:
   vtkNew<AirlightScenePass> ScenePass;
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<vtkOpaquePass> OpaquePass;
-  vtkNew<vtkTranslucentPass> TranslucentPass;
   vtkNew<vtkParticipatingMedium> Vacuum;
+
+  std::vector<vtkProp*> FrameProps; // those that the frame began with
 
   bool WarnedOpenGL = false;
   bool WarnedMedia = false;

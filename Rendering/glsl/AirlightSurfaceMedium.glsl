@@ -6,6 +6,7 @@ in vec3 airlightPassesVSOutput; // named so that VTK knows it for a vertex shade
 in vec3 airlightAddedVSOutput;
 #endif
 uniform int airlightEncodedInput; // 1: colours are encoded for display
+uniform int airlightAdditive;     // 1: for fragments that are added to what is behind
 
 vec3 airlightThrough(vec3 colour)
 {
@@ -23,7 +24,8 @@ vec3 airlightThrough(vec3 colour)
   vec3 origin = airlightOrigin(p);
   vec3 direction = normalize(airlightDirection(p));
   float t = airlightFragmentDistance();
-  return colour * exp(-airlightDepth(airlightMedia, origin, direction, t)) +
-    airlightBefore(origin, direction, t);
+  vec3 passes = exp(-airlightDepth(airlightMedia, origin, direction, t));
+  return airlightAdditive != 0 ? colour * passes
+                               : colour * passes + airlightBefore(origin, direction, t);
 #endif
 }

@@ -4,7 +4,8 @@
 uniform ivec2 airlightViewport; // lower left corner of the viewport in the target
 uniform vec3 airlightRayOrigin[3];    // constant, per x, per y
 uniform vec3 airlightRayDirection[3]; // not normalised: one unit deep along the camera's axis
-uniform vec2 airlightDepthToDistance; // parallel projection: t = x + y gl_FragCoord.z
+// x + y gl_FragCoord.z is the distance in a parallel projection, else the depth's reciprocal
+uniform vec2 airlightDepthToDistance;
 uniform int airlightParallel;
 
 vec2 airlightPixel()
