@@ -43,8 +43,13 @@
  *    as what lies behind them, and annotations are drawn a second time over the medium.
  *  - VTK's own shadow maps (vtkRenderer::UseShadows) are not drawn besides those of the pass.
  *  - At most eight media; where they overlap, their coefficients add.
+ *  - A layer that keeps the depth of those below (vtkRenderer::SetPreserveDepthBuffer()) is drawn
+ *    over them. Over other layers the medium is as opaque as the mean of its colours.
  *  - Volumetric shadows need OpenGL 4.3; without it the scene is drawn with airlight and without
  *    volumetric shadows, and one warning says so.
+ *
+ * One pass may serve several renderers, of one window or of several. In several windows at once it
+ * makes all its OpenGL objects anew whenever the window changes; a pass for each is faster.
  *
  * Errors: the pass never loses the scene. Where a shader, a texture or a buffer cannot be had it
  * reports one error and draws the scene without the medium.
@@ -272,7 +277,8 @@ public:
 
   /**
    * The last frame's buffer of this name, or null before the first recorded frame or for an
-   * unknown name. Single precision, linear, the renderer's size, bottom row first:
+   * unknown name; of the renderer drawn last. Single precision, linear, the renderer's size, bottom
+   * row first:
    *  - "Radiance" (RGB): what reaches the eye, background included, W/(m^2 sr);
    *  - "Airlight" (RGB): the part that the medium scattered into the ray;
    *  - "Surface" (RGB): the part that opaque surfaces sent, attenuated; 0 where there is none;

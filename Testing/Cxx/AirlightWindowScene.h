@@ -11,7 +11,6 @@
 #include "AirlightTestScene.h"
 
 #include "vtkCubeSource.h"
-#include "vtkFloatArray.h"
 
 #include <cstdlib>
 
