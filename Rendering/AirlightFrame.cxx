@@ -44,7 +44,7 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   {
     return this->Fail(this->Textures.GetError());
   }
-  if (settings.Shadows &&
+  if (settings.Shadows == ShadowMethod::Planes &&
     !this->Boundaries.Prepare(this->Window, width, height, settings.MemoryLimit))
   {
     return this->Fail(this->Boundaries.GetError());
@@ -118,15 +118,16 @@ bool Frame::ScatterLights()
   this->ClearTarget(0.0f);
   this->Buffers.clear();
   const std::vector<Caster>* casters =
-    this->Settings.Shadows ? &this->Casters.Collect(this->Renderer) : nullptr;
+    this->Settings.Shadows != ShadowMethod::None ? &this->Casters.Collect(this->Renderer) : nullptr;
   this->Volumes.resize(this->Lamps.size());
+  this->Maps.resize(this->Lamps.size());
   for (size_t k = 0; k < this->Lamps.size(); ++k)
   {
     const Lamp& lamp = this->Lamps[k];
     if (lamp.Scatters() && lamp.CastsShadows && casters &&
-      this->Volumes[k].Update(*casters, lamp.World, *this->Rays))
+      !this->UpdateShadows(static_cast<int>(k), *casters))
     {
-      this->Boundaries.SetVolumes(static_cast<int>(k), this->Volumes[k]);
+      return false;
     }
     if (lamp.Scatters() && !this->ScatterLight(static_cast<int>(k)))
     {
@@ -138,6 +139,38 @@ bool Frame::ScatterLights()
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
+{
+  const Lamp& lamp = this->Lamps[index];
+  if (this->Settings.Shadows == ShadowMethod::Planes)
+  {
+    if (this->Volumes[index].Update(casters, lamp.World, *this->Rays))
+    {
+      this->Boundaries.SetVolumes(index, this->Volumes[index]);
+    }
+    return true;
+  }
+  if (!this->Maps[index])
+  {
+    this->Maps[index] = std::make_unique<ShadowMap>();
+  }
+  ShadowMap& map = *this->Maps[index];
+  if (!map.Update(casters, lamp, this->Settings.MapResolution))
+  {
+    return true;
+  }
+  if (!map.Prepare(this->Window))
+  {
+    return this->Fail(map.GetError());
+  }
+  if (!this->Textures.Bind({ map.GetTexture() }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  return map.Draw(this->Window) || this->Fail(map.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -172,8 +205,8 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Data = this->Data.GetTexture();
   values.Glow = this->Settings.SurfaceGlow;
   // The bits are those of the opaque surface, which lies behind what is drawn over the medium.
-  values.UseLit =
-    this->Settings.Shadows && this->Settings.SurfaceShadows && stage != SurfaceStage::Layer;
+  values.UseLit = this->Settings.Shadows != ShadowMethod::None && this->Settings.SurfaceShadows &&
+    stage != SurfaceStage::Layer;
   return values;
 }
 
@@ -190,6 +223,14 @@ void Frame::Release(vtkWindow* window)
   this->Boundaries.Release();
   this->Casters.Clear();
   this->Volumes.clear();
+  for (const auto& map : this->Maps)
+  {
+    if (map)
+    {
+      map->Release(window);
+    }
+  }
+  this->Maps.clear();
   this->Textures.Release(window);
   this->Data.Release(window);
 }

@@ -4,8 +4,8 @@
  * One frame of vtkAirlightPass, step by step, and what is kept from frame to frame:
  *
  *   1. distances of the opaque surfaces;
- *   2. for each light: shadow planes into lists, lists into airlight and into the bit that says
- *      whether the light reaches the surface;
+ *   2. for each light: shadow planes into lists, or casters into a shadow map, and from these
+ *      airlight and the bit that says whether the light reaches the surface;
  *   3. colours of the scene, each light dimmed and shadowed;
  *   4. airlight + transmittance * colours, and what is drawn over it, translucent surfaces and
  *      volumes;
@@ -20,6 +20,7 @@
 #include "AirlightQuad.h"
 #include "AirlightSceneData.h"
 #include "AirlightShadowLists.h"
+#include "AirlightShadowMap.h"
 #include "AirlightShadowVolumes.h"
 #include "AirlightSurfaceShader.h"
 #include "AirlightTargets.h"
@@ -28,6 +29,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,9 +52,20 @@ constexpr const char* RecordDefinition = "#define AIRLIGHT_RECORD\n";
 constexpr float ClosedFormError = 1e-4f;
 constexpr float QuadratureError = 1e-3f;
 
+// How shadows are found.
+enum class ShadowMethod
+{
+  None,
+  Planes,
+  Map,  // boundaries from shadow maps
+  March // shadow maps and a ray march
+};
+
 struct FrameSettings
 {
-  bool Shadows = false;
+  ShadowMethod Shadows = ShadowMethod::None;
+  int MapResolution = 1024;
+  int Steps = 64;
   bool SurfaceShadows = false;
   bool SurfaceGlow = false; // surfaces are lit by scattered light, too
   bool Layers = false;      // translucent surfaces or volumes are drawn over the medium
@@ -102,18 +115,25 @@ public:
 
 private:
   bool Fail(const std::string& reason);
+  bool UpdateShadows(int index, const std::vector<Caster>& casters);
   bool ScatterLight(int index);
+  bool ScatterWithLists(int index);
   bool RecordSingle(int index);
 
   // Which pixels a draw of the resolve does.
   enum class Lists
   {
-    None,    // all, without shadows
-    Short,   // those with lists that it sorts itself
-    Long,    // the others, sorted beforehand
-    LongRest // what the draw before left of them
+    None,     // all, without shadows
+    Short,    // those with lists that it sorts itself
+    Long,     // the others, sorted beforehand
+    LongRest, // what the draw before left of them
+    Map       // all, shadows from a map
   };
   bool Resolve(int index, Lists lists, int row, int rows);
+  std::string GetResolveSource(int index, Lists lists) const;
+  void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists);
+  void SetMapUniforms(vtkShaderProgram* program, int index);
+  ShadowMap* GetMap(int index) const;
 
   vtkShaderProgram* ReadyComposite(bool layers, int x, int y);
   vtkShaderProgram* ReadyCopy(int x, int y);
@@ -125,8 +145,9 @@ private:
   SceneData Data;
   ShadowLists Boundaries;
   CasterCache Casters;
-  std::vector<ShadowVolumes> Volumes; // by light number
-  std::array<Quad, 3> ResolveQuads;   // by Lists; the last two share one
+  std::vector<ShadowVolumes> Volumes;           // by light number
+  std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise
+  std::array<Quad, 4> ResolveQuads;             // none, short, long, map
   Quad CompositeQuad;
   Quad LayersQuad;
   Quad CopyQuad;

@@ -35,6 +35,21 @@ int CommonKind(const std::vector<Lamp>& lamps)
   }
   return kind;
 }
+
+ShadowMethod GetMethod(int technique)
+{
+  switch (technique)
+  {
+    case vtkAirlightPass::SHADOW_PLANES:
+      return ShadowMethod::Planes;
+    case vtkAirlightPass::SHADOW_MAP:
+      return ShadowMethod::Map;
+    case vtkAirlightPass::RAY_MARCH:
+      return ShadowMethod::March;
+    default:
+      return ShadowMethod::None;
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +130,9 @@ bool vtkAirlightPass::Internals::RenderFrame(
 
   this->EffectiveTechnique = this->ChooseTechnique(window);
   FrameSettings settings;
-  settings.Shadows = this->EffectiveTechnique == SHADOW_PLANES;
+  settings.Shadows = GetMethod(this->EffectiveTechnique);
+  settings.MapResolution = this->Self->ShadowMapResolution;
+  settings.Steps = this->Self->NumberOfSteps;
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Layers = layers;

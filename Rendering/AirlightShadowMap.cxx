@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightShadowMap.h"
+
+#include "AirlightOpenGL.h"
+#include "AirlightShadowMapFS.h"
+#include "AirlightShadowMapVS.h"
+#include "AirlightView.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkWindow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace airlight
+{
+namespace
+{
+// Six faces, three in a row.
+constexpr int FacesInRow = 3;
+// Up to 60 degrees one face before a spot is finer than six around it.
+constexpr double NarrowCone = 0.5;
+// Texels left free at the borders: beyond the map everything is lit.
+constexpr double Margin = 2.0;
+// Triangles that are sent to the graphics card at a time.
+constexpr size_t Batch = 1 << 15;
+// Of the largest distance: nearer to the light nothing is drawn.
+constexpr double RelativeNear = 1e-6;
+// What no caster is beyond.
+constexpr float Nothing = 1e30f;
+// Single precision of positions, relative to their size.
+constexpr double Rounding = 1e-6;
+// A rough bound of what interpolation and the map's own numbers lose, relative to distances.
+constexpr double MapRounding = 1e-5;
+
+glm::dvec3 Place(const Caster& caster, int point)
+{
+  return glm::dvec3(caster.ToWorld * glm::dvec4(caster.Mesh->Points[point], 1.0));
+}
+
+// Two directions across an axis of unit length, and the axis.
+glm::dmat3 MakeFrame(const glm::dvec3& axis)
+{
+  const glm::dvec3 a = glm::abs(axis);
+  const glm::dvec3 least(a.x <= a.y && a.x <= a.z, a.y < a.x && a.y <= a.z, a.z < a.x && a.z < a.y);
+  const glm::dvec3 across = glm::normalize(glm::cross(axis, least));
+  return { across, glm::cross(axis, across), axis };
+}
+
+// Face 2 k looks along axis k, face 2 k + 1 against it.
+glm::dmat3 GetFaceFrame(int face)
+{
+  const int k = face / 2;
+  glm::dmat3 frame(0.0);
+  frame[0][(k + 1) % 3] = 1.0;
+  frame[1][(k + 2) % 3] = 1.0;
+  frame[2][k] = face % 2 == 0 ? 1.0 : -1.0;
+  return frame;
+}
+}
+
+//------------------------------------------------------------------------------
+bool ShadowMap::Update(const std::vector<Caster>& casters, const Lamp& lamp, int resolution)
+{
+  const bool same = this->Drawn && this->Casters == casters && this->Light == lamp.World &&
+    this->Axis == lamp.Values.axis && this->CosCone == lamp.Values.cosCone &&
+    this->Resolution == resolution;
+  if (same)
+  {
+    return false;
+  }
+  this->Casters = casters;
+  this->Light = lamp.World;
+  this->Axis = lamp.Values.axis;
+  this->CosCone = lamp.Values.cosCone;
+  this->Resolution = resolution;
+  this->SetProjection();
+  this->Drawn = this->Kind == Projection::None;
+  return !this->Drawn;
+}
+
+//------------------------------------------------------------------------------
+void ShadowMap::SetProjection()
+{
+  if (this->Casters.empty())
+  {
+    this->Kind = Projection::None;
+    return;
+  }
+  if (this->Light.w == 0.0)
+  {
+    this->SetParallelProjection();
+    return;
+  }
+  this->Anchor = glm::dvec3(this->Light);
+  this->Scale = glm::dvec2(1.0);
+  this->Frame = glm::dmat3(1.0);
+  this->Kind = Projection::Cube;
+  if (this->CosCone >= NarrowCone)
+  {
+    this->Kind = Projection::Cone;
+    this->Frame = MakeFrame(glm::normalize(this->Axis));
+    const double tangent = std::sqrt(1.0 - this->CosCone * this->CosCone) / this->CosCone;
+    this->Scale = glm::dvec2((1.0 - 2.0 * Margin / this->Resolution) / tangent);
+  }
+  this->Farthest = 0.0;
+  for (const Caster& caster : this->Casters)
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const CasterMesh& mesh = *caster.Mesh;
+      const glm::dvec3 local(corner & 1 ? mesh.BoundsMin.x : mesh.BoundsMax.x,
+        corner & 2 ? mesh.BoundsMin.y : mesh.BoundsMax.y,
+        corner & 4 ? mesh.BoundsMin.z : mesh.BoundsMax.z);
+      const glm::dvec3 point(caster.ToWorld * glm::dvec4(local, 1.0));
+      this->Farthest = std::max(this->Farthest, glm::length(point - this->Anchor));
+    }
+  }
+  this->Extent = this->Farthest;
+}
+
+//------------------------------------------------------------------------------
+// Around all casters.
+void ShadowMap::SetParallelProjection()
+{
+  this->Kind = Projection::Parallel;
+  this->Frame = MakeFrame(-glm::normalize(glm::dvec3(this->Light)));
+  const glm::dmat3 toFrame = glm::transpose(this->Frame);
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high = -low;
+  for (const Caster& caster : this->Casters)
+  {
+    for (int i = 0; i < static_cast<int>(caster.Mesh->Points.size()); ++i)
+    {
+      const glm::dvec3 point = toFrame * Place(caster, i);
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+    }
+  }
+  this->Anchor = this->Frame * (0.5 * (low + high));
+  const glm::dvec3 half = 0.5 * (high - low);
+  this->Extent = 2.0 * glm::length(half);
+  // Casters that the light sees edge-on have no width.
+  const glm::dvec2 across = glm::max(glm::dvec2(half), 1e-6 * this->Extent);
+  this->Scale = (1.0 - 2.0 * Margin / this->Resolution) / across;
+  this->Nearest = -half.z;
+  this->Farthest = half.z;
+}
+
+//------------------------------------------------------------------------------
+bool ShadowMap::Prepare(vtkOpenGLRenderWindow* window)
+{
+  const bool cube = this->Kind == Projection::Cube;
+  this->Width = (cube ? FacesInRow : 1) * this->Resolution;
+  this->Height = (cube ? 6 / FacesInRow : 1) * this->Resolution;
+  const int most = vtkTextureObject::GetMaximumTextureSize(window);
+  if (this->Width > most)
+  {
+    this->Error = "a shadow map of " + std::to_string(this->Width) +
+      " texels exceeds the largest texture of " + std::to_string(most) +
+      ": call SetShadowMapResolution() with at most " + std::to_string(most / FacesInRow);
+    return false;
+  }
+  if (this->Texture->GetHandle() != 0)
+  {
+    this->Texture->Resize(this->Width, this->Height);
+    return true;
+  }
+  this->Texture->SetContext(window);
+  this->Texture->SetFormat(GL_RED);
+  this->Texture->SetInternalFormat(GL_R32F);
+  this->Texture->SetDataType(GL_FLOAT);
+  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  if (!this->Texture->Allocate2D(this->Width, this->Height, 1, VTK_FLOAT))
+  {
+    this->Error = "the graphics card refused the texture of a shadow map";
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The nearest distance of each texel comes from blending: no depth buffer rounds it, and no near or
+// far plane cuts it off.
+bool ShadowMap::Draw(vtkOpenGLRenderWindow* window)
+{
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(AirlightShadowMapVS, AirlightShadowMapFS, "");
+  if (!program || !program->GetCompiled())
+  {
+    this->Error = std::string("the shadow map's shader did not compile: ") +
+      (program ? program->GetError() : "the shader cache returned no program");
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglViewport(0, 0, this->Width, this->Height);
+  state->vtkglScissor(0, 0, this->Width, this->Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglClearColor(Nothing, Nothing, Nothing, Nothing);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_MIN);
+  const glm::vec2 scale(this->Scale);
+  program->SetUniform2f("scale", &scale.x);
+  program->SetUniformi("resolution", this->Resolution);
+  program->SetUniformi("parallel", this->Kind == Projection::Parallel ? 1 : 0);
+  program->SetUniformf("nearest", static_cast<float>(RelativeNear * this->Farthest));
+  glGenVertexArrays(1, &this->VertexArray);
+  glGenBuffers(1, &this->Buffer);
+  this->DrawCasters(program);
+  glDeleteBuffers(1, &this->Buffer);
+  glDeleteVertexArrays(1, &this->VertexArray);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglDisable(GL_BLEND);
+  this->Drawn = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void ShadowMap::AddTriangle(const glm::dvec3 (&points)[3], std::vector<Corner>& corners) const
+{
+  const bool parallel = this->Kind == Projection::Parallel;
+  glm::dvec3 normal = glm::cross(points[1] - points[0], points[2] - points[0]);
+  const double length = glm::length(normal);
+  normal /= length > 0.0 ? length : 1.0;
+  const double away = glm::dot(normal, parallel ? this->Frame[2] : points[0]);
+  normal *= away < 0.0 ? -1.0 : 1.0;
+  double limit = -std::numeric_limits<double>::infinity();
+  for (const glm::dvec3& point : points)
+  {
+    limit = std::max(limit, parallel ? glm::dot(point, this->Frame[2]) : glm::length(point));
+  }
+  const glm::vec4 plane(glm::vec3(normal), static_cast<float>(glm::dot(normal, points[0])));
+  for (const glm::dvec3& point : points)
+  {
+    corners.push_back({ glm::vec3(point), plane, static_cast<float>(limit) });
+  }
+}
+
+//------------------------------------------------------------------------------
+void ShadowMap::DrawCasters(vtkShaderProgram* program)
+{
+  std::vector<Corner> corners;
+  for (const Caster& caster : this->Casters)
+  {
+    for (const std::array<int, 3>& t : caster.Mesh->Triangles)
+    {
+      const glm::dvec3 points[3] = { Place(caster, t[0]) - this->Anchor,
+        Place(caster, t[1]) - this->Anchor, Place(caster, t[2]) - this->Anchor };
+      this->AddTriangle(points, corners);
+      if (corners.size() >= 3 * Batch)
+      {
+        this->DrawCorners(program, corners);
+        corners.clear();
+      }
+    }
+  }
+  this->DrawCorners(program, corners);
+}
+
+//------------------------------------------------------------------------------
+void ShadowMap::DrawCorners(vtkShaderProgram* program, const std::vector<Corner>& corners)
+{
+  glBindVertexArray(this->VertexArray);
+  glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)),
+    corners.data(), GL_STREAM_DRAW);
+  const auto attribute = [program](const char* name, int components, size_t offset) {
+    const GLint place = glGetAttribLocation(program->GetHandle(), name);
+    glEnableVertexAttribArray(place);
+    glVertexAttribPointer(place, components, GL_FLOAT, GL_FALSE, sizeof(Corner),
+      reinterpret_cast<const void*>(offset)); // NOLINT: OpenGL's way to give an offset
+  };
+  attribute("position", 3, offsetof(Corner, Position));
+  attribute("plane", 4, offsetof(Corner, Plane));
+  attribute("limit", 1, offsetof(Corner, Limit));
+  for (int face = 0; face < this->GetFaceCount(); ++face)
+  {
+    const int place[2] = { face % FacesInRow * this->Resolution,
+      face / FacesInRow * this->Resolution };
+    const glm::mat3 frame(this->Kind == Projection::Cube ? GetFaceFrame(face) : this->Frame);
+    // Not through VTK's record, which is told where it ends.
+    glViewport(place[0], place[1], this->Resolution, this->Resolution);
+    glScissor(place[0], place[1], this->Resolution, this->Resolution);
+    program->SetUniform2i("place", place);
+    program->SetUniform3fv("frame", 3, &frame[0].x);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+  }
+  glViewport(0, 0, this->Width, this->Height);
+  glScissor(0, 0, this->Width, this->Height);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+void ShadowMap::SetUniforms(vtkShaderProgram* program, const View& view) const
+{
+  const glm::vec3 origin(this->Anchor - view.GetEye());
+  const glm::mat3 frame(this->Frame);
+  const glm::vec2 scale(this->Scale);
+  const bool parallel = this->Kind == Projection::Parallel;
+  const double slack =
+    Rounding * glm::length(origin) + (parallel ? MapRounding * this->Extent : 0.0);
+  program->SetUniformi("mapKind", static_cast<int>(this->Kind));
+  program->SetUniformi("mapResolution", this->Resolution);
+  program->SetUniform3f("mapOrigin", &origin.x);
+  program->SetUniform3fv("mapFrame", 3, &frame[0].x);
+  program->SetUniform2f("mapScale", &scale.x);
+  program->SetUniformf("mapNearest", static_cast<float>(this->Nearest - slack));
+  program->SetUniformf("mapSlack", static_cast<float>(slack));
+  program->SetUniformf("mapRelativeSlack", parallel ? 0.0f : static_cast<float>(MapRounding));
+}
+
+//------------------------------------------------------------------------------
+void ShadowMap::Release(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Casters.clear();
+  this->Drawn = false;
+}
+}
