@@ -26,6 +26,10 @@ namespace
 constexpr int FacesInRow = 3;
 // Up to 60 degrees one face before a spot is finer than six around it.
 constexpr double NarrowCone = 0.5;
+// A face on its own has so many times more texels along its side: less than six faces together.
+constexpr int SingleFace = 2;
+// Directions that are tried for a directional light's map.
+constexpr int Turns = 18;
 // Texels left free at the borders: beyond the map everything is lit.
 constexpr double Margin = 2.0;
 // Triangles that are sent to the graphics card at a time.
@@ -42,6 +46,24 @@ constexpr double MapRounding = 1e-5;
 glm::dvec3 Place(const Caster& caster, int point)
 {
   return glm::dvec3(caster.ToWorld * glm::dvec4(caster.Mesh->Points[point], 1.0));
+}
+
+// The corners of the casters' boxes.
+std::vector<glm::dvec3> GetBoxCorners(const std::vector<Caster>& casters)
+{
+  std::vector<glm::dvec3> corners;
+  for (const Caster& caster : casters)
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const CasterMesh& mesh = *caster.Mesh;
+      const glm::dvec3 local(corner & 1 ? mesh.BoundsMin.x : mesh.BoundsMax.x,
+        corner & 2 ? mesh.BoundsMin.y : mesh.BoundsMax.y,
+        corner & 4 ? mesh.BoundsMin.z : mesh.BoundsMax.z);
+      corners.emplace_back(caster.ToWorld * glm::dvec4(local, 1.0));
+    }
+  }
+  return corners;
 }
 
 // Two directions across an axis of unit length, and the axis.
@@ -81,6 +103,7 @@ bool ShadowMap::Update(const std::vector<Caster>& casters, const Lamp& lamp, int
   this->CosCone = lamp.Values.cosCone;
   this->Resolution = resolution;
   this->SetProjection();
+  this->Side = (this->Kind == Projection::Cube ? 1 : SingleFace) * resolution;
   this->Drawn = this->Kind == Projection::None;
   return !this->Drawn;
 }
@@ -107,22 +130,47 @@ void ShadowMap::SetProjection()
     this->Kind = Projection::Cone;
     this->Frame = MakeFrame(glm::normalize(this->Axis));
     const double tangent = std::sqrt(1.0 - this->CosCone * this->CosCone) / this->CosCone;
-    this->Scale = glm::dvec2((1.0 - 2.0 * Margin / this->Resolution) / tangent);
+    this->Scale = glm::dvec2((1.0 - Margin / this->Resolution) / tangent);
   }
   this->Farthest = 0.0;
-  for (const Caster& caster : this->Casters)
+  for (const glm::dvec3& corner : GetBoxCorners(this->Casters))
   {
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const CasterMesh& mesh = *caster.Mesh;
-      const glm::dvec3 local(corner & 1 ? mesh.BoundsMin.x : mesh.BoundsMax.x,
-        corner & 2 ? mesh.BoundsMin.y : mesh.BoundsMax.y,
-        corner & 4 ? mesh.BoundsMin.z : mesh.BoundsMax.z);
-      const glm::dvec3 point(caster.ToWorld * glm::dvec4(local, 1.0));
-      this->Farthest = std::max(this->Farthest, glm::length(point - this->Anchor));
-    }
+    this->Farthest = std::max(this->Farthest, glm::length(corner - this->Anchor));
   }
   this->Extent = this->Farthest;
+}
+
+//------------------------------------------------------------------------------
+// Turned so that the casters' boxes fill the map well.
+glm::dmat3 ShadowMap::FindParallelFrame() const
+{
+  const glm::dmat3 frame = MakeFrame(-glm::normalize(glm::dvec3(this->Light)));
+  const std::vector<glm::dvec3> corners = GetBoxCorners(this->Casters);
+  glm::dmat3 best = frame;
+  double least = std::numeric_limits<double>::infinity();
+  for (int turn = 0; turn < Turns; ++turn)
+  {
+    const double angle = glm::radians(90.0) * turn / Turns;
+    glm::dmat3 turned = frame;
+    turned[0] = std::cos(angle) * frame[0] + std::sin(angle) * frame[1];
+    turned[1] = std::cos(angle) * frame[1] - std::sin(angle) * frame[0];
+    glm::dvec2 low(std::numeric_limits<double>::infinity());
+    glm::dvec2 high = -low;
+    for (const glm::dvec3& corner : corners)
+    {
+      const glm::dvec2 point(glm::transpose(turned) * corner);
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+    }
+    // Rounding shall not turn the map of a scene that has no better direction.
+    const double area = (high.x - low.x) * (high.y - low.y);
+    if (area < (1.0 - 1e-9) * least)
+    {
+      least = area;
+      best = turned;
+    }
+  }
+  return best;
 }
 
 //------------------------------------------------------------------------------
@@ -130,7 +178,7 @@ void ShadowMap::SetProjection()
 void ShadowMap::SetParallelProjection()
 {
   this->Kind = Projection::Parallel;
-  this->Frame = MakeFrame(-glm::normalize(glm::dvec3(this->Light)));
+  this->Frame = this->FindParallelFrame();
   const glm::dmat3 toFrame = glm::transpose(this->Frame);
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high = -low;
@@ -148,7 +196,7 @@ void ShadowMap::SetParallelProjection()
   this->Extent = 2.0 * glm::length(half);
   // Casters that the light sees edge-on have no width.
   const glm::dvec2 across = glm::max(glm::dvec2(half), 1e-6 * this->Extent);
-  this->Scale = (1.0 - 2.0 * Margin / this->Resolution) / across;
+  this->Scale = (1.0 - Margin / this->Resolution) / across;
   this->Nearest = -half.z;
   this->Farthest = half.z;
 }
@@ -157,8 +205,8 @@ void ShadowMap::SetParallelProjection()
 bool ShadowMap::Prepare(vtkOpenGLRenderWindow* window)
 {
   const bool cube = this->Kind == Projection::Cube;
-  this->Width = (cube ? FacesInRow : 1) * this->Resolution;
-  this->Height = (cube ? 6 / FacesInRow : 1) * this->Resolution;
+  this->Width = (cube ? FacesInRow : 1) * this->Side;
+  this->Height = (cube ? 6 / FacesInRow : 1) * this->Side;
   const int most = vtkTextureObject::GetMaximumTextureSize(window);
   if (this->Width > most)
   {
@@ -214,7 +262,7 @@ bool ShadowMap::Draw(vtkOpenGLRenderWindow* window)
   state->vtkglBlendEquation(GL_MIN);
   const glm::vec2 scale(this->Scale);
   program->SetUniform2f("scale", &scale.x);
-  program->SetUniformi("resolution", this->Resolution);
+  program->SetUniformi("resolution", this->Side);
   program->SetUniformi("parallel", this->Kind == Projection::Parallel ? 1 : 0);
   program->SetUniformf("nearest", static_cast<float>(RelativeNear * this->Farthest));
   glGenVertexArrays(1, &this->VertexArray);
@@ -288,12 +336,11 @@ void ShadowMap::DrawCorners(vtkShaderProgram* program, const std::vector<Corner>
   attribute("limit", 1, offsetof(Corner, Limit));
   for (int face = 0; face < this->GetFaceCount(); ++face)
   {
-    const int place[2] = { face % FacesInRow * this->Resolution,
-      face / FacesInRow * this->Resolution };
+    const int place[2] = { face % FacesInRow * this->Side, face / FacesInRow * this->Side };
     const glm::mat3 frame(this->Kind == Projection::Cube ? GetFaceFrame(face) : this->Frame);
     // Not through VTK's record, which is told where it ends.
-    glViewport(place[0], place[1], this->Resolution, this->Resolution);
-    glScissor(place[0], place[1], this->Resolution, this->Resolution);
+    glViewport(place[0], place[1], this->Side, this->Side);
+    glScissor(place[0], place[1], this->Side, this->Side);
     program->SetUniform2i("place", place);
     program->SetUniform3fv("frame", 3, &frame[0].x);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
@@ -314,7 +361,7 @@ void ShadowMap::SetUniforms(vtkShaderProgram* program, const View& view) const
   const double slack =
     Rounding * glm::length(origin) + (parallel ? MapRounding * this->Extent : 0.0);
   program->SetUniformi("mapKind", static_cast<int>(this->Kind));
-  program->SetUniformi("mapResolution", this->Resolution);
+  program->SetUniformi("mapResolution", this->Side);
   program->SetUniform3f("mapOrigin", &origin.x);
   program->SetUniform3fv("mapFrame", 3, &frame[0].x);
   program->SetUniform2f("mapScale", &scale.x);

@@ -75,6 +75,7 @@ private:
 
   void SetProjection();
   void SetParallelProjection();
+  glm::dmat3 FindParallelFrame() const;
   void AddTriangle(const glm::dvec3 (&points)[3], std::vector<Corner>& corners) const;
   void DrawCasters(vtkShaderProgram* program);
   void DrawCorners(vtkShaderProgram* program, const std::vector<Corner>& corners);
@@ -84,7 +85,8 @@ private:
   glm::dvec4 Light{ 0.0 };
   glm::dvec3 Axis{ 0.0 }; // of a spot
   double CosCone = -1.0;
-  int Resolution = 0;
+  int Resolution = 0; // of one of six faces
+  int Side = 0;       // texels along the side of each face
   bool Drawn = false;
 
   Projection Kind = Projection::None;
