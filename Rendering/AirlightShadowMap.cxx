@@ -26,8 +26,8 @@ namespace
 constexpr int FacesInRow = 3;
 // Up to 60 degrees one face before a spot is finer than six around it.
 constexpr double NarrowCone = 0.5;
-// A face on its own has so many times more texels along its side: less than six faces together.
-constexpr int SingleFace = 2;
+// The square root of 6: a face on its own has as many texels as six together.
+constexpr double SingleFace = 2.449;
 // Directions that are tried for a directional light's map.
 constexpr int Turns = 18;
 // Texels left free at the borders: beyond the map everything is lit.
@@ -103,7 +103,7 @@ bool ShadowMap::Update(const std::vector<Caster>& casters, const Lamp& lamp, int
   this->CosCone = lamp.Values.cosCone;
   this->Resolution = resolution;
   this->SetProjection();
-  this->Side = (this->Kind == Projection::Cube ? 1 : SingleFace) * resolution;
+  this->Side = static_cast<int>((this->Kind == Projection::Cube ? 1.0 : SingleFace) * resolution);
   this->Drawn = this->Kind == Projection::None;
   return !this->Drawn;
 }

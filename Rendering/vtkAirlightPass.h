@@ -109,7 +109,7 @@ public:
    * Where OpenGL 4.3 is missing, AUTOMATIC and SHADOW_PLANES take SHADOW_MAP, the first with a
    * warning, the other with an error.
    *
-   * Cost of SHADOW_MAP: for each light 4 bytes a texel (24 MiB for six faces, 16 MiB for one), drawn
+   * Cost of SHADOW_MAP: for each light 24 bytes a texel of a face (24 MiB at 1024 texels a side), drawn
    * anew when the light or a caster changes; per pixel and light GetNumberOfSteps() look-ups and one
    * closed form per boundary found.
    */
@@ -125,7 +125,7 @@ public:
   ///@{
   /**
    * Texels along the side of each of the six faces of a shadow map, for SHADOW_MAP and RAY_MARCH;
-   * a map of one face has twice as many. A third of the largest texture that the graphics card has
+   * a map of one face has as many texels as six together. A third of the largest texture that the graphics card has
    * is the most that it can draw.
    * Range: 16 to 8192. Default: 1024.
    */

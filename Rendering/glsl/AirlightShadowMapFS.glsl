@@ -17,7 +17,8 @@ void main()
 {
   vec3 n = trianglePlane.xyz;
   vec2 s = (2.0 * (gl_FragCoord.xy - vec2(place)) / float(resolution) - 1.0) / scale;
-  float slope = dot(abs(n.xy), 1.5 / (float(resolution) * scale));
+  vec2 reach = 1.5 / (float(resolution) * scale);
+  float slope = dot(abs(n.xy), reach);
   float far = triangleLimit;
   if (parallel != 0)
   {
@@ -27,7 +28,7 @@ void main()
   else
   {
     float facing = n.z + dot(n.xy, s) - slope;
-    far = facing > 0.0 ? length(vec3(s, 1.0)) * trianglePlane.w / facing : far;
+    far = facing > 0.0 ? length(vec3(abs(s) + reach, 1.0)) * trianglePlane.w / facing : far;
   }
   nearestDistance = vec4(min(far, triangleLimit));
 }
