@@ -120,6 +120,12 @@ bool Frame::ScatterLights()
   const std::vector<Caster>* casters =
     this->Settings.Shadows != ShadowMethod::None ? &this->Casters.Collect(this->Renderer) : nullptr;
   this->Volumes.resize(this->Lamps.size());
+  // Maps are large: those of lamps, or of a technique, that are no more go.
+  if (this->Maps.size() > this->Lamps.size() || this->Settings.Shadows == ShadowMethod::None ||
+    this->Settings.Shadows == ShadowMethod::Planes)
+  {
+    this->ReleaseMaps(this->Window);
+  }
   this->Maps.resize(this->Lamps.size());
   for (size_t k = 0; k < this->Lamps.size(); ++k)
   {
@@ -211,6 +217,19 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
 }
 
 //------------------------------------------------------------------------------
+void Frame::ReleaseMaps(vtkWindow* window)
+{
+  for (const auto& map : this->Maps)
+  {
+    if (map)
+    {
+      map->Release(window);
+    }
+  }
+  this->Maps.clear();
+}
+
+//------------------------------------------------------------------------------
 void Frame::Release(vtkWindow* window)
 {
   for (Quad& quad : this->ResolveQuads)
@@ -223,14 +242,7 @@ void Frame::Release(vtkWindow* window)
   this->Boundaries.Release();
   this->Casters.Clear();
   this->Volumes.clear();
-  for (const auto& map : this->Maps)
-  {
-    if (map)
-    {
-      map->Release(window);
-    }
-  }
-  this->Maps.clear();
+  this->ReleaseMaps(window);
   this->Textures.Release(window);
   this->Data.Release(window);
 }

@@ -140,6 +140,7 @@ private:
   std::vector<std::pair<const char*, vtkTextureObject*>> GetCompositeTextures();
   std::vector<vtkTextureObject*> GetScatterTargets();
   void ClearTarget(float value);
+  void ReleaseMaps(vtkWindow* window);
 
   Targets Textures;
   SceneData Data;
