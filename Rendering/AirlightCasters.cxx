@@ -17,6 +17,7 @@
 #include "vtkGeometryFilter.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkMath.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -114,6 +115,7 @@ bool HasVolume(const glm::dmat4& toWorld)
 const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer)
 {
   this->Casters.clear();
+  this->Others.clear();
   for (auto& entry : this->Meshes)
   {
     entry.second.Used = false;
@@ -140,6 +142,7 @@ void CasterCache::Clear()
   this->Meshes.clear();
   this->Surfaces.clear();
   this->Casters.clear();
+  this->Others.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -151,6 +154,11 @@ void CasterCache::AddProp(vtkProp* prop)
   }
   if (auto* actor = vtkActor::SafeDownCast(prop))
   {
+    if (actor->GetMapper() && !DrawsItsPolygons(actor->GetMapper()))
+    {
+      this->AddOther(actor);
+      return;
+    }
     this->AddActor(actor, actor->GetMatrix());
     return;
   }
@@ -164,6 +172,16 @@ void CasterCache::AddProp(vtkProp* prop)
     {
       this->AddActor(actor, node->GetMatrix());
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddOther(vtkActor* actor)
+{
+  const double* bounds = actor->GetBounds();
+  if (bounds && vtkMath::AreBoundsInitialized(bounds) && actor->HasOpaqueGeometry())
+  {
+    this->Others.push_back(actor);
   }
 }
 

@@ -164,7 +164,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
     this->Maps[index] = std::make_unique<ShadowMap>();
   }
   ShadowMap& map = *this->Maps[index];
-  if (!map.Update(casters, lamp, this->Settings.MapResolution))
+  if (!map.Update(casters, this->Casters.GetOthers(), lamp, this->Settings.MapResolution))
   {
     return true;
   }
@@ -176,7 +176,24 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
   {
     return this->Fail(this->Textures.GetError());
   }
-  return map.Draw(this->Window) || this->Fail(map.GetError());
+  if (!map.Draw(this->Window))
+  {
+    return this->Fail(map.GetError());
+  }
+  if (!map.HasOthers())
+  {
+    return true;
+  }
+  if (!this->Textures.Bind({ map.GetOthersTexture() }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  map.DrawOthers(this->Window, this->Settings.Draw);
+  if (!this->Textures.Bind({ map.GetTexture() }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  return map.JoinOthers(this->Window) || this->Fail(map.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -200,11 +217,21 @@ vtkImageData* Frame::GetBuffer(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+void Frame::SetMapRays(const View* rays, int x, int y)
+{
+  this->MapRays = rays;
+  this->MapX = x;
+  this->MapY = y;
+}
+
+//------------------------------------------------------------------------------
 SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
 {
   SurfaceUniforms values;
   values.Stage = stage;
-  values.Rays = &*this->Rays;
+  values.Rays = this->MapRays ? this->MapRays : &*this->Rays;
+  values.X = this->MapRays ? this->MapX : 0;
+  values.Y = this->MapRays ? this->MapY : 0;
   values.Media = &this->Media;
   values.Lamps = &this->Lamps;
   values.Lit = this->Textures.Lit;

@@ -72,6 +72,7 @@ struct FrameSettings
   bool Record = false;
   double PhaseErrorBound = 0.0;  // the largest of the media, relative
   std::uint64_t MemoryLimit = 0; // bytes
+  DrawActors Draw;               // for casters that are not polygons
 };
 
 class Frame
@@ -104,6 +105,10 @@ public:
 
   // Step 5: into the framebuffer that is bound, with the viewport at x, y.
   bool Composite(int x, int y, bool blend);
+
+  // For the meantime of what is drawn with a light's camera into a shadow map: its rays, and the
+  // face's lower left corner.
+  void SetMapRays(const View* rays, int x, int y);
 
   bool HasLayers() const { return this->Settings.Layers; }
 
@@ -161,6 +166,9 @@ private:
   f64::AirlightMedia Media{};
   std::vector<Lamp> Lamps;
   std::optional<View> Rays;
+  const View* MapRays = nullptr;
+  int MapX = 0;
+  int MapY = 0;
   FrameSettings Settings;
   int Width = 0;
   int Height = 0;

@@ -32,30 +32,22 @@ glm::dvec3 Place(const Caster& caster, int point)
 {
   return glm::dvec3(caster.ToWorld * glm::dvec4(caster.Mesh->Points[point], 1.0));
 }
-
-// Face 2 k looks along axis k, face 2 k + 1 against it.
-glm::dmat3 GetFaceFrame(int face)
-{
-  const int k = face / 2;
-  glm::dmat3 frame(0.0);
-  frame[0][(k + 1) % 3] = 1.0;
-  frame[1][(k + 2) % 3] = 1.0;
-  frame[2][k] = face % 2 == 0 ? 1.0 : -1.0;
-  return frame;
-}
 }
 
 //------------------------------------------------------------------------------
-bool ShadowMap::Update(const std::vector<Caster>& casters, const Lamp& lamp, int resolution)
+bool ShadowMap::Update(const std::vector<Caster>& casters, const std::vector<vtkActor*>& others,
+  const Lamp& lamp, int resolution)
 {
-  const bool same = this->Drawn && this->Casters == casters && this->Light == lamp.World &&
-    this->Axis == lamp.Values.axis && this->CosCone == lamp.Values.cosCone &&
-    this->Resolution == resolution;
+  // Whether the others changed, nobody says.
+  const bool same = this->Drawn && others.empty() && this->Others.empty() &&
+    this->Casters == casters && this->Light == lamp.World && this->Axis == lamp.Values.axis &&
+    this->CosCone == lamp.Values.cosCone && this->Resolution == resolution;
   if (same)
   {
     return false;
   }
   this->Casters = casters;
+  this->Others = others;
   this->Light = lamp.World;
   this->Axis = lamp.Values.axis;
   this->CosCone = lamp.Values.cosCone;
@@ -63,6 +55,28 @@ bool ShadowMap::Update(const std::vector<Caster>& casters, const Lamp& lamp, int
   this->SetProjection();
   this->Drawn = this->Kind == Projection::None;
   return !this->Drawn;
+}
+
+//------------------------------------------------------------------------------
+// Of six, face 2 k looks along axis k, face 2 k + 1 against it.
+glm::dmat3 ShadowMap::GetFrame(int face) const
+{
+  if (this->Kind != Projection::Cube)
+  {
+    return this->Frame;
+  }
+  const int k = face / 2;
+  glm::dmat3 frame(0.0);
+  frame[0][(k + 1) % 3] = 1.0;
+  frame[1][(k + 2) % 3] = 1.0;
+  frame[2][k] = face % 2 == 0 ? 1.0 : -1.0;
+  return frame;
+}
+
+//------------------------------------------------------------------------------
+glm::ivec2 ShadowMap::GetPlace(int face) const
+{
+  return { face % FacesInRow * this->Side, face / FacesInRow * this->Side };
 }
 
 //------------------------------------------------------------------------------
@@ -79,20 +93,27 @@ bool ShadowMap::Prepare(vtkOpenGLRenderWindow* window)
       ": call SetShadowMapResolution() with at most " + std::to_string(most / FacesInRow);
     return false;
   }
-  if (this->Texture->GetHandle() != 0)
+  return this->Allocate(window, this->Texture) &&
+    (this->Others.empty() || this->Allocate(window, this->OthersTexture));
+}
+
+//------------------------------------------------------------------------------
+bool ShadowMap::Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture)
+{
+  if (texture->GetHandle() != 0)
   {
-    this->Texture->Resize(this->Width, this->Height);
+    texture->Resize(this->Width, this->Height);
     return true;
   }
-  this->Texture->SetContext(window);
-  this->Texture->SetFormat(GL_RED);
-  this->Texture->SetInternalFormat(GL_R32F);
-  this->Texture->SetDataType(GL_FLOAT);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  if (!this->Texture->Allocate2D(this->Width, this->Height, 1, VTK_FLOAT))
+  texture->SetContext(window);
+  texture->SetFormat(GL_RED);
+  texture->SetInternalFormat(GL_R32F);
+  texture->SetDataType(GL_FLOAT);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  if (!texture->Allocate2D(this->Width, this->Height, 1, VTK_FLOAT))
   {
     this->Error = "the graphics card refused the texture of a shadow map";
     return false;
@@ -103,6 +124,33 @@ bool ShadowMap::Prepare(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 // The nearest distance of each texel comes from blending: no depth buffer rounds it, and no near or
 // far plane cuts it off.
+void ShadowMap::BeginNearest(vtkOpenGLRenderWindow* window, bool clear)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglViewport(0, 0, this->Width, this->Height);
+  state->vtkglScissor(0, 0, this->Width, this->Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (clear)
+  {
+    state->vtkglClearColor(Nothing, Nothing, Nothing, Nothing);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  }
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_MIN);
+}
+
+//------------------------------------------------------------------------------
+void ShadowMap::EndNearest(vtkOpenGLRenderWindow* window)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglDisable(GL_BLEND);
+}
+
+//------------------------------------------------------------------------------
 bool ShadowMap::Draw(vtkOpenGLRenderWindow* window)
 {
   vtkShaderProgram* program =
@@ -113,17 +161,7 @@ bool ShadowMap::Draw(vtkOpenGLRenderWindow* window)
       (program ? program->GetError() : "the shader cache returned no program");
     return false;
   }
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglViewport(0, 0, this->Width, this->Height);
-  state->vtkglScissor(0, 0, this->Width, this->Height);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglClearColor(Nothing, Nothing, Nothing, Nothing);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendEquation(GL_MIN);
+  this->BeginNearest(window, true);
   const glm::vec2 scale(this->Scale);
   program->SetUniform2f("scale", &scale.x);
   program->SetUniformi("resolution", this->Side);
@@ -134,8 +172,7 @@ bool ShadowMap::Draw(vtkOpenGLRenderWindow* window)
   this->DrawCasters(program);
   glDeleteBuffers(1, &this->Buffer);
   glDeleteVertexArrays(1, &this->VertexArray);
-  state->vtkglBlendEquation(GL_FUNC_ADD);
-  state->vtkglDisable(GL_BLEND);
+  this->EndNearest(window);
   this->Drawn = true;
   return true;
 }
@@ -200,12 +237,12 @@ void ShadowMap::DrawCorners(vtkShaderProgram* program, const std::vector<Corner>
   attribute("limit", 1, offsetof(Corner, Limit));
   for (int face = 0; face < this->GetFaceCount(); ++face)
   {
-    const int place[2] = { face % FacesInRow * this->Side, face / FacesInRow * this->Side };
-    const glm::mat3 frame(this->Kind == Projection::Cube ? GetFaceFrame(face) : this->Frame);
+    const glm::ivec2 place = this->GetPlace(face);
+    const glm::mat3 frame(this->GetFrame(face));
     // Not through VTK's record, which is told where it ends.
-    glViewport(place[0], place[1], this->Side, this->Side);
-    glScissor(place[0], place[1], this->Side, this->Side);
-    program->SetUniform2i("place", place);
+    glViewport(place.x, place.y, this->Side, this->Side);
+    glScissor(place.x, place.y, this->Side, this->Side);
+    program->SetUniform2i("place", &place.x);
     program->SetUniform3fv("frame", 3, &frame[0].x);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
   }
@@ -219,6 +256,9 @@ void ShadowMap::DrawCorners(vtkShaderProgram* program, const std::vector<Corner>
 void ShadowMap::Release(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
+  this->OthersTexture->ReleaseGraphicsResources(window);
+  this->JoinQuad.Release();
+  this->Others.clear();
   this->Casters.clear();
   this->Drawn = false;
 }

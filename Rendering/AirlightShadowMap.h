@@ -13,15 +13,19 @@
 
 #include "AirlightCasters.h"
 #include "AirlightLamps.h"
+#include "AirlightQuad.h"
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
+class vtkActor;
+class vtkCamera;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkWindow;
@@ -30,11 +34,17 @@ namespace airlight
 {
 class View;
 
+// Draws actors with their mappers from the camera of a shadow map's face, into the bound framebuffer,
+// where the face's lower left corner is at x, y and its side is so many pixels long.
+using DrawActors = std::function<void(
+  const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y, int side)>;
+
 class ShadowMap
 {
 public:
   // Takes the lamp and its casters. True where the map has to be drawn anew, into GetTexture().
-  bool Update(const std::vector<Caster>& casters, const Lamp& lamp, int resolution);
+  bool Update(const std::vector<Caster>& casters, const std::vector<vtkActor*>& others,
+    const Lamp& lamp, int resolution);
 
   // Makes the texture. False with a reason in GetError() where it cannot be had.
   bool Prepare(vtkOpenGLRenderWindow* window);
@@ -42,6 +52,13 @@ public:
   // Draws the casters into the framebuffer that is bound over the texture. False with a reason in
   // GetError() where the shader does not compile; the next Update() then asks for it again.
   bool Draw(vtkOpenGLRenderWindow* window);
+
+  // Where there are others than polygons: draws them into the framebuffer that is bound over
+  // GetOthersTexture(), then, with that over GetTexture(), joins the two.
+  bool HasOthers() const { return !this->Others.empty(); }
+  vtkTextureObject* GetOthersTexture() { return this->OthersTexture; }
+  void DrawOthers(vtkOpenGLRenderWindow* window, const DrawActors& draw);
+  bool JoinOthers(vtkOpenGLRenderWindow* window);
 
   // Those of glsl/AirlightMapMarch.glsl, but for the texture.
   void SetUniforms(vtkShaderProgram* program, const View& view) const;
@@ -73,6 +90,12 @@ private:
     float Limit;     // the triangle's largest distance from the light
   };
 
+  bool Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
+  void BeginNearest(vtkOpenGLRenderWindow* window, bool clear);
+  void EndNearest(vtkOpenGLRenderWindow* window);
+  void SetFaceCamera(vtkCamera* camera, int face) const;
+  double GetCameraOffset() const;
+  std::vector<glm::dvec3> GetBoxCorners() const;
   void SetProjection();
   void SetParallelProjection();
   glm::dmat3 FindParallelFrame() const;
@@ -80,8 +103,11 @@ private:
   void DrawCasters(vtkShaderProgram* program);
   void DrawCorners(vtkShaderProgram* program, const std::vector<Corner>& corners);
   int GetFaceCount() const { return this->Kind == Projection::Cube ? 6 : 1; }
+  glm::dmat3 GetFrame(int face) const;
+  glm::ivec2 GetPlace(int face) const;
 
   std::vector<Caster> Casters;
+  std::vector<vtkActor*> Others;
   glm::dvec4 Light{ 0.0 };
   glm::dvec3 Axis{ 0.0 }; // of a spot
   double CosCone = -1.0;
@@ -98,6 +124,8 @@ private:
   double Farthest = 0.0;
 
   vtkNew<vtkTextureObject> Texture;
+  vtkNew<vtkTextureObject> OthersTexture;
+  Quad JoinQuad;
   int Width = 0;
   int Height = 0;
   unsigned int VertexArray = 0;

@@ -6,6 +6,7 @@
 #include "AirlightShadowMap.h"
 
 #include "AirlightView.h"
+#include "vtkActor.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ glm::dvec3 Place(const Caster& caster, int point)
 }
 
 // The corners of the casters' boxes.
-std::vector<glm::dvec3> GetBoxCorners(const std::vector<Caster>& casters)
+std::vector<glm::dvec3> GetCorners(const std::vector<Caster>& casters)
 {
   std::vector<glm::dvec3> corners;
   for (const Caster& caster : casters)
@@ -52,6 +53,15 @@ std::vector<glm::dvec3> GetBoxCorners(const std::vector<Caster>& casters)
   return corners;
 }
 
+void AddCorners(vtkActor* actor, std::vector<glm::dvec3>& corners)
+{
+  const double* b = actor->GetBounds();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    corners.emplace_back(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2)]);
+  }
+}
+
 // Two directions across an axis of unit length, and the axis.
 glm::dmat3 MakeFrame(const glm::dvec3& axis)
 {
@@ -63,9 +73,20 @@ glm::dmat3 MakeFrame(const glm::dvec3& axis)
 }
 
 //------------------------------------------------------------------------------
+std::vector<glm::dvec3> ShadowMap::GetBoxCorners() const
+{
+  std::vector<glm::dvec3> corners = GetCorners(this->Casters);
+  for (vtkActor* actor : this->Others)
+  {
+    AddCorners(actor, corners);
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
 void ShadowMap::SetProjection()
 {
-  if (this->Casters.empty())
+  if (this->Casters.empty() && this->Others.empty())
   {
     this->Kind = Projection::None;
     return;
@@ -89,7 +110,7 @@ void ShadowMap::SetProjection()
     this->Scale = glm::dvec2((1.0 - 2.0 * Margin / this->Side) / tangent);
   }
   this->Farthest = 0.0;
-  for (const glm::dvec3& corner : GetBoxCorners(this->Casters))
+  for (const glm::dvec3& corner : this->GetBoxCorners())
   {
     this->Farthest = std::max(this->Farthest, glm::length(corner - this->Anchor));
   }
@@ -101,7 +122,7 @@ void ShadowMap::SetProjection()
 glm::dmat3 ShadowMap::FindParallelFrame() const
 {
   const glm::dmat3 frame = MakeFrame(-glm::normalize(glm::dvec3(this->Light)));
-  const std::vector<glm::dvec3> corners = GetBoxCorners(this->Casters);
+  const std::vector<glm::dvec3> corners = this->GetBoxCorners();
   glm::dmat3 best = frame;
   double least = std::numeric_limits<double>::infinity();
   for (int turn = 0; turn < Turns; ++turn)
@@ -147,6 +168,16 @@ void ShadowMap::SetParallelProjection()
       low = glm::min(low, point);
       high = glm::max(high, point);
     }
+  }
+  std::vector<glm::dvec3> corners;
+  for (vtkActor* actor : this->Others)
+  {
+    AddCorners(actor, corners);
+  }
+  for (const glm::dvec3& corner : corners)
+  {
+    low = glm::min(low, toFrame * corner);
+    high = glm::max(high, toFrame * corner);
   }
   this->Anchor = this->Frame * (0.5 * (low + high));
   const glm::dvec3 half = 0.5 * (high - low);

@@ -139,7 +139,7 @@ void SetPhotometries(vtkShaderProgram* program, const std::vector<Lamp>& lamps)
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
 {
   program->SetUniformi("airlightStage", static_cast<int>(values.Stage));
-  values.Rays->SetUniforms(program, 0, 0);
+  values.Rays->SetUniforms(program, values.X, values.Y);
   // A sampler left at unit 0 would clash with the mapper's own.
   program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
   if (values.Data)

@@ -56,6 +56,8 @@ struct SurfaceUniforms
 {
   SurfaceStage Stage = SurfaceStage::Distance;
   const View* Rays = nullptr;
+  int X = 0; // lower left corner of the viewport in the target
+  int Y = 0;
   const f64::AirlightMedia* Media = nullptr;
   const std::vector<Lamp>* Lamps = nullptr;
   vtkTextureObject* Lit = nullptr;  // an active texture in any case

@@ -6,6 +6,8 @@
 #include "AirlightPhaseFit.h"
 #include "AirlightSurfaceTree.h"
 
+#include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -15,6 +17,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 using namespace airlight;
 
@@ -133,6 +136,8 @@ bool vtkAirlightPass::Internals::RenderFrame(
   settings.Shadows = GetMethod(this->EffectiveTechnique);
   settings.MapResolution = this->Self->ShadowMapResolution;
   settings.Steps = this->Self->NumberOfSteps;
+  settings.Draw = [this, s](const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y,
+                    int side) { this->DrawInMap(s, actors, camera, x, y, side); };
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Layers = layers;
@@ -244,6 +249,38 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   }
   this->Self->PostRender(s);
   return ok && (!this->Self->RecordBuffers || this->CurrentFrame.Record());
+}
+
+//------------------------------------------------------------------------------
+// Actors outside the view are not among those that the pass has taken hold of.
+void vtkAirlightPass::Internals::DrawInMap(const vtkRenderState* s,
+  const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y, int side)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkProp** seen = s->GetPropArray();
+  std::vector<vtkProp*> unseen;
+  std::copy_if(actors.begin(), actors.end(), std::back_inserter(unseen), [&](vtkProp* prop) {
+    return std::find(seen, seen + s->GetPropArrayCount(), prop) == seen + s->GetPropArrayCount();
+  });
+  vtkRenderState state(renderer);
+  state.SetPropArrayAndCount(unseen.data(), static_cast<int>(unseen.size()));
+  this->Self->PreRender(&state);
+  const vtkSmartPointer<vtkCamera> own = renderer->GetActiveCamera();
+  renderer->SetActiveCamera(camera);
+  const View view(renderer, side, side);
+  if (view.IsValid())
+  {
+    this->CurrentFrame.SetMapRays(&view, x, y);
+    this->RenderStage(SurfaceStage::Distance, [&] {
+      for (vtkActor* actor : actors)
+      {
+        actor->RenderOpaqueGeometry(renderer);
+      }
+    });
+    this->CurrentFrame.SetMapRays(nullptr, 0, 0);
+  }
+  renderer->SetActiveCamera(own);
+  this->Self->PostRender(&state);
 }
 
 //------------------------------------------------------------------------------

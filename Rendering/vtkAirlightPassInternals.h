@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+class vtkActor;
+class vtkCamera;
 class vtkOpenGLRenderWindow;
 class vtkRenderPass;
 class vtkRenderState;
@@ -83,6 +85,8 @@ private:
   void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media,
     const std::vector<airlight::Lamp>& lamps, bool translucent);
   vtkRenderPass* GetDelegate(bool opaqueOnly);
+  void DrawInMap(const vtkRenderState* s, const std::vector<vtkActor*>& actors, vtkCamera* camera,
+    int x, int y, int side);
 };
 
 #endif

@@ -10,6 +10,7 @@
 
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkPlaneSource.h"
 
 #include <cstdlib>
@@ -153,6 +154,61 @@ void TestCasters()
 }
 
 //------------------------------------------------------------------------------
+// Bodies that a glyph mapper draws at these places.
+vtkSmartPointer<vtkActor> AddGlyphs(
+  Scene& scene, vtkPolyData* body, const std::vector<glm::dvec3>& places)
+{
+  vtkNew<vtkPoints> points;
+  for (const glm::dvec3& place : places)
+  {
+    points->InsertNextPoint(&place.x);
+    vtkNew<vtkMatrix4x4> matrix;
+    for (int i = 0; i < 3; ++i)
+    {
+      matrix->SetElement(i, 3, place[i]);
+    }
+    scene.AddTriangles(body, matrix);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetSourceData(body);
+  mapper->ScalingOff();
+  mapper->ScalarVisibilityOff();
+  vtkSmartPointer<vtkActor> actor = Scene::MakeActor(mapper);
+  scene.Renderer->AddActor(actor);
+  return actor;
+}
+
+void TestGlyphs()
+{
+  vtkNew<vtkCubeSource> source;
+  source->SetXLength(0.8);
+  source->SetZLength(0.7);
+  vtkSmartPointer<vtkPolyData> cube = Make(source);
+  for (const bool directional : { false, true })
+  {
+    for (const bool parallel : { false, true })
+    {
+      Scene scene;
+      directional ? scene.AddDirectionalLight({ 0.7, 2, 0.5 }) : scene.AddPointLight({ 2, 4, 3 });
+      AddSheet(scene, { 0, -2.5, -1 }, 8, 7);
+      scene.Add(MakeSphere(0.7));
+      AddGlyphs(scene, cube, { { -1.8, 0.1, 0.3 }, { 1.7, 0.4, 0.2 }, { 2.2, 1.6, 1.9 } });
+      AddGlyphs(scene, MakeSphere(0.6), { { -0.6, 5.5, 1.2 }, { 1.1, 6.3, 1.8 } }); // not in view
+      if (parallel)
+      {
+        SetParallel(scene);
+      }
+      CompareMap(std::string("glyphs, ") + (directional ? "directional" : "point") + " light" +
+          (parallel ? ", parallel projection" : ""),
+        scene);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Maps are kept between frames: a picture must be that of a new scene.
 void TestUpdates()
 {
@@ -249,6 +305,7 @@ int TestShadowMap(int, char*[])
 {
   TestLights();
   TestCasters();
+  TestGlyphs();
   TestUpdates();
   TestRayMarch();
   TestBadValues();
