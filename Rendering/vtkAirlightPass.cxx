@@ -237,6 +237,10 @@ bool vtkAirlightPass::SetShaderParameters(
   // A delegate may draw translucent surfaces in any stage.
   values.UseLit = values.UseLit && !prop->IsRenderingTranslucentPolygonalGeometry();
   SetSurfaceUniforms(program, values);
+  if (this->Impl->DrawsMap)
+  {
+    this->Impl->MapPrograms.insert(program);
+  }
   return true;
 }
 

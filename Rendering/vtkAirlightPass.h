@@ -104,6 +104,10 @@ public:
    * which is a bias by the face's slope. On surfaces the nearest of four texels counts, which shrinks
    * shadows by up to half a texel. A directional light's map covers all that casts.
    *
+   * Besides the polygons that cast with SHADOW_PLANES, opaque actors of other mappers cast, as those
+   * draw them: glyphs, point gaussians, imposters. While there are any (parts of assemblies apart),
+   * maps are drawn anew each frame, with a camera of each face as the renderer's active one.
+   *
    * RAY_MARCH takes the integrand in the middle of each step, in the same maps: what others do.
    *
    * Where OpenGL 4.3 is missing, AUTOMATIC and SHADOW_PLANES take SHADOW_MAP, the first with a

@@ -13,6 +13,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -271,14 +272,23 @@ void vtkAirlightPass::Internals::DrawInMap(const vtkRenderState* s,
   if (view.IsValid())
   {
     this->CurrentFrame.SetMapRays(&view, x, y);
+    this->DrawsMap = true;
     this->RenderStage(SurfaceStage::Distance, [&] {
       for (vtkActor* actor : actors)
       {
         actor->RenderOpaqueGeometry(renderer);
       }
     });
+    this->DrawsMap = false;
     this->CurrentFrame.SetMapRays(nullptr, 0, 0);
   }
+  // VTK takes lights in the coordinates of a camera changed before for those of its own.
+  for (vtkShaderProgram* program : this->MapPrograms)
+  {
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::CameraGroup, 0);
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+  }
+  this->MapPrograms.clear();
   renderer->SetActiveCamera(own);
   this->Self->PostRender(&state);
 }

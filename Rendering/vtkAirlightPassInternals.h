@@ -21,6 +21,7 @@
 #include "vtkWeakPointer.h"
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ class vtkCamera;
 class vtkOpenGLRenderWindow;
 class vtkRenderPass;
 class vtkRenderState;
+class vtkShaderProgram;
 
 class vtkAirlightPass::Internals
 {
@@ -61,6 +63,8 @@ public:
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
   int EffectiveTechnique = NONE;
   airlight::SurfaceText MapperText; // of the mappers' shaders
+  bool DrawsMap = false;
+  std::set<vtkShaderProgram*> MapPrograms; // those used for the map that is drawn
   vtkTimeStamp ShaderTime;
   std::string Error;
 
