@@ -34,8 +34,8 @@ namespace airlight
 {
 class View;
 
-// Draws actors with their mappers from the camera of a shadow map's face, into the bound framebuffer,
-// where the face's lower left corner is at x, y and its side is so many pixels long.
+// Draws actors with their mappers from the camera of a shadow map's face, into the bound
+// framebuffer, where the face's lower left corner is at x, y and its side is so many pixels long.
 using DrawActors = std::function<void(
   const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y, int side)>;
 

@@ -36,7 +36,7 @@ void CompareMap(const std::string& name, Scene& scene, bool spot = false)
   scene.Pass->SetShadowTechniqueToShadowMap();
   Limits limits = MapLimits();
   limits.Spot = spot;
-  CompareScene(name, scene, 1000, limits);
+  CompareScene(name, scene, 700, limits);
 }
 
 void AddBodies(Scene& scene)
