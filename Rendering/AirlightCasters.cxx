@@ -19,6 +19,7 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlaneCollection.h"
@@ -117,6 +118,7 @@ bool HasVolume(const glm::dmat4& toWorld)
 const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer)
 {
   this->Casters.clear();
+  this->Others.clear();
   for (auto& entry : this->Meshes)
   {
     entry.second.Used = false;
@@ -143,6 +145,7 @@ void CasterCache::Clear()
   this->Meshes.clear();
   this->Surfaces.clear();
   this->Casters.clear();
+  this->Others.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -154,6 +157,11 @@ void CasterCache::AddProp(vtkProp* prop)
   }
   if (auto* actor = vtkActor::SafeDownCast(prop))
   {
+    if (actor->GetMapper() && !DrawsItsPolygons(actor->GetMapper()))
+    {
+      this->AddOther(actor);
+      return;
+    }
     this->AddActor(actor, actor->GetMatrix());
     return;
   }
@@ -167,6 +175,16 @@ void CasterCache::AddProp(vtkProp* prop)
     {
       this->AddActor(actor, node->GetMatrix());
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddOther(vtkActor* actor)
+{
+  const double* bounds = actor->GetBounds();
+  if (bounds && vtkMath::AreBoundsInitialized(bounds) && actor->HasOpaqueGeometry())
+  {
+    this->Others.push_back(actor);
   }
 }
 

@@ -53,6 +53,10 @@ public:
   // but for those whose property keys say otherwise.
   const std::vector<Caster>& Collect(vtkRenderer* renderer);
 
+  // Opaque actors of the last Collect() whose mappers draw something else than their input's
+  // polygons: glyphs, splats, imposters. Parts of assemblies are not among them.
+  const std::vector<vtkActor*>& GetOthers() const { return this->Others; }
+
   void Clear();
 
 private:
@@ -72,6 +76,7 @@ private:
   };
 
   void AddProp(vtkProp* prop);
+  void AddOther(vtkActor* actor);
   void AddActor(vtkActor* actor, vtkMatrix4x4* matrix);
   void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, bool hidesFaces);
   void AddData(vtkPolyData* data, vtkMatrix4x4* matrix, bool hidesFaces);
@@ -81,6 +86,7 @@ private:
   std::map<vtkPolyData*, Entry> Meshes;
   std::map<vtkDataSet*, Surface> Surfaces;
   std::vector<Caster> Casters;
+  std::vector<vtkActor*> Others;
 };
 }
 

@@ -52,7 +52,7 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   {
     return this->Fail(this->LayerLists.GetError());
   }
-  if (settings.Shadows &&
+  if (settings.Shadows == ShadowMethod::Planes &&
     !this->Boundaries.Prepare(this->Window, width, height, settings.MemoryLimit))
   {
     return this->Fail(this->Boundaries.GetError());
@@ -174,15 +174,22 @@ bool Frame::ScatterLights()
   this->ClearTarget(0.0f);
   this->Buffers.clear();
   const std::vector<Caster>* casters =
-    this->Settings.Shadows ? &this->Casters.Collect(this->Renderer) : nullptr;
+    this->Settings.Shadows != ShadowMethod::None ? &this->Casters.Collect(this->Renderer) : nullptr;
   this->Volumes.resize(this->Lamps.size());
+  // Maps are large: those of lamps, or of a technique, that are no more go.
+  if (this->Maps.size() > this->Lamps.size() || this->Settings.Shadows == ShadowMethod::None ||
+    this->Settings.Shadows == ShadowMethod::Planes)
+  {
+    this->ReleaseMaps(this->Window);
+  }
+  this->Maps.resize(this->Lamps.size());
   for (size_t k = 0; k < this->Lamps.size(); ++k)
   {
     const Lamp& lamp = this->Lamps[k];
     if (lamp.Scatters() && lamp.CastsShadows && casters &&
-      this->Volumes[k].Update(*casters, lamp.World, *this->Rays))
+      !this->UpdateShadows(static_cast<int>(k), *casters))
     {
-      this->Boundaries.SetVolumes(static_cast<int>(k), this->Volumes[k]);
+      return false;
     }
     if (lamp.Scatters() && !this->ScatterLight(static_cast<int>(k)))
     {
@@ -194,6 +201,55 @@ bool Frame::ScatterLights()
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
+{
+  const Lamp& lamp = this->Lamps[index];
+  if (this->Settings.Shadows == ShadowMethod::Planes)
+  {
+    if (this->Volumes[index].Update(casters, lamp.World, *this->Rays))
+    {
+      this->Boundaries.SetVolumes(index, this->Volumes[index]);
+    }
+    return true;
+  }
+  if (!this->Maps[index])
+  {
+    this->Maps[index] = std::make_unique<ShadowMap>();
+  }
+  ShadowMap& map = *this->Maps[index];
+  if (!map.Update(casters, this->Casters.GetOthers(), lamp, this->Settings.MapResolution))
+  {
+    return true;
+  }
+  if (!map.Prepare(this->Window))
+  {
+    return this->Fail(map.GetError());
+  }
+  if (!this->Textures.Bind({ map.GetTexture() }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  if (!map.Draw(this->Window))
+  {
+    return this->Fail(map.GetError());
+  }
+  if (!map.HasOthers())
+  {
+    return true;
+  }
+  if (!this->Textures.Bind({ map.GetOthersTexture() }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  map.DrawOthers(this->Window, this->Settings.Draw);
+  if (!this->Textures.Bind({ map.GetTexture() }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  return map.JoinOthers(this->Window) || this->Fail(map.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -217,11 +273,21 @@ vtkImageData* Frame::GetBuffer(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+void Frame::SetMapRays(const View* rays, int x, int y)
+{
+  this->MapRays = rays;
+  this->MapX = x;
+  this->MapY = y;
+}
+
+//------------------------------------------------------------------------------
 SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
 {
   SurfaceUniforms values;
   values.Stage = stage;
-  values.Rays = &*this->Rays;
+  values.Rays = this->MapRays ? this->MapRays : &*this->Rays;
+  values.ViewportX = this->MapRays ? this->MapX : 0;
+  values.ViewportY = this->MapRays ? this->MapY : 0;
   values.Media = &this->Media;
   values.Lamps = &this->Lamps;
   values.Lit = this->Textures.Lit;
@@ -230,9 +296,22 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.EncodedInput = this->Settings.EncodedInput;
   values.Records = this->Settings.LayerRecords ? &this->LayerLists : nullptr;
   // Without records the bits are those of the opaque surface, which lies behind the layers.
-  values.UseLit = this->Settings.Shadows && this->Settings.SurfaceShadows &&
+  values.UseLit = this->Settings.Shadows != ShadowMethod::None && this->Settings.SurfaceShadows &&
     (stage != SurfaceStage::Layer || values.Records);
   return values;
+}
+
+//------------------------------------------------------------------------------
+void Frame::ReleaseMaps(vtkWindow* window)
+{
+  for (const auto& map : this->Maps)
+  {
+    if (map)
+    {
+      map->Release(window);
+    }
+  }
+  this->Maps.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -250,6 +329,7 @@ void Frame::Release(vtkWindow* window)
   this->LayerLists.Release();
   this->Casters.Clear();
   this->Volumes.clear();
+  this->ReleaseMaps(window);
   this->Textures.Release(window);
   this->Data.Release(window);
 }

@@ -4,8 +4,8 @@
  * One frame of vtkAirlightPass, step by step, and what is kept from frame to frame:
  *
  *   1. distances of the opaque surfaces;
- *   2. for each light: shadow planes into lists, lists into airlight and into the bit that says
- *      whether the light reaches the surface;
+ *   2. for each light: shadow planes into lists, or casters into a shadow map, and from these
+ *      airlight and the bit that says whether the light reaches the surface;
  *   3. colours of the scene, each light dimmed and shadowed;
  *   4. airlight + transmittance * colours, and what is drawn over it, translucent surfaces and
  *      volumes;
@@ -21,6 +21,7 @@
 #include "AirlightQuad.h"
 #include "AirlightSceneData.h"
 #include "AirlightShadowLists.h"
+#include "AirlightShadowMap.h"
 #include "AirlightShadowVolumes.h"
 #include "AirlightSurfaceShader.h"
 #include "AirlightTargets.h"
@@ -29,6 +30,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -52,9 +54,20 @@ constexpr const char* RecordDefinition = "#define AIRLIGHT_RECORD\n";
 constexpr float ClosedFormError = 1e-4f;
 constexpr float QuadratureError = 1e-3f;
 
+// How shadows are found.
+enum class ShadowMethod
+{
+  None,
+  Planes,
+  Map,  // boundaries from shadow maps
+  March // shadow maps and a ray march
+};
+
 struct FrameSettings
 {
-  bool Shadows = false;
+  ShadowMethod Shadows = ShadowMethod::None;
+  int MapResolution = 1024;
+  int Steps = 64;
   bool SurfaceShadows = false;
   bool SurfaceGlow = false;  // surfaces are lit by scattered light, too
   bool Layers = false;       // translucent surfaces or volumes are drawn over the medium
@@ -64,6 +77,7 @@ struct FrameSettings
   int DebugView = 0;             // vtkAirlightPass::DebugViewType
   double PhaseErrorBound = 0.0;  // the largest of the media, relative
   std::uint64_t MemoryLimit = 0; // bytes
+  DrawActors Draw;               // for casters that are not polygons
 };
 
 class Frame
@@ -107,6 +121,10 @@ public:
   // Over it, the edges of all shadow planes.
   bool DrawPlanes();
 
+  // For the meantime of what is drawn with a light's camera into a shadow map: its rays, and the
+  // face's lower left corner.
+  void SetMapRays(const View* rays, int x, int y);
+
   bool HasLayers() const { return this->Settings.Layers; }
   bool HasLayerRecords() const { return this->Settings.LayerRecords; }
 
@@ -118,32 +136,41 @@ public:
 
 private:
   bool Fail(const std::string& reason);
+  bool UpdateShadows(int index, const std::vector<Caster>& casters);
   bool ScatterLight(int index);
+  bool ScatterWithLists(int index);
   bool RecordSingle(int index);
 
   // Which pixels a draw of the resolve does.
   enum class Lists
   {
-    None,    // all, without shadows
-    Short,   // those with lists that it sorts itself
-    Long,    // the others, sorted beforehand
-    LongRest // what the draw before left of them
+    None,     // all, without shadows
+    Short,    // those with lists that it sorts itself
+    Long,     // the others, sorted beforehand
+    LongRest, // what the draw before left of them
+    Map       // all, shadows from a map
   };
   bool Resolve(int index, Lists lists, int row, int rows);
+  std::string GetResolveSource(int index, Lists lists) const;
+  void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists);
+  void SetMapUniforms(vtkShaderProgram* program, int index);
+  ShadowMap* GetMap(int index) const;
 
   vtkShaderProgram* ReadyComposite(bool layers, int x, int y);
   vtkShaderProgram* ReadyCopy(int x, int y);
   std::vector<std::pair<const char*, vtkTextureObject*>> GetCompositeTextures();
   std::vector<vtkTextureObject*> GetScatterTargets();
   void ClearTarget(float value);
+  void ReleaseMaps(vtkWindow* window);
 
   Targets Textures;
   SceneData Data;
   ShadowLists Boundaries;
   LayerRecords LayerLists;
   CasterCache Casters;
-  std::vector<ShadowVolumes> Volumes; // by light number
-  std::array<Quad, 3> ResolveQuads;   // by Lists; the last two share one
+  std::vector<ShadowVolumes> Volumes;           // by light number
+  std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise
+  std::array<Quad, 4> ResolveQuads;             // none, short, long, map
   Quad DistancesQuad;
   Quad CompositeQuad;
   Quad LayersQuad;
@@ -157,6 +184,9 @@ private:
   f64::AirlightMedia Media{};
   std::vector<Lamp> Lamps;
   std::optional<View> Rays;
+  const View* MapRays = nullptr;
+  int MapX = 0;
+  int MapY = 0;
   FrameSettings Settings;
   int Width = 0;
   int Height = 0;

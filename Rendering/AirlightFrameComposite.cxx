@@ -184,7 +184,8 @@ bool Frame::Composite(int x, int y, bool blend)
 //------------------------------------------------------------------------------
 bool Frame::DrawPlanes()
 {
-  for (size_t k = 0; k < this->Lamps.size() && this->Settings.Shadows; ++k)
+  const bool planes = this->Settings.Shadows == ShadowMethod::Planes;
+  for (size_t k = 0; k < this->Lamps.size() && planes; ++k)
   {
     const Lamp& lamp = this->Lamps[k];
     if (lamp.Scatters() && lamp.CastsShadows && this->Volumes[k].HasPlanes() &&

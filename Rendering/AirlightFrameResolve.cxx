@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Step 2 of a frame: one light's shadow planes into lists, and these into its airlight.
+// Step 2 of a frame: one light's shadows, from planes or from a map, and its airlight.
 
 #include "AirlightFrame.h"
 
 #include "AirlightLayers.h"
+#include "AirlightMapBoundaries.h"
+#include "AirlightMapMarch.h"
 #include "AirlightNoBoundaries.h"
 #include "AirlightOpenGL.h"
+#include "AirlightRayMarch.h"
 #include "AirlightResolveFS.h"
 #include "AirlightResolveLayers.h"
 #include "AirlightViewShader.h"
@@ -19,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -26,19 +30,48 @@ bool IsQuadrature(const airlight::f64::AirlightLight& light)
 {
   return light.kind == AIRLIGHT_POINT_QUADRATURE || light.kind == AIRLIGHT_DIRECTIONAL_QUADRATURE;
 }
+
+// The longest way on which light of any channel falls to 1/e; 1 where none does.
+double GetFadingLength(const airlight::f64::AirlightMedia& media)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3 * media.count; ++i)
+  {
+    const double sigmaT = media.item[i / 3].sigmaT[i % 3];
+    least = sigmaT > 0.0 ? std::min(least, sigmaT) : least;
+  }
+  return std::isinf(least) ? 1.0 : 1.0 / least;
+}
 }
 
 namespace airlight
 {
 //------------------------------------------------------------------------------
+// Null where nothing casts shadows in this light.
+ShadowMap* Frame::GetMap(int index) const
+{
+  const bool used = this->Lamps[index].CastsShadows && this->Maps[index];
+  return used && this->Maps[index]->HasCasters() ? this->Maps[index].get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool Frame::ScatterLight(int index)
 {
-  const ShadowVolumes& volumes = this->Volumes[index];
-  const bool shadows = this->Settings.Shadows && this->Lamps[index].CastsShadows;
-  if (!shadows || !volumes.HasPlanes())
+  const bool shadows = this->Lamps[index].CastsShadows;
+  const ShadowMethod method = this->Settings.Shadows;
+  if (shadows && method == ShadowMethod::Planes && this->Volumes[index].HasPlanes())
   {
-    return this->Resolve(index, Lists::None, 0, this->Height);
+    return this->ScatterWithLists(index);
   }
+  const bool map = method == ShadowMethod::March ||
+    (shadows && method == ShadowMethod::Map && this->GetMap(index));
+  return this->Resolve(index, map ? Lists::Map : Lists::None, 0, this->Height);
+}
+
+//------------------------------------------------------------------------------
+bool Frame::ScatterWithLists(int index)
+{
+  const ShadowVolumes& volumes = this->Volumes[index];
   for (int row = 0; row < this->Height;)
   {
     if (!this->Textures.Bind({}, this->Textures.Depth))
@@ -73,29 +106,35 @@ bool Frame::ScatterLight(int index)
 }
 
 //------------------------------------------------------------------------------
-bool Frame::Resolve(int index, Lists lists, int row, int rows)
+std::string Frame::GetResolveSource(int index, Lists lists) const
 {
-  const bool shadows = lists != Lists::None;
+  const bool planes = lists != Lists::None && lists != Lists::Map;
+  const bool march = this->Settings.Shadows == ShadowMethod::March;
   const bool records = this->Settings.LayerRecords;
-  const std::string source = std::string(shadows || records ? "#version 430\n" : "#version 330\n") +
+  std::string boundaries = AirlightNoBoundaries;
+  if (planes)
+  {
+    boundaries = ShadowLists::GetBoundariesSource(lists != Lists::Short);
+  }
+  else if (lists == Lists::Map)
+  {
+    boundaries = std::string(AirlightMapMarch) +
+      (march ? std::string(AirlightNoBoundaries) + AirlightRayMarch : AirlightMapBoundaries);
+  }
+  return std::string(planes || records ? "#version 430\n" : "#version 330\n") +
     (this->Settings.Record ? RecordDefinition : "") +
     (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
+    (march ? "#define AIRLIGHT_RAY_MARCH\n" : "") +
     GetScatteringSource(
       this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
-    AirlightViewShader +
-    (shadows ? ShadowLists::GetBoundariesSource(lists != Lists::Short) : AirlightNoBoundaries) +
-    (records ? std::string(AirlightLayers) + AirlightResolveLayers : "") + AirlightResolveFS;
-  Quad& quad =
-    this->ResolveQuads[std::min(static_cast<size_t>(lists), this->ResolveQuads.size() - 1)];
-  vtkShaderProgram* program = quad.Ready(this->Window, source);
-  if (!program)
-  {
-    return this->Fail("the airlight shader did not compile: " + quad.GetError());
-  }
-  if (!this->Textures.Bind(this->GetScatterTargets(), nullptr))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
+    AirlightViewShader + "uniform AirlightMedia media;\nuniform AirlightLight light;\n" +
+    boundaries + (records ? std::string(AirlightLayers) + AirlightResolveLayers : "") +
+    AirlightResolveFS;
+}
+
+//------------------------------------------------------------------------------
+void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists)
+{
   this->Rays->SetUniforms(program, 0, 0);
   SetMediaUniforms(program, "media", this->Media);
   SetLightUniforms(program, "light", this->Lamps[index].Values);
@@ -107,7 +146,8 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
   {
     this->Rays->SetFootUniforms(program, this->Lamps[index].Values.position);
   }
-  program->SetUniformi("startCount", shadows ? this->Volumes[index].GetStartCount() : 0);
+  const bool planes = lists != Lists::None && lists != Lists::Map;
+  program->SetUniformi("startCount", planes ? this->Volumes[index].GetStartCount() : 0);
   glm::vec4 bit(0.0f);
   if (index < MaximumShadowingLights)
   {
@@ -120,18 +160,62 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
     program->SetUniformf(
       "error", IsQuadrature(this->Lamps[index].Values) ? QuadratureError : ClosedFormError);
   }
-  if (records)
+  if (this->Settings.LayerRecords)
   {
     this->LayerLists.Use(program);
     program->SetUniformi("layerBit", index < MaximumShadowingLights ? index : -1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
-  if (shadows)
+  if (planes)
   {
     this->Boundaries.Use(program);
     program->SetUniformi("resume", lists == Lists::LongRest ? 1 : 0);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
+  if (lists == Lists::Map)
+  {
+    this->SetMapUniforms(program, index);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Frame::SetMapUniforms(vtkShaderProgram* program, int index)
+{
+  const ShadowMap* map = this->GetMap(index);
+  double scale = 0.0;
+  if (map)
+  {
+    map->SetUniforms(program, *this->Rays);
+    scale = map->GetExtent();
+  }
+  else
+  {
+    program->SetUniformi("mapKind", 0);
+  }
+  if (this->Settings.Shadows == ShadowMethod::March)
+  {
+    scale = GetFadingLength(this->Media);
+  }
+  program->SetUniformi("marchSteps", this->Settings.Steps);
+  program->SetUniformf("marchScale", static_cast<float>(scale));
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Resolve(int index, Lists lists, int row, int rows)
+{
+  Quad& quad = this->ResolveQuads[lists == Lists::Map
+      ? this->ResolveQuads.size() - 1
+      : std::min<size_t>(static_cast<size_t>(lists), static_cast<size_t>(Lists::Long))];
+  vtkShaderProgram* program = quad.Ready(this->Window, this->GetResolveSource(index, lists));
+  if (!program)
+  {
+    return this->Fail("the airlight shader did not compile: " + quad.GetError());
+  }
+  if (!this->Textures.Bind(this->GetScatterTargets(), nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->SetResolveUniforms(program, index, lists);
 
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -139,8 +223,10 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(0, row, this->Width, rows);
+  ShadowMap* map = lists == Lists::Map ? this->GetMap(index) : nullptr;
   quad.Draw(
-    { { "distances", this->Textures.Distances }, { "airlightData", this->Data.GetTexture() } });
+    { { "distances", this->Textures.Distances }, { "airlightData", this->Data.GetTexture() },
+      { "shadowMap", map ? map->GetTexture() : this->Textures.Distances.Get() } });
   state->vtkglScissor(0, 0, this->Width, this->Height);
   return true;
 }

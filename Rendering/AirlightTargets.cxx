@@ -114,7 +114,9 @@ bool Targets::Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObje
     this->Framebuffer->DeactivateDrawBuffers();
     this->Framebuffer->DeactivateReadBuffer();
   }
-  this->Framebuffer->StartNonOrtho(this->Width, this->Height);
+  const int width = count > 0 ? static_cast<int>(colours[0]->GetWidth()) : this->Width;
+  const int height = count > 0 ? static_cast<int>(colours[0]->GetHeight()) : this->Height;
+  this->Framebuffer->StartNonOrtho(width, height);
   vtkOpenGLState* state = this->Window->GetState();
   // VTK's record of the draw buffers outlives the framebuffer that had them, and the next one that
   // asks for as many would not get them.
@@ -124,8 +126,8 @@ bool Targets::Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObje
     buffers[i] = GL_COLOR_ATTACHMENT0 + i;
   }
   state->vtkglDrawBuffers(8, buffers);
-  state->vtkglViewport(0, 0, this->Width, this->Height);
-  state->vtkglScissor(0, 0, this->Width, this->Height);
+  state->vtkglViewport(0, 0, width, height);
+  state->vtkglScissor(0, 0, width, height);
   const char* description = "";
   if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, description))
   {

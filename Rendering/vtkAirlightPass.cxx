@@ -81,10 +81,11 @@ vtkParticipatingMedium* vtkAirlightPass::GetMedium(int index)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetShadowTechnique(int technique)
 {
-  if (technique < NONE || technique > AUTOMATIC)
+  if (technique < NONE || technique > RAY_MARCH)
   {
     vtkErrorMacro(<< "ShadowTechnique " << technique
-                  << " is not a technique: use NONE, SHADOW_PLANES or AUTOMATIC.");
+                  << " is not a technique: use NONE, SHADOW_PLANES, SHADOW_MAP, RAY_MARCH or "
+                     "AUTOMATIC.");
     return;
   }
   if (this->ShadowTechnique != technique)
@@ -110,6 +111,39 @@ void vtkAirlightPass::SetDebugView(int view)
   }
 }
 
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetShadowMapResolution(int resolution)
+{
+  if (resolution < 16 || resolution > 8192)
+  {
+    vtkErrorMacro(<< "ShadowMapResolution " << resolution << " must be from 16 to 8192; it stays "
+                  << this->ShadowMapResolution << ".");
+    return;
+  }
+  if (this->ShadowMapResolution != resolution)
+  {
+    this->ShadowMapResolution = resolution;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetNumberOfSteps(int steps)
+{
+  if (steps < 1 || steps > 2048)
+  {
+    vtkErrorMacro(<< "NumberOfSteps " << steps << " must be from 1 to 2048; it stays "
+                  << this->NumberOfSteps << ".");
+    return;
+  }
+  if (this->NumberOfSteps != steps)
+  {
+    this->NumberOfSteps = steps;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkAirlightPass::GetEffectiveShadowTechnique() { return this->Impl->EffectiveTechnique; }
 
 //------------------------------------------------------------------------------
@@ -217,6 +251,10 @@ bool vtkAirlightPass::SetShaderParameters(
   SetSurfaceUniforms(program, values);
   // VTK leaves the lights of another renderer in a program that both use and that is newer than they.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+  if (this->Impl->DrawsMap)
+  {
+    this->Impl->MapPrograms.insert(program);
+  }
   return true;
 }
 
@@ -232,10 +270,12 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   {
     medium->PrintSelf(os, indent.GetNextIndent());
   }
-  const char* techniques[] = { "None", "ShadowPlanes", "Automatic" };
+  const char* techniques[] = { "None", "ShadowPlanes", "Automatic", "ShadowMap", "RayMarch" };
   os << indent << "ShadowTechnique: " << techniques[this->ShadowTechnique] << "\n";
   os << indent << "EffectiveShadowTechnique: " << techniques[this->GetEffectiveShadowTechnique()]
      << "\n";
+  os << indent << "ShadowMapResolution: " << this->ShadowMapResolution << "\n";
+  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
   os << indent << "ScatteredSurfaceLight: " << this->ScatteredSurfaceLight << "\n";
   os << indent << "LinearInput: " << this->LinearInput << "\n";

@@ -45,8 +45,8 @@
  *  - At most eight media; where they overlap, their coefficients add.
  *  - A layer that keeps the depth of those below (vtkRenderer::SetPreserveDepthBuffer()) is drawn
  *    over them. Over other layers the medium is as opaque as the mean of its colours.
- *  - Volumetric shadows need OpenGL 4.3; without it the scene is drawn with airlight and without
- *    volumetric shadows, and one warning says so.
+ *  - Exact volumetric shadows need OpenGL 4.3; without it they come from shadow maps, and one
+ *    warning says so.
  *
  * One pass may serve several renderers, of one window or of several. In several windows at once it
  * makes all its OpenGL objects anew whenever the window changes; a pass for each is faster.
@@ -101,22 +101,68 @@ public:
   {
     NONE = 0,          ///< no shadows
     SHADOW_PLANES = 1, ///< exact, from silhouette edges; needs OpenGL 4.3
-    AUTOMATIC = 2      ///< SHADOW_PLANES where possible, else NONE with one warning
+    AUTOMATIC = 2,     ///< SHADOW_PLANES where possible, else SHADOW_MAP with one warning
+    SHADOW_MAP = 3,    ///< lit intervals from shadow maps; see below
+    RAY_MARCH = 4      ///< SHADOW_MAP, with the integrand sampled at each step; for comparison
   };
 
   ///@{
   /**
    * The shadow technique. Default: AUTOMATIC.
+   *
+   * SHADOW_MAP draws what casts shadows from each light into a map of distances: six square faces
+   * around a light at a place, one for a spot of up to 60 degrees or a directional light. Each view
+   * ray is walked in GetNumberOfSteps() steps, of equal angle seen from a light at a place; where
+   * light turns into shadow or back between two steps, eight halvings find the place, and each lit
+   * interval is integrated as with SHADOW_PLANES. It is not exact: edges of shadows are as coarse as
+   * the map's texels, and what begins and ends within one step is missed. Faces do not shadow
+   * themselves: the map holds the largest distance of each face within three quarters of a texel,
+   * which is a bias by the face's slope. On surfaces the nearest of four texels counts, which shrinks
+   * shadows by up to half a texel. A directional light's map covers all that casts.
+   *
+   * Besides the polygons that cast with SHADOW_PLANES, opaque actors of other mappers cast, as those
+   * draw them: glyphs, point gaussians, imposters. While there are any (parts of assemblies apart),
+   * maps are drawn anew each frame, with a camera of each face as the renderer's active one.
+   *
+   * RAY_MARCH takes the integrand in the middle of each step, in the same maps: what others do.
+   *
+   * Where OpenGL 4.3 is missing, AUTOMATIC and SHADOW_PLANES take SHADOW_MAP, the first with a
+   * warning, the other with an error.
+   *
+   * Cost of SHADOW_MAP: for each light 24 bytes a texel of a face (24 MiB at 1024 texels a side), drawn
+   * anew when the light or a caster changes; per pixel and light GetNumberOfSteps() look-ups and one
+   * closed form per boundary found.
    */
   void SetShadowTechnique(int technique);
   vtkGetMacro(ShadowTechnique, int);
   void SetShadowTechniqueToNone() { this->SetShadowTechnique(NONE); }
   void SetShadowTechniqueToShadowPlanes() { this->SetShadowTechnique(SHADOW_PLANES); }
   void SetShadowTechniqueToAutomatic() { this->SetShadowTechnique(AUTOMATIC); }
+  void SetShadowTechniqueToShadowMap() { this->SetShadowTechnique(SHADOW_MAP); }
+  void SetShadowTechniqueToRayMarch() { this->SetShadowTechnique(RAY_MARCH); }
+  ///@}
+
+  ///@{
+  /**
+   * Texels along the side of each of the six faces of a shadow map, for SHADOW_MAP and RAY_MARCH;
+   * a map of one face has as many texels as six together. A third of the largest texture that the graphics card has
+   * is the most that it can draw.
+   * Range: 16 to 8192. Default: 1024.
+   */
+  void SetShadowMapResolution(int resolution);
+  vtkGetMacro(ShadowMapResolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Steps along each view ray, for SHADOW_MAP and RAY_MARCH. Range: 1 to 2048. Default: 64.
+   */
+  void SetNumberOfSteps(int steps);
+  vtkGetMacro(NumberOfSteps, int);
   ///@}
 
   /**
-   * The technique used in the last frame: NONE or SHADOW_PLANES.
+   * The technique used in the last frame: any but AUTOMATIC.
    */
   int GetEffectiveShadowTechnique();
 
@@ -286,13 +332,15 @@ public:
    *  - "Depth": distance along the unit ray, world units; -1 where there is no surface;
    *  - "LitLength": length of the ray inside media (once where they overlap) that light reaches,
    *    summed over lights;
-   *  - "BoundaryCount": number of shadow planes that the ray crosses, summed over lights;
+   *  - "BoundaryCount": number of shadow planes that the ray crosses, or of changes between light
+   *    and shadow that a shadow map shows on it, summed over lights;
    *  - "ErrorBound": how far each component of "Airlight" may be from the exact integral, W/(m^2 sr):
    *    for each light the error bound of the medium's phase function
    *    (vtkParticipatingMedium::GetPhaseErrorBound()) times the light's airlight, and 1e-4 (closed
    *    forms) or 1e-3 (quadrature) of the airlight that the ray would have without shadows; and 1e-4
    *    of the ambient part. A ray that meets the very edge of a shadow within rounding, some 1e-6
-   *    of its distance, may fall on either side of it, which this does not count;
+   *    of its distance, may fall on either side of it, which this does not count, nor what
+   *    SHADOW_MAP and RAY_MARCH miss;
    *  - "Airlight:0", "Airlight:1", ... (RGB): the airlight of each switched-on light, in the order
    *    of the renderer's lights.
    */
@@ -332,6 +380,8 @@ private:
   void operator=(const vtkAirlightPass&) = delete;
 
   int ShadowTechnique = AUTOMATIC;
+  int ShadowMapResolution = 1024;
+  int NumberOfSteps = 64;
   bool SurfaceShadows = true;
   bool ScatteredSurfaceLight = false;
   bool LinearInput = true;

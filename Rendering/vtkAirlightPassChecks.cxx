@@ -97,22 +97,24 @@ void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
 //------------------------------------------------------------------------------
 int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
 {
-  if (this->Self->ShadowTechnique == NONE)
+  const int technique = this->Self->ShadowTechnique;
+  if (technique != SHADOW_PLANES && technique != AUTOMATIC)
   {
-    return NONE;
+    return technique;
   }
   if (ShadowLists::IsSupported(window))
   {
     return SHADOW_PLANES;
   }
-  const std::string text =
-    "Shadow planes need OpenGL 4.3 with storage buffers, which this window lacks: the picture has "
-    "airlight and no shadows. Update the graphics driver, or call SetShadowTechniqueToNone().";
-  if (this->Self->ShadowTechnique == SHADOW_PLANES && !this->WarnedOpenGL)
+  const std::string text = "Shadow planes need OpenGL 4.3 with storage buffers, which this window "
+                           "lacks: shadows come from "
+                           "shadow maps, which are less exact. Update the graphics driver, or call "
+                           "SetShadowTechniqueToShadowMap().";
+  if (technique == SHADOW_PLANES && !this->WarnedOpenGL)
   {
     this->WarnedOpenGL = true;
     vtkErrorWithObjectMacro(this->Self, << text);
   }
   this->WarnOnce(this->WarnedOpenGL, text);
-  return NONE;
+  return SHADOW_MAP;
 }

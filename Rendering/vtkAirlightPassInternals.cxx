@@ -4,18 +4,39 @@
 
 #include "AirlightOpenGL.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 using namespace airlight;
+
+namespace
+{
+ShadowMethod GetMethod(int technique)
+{
+  switch (technique)
+  {
+    case vtkAirlightPass::SHADOW_PLANES:
+      return ShadowMethod::Planes;
+    case vtkAirlightPass::SHADOW_MAP:
+      return ShadowMethod::Map;
+    case vtkAirlightPass::RAY_MARCH:
+      return ShadowMethod::March;
+    default:
+      return ShadowMethod::None;
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 vtkAirlightPass::Internals::Internals(vtkAirlightPass* self)
@@ -113,7 +134,11 @@ bool vtkAirlightPass::Internals::RenderFrame(
 
   this->EffectiveTechnique = this->ChooseTechnique(window);
   FrameSettings settings;
-  settings.Shadows = this->EffectiveTechnique == SHADOW_PLANES;
+  settings.Shadows = GetMethod(this->EffectiveTechnique);
+  settings.MapResolution = this->Self->ShadowMapResolution;
+  settings.Steps = this->Self->NumberOfSteps;
+  settings.Draw = [this, s](const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y,
+                    int side) { this->DrawInMap(s, actors, camera, x, y, side); };
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Layers = layers;
@@ -159,7 +184,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
 //------------------------------------------------------------------------------
 bool vtkAirlightPass::Internals::IsDrawnLater(vtkProp* prop)
 {
-  return this->CurrentFrame.HasLayers() && this->Stage != SurfaceStage::Layer &&
+  return this->CurrentFrame.HasLayers() && !this->DrawsMap && this->Stage != SurfaceStage::Layer &&
     this->Stage != SurfaceStage::Collect && AirlightScenePass::IsSplats(prop) &&
     std::find(this->FrameProps.begin(), this->FrameProps.end(), prop) != this->FrameProps.end();
 }
@@ -215,6 +240,47 @@ bool vtkAirlightPass::Internals::CollectLayers(const vtkRenderState& inner)
     outcome = this->CurrentFrame.CheckCollected();
   }
   return outcome == LayerRecords::Outcome::Done;
+}
+
+//------------------------------------------------------------------------------
+// Actors outside the view are not among those that the pass has taken hold of.
+void vtkAirlightPass::Internals::DrawInMap(const vtkRenderState* s,
+  const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y, int side)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkProp** seen = s->GetPropArray();
+  std::vector<vtkProp*> unseen;
+  std::copy_if(actors.begin(), actors.end(), std::back_inserter(unseen), [&](vtkProp* prop) {
+    return std::find(seen, seen + s->GetPropArrayCount(), prop) == seen + s->GetPropArrayCount();
+  });
+  vtkRenderState state(renderer);
+  state.SetPropArrayAndCount(unseen.data(), static_cast<int>(unseen.size()));
+  this->Self->PreRender(&state);
+  const vtkSmartPointer<vtkCamera> own = renderer->GetActiveCamera();
+  renderer->SetActiveCamera(camera);
+  const View view(renderer, side, side);
+  if (view.IsValid())
+  {
+    this->CurrentFrame.SetMapRays(&view, x, y);
+    this->DrawsMap = true;
+    this->RenderStage(SurfaceStage::Distance, [&] {
+      for (vtkActor* actor : actors)
+      {
+        actor->RenderOpaqueGeometry(renderer);
+      }
+    });
+    this->DrawsMap = false;
+    this->CurrentFrame.SetMapRays(nullptr, 0, 0);
+  }
+  // VTK takes lights in the coordinates of a camera changed before for those of its own.
+  for (vtkShaderProgram* program : this->MapPrograms)
+  {
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::CameraGroup, 0);
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+  }
+  this->MapPrograms.clear();
+  renderer->SetActiveCamera(own);
+  this->Self->PostRender(&state);
 }
 
 //------------------------------------------------------------------------------

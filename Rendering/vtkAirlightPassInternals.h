@@ -23,13 +23,17 @@
 #include "vtkWeakPointer.h"
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
+class vtkActor;
+class vtkCamera;
 class vtkOpenGLRenderWindow;
 class vtkRenderPass;
 class vtkRenderState;
 class vtkRenderer;
+class vtkShaderProgram;
 
 class vtkAirlightPass::Internals
 {
@@ -67,6 +71,8 @@ public:
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
   int EffectiveTechnique = NONE;
   airlight::SurfaceText MapperText; // of the mappers' shaders
+  bool DrawsMap = false;
+  std::set<vtkShaderProgram*> MapPrograms; // those used for the map that is drawn
   vtkTimeStamp ShaderTime;
   std::string Error;
 
@@ -93,6 +99,8 @@ private:
   void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media,
     const std::vector<airlight::Lamp>& lamps, bool translucent);
   vtkRenderPass* GetDelegate(bool opaqueOnly);
+  void DrawInMap(const vtkRenderState* s, const std::vector<vtkActor*>& actors, vtkCamera* camera,
+    int x, int y, int side);
 };
 
 #endif

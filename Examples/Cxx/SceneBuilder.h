@@ -22,6 +22,7 @@ struct RenderSettings
   bool UseMedium = true;      ///< false: VTK's plain lighting, without medium and shadows
   bool RecordBuffers = false; ///< for vtkAirlightPass::GetBuffer()
   int ShadowTechnique = vtkAirlightPass::AUTOMATIC;
+  int Steps = 64; ///< vtkAirlightPass::SetNumberOfSteps()
 };
 
 /**

@@ -11,6 +11,7 @@
 #include "UserError.h"
 
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace airlight
@@ -34,6 +35,24 @@ CLI::Option* AddText(
   CLI::App* command, const char* name, std::vector<std::string>& texts, const char* help)
 {
   return command->add_option(name, texts, help)->expected(1)->allow_extra_args(false);
+}
+
+const std::map<std::string, int> Techniques = {
+  { "Automatic", vtkAirlightPass::AUTOMATIC },
+  { "ShadowPlanes", vtkAirlightPass::SHADOW_PLANES },
+  { "ShadowMap", vtkAirlightPass::SHADOW_MAP },
+  { "RayMarch", vtkAirlightPass::RAY_MARCH },
+  { "None", vtkAirlightPass::NONE },
+};
+
+std::vector<std::string> GetTechniqueNames()
+{
+  std::vector<std::string> names;
+  for (const auto& technique : Techniques)
+  {
+    names.push_back(technique.first);
+  }
+  return names;
 }
 
 // To what is wrong with a file, add the option that names it.
@@ -90,7 +109,12 @@ void SceneOptions::AddMediumOptions(CLI::App* command)
     "Light surfaces also by the light that the medium scatters onto them; slow without a graphics "
     "card"));
   options.push_back(command->add_option("--technique", this->Technique, "Shadow technique")
-                      ->check(CLI::IsMember({ "Automatic", "ShadowPlanes", "None" }))
+                      ->check(CLI::IsMember(GetTechniqueNames()))
+                      ->capture_default_str());
+  options.push_back(command
+                      ->add_option("--steps", this->Steps,
+                        "Steps along each ray of the techniques ShadowMap and RayMarch")
+                      ->check(CLI::Range(1, 2048))
                       ->capture_default_str());
   CLI::Option* noMedium = command->add_flag(
     "--no-medium", this->NoMedium, "VTK's plain lighting: no medium and no shadows");
@@ -224,14 +248,8 @@ RenderSettings SceneOptions::GetSettings() const
 {
   RenderSettings settings;
   settings.UseMedium = !this->NoMedium;
-  if (this->Technique == "ShadowPlanes")
-  {
-    settings.ShadowTechnique = vtkAirlightPass::SHADOW_PLANES;
-  }
-  else if (this->Technique == "None")
-  {
-    settings.ShadowTechnique = vtkAirlightPass::NONE;
-  }
+  settings.ShadowTechnique = Techniques.at(this->Technique);
+  settings.Steps = this->Steps;
   return settings;
 }
 

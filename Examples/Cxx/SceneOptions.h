@@ -65,6 +65,7 @@ private:
   Text Surface;
   Text HeightFog;
   std::string Technique = "Automatic";
+  int Steps = 64;
   bool Glow = false;
   bool NoMedium = false;
 };

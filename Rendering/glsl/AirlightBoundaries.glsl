@@ -34,7 +34,8 @@ int boundariesLeft;
 
 // False where nothing is left to do. Otherwise where to go on: a pause leaves its distance and its
 // count of shadows in the last boundary read, which becomes the head.
-bool airlightOpenBoundaries(ivec2 pixel, inout float from, inout int shadows)
+bool airlightOpenBoundaries(
+  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout int shadows)
 {
   boundaryNode = heads[airlightHeadIndex(pixel)];
   boundaryLast = 0u;
@@ -81,7 +82,8 @@ int listSize;
 int listNext;
 
 // False where the list is too long for the local array.
-bool airlightOpenBoundaries(ivec2 pixel, inout float from, inout int shadows)
+bool airlightOpenBoundaries(
+  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout int shadows)
 {
   listSize = 0;
   listNext = 0;

@@ -4,7 +4,8 @@ const int AIRLIGHT_MORE = 0;
 const int AIRLIGHT_PAUSE = 1;
 const int AIRLIGHT_END = 2;
 
-bool airlightOpenBoundaries(ivec2 pixel, inout float from, inout int shadows)
+bool airlightOpenBoundaries(
+  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout int shadows)
 {
   return true;
 }

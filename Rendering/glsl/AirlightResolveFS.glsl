@@ -1,8 +1,6 @@
 // One light's airlight along each pixel's ray: the sum over the ray's lit intervals. Blended
 // additively, light by light.
 
-uniform AirlightMedia media;
-uniform AirlightLight light;
 uniform sampler2D distances;
 uniform int startCount; // shadow volumes that hold the ray's start
 uniform vec4 litBit;    // what to add where the surface is lit
@@ -62,10 +60,19 @@ void main()
     ray.foot.h = max(lightDistance(p), light.radius);
   }
 
+#ifdef AIRLIGHT_RAY_MARCH
+  float litLength;
+  int boundaries;
+  bool surfaceLit;
+  vec3 sum = airlightMarched(ray, surface, litLength, boundaries, surfaceLit);
+  int state = AIRLIGHT_END;
+  int shadows = surfaceLit ? 0 : 1;
+  bool shadowless = false;
+#else
   float from = ray.lit.x;
   float runStart = -1.0; // of what is lit, or not, as a whole
   int shadows = startCount;
-  if (!airlightOpenBoundaries(pixel, from, shadows))
+  if (!airlightOpenBoundaries(pixel, ray, surface, from, shadows))
   {
     discard;
   }
@@ -76,6 +83,7 @@ void main()
   vec3 sum = vec3(0.0);
   float litLength = 0.0;
   int boundaries = 0;
+  bool startsLit = shadows <= 0;
 
   int state = AIRLIGHT_MORE;
   while (state == AIRLIGHT_MORE)
@@ -119,6 +127,8 @@ void main()
     shadows = next;
   }
   airlightCloseBoundaries(pixel, state, from, shadows);
+  bool shadowless = boundaries == 0 && startsLit;
+#endif
 
   // A channel that does not scatter is dark, whatever the limit of its integral.
   vec3 sigmaS = vec3(0.0);
@@ -130,7 +140,6 @@ void main()
   lit = state == AIRLIGHT_END && shadows <= 0 ? litBit : vec4(0.0);
 #ifdef AIRLIGHT_RECORD
   single = airlight;
-  bool shadowless = boundaries == 0 && startCount <= 0;
   vec3 whole = shadowless ? sum : unshadowed(ray);
   whole = mix(vec3(0.0), whole, greaterThan(sigmaS, vec3(0.0)));
   // A ray that takes several draws has this error once.

@@ -86,6 +86,36 @@ class TestReferenceScenes(ProgramTest):
     def test_sun(self):
         self.check("S6_sun_window", ["mask", "shadowmask"])
 
+    def test_shadow_maps(self):
+        """Their own contract, inside and outside the shadows: half a percent, and five."""
+        for name in ("S3_ground_occluders", "S5_spot_slats", "S6_sun_window"):
+            for part, buffer in (("total", "Radiance"), ("inscatter", "Airlight"),
+                                 ("surface", "Surface")):
+                image = self.render(scene_file(name), part + ".pfm", "--buffer", buffer,
+                                    "--technique", "ShadowMap")
+                for mask in ("mask", "shadowmask"):
+                    scores = metrics(image, read_pfm(reference_file(name, part)),
+                                     read_pfm(reference_file(name, mask)))
+                    with self.subTest(scene=name, part=part, mask=mask):
+                        self.assertEqual(scores["nonfinite"], 0)
+                        self.assertLessEqual(scores["median"], 5e-3, scores)
+                        self.assertLessEqual(scores["p99"], 5e-2, scores)
+                        self.assertLessEqual(abs(scores["bias"]), 5e-3, scores)
+
+    def test_steps(self):
+        """A ray march of few steps is worse than one of many, and that worse than intervals."""
+        name = "S3_ground_occluders"
+        expected = read_pfm(reference_file(name, "inscatter"))
+        mask = read_pfm(reference_file(name, "shadowmask"))
+        errors = [
+            metrics(self.render(scene_file(name), "a.pfm", "--buffer", "Airlight", *options),
+                    expected, mask)["median"]
+            for options in (["--technique", "RayMarch", "--steps", "16"],
+                            ["--technique", "RayMarch"],
+                            ["--technique", "RayMarch", "--steps", "512"],
+                            ["--technique", "ShadowMap", "--steps", "64"])]
+        self.assertEqual(errors, sorted(errors, reverse=True))
+
     def test_options_build_the_same_scene(self):
         """Everything that S2 says, said on the command line over a scene that says otherwise."""
         with open(scene_file("S2_point_hg_pos06")) as file:

@@ -172,7 +172,8 @@ class TestBadScenes(ProgramTest):
                 (["--camera", "1,2,3:0,0,0:200"], ["--camera"]),
                 (["--exposure", "-1"], ["--exposure '-1'"]),
                 (["--buffer", "Nothing"], ["--buffer", "Radiance"]),
-                (["--technique", "Magic"], ["--technique", "ShadowPlanes"]),
+                (["--technique", "Magic"], ["--technique", "ShadowPlanes", "RayMarch"]),
+                (["--steps", "0"], ["--steps", "2048"]),
                 (["--no-medium", "--visibility", "3"], ["--no-medium"]),
                 (["--no-medium", "--exposure", "3"], ["--no-medium"])):
             with self.subTest(options=options):

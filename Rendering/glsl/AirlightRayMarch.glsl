@@ -1,0 +1,47 @@
+// The usual ray march, for comparison: the same steps as with a shadow map's boundaries, the
+// integrand taken in the middle of each.
+
+// The light that a step scatters into the ray, from parameter a to b.
+vec3 airlightMarchedStep(AirlightMarch march, float middle, float t, float a, float b)
+{
+  AirlightPiece piece = airlightPieceAt(media, march.ray.origin, march.ray.direction, t, t);
+  if (!march.point)
+  {
+    return (airlightMarchDistance(march, b) - airlightMarchDistance(march, a)) *
+      airlightSunIntegrand(media, light, march.ray, piece, t);
+  }
+  // In equal angles: dt = r^2/h dphi.
+  float h = march.ray.foot.h;
+  float r2 = h * h + middle * middle;
+  vec3 point = march.ray.origin + t * march.ray.direction;
+  return march.turn / float(marchSteps) * (r2 / h) * airlightShare(light, point) *
+    airlightPointIntegrand(media, light, march.ray, piece, middle, sqrt(r2));
+}
+
+vec3 airlightMarched(
+  AirlightRay ray, float surface, out float litLength, out int boundaries, out bool lit)
+{
+  AirlightMarch march = airlightMarch(ray, false);
+  vec3 sum = vec3(0.0);
+  litLength = 0.0;
+  boundaries = 0;
+  lit = true;
+  for (int step = 0; step < marchSteps && march.to > march.from; step++)
+  {
+    float a = airlightMarchStep(march, step);
+    float b = airlightMarchStep(march, step + 1);
+    float middle = airlightMarchMiddle(march, a, b);
+    float t = airlightMarchDistance(march, middle);
+    bool wasLit = lit;
+    lit = airlightIsLit(march.ray.origin + t * march.ray.direction);
+    boundaries += step > 0 && lit != wasLit ? 1 : 0;
+    if (lit)
+    {
+      sum += airlightMarchedStep(march, middle, t, a, b);
+      litLength += airlightLengthInside(media, ray.origin, ray.direction,
+        airlightMarchDistance(march, a), airlightMarchDistance(march, b));
+    }
+  }
+  lit = surface < 0.0 || airlightIsSurfaceLit(ray.origin + surface * ray.direction);
+  return light.intensity * sum;
+}
