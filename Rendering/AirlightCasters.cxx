@@ -157,7 +157,8 @@ void CasterCache::AddProp(vtkProp* prop)
   }
   if (auto* actor = vtkActor::SafeDownCast(prop))
   {
-    if (actor->GetMapper() && !DrawsItsPolygons(actor->GetMapper()))
+    vtkMapper* mapper = actor->GetMapper();
+    if (mapper && !DrawsItsPolygons(mapper) && !mapper->IsA("vtkGlyph3DMapper"))
     {
       this->AddOther(actor);
       return;
