@@ -142,7 +142,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Layers = layers;
-  settings.LayerRecords = layers && ShadowLists::IsSupported(window);
+  settings.LayerRecords = layers && this->MapperText.LayerRecords;
   settings.Record = this->Self->RecordBuffers || this->Self->DebugView == BOUNDARY_COUNT;
   settings.EncodedInput = !this->Self->LinearInput;
   settings.DebugView = this->Self->DebugView;

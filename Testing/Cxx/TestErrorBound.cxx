@@ -6,10 +6,8 @@
 // close); and that it is not idly large.
 
 #include "AirlightCompareScene.h"
+#include "AirlightTestBodies.h"
 #include "AirlightTestTools.h"
-
-#include "vtkConeSource.h"
-#include "vtkCubeSource.h"
 
 #include <cstdlib>
 
@@ -26,17 +24,6 @@ void SetPhase(vtkParticipatingMedium* medium, double anisotropy, double toleranc
   medium->SetPhaseFunctionToHenyeyGreenstein();
   medium->SetAnisotropy(anisotropy);
   medium->SetPhaseTolerance(tolerance);
-}
-
-void AddBodies(Scene& scene)
-{
-  vtkNew<vtkCubeSource> floor;
-  floor->SetBounds(-8, 8, -2.6, -2.5, -8, 6);
-  scene.Add(floor);
-  scene.Add(MakeSphere(1.0), [](vtkActor* actor) { actor->SetPosition(-1.5, 0, 0.3); });
-  vtkNew<vtkConeSource> cone;
-  cone->SetHeight(2.0);
-  scene.Add(cone, [](vtkActor* actor) { actor->SetPosition(1.5, 0.4, 0); });
 }
 
 double Brightest(const glm::dvec3& colour) { return std::max({ colour.x, colour.y, colour.z }); }
@@ -90,13 +77,13 @@ bool TestHonesty()
     SetPhase(scene.Medium, anisotropy, 1e-2);
     scene.AddPointLight({ 2, 4, 3 });
     scene.AddPointLight({ -4, 2, 3 }, { 10, 30, 50 });
-    AddBodies(scene);
+    AddClosedBodies(scene);
     ok = CompareHonesty(Text("two lights, g ", anisotropy), scene) && ok;
   }
   Scene falloff;
   SetPhase(falloff.Medium, 0.6, 1e-3);
   falloff.AddPointLight({ 2, 4, 3 })->SetAttenuationValues(0.0, 1.0, 0.0);
-  AddBodies(falloff);
+  AddClosedBodies(falloff);
   ok = CompareHonesty("1/r by quadrature", falloff) && ok;
 
   Scene sun;
@@ -104,7 +91,7 @@ bool TestHonesty()
   sun.Medium->SetRegionToBox();
   sun.Medium->SetBounds(-4, 3, -2, 5, -3, 4);
   sun.AddDirectionalLight({ 0.7, 2, 0.5 });
-  AddBodies(sun);
+  AddClosedBodies(sun);
   return CompareHonesty("sun in a box", sun) && ok;
 }
 
@@ -119,7 +106,7 @@ bool TestParts()
   scene.AddPointLight({ 2, 4, 3 });
   vtkLight* falloff = scene.AddPointLight({ -4, 2, 3 });
   falloff->SetAttenuationValues(1.0, 0.0, 0.1);
-  AddBodies(scene);
+  AddClosedBodies(scene);
   std::vector<Triangle> leaves;
   Random random(7);
   for (int i = 0; i < 700; ++i)

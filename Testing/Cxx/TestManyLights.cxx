@@ -4,13 +4,12 @@
 // More lights than anyone uses: 64 of all kinds, each with its shadows, light what they light one by
 // one, without a word; more than can cast shadows on surfaces get a warning, and the air is right.
 
+#include "AirlightTestBodies.h"
 #include "AirlightTestErrors.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 
 #include "vtkActorCollection.h"
-#include "vtkConeSource.h"
-#include "vtkCubeSource.h"
 
 #include <cstdlib>
 
@@ -28,13 +27,7 @@ void Fill(Scene& scene, int lights)
 {
   scene.Medium->SetRegionToBox();
   scene.Medium->SetBounds(-6, 6, -2.6, 6, -6, 6);
-  vtkNew<vtkCubeSource> floor;
-  floor->SetBounds(-8, 8, -2.6, -2.5, -8, 6);
-  scene.Add(floor);
-  scene.Add(MakeSphere(1.0), [](vtkActor* actor) { actor->SetPosition(-1.5, 0, 0.3); });
-  vtkNew<vtkConeSource> cone;
-  cone->SetHeight(2.0);
-  scene.Add(cone, [](vtkActor* actor) { actor->SetPosition(1.5, 0.4, 0); });
+  AddClosedBodies(scene);
   Random random(64);
   const auto colour = [&] {
     return glm::dvec3(random.Uniform(0.1, 2.0), random.Uniform(0.1, 2.0), random.Uniform(0.1, 2.0));

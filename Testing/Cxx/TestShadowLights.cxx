@@ -5,6 +5,7 @@
 // cameras on a shadow's very edge, against brute force (see AirlightBruteForce.h).
 
 #include "AirlightCompareScene.h"
+#include "AirlightTestBodies.h"
 
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
@@ -16,25 +17,6 @@ using namespace airlighttest;
 
 namespace
 {
-void AddBodies(Scene& scene)
-{
-  vtkNew<vtkCubeSource> cube;
-  cube->SetBounds(-8, 8, -2.6, -2.5, -8, 6);
-  scene.Add(cube);
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(1.0);
-  sphere->SetThetaResolution(14);
-  sphere->SetPhiResolution(14);
-  scene.Add(sphere, [](vtkActor* actor) { actor->SetPosition(-1.5, 0, 0.3); });
-  vtkNew<vtkConeSource> cone;
-  cone->SetHeight(2.0);
-  cone->CappingOff();
-  scene.Add(cone, [](vtkActor* actor) {
-    actor->SetPosition(1.5, 0.4, 0);
-    actor->RotateZ(50);
-  });
-}
-
 void SetParallel(Scene& scene, double scale)
 {
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
@@ -46,7 +28,7 @@ void TestParallelPoint()
 {
   Scene scene;
   scene.AddPointLight({ 2, 4, 3 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   SetParallel(scene, 4.0);
   CompareScene("parallel projection, point light", scene);
 }
@@ -56,7 +38,7 @@ void TestParallelInShadow()
   // The rays start inside shadows of what stands before and behind the camera's plane.
   Scene scene;
   scene.AddPointLight({ 1, 2, 16 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(1.0);
   scene.Add(sphere, [](vtkActor* actor) { actor->SetPosition(-1, 1.5, 12); });
@@ -69,7 +51,7 @@ void TestParallelDirectional()
 {
   Scene scene;
   scene.AddDirectionalLight({ 1, 2, 0.5 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   SetParallel(scene, 4.0);
   CompareScene("parallel projection, directional light", scene);
 }
@@ -79,7 +61,7 @@ void TestDirectional()
 {
   Scene scene;
   scene.AddDirectionalLight({ 0.7, 2, 0.5 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   CompareScene("directional light", scene);
 }
 
@@ -88,7 +70,7 @@ void TestDirectionalFromBehind()
   // The camera and the rays' beginning are in the shadow of a plate behind the camera.
   Scene scene;
   scene.AddDirectionalLight({ 0.1, 0.5, 2 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   vtkNew<vtkCubeSource> plate;
   plate->SetBounds(-0.5, 1.5, 0.5, 2.5, 12, 12.2);
   scene.Add(plate);
@@ -101,7 +83,7 @@ void TestTwoLights()
   Scene scene;
   scene.AddPointLight({ 3, 4, 2 });
   scene.AddPointLight({ -4, 2, 3 }, { 10, 30, 50 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   CompareScene("two point lights", scene);
 }
 
@@ -111,7 +93,7 @@ void TestThreeLightsOfTwoKinds()
   scene.AddPointLight({ 3, 4, 2 });
   scene.AddDirectionalLight({ -1, 1, 0.3 }, { 0.5, 0.2, 0.1 });
   scene.AddPointLight({ 0, 2, -3 }, { 10, 30, 50 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   CompareScene("two point lights and a directional one", scene);
 }
 
@@ -126,7 +108,7 @@ void TestBoxWithLight()
 {
   Scene scene;
   scene.AddPointLight({ 2, 4, 2 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   SetBox(scene);
   CompareScene("box of medium that holds the light", scene);
 }
@@ -135,7 +117,7 @@ void TestBoxWithoutLight()
 {
   Scene scene;
   scene.AddPointLight({ 5, 6, 3 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   SetBox(scene);
   CompareScene("box of medium beside the light", scene);
 }
@@ -145,7 +127,7 @@ void TestPhaseFunction()
 {
   Scene scene;
   scene.AddPointLight({ 1, 2, -3 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   scene.Medium->SetPhaseFunctionToHenyeyGreenstein();
   scene.Medium->SetAnisotropy(0.7);
   CompareScene("forward scattering medium", scene);
@@ -158,7 +140,7 @@ void TestCameraOnEdge()
 {
   Scene scene;
   scene.AddPointLight({ 0, 8, 10 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   scene.Add(MakeSoup(
     { { { 0, 4, 6 }, { 3, 4, 6 }, { 3, 4, 13 } }, { { 0, 4, 6 }, { 3, 4, 13 }, { 0, 4, 13 } } }));
   CompareScene("camera on the edge of a shadow", scene);
@@ -171,7 +153,7 @@ void TestCameraNearEdge()
   {
     Scene scene;
     scene.AddPointLight({ 0, 8, 10 });
-    AddBodies(scene);
+    AddOpenBodies(scene);
     scene.Add(MakeSoup(
       { { { x, 4, 6 }, { 3, 4, 6 }, { 3, 4, 13 } }, { { x, 4, 6 }, { 3, 4, 13 }, { x, 4, 13 } } }));
     CompareScene("camera at " + std::to_string(1e6 * x) + "e-6 of a shadow's edge", scene);

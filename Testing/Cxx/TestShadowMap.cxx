@@ -6,6 +6,7 @@
 // percentile.
 
 #include "AirlightCompareScene.h"
+#include "AirlightTestBodies.h"
 #include "AirlightTestErrors.h"
 
 #include "vtkConeSource.h"
@@ -39,25 +40,6 @@ void CompareMap(const std::string& name, Scene& scene, bool spot = false)
   CompareScene(name, scene, 700, limits);
 }
 
-void AddBodies(Scene& scene)
-{
-  vtkNew<vtkCubeSource> cube;
-  cube->SetBounds(-8, 8, -2.6, -2.5, -8, 6);
-  scene.Add(cube);
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(1.0);
-  sphere->SetThetaResolution(14);
-  sphere->SetPhiResolution(14);
-  scene.Add(sphere, [](vtkActor* actor) { actor->SetPosition(-1.5, 0, 0.3); });
-  vtkNew<vtkConeSource> cone;
-  cone->SetHeight(2.0);
-  cone->CappingOff();
-  scene.Add(cone, [](vtkActor* actor) {
-    actor->SetPosition(1.5, 0.4, 0);
-    actor->RotateZ(50);
-  });
-}
-
 // Horizontal rectangles without thickness.
 void AddSheet(Scene& scene, const glm::dvec3& centre, double dx, double dz)
 {
@@ -87,14 +69,14 @@ void TestLights()
 {
   Scene point;
   point.AddPointLight({ 2, 4, 3 });
-  AddBodies(point);
+  AddOpenBodies(point);
   CompareMap("point light", point);
   SetParallel(point);
   CompareMap("parallel projection, point light", point);
 
   Scene sun;
   sun.AddDirectionalLight({ 0.7, 2, 0.5 });
-  AddBodies(sun);
+  AddOpenBodies(sun);
   CompareMap("directional light", sun);
   SetParallel(sun);
   CompareMap("parallel projection, directional light", sun);
@@ -103,21 +85,21 @@ void TestLights()
   {
     Scene spot;
     AddSpot(spot, angle);
-    AddBodies(spot);
+    AddOpenBodies(spot);
     CompareMap("spot of " + std::to_string(angle) + " degrees", spot, true);
   }
 
   Scene both;
   both.AddPointLight({ 3, 4, 2 });
   both.AddDirectionalLight({ -1, 1, 0.3 }, { 0.5, 0.2, 0.1 });
-  AddBodies(both);
+  AddOpenBodies(both);
   CompareMap("two lights", both);
 
   Scene box;
   box.AddPointLight({ 5, 6, 3 });
   box.Medium->SetRegionToBox();
   box.Medium->SetBounds(-4, 3, -2, 5, -3, 4);
-  AddBodies(box);
+  AddOpenBodies(box);
   CompareMap("box of medium beside the light", box);
 }
 
@@ -135,7 +117,7 @@ void TestCasters()
   Scene shadow;
   // From the side: rays that leave a shadow along its very edge leave it where a texel says.
   shadow.AddPointLight({ 7, 2, 10 });
-  AddBodies(shadow);
+  AddOpenBodies(shadow);
   vtkNew<vtkCubeSource> screen;
   screen->SetBounds(3.9, 4, -1, 4, 9, 11);
   shadow.Add(screen);
@@ -240,7 +222,7 @@ void TestRayMarch()
   Scene scene;
   scene.AddPointLight({ 2, 4, 3 });
   scene.AddDirectionalLight({ 0.7, 2, 0.5 }, { 0.5, 0.2, 0.1 });
-  AddBodies(scene);
+  AddOpenBodies(scene);
   scene.Pass->SetShadowTechniqueToRayMarch();
   scene.Pass->SetNumberOfSteps(1024);
   Limits limits = MapLimits();
