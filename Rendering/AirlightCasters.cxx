@@ -49,7 +49,8 @@ bool MayCast(vtkProp* prop)
 // Mappers that draw their input's polygons as they are. The others (splats, imposters) draw something else in their place.
 bool DrawsItsPolygons(vtkMapper* mapper)
 {
-  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper")) &&
+  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") ||
+           mapper->IsA("vtkCompositePolyDataMapper")) &&
     !mapper->IsA("vtkPointGaussianMapper") && !mapper->IsA("vtkOpenGLSphereMapper") &&
     !mapper->IsA("vtkOpenGLStickMapper");
 }

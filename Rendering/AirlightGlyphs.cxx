@@ -128,7 +128,8 @@ std::vector<Glyph> GetGlyphs(vtkGlyph3DMapper* mapper)
   vtkNew<vtkTransform> transform;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    const int number = index ? static_cast<int>(GetMagnitude(index, i)) : 0;
+    // The mapper takes the norm of one component, too.
+    const int number = index ? static_cast<int>(std::abs(GetMagnitude(index, i))) : 0;
     vtkPolyData* source = mapper->GetSource(std::clamp(number, 0, sources - 1));
     if (!source || (mask && mask->GetComponent(i, 0) == 0.0))
     {

@@ -61,6 +61,15 @@ const std::vector<Content> Contents = {
     },
     0.7 },
   { "lines and tubes", [](Fog& f) { AddGlowing(f, AddLines); } },
+  { "composite",
+    [](Fog& f) {
+      AddGlowing(f, [](Theatre& t) {
+        AddComposite(t);
+        auto* mapper = vtkCompositePolyDataMapper2::SafeDownCast(
+          t.Renderer->GetActors()->GetLastActor()->GetMapper());
+        mapper->GetCompositeDataDisplayAttributes()->RemoveBlockOpacities();
+      });
+    } },
   { "glyphs", [](Fog& f) { AddGlowing(f, [](Theatre& t) { AddGlyphs(t, 1.0); }); } },
   { "scalars", [](Fog& f) { AddGlowing(f, AddScalars); } },
   { "skybox",

@@ -187,6 +187,24 @@ void TestModes(Fog& fog)
       mapper->OrientOff();
     },
     [](int i, vtkActor* a) { a->SetScale(0.5 + 0.1 * i, 0.7 + 0.1 * i, 0.9 + 0.1 * i); });
+  const auto ball = MakeSphere(0.3);
+  CheckSameAsActors(
+    fog, "indexed sources",
+    [&](vtkGlyph3DMapper* mapper, vtkPointData* data) {
+      // From -1 to 2. The mapper takes a number's size, and the last source beyond the last.
+      AddArray(data, "which", 1, [](int i, int) { return i % 4 - 1; });
+      mapper->SetSourceData(1, ball);
+      mapper->SetSourceIndexArray("which");
+      mapper->SourceIndexingOn();
+      mapper->OrientOff();
+      mapper->ScalingOff();
+    },
+    [&](int i, vtkActor* a) {
+      if (i % 4 != 1)
+      {
+        vtkPolyDataMapper::SafeDownCast(a->GetMapper())->SetInputData(ball);
+      }
+    });
 }
 }
 

@@ -9,6 +9,7 @@
 #include "vtkAssembly.h"
 #include "vtkCellType.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper.h"
 #include "vtkCompositePolyDataMapper2.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
@@ -245,6 +246,30 @@ void TestBlocks()
 }
 
 //------------------------------------------------------------------------------
+// The mapper that makes a mapper of its own for each block.
+void TestBlocksOneByOne()
+{
+  Scene scene;
+  scene.AddPointLight({ 3, 5, 3 });
+  AddFloor(scene);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    blocks->SetBlock(i, MakeSphere({ 3.0 * i - 2.0, 0, 0 }, 0.9 - 0.2 * i));
+  }
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  mapper->ScalarVisibilityOff();
+  vtkSmartPointer<vtkActor> actor = Scene::MakeActor(mapper);
+  scene.Renderer->AddActor(actor);
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    scene.AddTriangles(vtkPolyData::SafeDownCast(blocks->GetBlock(i)), actor->GetMatrix());
+  }
+  CompareScene("blocks, each with its mapper", scene);
+}
+
+//------------------------------------------------------------------------------
 void TestUnstructuredGrid()
 {
   vtkNew<vtkUnstructuredGrid> grid;
@@ -293,6 +318,7 @@ int TestShadowViews(int, char*[])
   TestTransformed();
   TestAssembly();
   TestBlocks();
+  TestBlocksOneByOne();
   TestUnstructuredGrid();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
