@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FrameScene.h"
+
+#include "vtkActor.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkLight.h"
+#include "vtkPlaneSource.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+
+namespace benchmarks
+{
+namespace
+{
+vtkSmartPointer<vtkPolyData> Make(vtkPolyDataAlgorithm* source)
+{
+  source->Update();
+  return source->GetOutput();
+}
+
+// 2 * theta * (phi - 2) triangles.
+vtkSmartPointer<vtkPolyData> MakeSphere(
+  double x, double y, double z, double radius, int theta, int phi)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(x, y, z);
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(theta);
+  sphere->SetPhiResolution(phi);
+  return Make(sphere);
+}
+
+void AddFloor(FrameScene& scene)
+{
+  vtkNew<vtkPlaneSource> floor;
+  floor->SetOrigin(-20.0, 0.0, 20.0);
+  floor->SetPoint1(20.0, 0.0, 20.0);
+  floor->SetPoint2(-20.0, 0.0, -20.0);
+  scene.Add(Make(floor));
+}
+
+void LookAtSquare(FrameScene& scene)
+{
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 4.0, 11.0);
+  camera->SetFocalPoint(0.0, 1.2, 0.0);
+  camera->SetClippingRange(0.1, 60.0);
+}
+
+// n by n places in the square of half width 4.
+double PlaceOf(int i, int n) { return 8.0 * (i + 0.5) / n - 4.0; }
+
+//------------------------------------------------------------------------------
+// 25 actors, 27 600 triangles.
+void FillSmall(FrameScene& scene)
+{
+  for (int i = 0; i < 25; ++i)
+  {
+    scene.Add(MakeSphere(
+      PlaceOf(i % 5, 5), 0.7 + 0.4 * ((7 * i) % 5), PlaceOf(i / 5, 5), 0.45, 24, 25));
+  }
+  AddFloor(scene);
+  scene.AddLamp(0.6, 4.5, -0.8);
+  LookAtSquare(scene);
+}
+
+// 900 spheres in 25 actors: a million triangles, some 30 000 silhouette edges.
+void FillHeavy(FrameScene& scene)
+{
+  for (int actor = 0; actor < 25; ++actor)
+  {
+    vtkNew<vtkAppendPolyData> append;
+    for (int i = 36 * actor; i < 36 * (actor + 1); ++i)
+    {
+      append->AddInputData(MakeSphere(
+        PlaceOf(i % 30, 30), 0.3 + 0.45 * ((7 * i) % 5), PlaceOf(i / 30, 30), 0.1, 24, 25));
+    }
+    scene.Add(Make(append));
+  }
+  AddFloor(scene);
+  scene.AddLamp(0.6, 4.5, -0.8);
+  LookAtSquare(scene);
+}
+
+//------------------------------------------------------------------------------
+// A plate with n by n square holes, each half as wide as its cell.
+vtkSmartPointer<vtkPolyData> MakeGrid(int n, double half, double height)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  const int side = 2 * n + 1;
+  for (int i = 0; i < side * side; ++i)
+  {
+    points->InsertNextPoint(half * ((i % side) / double(n) - 1.0), height,
+      half * ((i / side) / double(n) - 1.0));
+  }
+  for (int j = 0; j + 1 < side; ++j)
+  {
+    for (int i = 0; i + 1 < side; ++i)
+    {
+      if (i % 2 == 0 || j % 2 == 0)
+      {
+        const vtkIdType a = j * side + i;
+        const vtkIdType corners[4] = { a, a + 1, a + side + 1, a + side };
+        quads->InsertNextCell(4, corners);
+      }
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(quads);
+  return data;
+}
+
+void FillShafts(FrameScene& scene)
+{
+  scene.Add(MakeGrid(64, 2.0, 3.0));
+  AddFloor(scene);
+  vtkLight* spot = scene.AddLamp(0.0, 6.0, 0.0);
+  spot->SetFocalPoint(0.0, 0.0, 0.0);
+  spot->SetPositional(true);
+  spot->SetConeAngle(30.0);
+  spot->SetExponent(0.0);
+  LookAtSquare(scene);
+}
+
+void FillLights(FrameScene& scene, int count)
+{
+  FillSmall(scene);
+  scene.Renderer->RemoveAllLights();
+  for (int k = 0; k < count; ++k)
+  {
+    const double turn = 2.399963 * k; // the golden angle spreads any number of lamps
+    const double r = 0.9 * std::sqrt(static_cast<double>(k));
+    scene.AddLamp(0.6 + r * std::cos(turn), 4.5, -0.8 + r * std::sin(turn));
+  }
+}
+
+// One sphere: silhouettes grow with the square root of the triangles.
+void FillMesh(FrameScene& scene, int triangles)
+{
+  const int n = static_cast<int>(std::lround(std::sqrt(triangles / 2.0)));
+  scene.Add(MakeSphere(0.0, 1.6, 0.0, 1.2, n, n + 2));
+  AddFloor(scene);
+  scene.AddLamp(0.6, 4.5, -0.8);
+  LookAtSquare(scene);
+}
+
+std::vector<Way> AllWays(std::vector<int> steps)
+{
+  std::vector<Way> ways = { MakePlain(), MakeUnshadowed(), MakePlanes(), MakeShadowMap(64) };
+  for (int n : steps)
+  {
+    ways.push_back(MakeRayMarch(n));
+  }
+  return ways;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<SceneRecipe> MakeRecipes()
+{
+  const std::vector<Way> brief = { MakePlain(), MakeUnshadowed(), MakePlanes() };
+  const std::vector<Way> moving = { MakePlain(), MakePlanes(), MakePlanes(true) };
+  std::vector<SceneRecipe> recipes;
+  recipes.push_back(
+    { "small", FillSmall, 800, 600, AllWays({ 32, 64, 256, 1024, 2048 }) });
+  recipes.push_back({ "heavy", FillHeavy, 800, 600, AllWays({ 64, 256 }) });
+  recipes.push_back({ "shafts", FillShafts, 800, 600, AllWays({ 64, 256 }) });
+  for (int count : { 1, 4, 16 })
+  {
+    recipes.push_back({ "lights/" + std::to_string(count),
+      [count](FrameScene& scene) { FillLights(scene, count); }, 800, 600, brief });
+  }
+  const int sizes[4][2] = { { 400, 300 }, { 800, 600 }, { 1280, 960 }, { 1920, 1080 } };
+  for (const auto& size : sizes)
+  {
+    recipes.push_back({ "sizes/" + std::to_string(size[0]) + "x" + std::to_string(size[1]),
+      FillSmall, size[0], size[1], brief });
+  }
+  for (int triangles : { 10000, 100000, 1000000, 3000000 })
+  {
+    recipes.push_back({ "mesh/" + std::to_string(triangles),
+      [triangles](FrameScene& scene) { FillMesh(scene, triangles); }, 800, 600, brief });
+  }
+  recipes.push_back({ "moving", FillHeavy, 800, 600, moving });
+  return recipes;
+}
+}

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FrameScene.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkAirlight.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace benchmarks
+{
+//------------------------------------------------------------------------------
+Way MakePlain()
+{
+  Way way;
+  way.Name = "plain";
+  way.Plain = true;
+  return way;
+}
+
+Way MakeUnshadowed() { return { "no shadows", false, vtkAirlightPass::NONE, 0, false }; }
+
+Way MakePlanes(bool moves)
+{
+  return { moves ? "shadow planes, moving" : "shadow planes", false, vtkAirlightPass::SHADOW_PLANES,
+    0, moves };
+}
+
+Way MakeShadowMap(int steps)
+{
+  return { "shadow map, " + std::to_string(steps) + " steps", false, vtkAirlightPass::SHADOW_MAP,
+    steps, false };
+}
+
+Way MakeRayMarch(int steps)
+{
+  return { "equiangular march, " + std::to_string(steps) + " steps", false,
+    vtkAirlightPass::RAY_MARCH, steps, false };
+}
+
+//------------------------------------------------------------------------------
+FrameScene::FrameScene(int width, int height)
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(width, height);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->AutomaticLightCreationOff();
+  this->Medium->SetScattering(0.1, 0.1, 0.1);
+  this->Medium->SetAbsorption(0.02, 0.02, 0.02);
+  this->Pass->SetMedium(this->Medium);
+}
+
+//------------------------------------------------------------------------------
+vtkActor* FrameScene::Add(vtkPolyData* data)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.8, 0.75, 0.7);
+  this->Renderer->AddActor(actor);
+  return actor;
+}
+
+//------------------------------------------------------------------------------
+vtkLight* FrameScene::AddLamp(double x, double y, double z)
+{
+  vtkNew<vtkLight> lamp;
+  const double intensity[3] = { 30.0, 28.0, 25.0 };
+  vtkAirlight::SetRadiantIntensity(lamp, intensity);
+  lamp->SetLightTypeToSceneLight();
+  lamp->SetPosition(x, y, z);
+  this->Renderer->AddLight(lamp);
+  return lamp;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType FrameScene::CountTriangles()
+{
+  vtkIdType count = 0;
+  vtkActorCollection* actors = this->Renderer->GetActors();
+  vtkCollectionSimpleIterator it = nullptr;
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    count += vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))->GetNumberOfPolys();
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+void FrameScene::Set(const Way& way)
+{
+  this->Renderer->SetPass(way.Plain ? nullptr : this->Pass.Get());
+  this->Pass->SetShadowTechnique(way.Technique);
+  if (way.Steps > 0)
+  {
+    this->Pass->SetNumberOfSteps(way.Steps);
+  }
+}
+
+//------------------------------------------------------------------------------
+// To and fro, so that the frames of all ways see the same on average.
+void FrameScene::Turn(const Way& way)
+{
+  const double angle = this->Frames++ % 2 == 0 ? 0.4 : -0.4;
+  this->Renderer->GetActiveCamera()->Azimuth(angle);
+  if (way.Moves)
+  {
+    auto* lamp = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
+    const double* p = lamp->GetPosition();
+    lamp->SetPosition(p[0] + 0.1 * angle, p[1], p[2] + 0.05 * angle);
+    auto* actor = vtkActor::SafeDownCast(this->Renderer->GetActors()->GetItemAsObject(0));
+    actor->AddPosition(0.1 * angle, 0.0, 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameScene::Draw()
+{
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+}
+
+//------------------------------------------------------------------------------
+double FrameScene::Time(const Way& way)
+{
+  this->Set(way);
+  this->Turn(way);
+  this->Draw();
+  this->Turn(way);
+  const auto start = std::chrono::steady_clock::now();
+  this->Draw();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> FrameScene::RecordAirlight(const Way& way)
+{
+  this->Set(way);
+  this->Pass->RecordBuffersOn();
+  this->Draw();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->DeepCopy(this->Pass->GetBuffer("Airlight"));
+  this->Pass->RecordBuffersOff();
+  return image;
+}
+}

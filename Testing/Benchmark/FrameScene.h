@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The scenes whose frames are timed, each in a window of its own off screen, and the ways to draw
+ * them. The camera turns a little before each frame, so that nothing is taken over from the frame
+ * before that a user who looks around would not have either.
+ */
+
+#ifndef FrameScene_h
+#define FrameScene_h
+
+#include "vtkAirlightPass.h"
+#include "vtkNew.h"
+#include "vtkParticipatingMedium.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkLight;
+class vtkPolyData;
+
+namespace benchmarks
+{
+//------------------------------------------------------------------------------
+// How a frame is drawn.
+struct Way
+{
+  std::string Name;
+  bool Plain = false; // by VTK alone
+  int Technique = 0;  // of vtkAirlightPass
+  int Steps = 0;      // where the technique takes any
+  bool Moves = false; // the first light and the first actor move before each frame
+};
+
+Way MakePlain();
+Way MakeUnshadowed();
+Way MakePlanes(bool moves = false);
+Way MakeShadowMap(int steps);
+Way MakeRayMarch(int steps);
+
+//------------------------------------------------------------------------------
+class FrameScene
+{
+public:
+  FrameScene(int width, int height);
+  FrameScene(const FrameScene&) = delete;
+  void operator=(const FrameScene&) = delete;
+
+  // Seconds of one frame, after another that is not timed and makes shaders and buffers.
+  double Time(const Way& way);
+
+  // Radiance of the airlight of one frame at this size, as the pass records it.
+  vtkSmartPointer<vtkImageData> RecordAirlight(const Way& way);
+
+  vtkActor* Add(vtkPolyData* data);
+  vtkLight* AddLamp(double x, double y, double z);
+
+  vtkIdType CountTriangles();
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkParticipatingMedium> Medium;
+
+private:
+  void Set(const Way& way);
+  void Turn(const Way& way);
+  void Draw();
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkAirlightPass> Pass;
+  int Frames = 0;
+};
+
+//------------------------------------------------------------------------------
+struct SceneRecipe
+{
+  std::string Name;
+  std::function<void(FrameScene&)> Fill;
+  int Width = 800;
+  int Height = 600;
+  std::vector<Way> Ways;
+};
+
+// All there are; see Documentation/benchmarks.md for what each is for.
+std::vector<SceneRecipe> MakeRecipes();
+}
+
+#endif
