@@ -80,6 +80,25 @@ void SetMediumUniforms(
 }
 
 //------------------------------------------------------------------------------
+// What all media have in common, said when shaders are compiled.
+std::string DefineCommon(const f64::AirlightMedia& media)
+{
+  const auto* first = media.item;
+  const auto* end = media.item + media.count;
+  const bool sameRegion = std::all_of(first, end,
+    [first](const auto& medium) { return medium.region.kind == first->region.kind; });
+  const bool sameDensity =
+    std::all_of(first, end, [first](const auto& medium) { return medium.density == first->density; });
+  const bool power =
+    std::any_of(first, end, [](const auto& medium) { return medium.phase.power.x > 0.0; });
+  const bool grey =
+    std::all_of(first, end, [](const auto& medium) { return f64::airlightIsGrey(medium); });
+  return (sameRegion ? Define("AIRLIGHT_REGION_KIND(region)", first->region.kind) : "") +
+    (sameDensity ? Define("AIRLIGHT_DENSITY_KIND(medium)", first->density) : "") +
+    Define("AIRLIGHT_HAS_POWER", power) + Define("AIRLIGHT_GREY", grey);
+}
+
+//------------------------------------------------------------------------------
 std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, bool photometry)
 {
   const auto* end = media.item + media.count;
@@ -95,6 +114,7 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
           Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)
                       : "") +
+    DefineCommon(media) +
     (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") + AirlightExponentialIntegral +
     AirlightGauss + AirlightGoniometric + AirlightPhase + AirlightPointLight + AirlightRegion +
     AirlightMedium + AirlightClosedSurface + AirlightPath + AirlightMedia + AirlightLight +

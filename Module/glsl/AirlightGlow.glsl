@@ -185,7 +185,7 @@ AIRLIGHT_FN real3 airlightGlowLattice(AIRLIGHT_IN(AirlightMedia) media,
   int stride = AIRLIGHT_GLOW_FEW_STEP;
   // Where rays leave a box through an edge, radiance has kinks, which take more nodes.
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED &&
-    media.item[0].region.kind == AIRLIGHT_REGION_BOX)
+    AIRLIGHT_REGION_KIND(media.item[0].region) == AIRLIGHT_REGION_BOX)
   {
     count = AIRLIGHT_GLOW_SOME;
     stride = AIRLIGHT_GLOW_SOME_STEP;
@@ -223,7 +223,7 @@ AIRLIGHT_FN real3 airlightGlow(AIRLIGHT_IN(AirlightMedia) media,
   bool closed = AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED ||
     AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_CLOSED;
   real3 sum = closed && light.cosCone <= real(0.0) &&
-      media.item[0].region.kind == AIRLIGHT_REGION_UNBOUNDED
+      AIRLIGHT_REGION_KIND(media.item[0].region) == AIRLIGHT_REGION_UNBOUNDED
     ? airlightGlowRound(media, light, frame)
     : airlightGlowLattice(media, light, frame);
   // A channel that does not scatter is dark, whatever the limit of its integral.

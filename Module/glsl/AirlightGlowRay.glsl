@@ -47,7 +47,7 @@ AIRLIGHT_FN AirlightGlowFrame airlightGlowFrame(AIRLIGHT_IN(AirlightMedia) media
     if (sun || !airlightHolds(media.item[0].region, light.position))
     {
       AirlightRegion region = media.item[0].region;
-      way = (region.kind == AIRLIGHT_REGION_SPHERE
+      way = (AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SPHERE
                 ? region.centre
                 : real(0.5) * (region.boxMin + region.boxMax)) -
         point;
@@ -71,7 +71,7 @@ AIRLIGHT_FN AirlightGlowFrame airlightGlowFrame(AIRLIGHT_IN(AirlightMedia) media
 AIRLIGHT_FN real airlightGlowReach(AIRLIGHT_IN(AirlightMedium) medium, real3 direction, real way)
 {
   real slope = dot(medium.up, direction) * medium.inverseScaleHeight;
-  if (medium.density == AIRLIGHT_DENSITY_UNIFORM || abs(slope) * way < real(1.0))
+  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_UNIFORM || abs(slope) * way < real(1.0))
   {
     return way;
   }

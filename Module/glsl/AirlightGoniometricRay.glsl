@@ -116,7 +116,7 @@ AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
   real reach = real(0.5) * (w1 - w0);
   // Not where the light comes in from outside a region: there its way has kinks of its own.
   bool smoothWay = AIRLIGHT_MEDIUM_COUNT == 1 &&
-    media.item[0].region.kind != AIRLIGHT_REGION_SURFACE &&
+    AIRLIGHT_REGION_KIND(media.item[0].region) != AIRLIGHT_REGION_SURFACE &&
     airlightHolds(media.item[0].region, light.position);
   bool narrow = smoothWay && (straight || w1 - w0 < real(AIRLIGHT_NARROW));
   int count = narrow ? 3 : AIRLIGHT_GAUSS_COUNT;

@@ -117,11 +117,11 @@ AIRLIGHT_FN real airlightNextKink(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(
   t0 += real(1e-6) * (t1 - t0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (media.item[i].region.kind == AIRLIGHT_REGION_BOX)
+    if (AIRLIGHT_REGION_KIND(media.item[i].region) == AIRLIGHT_REGION_BOX)
     {
       t1 = airlightBoxKink(media.item[i].region, way, t0, t1);
     }
-    else if (media.item[i].region.kind == AIRLIGHT_REGION_SPHERE && AIRLIGHT_MEDIUM_COUNT > 1)
+    else if (AIRLIGHT_REGION_KIND(media.item[i].region) == AIRLIGHT_REGION_SPHERE && AIRLIGHT_MEDIUM_COUNT > 1)
     {
       t1 = airlightSphereKink(media.item[i].region, way, t0, t1);
     }

@@ -86,7 +86,7 @@ AIRLIGHT_FN AirlightPiece airlightPieceAt(
 AIRLIGHT_FN real airlightLengthInside(
   AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
 {
-  if (AIRLIGHT_MEDIUM_COUNT == 1 && media.item[0].region.kind != AIRLIGHT_REGION_SURFACE)
+  if (AIRLIGHT_MEDIUM_COUNT == 1 && AIRLIGHT_REGION_KIND(media.item[0].region) != AIRLIGHT_REGION_SURFACE)
   {
     return t1 - t0;
   }
@@ -150,7 +150,7 @@ AIRLIGHT_FN real3 airlightAmbientInPiece(AIRLIGHT_IN(AirlightMedia) media,
   {
     if (airlightPieceHolds(piece, i))
     {
-      uniformly = uniformly && media.item[i].density == AIRLIGHT_DENSITY_UNIFORM;
+      uniformly = uniformly && AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_UNIFORM;
       sigmaT += media.item[i].sigmaT;
       source += media.item[i].sigmaS * media.item[i].ambient;
     }

@@ -16,6 +16,11 @@ struct AirlightMedium
   real originHeight;      // of the origin of coordinates above the height of density 1
 };
 
+// Likewise.
+#ifndef AIRLIGHT_DENSITY_KIND
+#define AIRLIGHT_DENSITY_KIND(medium) (medium).density
+#endif
+
 // (1 - exp(-sigma l))/sigma, sigma >= 0: the optical length of a way of length l along which density
 // falls exponentially; l where sigma is 0.
 AIRLIGHT_FN real airlightOpticalLength(real sigma, real l)
@@ -56,7 +61,7 @@ AIRLIGHT_FN real airlightHeight(AIRLIGHT_IN(AirlightMedium) medium, real3 point)
 // Density at a point inside the region.
 AIRLIGHT_FN real airlightDensity(AIRLIGHT_IN(AirlightMedium) medium, real3 point)
 {
-  if (medium.density == AIRLIGHT_DENSITY_UNIFORM)
+  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_UNIFORM)
   {
     return real(1.0);
   }
@@ -68,7 +73,7 @@ AIRLIGHT_FN real airlightDensity(AIRLIGHT_IN(AirlightMedium) medium, real3 point
 AIRLIGHT_FN real airlightInsideDepth(
   AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real from, real to)
 {
-  if (medium.density == AIRLIGHT_DENSITY_UNIFORM)
+  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_UNIFORM)
   {
     return to - from;
   }
@@ -82,5 +87,9 @@ AIRLIGHT_FN real airlightInsideDepth(
 // True where all channels fade alike, so that one of them serves for three.
 AIRLIGHT_FN bool airlightIsGrey(AIRLIGHT_IN(AirlightMedium) medium)
 {
+#ifdef AIRLIGHT_GREY
+  return AIRLIGHT_GREY != 0;
+#else
   return medium.sigmaT.x == medium.sigmaT.y && medium.sigmaT.x == medium.sigmaT.z;
+#endif
 }

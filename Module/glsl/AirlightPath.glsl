@@ -5,7 +5,7 @@
 AIRLIGHT_FN real airlightPathDepth(
   AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real l)
 {
-  if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
+  if (AIRLIGHT_REGION_KIND(medium.region) == AIRLIGHT_REGION_SURFACE)
   {
     return airlightSurfaceSums(medium, origin, direction, l, real(0.0)).x;
   }
@@ -18,8 +18,8 @@ AIRLIGHT_FN real airlightPathDepth(
 AIRLIGHT_FN real airlightSunDepth(
   AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 toLight)
 {
-  if (medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
-    medium.density == AIRLIGHT_DENSITY_UNIFORM)
+  if (AIRLIGHT_REGION_KIND(medium.region) == AIRLIGHT_REGION_UNBOUNDED &&
+    AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_UNIFORM)
   {
     return real(0.0);
   }
@@ -40,7 +40,7 @@ AIRLIGHT_FN real2 airlightNextEnd(
   {
     return real2(range.x, real(0.0));
   }
-  if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
+  if (AIRLIGHT_REGION_KIND(medium.region) == AIRLIGHT_REGION_SURFACE)
   {
     real3 sums = airlightSurfaceSums(medium, origin, direction, real(0.0), t);
     return real2(min(sums.y, range.y), sums.z > real(0.5) ? real(1.0) : real(0.0));

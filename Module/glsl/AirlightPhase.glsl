@@ -27,6 +27,10 @@ struct AirlightPhase
 #define AIRLIGHT_POLE_ORDER phase.order
 #endif
 
+#ifndef AIRLIGHT_HAS_POWER
+#define AIRLIGHT_HAS_POWER 1
+#endif
+
 // A tabulated function: between the rows the logarithm is a cubic with the given slopes.
 AIRLIGHT_FN real airlightPhaseTable(AIRLIGHT_IN(AirlightPhase) phase, real cosTheta)
 {
@@ -57,7 +61,7 @@ AIRLIGHT_FN real airlightPhaseTable(AIRLIGHT_IN(AirlightPhase) phase, real cosTh
 // p(cosTheta) in 1/sr; cosTheta = 1 is forward.
 AIRLIGHT_FN real airlightPhase(AIRLIGHT_IN(AirlightPhase) phase, real cosTheta)
 {
-  if (phase.rows > 0)
+  if (AIRLIGHT_HAS_TABLE != 0 && phase.rows > 0)
   {
     return airlightPhaseTable(phase, cosTheta);
   }
@@ -70,7 +74,7 @@ AIRLIGHT_FN real airlightPhase(AIRLIGHT_IN(AirlightPhase) phase, real cosTheta)
     real r = real(2.0) / ((real(1.0) - cosTheta) + pole.x * pole.x * (real(1.0) + cosTheta));
     p += r * (pole.y + half1 * r * (pole.z + half1 * r * pole.w));
   }
-  if (phase.power.x > real(0.0))
+  if (AIRLIGHT_HAS_POWER != 0 && phase.power.x > real(0.0))
   {
     p += phase.power.x * pow(max(half1, real(1e-6)), phase.power.y);
   }

@@ -61,7 +61,7 @@ AIRLIGHT_FN real3 airlightTurnedSample(AIRLIGHT_IN(AirlightPhase) phase, real3 s
 // the inverse square is a constant. For short intervals, in which the difference of two tails
 // would cancel.
 AIRLIGHT_FN real3 airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real3 sigmaT,
-  AIRLIGHT_IN(AirlightFoot) foot, real t0, real t1)
+  AIRLIGHT_IN(AirlightFoot) foot, real t0, real t1, bool needed)
 {
   real x0 = t0 - foot.tL;
   real x1 = t1 - foot.tL;
@@ -73,16 +73,15 @@ AIRLIGHT_FN real3 airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real3 s
   int panels = turn > real(AIRLIGHT_WIDE_TURN) ? 4 : 1;
   real reach = real(0.5) * turn / real(panels);
   real3 sum = real3(real(0.0));
-  for (int i = 0; i < panels; i++)
+  // One loop, whose length compilers do not know: software renderers run both sides of every branch
+  // and what is unrolled, but leave a loop as soon as no pixel of a group is in it.
+  int nodes = needed ? panels * AIRLIGHT_GAUSS_COUNT : 0;
+  for (int k = 0; k < nodes; k++)
   {
-    real middle = real(2 * i + 1) * reach;
-    // A loop of its own, of constant length: compilers unroll it and fold the nodes.
-    for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
-    {
-      real2 node = airlightGaussNode(k / 2);
-      real angle = middle + (k % 2 == 0 ? reach : -reach) * node.x;
-      sum += node.y * airlightTurnedSample(phase, sigmaT, foot, x0, r0, angle);
-    }
+    real2 node = airlightGaussNode((k % AIRLIGHT_GAUSS_COUNT) / 2);
+    real middle = real(2 * (k / AIRLIGHT_GAUSS_COUNT) + 1) * reach;
+    real angle = middle + (k % 2 == 0 ? reach : -reach) * node.x;
+    sum += node.y * airlightTurnedSample(phase, sigmaT, foot, x0, r0, angle);
   }
   return sum * (reach / foot.h);
 }
@@ -95,11 +94,8 @@ AIRLIGHT_FN real3 airlightSegmentFromTails(AIRLIGHT_IN(AirlightPhase) phase, rea
   real3 least = airlightShortFraction(phase) * tail0;
   // Written so that differences that are not numbers count as short, too.
   bool3 enough = greaterThan(result, least);
-  if (!all(enough))
-  {
-    result = mix(airlightShortSegment(phase, sigmaT, foot, t0, t1), result, enough);
-  }
-  return result;
+  return mix(
+    airlightShortSegment(phase, sigmaT, foot, t0, t1, !all(enough)), result, enough);
 }
 
 // The integral over [t0, t1] per unit sigmaS I, for one channel. t0 >= 0.

@@ -22,6 +22,12 @@ struct AirlightRegion
   int nodes; // of the tree
 };
 
+// What all media have in common is known when a shader is compiled, and the rest falls away:
+// software renderers run both sides of every branch.
+#ifndef AIRLIGHT_REGION_KIND
+#define AIRLIGHT_REGION_KIND(region) (region).kind
+#endif
+
 // Clips the range (from, to) of a line to one pair of the box's planes.
 AIRLIGHT_FN real2 airlightClipSlab(real2 range, real o, real d, real lo, real hi)
 {
@@ -40,13 +46,13 @@ AIRLIGHT_FN real2 airlightRegionRange(
   AIRLIGHT_IN(AirlightRegion) region, real3 origin, real3 direction, real t1)
 {
   real2 range = real2(real(0.0), t1);
-  if (region.kind == AIRLIGHT_REGION_BOX || region.kind == AIRLIGHT_REGION_SURFACE)
+  if (AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_BOX || AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SURFACE)
   {
     range = airlightClipSlab(range, origin.x, direction.x, region.boxMin.x, region.boxMax.x);
     range = airlightClipSlab(range, origin.y, direction.y, region.boxMin.y, region.boxMax.y);
     range = airlightClipSlab(range, origin.z, direction.z, region.boxMin.z, region.boxMax.z);
   }
-  else if (region.kind == AIRLIGHT_REGION_SPHERE)
+  else if (AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SPHERE)
   {
     // From the foot of the centre on the ray, so that distant spheres keep their digits.
     real3 toCentre = region.centre - origin;
@@ -61,8 +67,8 @@ AIRLIGHT_FN real2 airlightRegionRange(
 // Whether the region, of a surface its box, holds a point.
 AIRLIGHT_FN bool airlightHolds(AIRLIGHT_IN(AirlightRegion) region, real3 point)
 {
-  return region.kind == AIRLIGHT_REGION_SPHERE
+  return AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SPHERE
     ? length(point - region.centre) <= region.radius
-    : region.kind == AIRLIGHT_REGION_UNBOUNDED ||
+    : AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_UNBOUNDED ||
       (all(greaterThanEqual(point, region.boxMin)) && all(lessThanEqual(point, region.boxMax)));
 }

@@ -43,7 +43,7 @@ AIRLIGHT_FN real3 airlightDirectionalClosed(AIRLIGHT_IN(AirlightMedium) medium,
   line[0] = real2(real(0.0), real(0.0));
   line[1] = line[0];
   line[2] = line[0];
-  if (medium.region.kind == AIRLIGHT_REGION_BOX)
+  if (AIRLIGHT_REGION_KIND(medium.region) == AIRLIGHT_REGION_BOX)
   {
     real3 o = ray.origin;
     real3 d = ray.direction;
