@@ -42,7 +42,9 @@ void Register(const SceneRecipe& recipe, const std::shared_ptr<FrameScene>& scen
         for (auto iteration : state)
         {
           static_cast<void>(iteration);
-          state.SetIterationTime(scene->Time(way));
+          const benchmarks::FrameTime time = scene->Time(way);
+          state.SetIterationTime(time.Clock);
+          state.counters["processor"] = time.Processor;
         }
         state.counters["triangles"] = triangles;
         state.counters["width"] = recipe.Width;

@@ -63,8 +63,8 @@ void FillSmall(FrameScene& scene)
 {
   for (int i = 0; i < 25; ++i)
   {
-    scene.Add(MakeSphere(
-      PlaceOf(i % 5, 5), 0.7 + 0.4 * ((7 * i) % 5), PlaceOf(i / 5, 5), 0.45, 24, 25));
+    scene.Add(
+      MakeSphere(PlaceOf(i % 5, 5), 0.7 + 0.4 * ((7 * i) % 5), PlaceOf(i / 5, 5), 0.45, 24, 25));
   }
   AddFloor(scene);
   scene.AddLamp(0.6, 4.5, -0.8);
@@ -98,8 +98,8 @@ vtkSmartPointer<vtkPolyData> MakeGrid(int n, double half, double height)
   const int side = 2 * n + 1;
   for (int i = 0; i < side * side; ++i)
   {
-    points->InsertNextPoint(half * ((i % side) / double(n) - 1.0), height,
-      half * ((i / side) / double(n) - 1.0));
+    points->InsertNextPoint(
+      half * ((i % side) / double(n) - 1.0), height, half * ((i / side) / double(n) - 1.0));
   }
   for (int j = 0; j + 1 < side; ++j)
   {
@@ -170,8 +170,7 @@ std::vector<SceneRecipe> MakeRecipes()
   const std::vector<Way> brief = { MakePlain(), MakeUnshadowed(), MakePlanes() };
   const std::vector<Way> moving = { MakePlain(), MakePlanes(), MakePlanes(true) };
   std::vector<SceneRecipe> recipes;
-  recipes.push_back(
-    { "small", FillSmall, 800, 600, AllWays({ 32, 64, 256, 1024, 2048 }) });
+  recipes.push_back({ "small", FillSmall, 800, 600, AllWays({ 32, 64, 256, 1024, 2048 }) });
   recipes.push_back({ "heavy", FillHeavy, 800, 600, AllWays({ 64, 256 }) });
   recipes.push_back({ "shafts", FillShafts, 800, 600, AllWays({ 64, 256 }) });
   for (int count : { 1, 4, 16 })

@@ -16,6 +16,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <ctime>
 
 namespace benchmarks
 {
@@ -95,7 +96,8 @@ vtkIdType FrameScene::CountTriangles()
   actors->InitTraversal(it);
   while (vtkActor* actor = actors->GetNextActor(it))
   {
-    count += vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))->GetNumberOfPolys();
+    count +=
+      vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))->GetNumberOfPolys();
   }
   return count;
 }
@@ -135,15 +137,17 @@ void FrameScene::Draw()
 }
 
 //------------------------------------------------------------------------------
-double FrameScene::Time(const Way& way)
+FrameTime FrameScene::Time(const Way& way)
 {
   this->Set(way);
   this->Turn(way);
   this->Draw();
   this->Turn(way);
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t processor = std::clock(); // of all threads
+  const auto clock = std::chrono::steady_clock::now();
   this->Draw();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - clock;
+  return { duration.count(), double(std::clock() - processor) / CLOCKS_PER_SEC };
 }
 
 //------------------------------------------------------------------------------

@@ -44,6 +44,15 @@ Way MakeShadowMap(int steps);
 Way MakeRayMarch(int steps);
 
 //------------------------------------------------------------------------------
+// Seconds. A software renderer works on all cores: its time on them counts other programs less than
+// the clock does.
+struct FrameTime
+{
+  double Clock;
+  double Processor;
+};
+
+//------------------------------------------------------------------------------
 class FrameScene
 {
 public:
@@ -51,8 +60,8 @@ public:
   FrameScene(const FrameScene&) = delete;
   void operator=(const FrameScene&) = delete;
 
-  // Seconds of one frame, after another that is not timed and makes shaders and buffers.
-  double Time(const Way& way);
+  // What one frame takes, after another that is not timed and makes shaders and buffers.
+  FrameTime Time(const Way& way);
 
   // Radiance of the airlight of one frame at this size, as the pass records it.
   vtkSmartPointer<vtkImageData> RecordAirlight(const Way& way);

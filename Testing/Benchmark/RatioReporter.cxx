@@ -18,6 +18,14 @@ double GetQuantile(std::vector<double> values, double share)
   return values[below] + (place - below) * (values[above] - values[below]);
 }
 
+double GetMedian(const std::vector<double>& values) { return GetQuantile(values, 0.5); }
+
+// Half the way between the quartiles, as a share of the median: how far to trust it.
+double GetSpread(const std::vector<double>& values)
+{
+  return 0.5 * (GetQuantile(values, 0.75) - GetQuantile(values, 0.25)) / GetMedian(values);
+}
+
 std::string Format(const char* format, double value)
 {
   char text[32];
@@ -30,15 +38,6 @@ std::string FormatCounter(const Row& row, const char* name)
   const auto counter = row.Counters.find(name);
   return counter != row.Counters.end() ? Format("%.3g", counter->second) : std::string("–");
 }
-}
-
-//------------------------------------------------------------------------------
-double Row::GetMedian() const { return GetQuantile(this->Seconds, 0.5); }
-
-double Row::GetSpread() const
-{
-  return 0.5 * (GetQuantile(this->Seconds, 0.75) - GetQuantile(this->Seconds, 0.25)) /
-    this->GetMedian();
 }
 
 //------------------------------------------------------------------------------
@@ -61,12 +60,16 @@ void RatioReporter::ReportRuns(const std::vector<Run>& runs)
       [&](const Row& known) { return known.Scene == scene && known.Way == way; });
     if (row == this->Rows.end())
     {
-      row = this->Rows.insert(this->Rows.end(), { scene, way, {}, {} });
+      row = this->Rows.insert(this->Rows.end(), { scene, way, {}, {}, {} });
     }
     row->Seconds.push_back(run.real_accumulated_time / static_cast<double>(run.iterations));
     for (const auto& counter : run.counters)
     {
       row->Counters[counter.first] = counter.second;
+      if (counter.first == "processor")
+      {
+        row->ProcessorSeconds.push_back(counter.second);
+      }
     }
   }
 }
@@ -91,13 +94,18 @@ std::string RatioReporter::GetMarkdown() const
       scene = row.Scene;
       text += "\n**" + scene + "**: " + FormatCounter(row, "triangles") + " triangles, " +
         FormatCounter(row, "width") + " x " + FormatCounter(row, "height") + " pixels\n\n" +
-        "| technique | frame, ms | spread | / plain | error |\n|---|---|---|---|---|\n";
+        "| technique | frame, ms | spread | / plain | processors, ms | / plain | error |\n"
+        "|---|---|---|---|---|---|---|\n";
     }
     const Row* plain = this->FindPlain(scene);
-    text += "| " + row.Way + " | " + Format("%.1f", 1e3 * row.GetMedian()) + " | " +
-      Format("%.0f %%", 100.0 * row.GetSpread()) + " | " +
-      (plain ? Format("%.2f", row.GetMedian() / plain->GetMedian()) : std::string("–")) + " | " +
-      FormatCounter(row, "error") + " |\n";
+    const auto ratio = [&](std::vector<double> Row::*times) {
+      return plain ? Format("%.2f", GetMedian(row.*times) / GetMedian(plain->*times))
+                   : std::string("–");
+    };
+    text += "| " + row.Way + " | " + Format("%.1f", 1e3 * GetMedian(row.Seconds)) + " | " +
+      Format("%.0f %%", 100.0 * GetSpread(row.Seconds)) + " | " + ratio(&Row::Seconds) + " | " +
+      Format("%.1f", 1e3 * GetMedian(row.ProcessorSeconds)) + " | " +
+      ratio(&Row::ProcessorSeconds) + " | " + FormatCounter(row, "error") + " |\n";
   }
   return text;
 }
@@ -105,7 +113,8 @@ std::string RatioReporter::GetMarkdown() const
 //------------------------------------------------------------------------------
 std::string RatioReporter::GetCsv() const
 {
-  std::string text = "scene,technique,width,height,triangles,frames,median_s,spread,ratio,error\n";
+  std::string text = "scene,technique,width,height,triangles,frames,median_s,spread,ratio,"
+                     "processors_s,processors_ratio,error\n";
   for (const Row& row : this->Rows)
   {
     const Row* plain = this->FindPlain(row.Scene);
@@ -113,11 +122,15 @@ std::string RatioReporter::GetCsv() const
       const auto found = row.Counters.find(name);
       return found != row.Counters.end() ? Format("%.6g", found->second) : std::string();
     };
+    const auto ratio = [&](std::vector<double> Row::*times) {
+      return plain ? Format("%.4g", GetMedian(row.*times) / GetMedian(plain->*times))
+                   : std::string();
+    };
     text += row.Scene + ",\"" + row.Way + "\"," + counter("width") + "," + counter("height") + "," +
       counter("triangles") + "," + std::to_string(row.Seconds.size()) + "," +
-      Format("%.6g", row.GetMedian()) + "," + Format("%.3g", row.GetSpread()) + "," +
-      (plain ? Format("%.4g", row.GetMedian() / plain->GetMedian()) : std::string()) + "," +
-      counter("error") + "\n";
+      Format("%.6g", GetMedian(row.Seconds)) + "," + Format("%.3g", GetSpread(row.Seconds)) + "," +
+      ratio(&Row::Seconds) + "," + Format("%.6g", GetMedian(row.ProcessorSeconds)) + "," +
+      ratio(&Row::ProcessorSeconds) + "," + counter("error") + "\n";
   }
   return text;
 }

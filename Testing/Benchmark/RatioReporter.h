@@ -22,11 +22,8 @@ struct Row
   std::string Scene;
   std::string Way;
   std::vector<double> Seconds;
+  std::vector<double> ProcessorSeconds;
   std::map<std::string, double> Counters;
-
-  double GetMedian() const;
-  // Half the way between the quartiles, as a share of the median: how far to trust it.
-  double GetSpread() const;
 };
 
 class RatioReporter : public benchmark::ConsoleReporter
