@@ -54,7 +54,7 @@ void TestFiles()
   std::ofstream(Folder + "text.vdb") << "ply\nformat ascii 1.0\n";
   CheckRefused("text", Folder + "text.vdb", nullptr, { "not an OpenVDB file" });
   std::ofstream(Folder + "short.vdb") << " BDV";
-  CheckRefused("four bytes", Folder + "short.vdb", nullptr, { "not an OpenVDB file" });
+  CheckRefused("its first four bytes", Folder + "short.vdb", nullptr, { "ends too early" });
 }
 
 void TestGrids()
