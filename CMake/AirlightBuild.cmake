@@ -60,8 +60,11 @@ if (AIRLIGHT_WRAP_PYTHON)
     SOABI               "${Python3_SOABI}")
   configure_file(Wrapping/Python/airlight/__init__.py.in
     "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py" @ONLY)
+  configure_file(Wrapping/Python/airlight/__main__.py
+    "${AIRLIGHT_PYTHONPATH}/airlight/__main__.py" COPYONLY)
   install(
     FILES       "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py"
+                "${AIRLIGHT_PYTHONPATH}/airlight/__main__.py"
     DESTINATION "${AIRLIGHT_PYTHON_DESTINATION}/airlight"
     COMPONENT   python)
   message(STATUS "Python package airlight: PYTHONPATH=${AIRLIGHT_PYTHONPATH}")

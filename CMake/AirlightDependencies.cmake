@@ -55,3 +55,11 @@ if (OpenVDB_FOUND)
 else ()
   message(STATUS "OpenVDB: not found (optional)")
 endif ()
+
+# For source files that include OpenVDB. It finds out names of types once, in static data of
+# templates that are in its library and in ours: with hidden symbols there are two copies, one of
+# which stays empty.
+function (airlight_includes_openvdb)
+  set_source_files_properties(${ARGN} PROPERTIES
+    COMPILE_OPTIONS "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fvisibility=default;-fno-visibility-inlines-hidden>")
+endfunction ()

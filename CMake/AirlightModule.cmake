@@ -39,3 +39,8 @@ vtk_module_compile_features(Airlight::Airlight
   PUBLIC cxx_std_17)
 vtk_module_compile_options(Airlight::Airlight
   PRIVATE ${AIRLIGHT_WARNINGS})
+if (TARGET OpenVDB::openvdb)
+  airlight_includes_openvdb(Filters/AirlightOpenVDBFile.cxx)
+  vtk_module_link(Airlight::Airlight
+    PRIVATE OpenVDB::openvdb)
+endif ()

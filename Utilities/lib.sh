@@ -6,6 +6,7 @@ build=$root/build
 jobs=${AIRLIGHT_JOBS:-$(nproc)}
 step_number=0
 step_count=0 # set by the script
+dependencies=() # options for install-dependencies.sh, set by the script
 
 die()
 {
@@ -25,7 +26,7 @@ step()
 install_missing()
 {
   if command -v apt-get > /dev/null; then
-    "$root/Utilities/install-dependencies.sh" ||
+    "$root/Utilities/install-dependencies.sh" "${dependencies[@]}" ||
       die "the packages could not be installed; see the message above."
   fi
   local program

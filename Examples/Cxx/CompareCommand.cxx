@@ -2,9 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 
-#include "ImageMetrics.h"
+#include "ComparePictures.h"
+#include "ImageFile.h"
 #include "Pfm.h"
 #include "UserError.h"
+#include "VTKMessages.h"
+
+#include <vtkAirlightComparison.h>
+#include <vtkDataArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkTable.h>
 
 #include <nlohmann/json.hpp>
 
@@ -23,54 +31,97 @@ struct CompareOptions
   std::string Picture;
   std::string Reference;
   std::string Mask;
+  std::string Difference;
+  std::string Plot;
+  int Row = 0;
+  bool HasRow = false;
   bool Json = false;
 };
 
-void PrintJson(const ImageMetrics& metrics)
+// A column of whole numbers holds a count.
+vtkIdTypeArray* AsCounts(vtkTable* table, vtkIdType column)
+{
+  return vtkIdTypeArray::SafeDownCast(table->GetColumn(column));
+}
+
+void PrintJson(vtkTable* metrics)
 {
   nlohmann::ordered_json json;
-  for (const auto& [name, value] : metrics.GetNamed())
+  for (vtkIdType i = 0; i < metrics->GetNumberOfColumns(); ++i)
   {
-    std::visit([&json, &key = name](auto number) { json[key] = number; }, value);
+    const std::string name = metrics->GetColumnName(i);
+    if (vtkIdTypeArray* counts = AsCounts(metrics, i))
+    {
+      json[name] = counts->GetValue(0);
+    }
+    else
+    {
+      json[name] = metrics->GetValue(0, i).ToDouble();
+    }
   }
   std::cout << json.dump(1) << std::endl;
 }
 
-std::string Format(double number)
+void PrintLine(vtkTable* metrics)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", number);
-  return text;
+  for (vtkIdType i = 0; i < metrics->GetNumberOfColumns(); ++i)
+  {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.4g", metrics->GetValue(0, i).ToDouble());
+    vtkIdTypeArray* counts = AsCounts(metrics, i);
+    std::cout << (i == 0 ? "" : " ") << metrics->GetColumnName(i) << "="
+              << (counts ? std::to_string(counts->GetValue(0)) : text);
+  }
+  std::cout << std::endl;
 }
 
-std::string Format(long long number) { return std::to_string(number); }
-
-void PrintLine(const ImageMetrics& metrics)
+void CheckOptions(const CompareOptions& options)
 {
-  std::string line;
-  for (const auto& [name, value] : metrics.GetNamed())
+  if (options.HasRow == options.Plot.empty())
   {
-    line += (line.empty() ? "" : " ") + name + "=";
-    line += std::visit([](auto number) { return Format(number); }, value);
+    throw UserError("--profile ROW and -o PLOT.png belong together");
   }
-  std::cout << line << std::endl;
+  if (!options.Plot.empty() && CheckImageFile(options.Plot) != ImageFormat::Png)
+  {
+    throw UserError(options.Plot + ": a plot is written as .png");
+  }
+  if (!options.Difference.empty())
+  {
+    CheckImageFile(options.Difference);
+  }
+}
+
+void RunComparison(vtkAirlightComparison* comparison, const CompareOptions& options)
+{
+  comparison->SetImageData(ReadPfm(options.Picture));
+  comparison->SetReferenceData(ReadPfm(options.Reference));
+  comparison->SetMaskData(options.Mask.empty() ? nullptr : ReadPfm(options.Mask).Get());
+  comparison->SkipNonFiniteOn();
+  const VTKMessages messages;
+  comparison->Update();
+  if (!messages.GetFirstError().empty())
+  {
+    throw UserError(
+      options.Picture + " and " + options.Reference + ": " + messages.GetFirstError());
+  }
 }
 
 void Compare(const CompareOptions& options)
 {
-  const auto picture = ReadPfm(options.Picture);
-  const auto reference = ReadPfm(options.Reference);
-  const auto mask = options.Mask.empty() ? nullptr : ReadPfm(options.Mask);
-  ImageMetrics metrics;
-  try
+  CheckOptions(options);
+  vtkNew<vtkAirlightComparison> comparison;
+  RunComparison(comparison, options);
+  if (!options.Difference.empty())
   {
-    metrics = CompareImages(picture, reference, mask);
+    WriteDifference(comparison->GetDifference(), options.Difference);
   }
-  catch (const UserError& error)
+  if (options.HasRow)
   {
-    throw UserError(options.Picture + " and " + options.Reference + ": " + error.what());
+    WriteProfile({ vtkImageData::SafeDownCast(comparison->GetInputDataObject(0, 0)),
+                   vtkImageData::SafeDownCast(comparison->GetInputDataObject(1, 0)) },
+      { options.Picture, options.Reference }, options.Row, options.Plot);
   }
-  options.Json ? PrintJson(metrics) : PrintLine(metrics);
+  options.Json ? PrintJson(comparison->GetMetrics()) : PrintLine(comparison->GetMetrics());
 }
 }
 
@@ -84,14 +135,25 @@ void AddCompareCommand(CLI::App& program)
   command->add_option("B", options->Reference, "Reference, .pfm")->required();
   command->add_option("--mask", options->Mask, "Compare only pixels where this .pfm is above 0.5");
   command->add_flag("--json", options->Json, "Print all digits, as JSON");
+  command->add_option("--difference", options->Difference,
+    "Write the image A-B: .pfm and .tiff hold it as it is; in a .png grey is 0, black and white "
+    "are "
+    "the largest difference");
+  CLI::Option* row = command->add_option(
+    "--profile", options->Row, "Plot the radiance of A and B along this row, 0 is the bottom");
+  command->add_option("-o,--output", options->Plot, "The plot to write, .png");
   command->footer(R"(With floor = 1e-3 of B's 99th percentile and eps = 1e-2 of its mean:
   relMSE         mean of (A-B)^2/(B^2+eps^2); relMSE_trim without the worst 0.1 % of the pixels
   median ... max of |A-B|/max(|B|, floor) where B > floor (lit); median_signed keeps the sign
   dark_max_abs   largest |A-B| where B <= floor
   bias           sum of A-B over sum of B, lit
   fit            least-squares gain, A ~ fit*B
-  lit_frac       fraction of lit samples; pixels compared; values of A that are not finite)");
-  command->callback([options] { Compare(*options); });
+  lit_frac       fraction of lit samples; pixels compared; values of A that are not finite
+  PSNR           10 log10(max(B)^2/mean of (A-B)^2), dB; null in JSON where it is infinite)");
+  command->callback([options, row] {
+    options->HasRow = row->count() > 0;
+    Compare(*options);
+  });
 }
 
 }

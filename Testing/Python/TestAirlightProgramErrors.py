@@ -250,6 +250,15 @@ class TestBadImages(ProgramTest):
         nothing = self.path("nothing.pfm")
         write_pfm(nothing, np.zeros((120, 160, 1)))
         self.fail_with(["no pixels"], "compare", total, total, "--mask", nothing)
+        plot = ["-o", self.path("plot.png")]
+        for words, options in (
+                (["--profile", "together"], plot), (["-o", "together"], ["--profile", "3"]),
+                (["120", "rows 0 to 119"], ["--profile", "120", *plot]),
+                (["-1", "rows 0 to 119"], ["--profile=-1", *plot]),
+                (["x.pfm", ".png"], ["--profile", "3", "-o", self.path("x.pfm")]),
+                (["nowhere"], ["--profile", "3", "-o", self.path("nowhere/x.png")]),
+                (["x.jpg", "pfm"], ["--difference", self.path("x.jpg")])):
+            self.fail_with(words, "compare", total, total, *options)
 
     def test_montage(self):
         good = self.path("good.png")

@@ -1,21 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How far a picture is from its reference, as numbers. Let a be the samples (pixels times channels)
- * of the picture and b those of the reference, floor = 1e-3 of the 99th percentile of b,
- * eps = 1e-2 of the mean of b, and call a sample lit where b > floor. Percentiles interpolate
- * linearly. Left out are pixels outside the mask and pixels that are not finite in the picture.
+ * How far an image is from its reference, as numbers. What they mean stands in
+ * vtkAirlightComparison.h.
  */
 
-#ifndef ImageMetrics_h
-#define ImageMetrics_h
-
-#include <vtkImageData.h>
+#ifndef AirlightImageMetrics_h
+#define AirlightImageMetrics_h
 
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
+
+class vtkImageData;
 
 namespace airlight
 {
@@ -32,22 +30,24 @@ struct ImageMetrics
   double Bias = 0.0;         ///< sum of a-b over sum of b, lit samples
   double MedianSigned = 0.0; ///< median of (a-b)/max(|b|, floor), lit samples
   double Fit = 0.0;          ///< least-squares gain: a ~ fit * b
+  double PSNR = 0.0;         ///< 10 log10(max(b)^2/mean of (a-b)^2), all samples
   double LitFraction = 0.0;  ///< of all samples
   long long Pixels = 0;      ///< how many pixels were compared
-  long long NonFinite = 0;   ///< samples of the whole picture that are not finite
+  long long NonFinite = 0;   ///< samples of the whole image that are not finite
 
-  /**
-   * All of them by the name that `airlight compare` prints.
-   */
+  // All of them by their names.
   std::vector<std::pair<std::string, std::variant<double, long long>>> GetNamed() const;
 };
 
 /**
- * Compare float images of the same size and number of channels. A pixel counts where the first
- * channel of `mask` (may be null) is above 0.5. Throws UserError if sizes differ, if the reference
- * is not finite, or if no pixel is left.
+ * Compare images of the same size and number of channels. A pixel counts where the first channel of
+ * `mask` (may be null) is above 0.5 and, with `skipNonFinite`, where all channels of `image` are
+ * finite. Throws std::runtime_error if there are no scalars, if sizes differ, if no pixel is left,
+ * or if a value that counts is not finite. If it returns, `counts` says of every pixel whether it
+ * did.
  */
-ImageMetrics CompareImages(vtkImageData* picture, vtkImageData* reference, vtkImageData* mask);
+ImageMetrics CompareImages(vtkImageData* image, vtkImageData* reference, vtkImageData* mask,
+  bool skipNonFinite, std::vector<bool>& counts);
 
 }
 

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightOpenVDBFile.h"
+
+#include <openvdb/io/Archive.h>
+#include <openvdb/io/GridDescriptor.h>
+#include <openvdb/io/io.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/LevelSetUtil.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace airlight
+{
+namespace
+{
+// openvdb::io::File does not notice that a file ends early and hands out what was in memory. This
+// one reads through a stream that throws at its end.
+class Archive : public openvdb::io::Archive
+{
+public:
+  explicit Archive(const std::string& fileName)
+  {
+    this->Open(fileName);
+    this->readHeader(this->Stream);
+    this->State->setSeekable(true);
+    openvdb::io::setStreamMetadataPtr(this->Stream, this->State, false);
+    this->setFormatVersion(this->Stream);
+    this->setLibraryVersion(this->Stream);
+    this->setDataCompression(this->Stream);
+    openvdb::MetaMap().readMeta(this->Stream);
+    this->ReadDescriptors();
+  }
+
+  std::vector<OpenVDBGridInfo> List() const
+  {
+    std::vector<OpenVDBGridInfo> list;
+    for (std::size_t i = 0; i < this->Grids.size(); ++i)
+    {
+      const std::string name =
+        openvdb::io::GridDescriptor::nameAsString(this->Descriptors[i].uniqueName());
+      const openvdb::GridBase& grid = *this->Grids[i];
+      list.push_back({ name, grid.valueType(),
+        grid.isType<openvdb::FloatGrid>() || grid.isType<openvdb::DoubleGrid>() });
+    }
+    return list;
+  }
+
+  openvdb::GridBase::Ptr Read(std::size_t which)
+  {
+    const openvdb::GridBase::Ptr& grid = this->Grids.at(which);
+    this->Load(which);
+    if (this->Descriptors[which].isInstance()) // the tree is another grid's
+    {
+      const std::size_t parent = this->FindParent(this->Descriptors[which]);
+      this->Load(parent);
+      if (this->Grids[parent]->type() != grid->type())
+      {
+        throw std::runtime_error("two grids share voxels, but their types differ");
+      }
+      grid->setTree(this->Grids[parent]->baseTreePtr());
+    }
+    return grid;
+  }
+
+private:
+  void Open(const std::string& fileName)
+  {
+    std::error_code problem;
+    const std::filesystem::path path(fileName);
+    if (!std::filesystem::is_regular_file(path, problem))
+    {
+      throw std::runtime_error(
+        std::filesystem::exists(path, problem) ? "is not a file" : "does not exist");
+    }
+    this->Size = static_cast<std::int64_t>(std::filesystem::file_size(path));
+    this->Stream.open(path, std::ios::binary);
+    if (!this->Stream)
+    {
+      throw std::runtime_error("cannot be opened");
+    }
+    if (this->Size == 0)
+    {
+      throw std::runtime_error("is empty");
+    }
+    std::int64_t magic = 0; // in the byte order of the machine, as OpenVDB has it
+    this->Stream.read(reinterpret_cast<char*>(&magic), sizeof(magic));
+    if (magic != openvdb::OPENVDB_MAGIC)
+    {
+      throw std::runtime_error("is not an OpenVDB file");
+    }
+    this->Stream.seekg(0);
+    this->Stream.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
+  }
+
+  // Files written to a stream have no offsets: there each grid has to be read to find the next.
+  void ReadDescriptors()
+  {
+    const std::int32_t count = openvdb::io::Archive::readGridCount(this->Stream);
+    for (std::int32_t i = 0; i < count; ++i)
+    {
+      openvdb::io::GridDescriptor descriptor;
+      this->Grids.push_back(descriptor.read(this->Stream));
+      this->Descriptors.push_back(descriptor);
+      this->Loaded.push_back(!this->inputHasGridOffsets());
+      if (!this->inputHasGridOffsets())
+      {
+        openvdb::io::Archive::readGrid(this->Grids.back(), descriptor, this->Stream);
+        continue;
+      }
+      if (descriptor.getGridPos() < 0 || descriptor.getGridPos() > descriptor.getEndPos() ||
+        descriptor.getEndPos() > this->Size)
+      {
+        throw std::ios_base::failure("offset");
+      }
+      descriptor.seekToEnd(this->Stream);
+    }
+  }
+
+  void Load(std::size_t which)
+  {
+    if (!this->Loaded[which])
+    {
+      this->Descriptors[which].seekToGrid(this->Stream);
+      openvdb::io::Archive::readGrid(this->Grids[which], this->Descriptors[which], this->Stream);
+      this->Loaded[which] = true;
+    }
+  }
+
+  std::size_t FindParent(const openvdb::io::GridDescriptor& child) const
+  {
+    const auto found = std::find_if(this->Descriptors.begin(), this->Descriptors.end(),
+      [&child](const openvdb::io::GridDescriptor& other) {
+        return other.uniqueName() == child.instanceParentName() && !other.isInstance();
+      });
+    if (found == this->Descriptors.end())
+    {
+      throw std::runtime_error("a grid's voxels are those of another, which is missing");
+    }
+    return static_cast<std::size_t>(found - this->Descriptors.begin());
+  }
+
+  openvdb::io::StreamMetadata::Ptr State{ new openvdb::io::StreamMetadata }; // the stream's
+  std::ifstream Stream;
+  std::int64_t Size = 0;
+  std::vector<openvdb::io::GridDescriptor> Descriptors;
+  std::vector<openvdb::GridBase::Ptr> Grids; // of one type each, without voxels until loaded
+  std::vector<bool> Loaded;
+};
+
+//------------------------------------------------------------------------------
+void Copy(const openvdb::Vec3d& from, double to[3]) { std::copy_n(from.asPointer(), 3, to); }
+
+template <typename Grid>
+class ScalarGrid : public OpenVDBGrid
+{
+public:
+  explicit ScalarGrid(const typename Grid::Ptr& grid)
+    : Values(grid)
+  {
+    if (grid->getGridClass() == openvdb::GRID_LEVEL_SET)
+    {
+      if (!(grid->background() > 0))
+      {
+        throw std::runtime_error("a level set's background has to be above 0");
+      }
+      openvdb::tools::sdfToFogVolume(*grid);
+    }
+  }
+
+  bool GetBounds(std::int64_t lowest[3], std::int64_t highest[3]) const override
+  {
+    openvdb::CoordBBox box;
+    const bool any = this->Values->constTree().evalActiveVoxelBoundingBox(box);
+    std::copy_n(box.min().asPointer(), 3, lowest);
+    std::copy_n(box.max().asPointer(), 3, highest);
+    return any;
+  }
+
+  double GetBackground() const override { return static_cast<double>(this->Values->background()); }
+
+  bool GetLinearTransform(double steps[3][3], double origin[3]) const override
+  {
+    if (!this->Values->constTransform().isLinear())
+    {
+      return false;
+    }
+    const openvdb::Mat4d matrix =
+      this->Values->constTransform().baseMap()->getAffineMap()->getMat4();
+    for (int row = 0; row < 3; ++row) // vectors are rows
+    {
+      std::copy_n(matrix[row], 3, steps[row]);
+    }
+    std::copy_n(matrix[3], 3, origin);
+    return true;
+  }
+
+  void IndexToWorld(const double index[3], double world[3]) const override
+  {
+    Copy(this->Values->constTransform().indexToWorld(openvdb::Vec3d(index)), world);
+  }
+
+  void WorldToIndex(const double world[3], double index[3]) const override
+  {
+    Copy(this->Values->constTransform().worldToIndex(openvdb::Vec3d(world)), index);
+  }
+
+  void VisitActive(const Visitor& visit) const override
+  {
+    std::int64_t lowest[3];
+    std::int64_t highest[3];
+    openvdb::CoordBBox box;
+    for (auto value = this->Values->constTree().cbeginValueOn(); value; ++value)
+    {
+      value.getBoundingBox(box);
+      std::copy_n(box.min().asPointer(), 3, lowest);
+      std::copy_n(box.max().asPointer(), 3, highest);
+      visit(lowest, highest, static_cast<double>(*value));
+    }
+  }
+
+private:
+  typename Grid::Ptr Values;
+};
+
+//------------------------------------------------------------------------------
+// Calls with the file's archive, and turns what OpenVDB may throw into one kind of error.
+template <typename Function>
+auto WithArchive(const std::string& fileName, const Function& function)
+{
+  try
+  {
+    openvdb::initialize();
+    Archive archive(fileName);
+    return function(archive);
+  }
+  catch (const std::ios_base::failure&)
+  {
+    throw std::runtime_error("ends too early: it is truncated or damaged");
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw std::runtime_error("there is not enough memory for it, or it is damaged");
+  }
+  catch (const openvdb::Exception& error)
+  {
+    throw std::runtime_error(std::string("OpenVDB cannot read it: ") + error.what());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<OpenVDBGridInfo> ListOpenVDBGrids(const std::string& fileName)
+{
+  return WithArchive(fileName, [](const Archive& archive) { return archive.List(); });
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<OpenVDBGrid> ReadOpenVDBGrid(const std::string& fileName, std::size_t which)
+{
+  return WithArchive(fileName, [which](Archive& archive) -> std::unique_ptr<OpenVDBGrid> {
+    const openvdb::GridBase::Ptr grid = archive.Read(which);
+    if (const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid))
+    {
+      return std::make_unique<ScalarGrid<openvdb::FloatGrid>>(floats);
+    }
+    return std::make_unique<ScalarGrid<openvdb::DoubleGrid>>(
+      openvdb::gridPtrCast<openvdb::DoubleGrid>(grid));
+  });
+}
+}
