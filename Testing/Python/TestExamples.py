@@ -11,9 +11,18 @@ import tempfile
 import unittest
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Python"
 WRITE_OPENVDB = os.environ.get("AIRLIGHT_WRITE_OPENVDB")
+
+
+def read_picture(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
 
 
 class TestExamples(unittest.TestCase):
@@ -67,6 +76,21 @@ class TestExamples(unittest.TestCase):
             text = self.run_example("openvdb_to_numpy.py", folder + "/names.vdb", "shared")
             self.assertIn("grid 'twin[1]' of float\n", text)
             self.assertIn("third axis: 10\n", text)
+
+    def test_content_in_fog(self):
+        """The pictures are those of the gallery."""
+        gallery = EXAMPLES.parents[1] / "Documentation" / "pictures"
+        names = sorted(path.name for path in gallery.glob("content-*.png"))
+        with tempfile.TemporaryDirectory() as folder:
+            self.run_example("content_in_fog.py", folder)
+            self.assertEqual(sorted(os.listdir(folder)), names)
+            for name in names:
+                drawn, shown = read_picture(f"{folder}/{name}"), read_picture(gallery / name)
+                self.assertEqual(drawn.shape, shown.shape)
+                difference = np.abs(drawn - shown)
+                # Edges may lie in the next pixel on another renderer; the rest may not change.
+                self.assertLess(np.mean(difference > 4), 0.01, name)
+                self.assertLess(np.mean(difference), 0.5, name)
 
     @classmethod
     def tearDownClass(cls):
