@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How long shadows of a mesh of a million triangles take to prepare, beside vtkFeatureEdges, which
+// also has to find every edge's triangles (to tell boundary, non-manifold and feature edges).
+//
+// One iteration runs everything once, in turn, so that whatever else the machine does meets all of
+// them alike; the reported time is that of the whole round. The counters are medians over the
+// rounds, in milliseconds, and ratios of these medians:
+//   topology     the mesh's edges, once per change of the mesh
+//   silhouette   the silhouette of a light that has moved
+//   filter       vtkSilhouetteEdgesFilter's update for a light that has moved
+//   planes       vtkShadowPlanesFilter's, without caps
+//   features     vtkFeatureEdges
+
+#include "AirlightSilhouette.h"
+#include "vtkFeatureEdges.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkShadowPlanesFilter.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <vector>
+
+namespace
+{
+constexpr int Rounds = 9;
+constexpr int Resolution = 708; // 2 * 708 * 707 triangles
+
+// A ball with bumps, whose silhouette is not just one circle.
+vtkSmartPointer<vtkPolyData> MakeMesh()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(Resolution);
+  sphere->SetPhiResolution(Resolution + 1);
+  sphere->SetRadius(1.0);
+  sphere->Update();
+  vtkSmartPointer<vtkPolyData> mesh = sphere->GetOutput();
+  mesh->GetPointData()->Initialize();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    const double scale =
+      1.0 + 0.03 * std::sin(25.0 * p[0]) * std::sin(23.0 * p[1]) * std::sin(27.0 * p[2]);
+    mesh->GetPoints()->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
+  }
+  return mesh;
+}
+
+// The same triangles in a new order; each with points of its own, or with the points in a new
+// order, too.
+vtkSmartPointer<vtkPolyData> Reorder(vtkPolyData* mesh, bool soup)
+{
+  std::mt19937_64 random(1);
+  std::vector<vtkIdType> newIds(mesh->GetNumberOfPoints());
+  std::vector<vtkIdType> order(mesh->GetNumberOfCells());
+  for (std::vector<vtkIdType>* list : { &newIds, &order })
+  {
+    for (size_t i = 0; i < list->size(); ++i)
+    {
+      (*list)[i] = static_cast<vtkIdType>(i);
+    }
+  }
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  if (!soup)
+  {
+    std::shuffle(newIds.begin(), newIds.end(), random);
+    std::shuffle(order.begin(), order.end(), random);
+    points->SetNumberOfPoints(mesh->GetNumberOfPoints());
+  }
+  for (const vtkIdType cell : order)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    mesh->GetCellPoints(cell, size, ids);
+    vtkIdType turned[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      turned[k] = soup ? points->InsertNextPoint(mesh->GetPoint(ids[k])) : newIds[ids[k]];
+      if (!soup)
+      {
+        points->SetPoint(turned[k], mesh->GetPoint(ids[k]));
+      }
+    }
+    cells->InsertNextCell(3, turned);
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(cells);
+  return result;
+}
+
+class Stopwatch
+{
+public:
+  template <typename Function>
+  void Measure(const Function& function)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    function();
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    this->Times.push_back(time.count());
+  }
+  double GetMedian()
+  {
+    const auto middle = this->Times.begin() + static_cast<std::ptrdiff_t>(this->Times.size() / 2);
+    std::nth_element(this->Times.begin(), middle, this->Times.end());
+    return *middle;
+  }
+
+private:
+  std::vector<double> Times;
+};
+
+void RunRounds(benchmark::State& state, vtkPolyData* mesh)
+{
+  Stopwatch topology;
+  Stopwatch silhouette;
+  Stopwatch filter;
+  Stopwatch planes;
+  Stopwatch features;
+  vtkNew<vtkSilhouetteEdgesFilter> edgesFilter;
+  vtkNew<vtkShadowPlanesFilter> planesFilter;
+  for (vtkSilhouetteEdgesFilter* f : { edgesFilter.Get(), planesFilter.Get() })
+  {
+    f->SetInputData(mesh);
+    f->Update();
+  }
+  vtkIdType edgeCount = 0;
+  double angle = 0.0;
+  for (auto _ : state)
+  {
+    angle += 0.3;
+    const glm::dvec4 light(3.0 * std::cos(angle), 1.5, 3.0 * std::sin(angle), 1.0);
+    vtkNew<vtkFeatureEdges> featureEdges;
+    featureEdges->SetInputData(mesh);
+    features.Measure([&] { featureEdges->Update(); });
+    std::unique_ptr<airlight::CasterMesh> caster;
+    topology.Measure([&] { caster = std::make_unique<airlight::CasterMesh>(mesh); });
+    silhouette.Measure([&] { edgeCount = airlight::FindSilhouette(*caster, light).size(); });
+    edgesFilter->SetLightPosition(light.x, light.y, light.z);
+    filter.Measure([&] { edgesFilter->Update(); });
+    planesFilter->SetLightPosition(light.x, light.y, light.z);
+    planes.Measure([&] { planesFilter->Update(); });
+  }
+  state.counters["triangles"] = static_cast<double>(mesh->GetNumberOfPolys());
+  state.counters["edges"] = static_cast<double>(edgeCount);
+  state.counters["topology"] = topology.GetMedian();
+  state.counters["silhouette"] = silhouette.GetMedian();
+  state.counters["filter"] = filter.GetMedian();
+  state.counters["planes"] = planes.GetMedian();
+  state.counters["features"] = features.GetMedian();
+  state.counters["features/topology"] = features.GetMedian() / topology.GetMedian();
+  state.counters["features/silhouette"] = features.GetMedian() / silhouette.GetMedian();
+}
+
+void Register(const char* name, vtkPolyData* mesh, const char* backend)
+{
+  vtkSmartPointer<vtkPolyData> kept = mesh;
+  benchmark::RegisterBenchmark((std::string(name) + "/" + backend).c_str(),
+    [kept, backend](benchmark::State& state) {
+      vtkSMPTools::SetBackend(backend); // the whole program is ours
+      RunRounds(state, kept);
+    })
+    ->Iterations(Rounds)
+    ->Unit(benchmark::kMillisecond);
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  benchmark::Initialize(&argc, argv);
+  const std::string usual = vtkSMPTools::GetBackend();
+  std::cout << "vtkSMPTools: " << usual << ", " << vtkSMPTools::GetEstimatedNumberOfThreads()
+            << " threads\n";
+  const vtkSmartPointer<vtkPolyData> mesh = MakeMesh();
+  const vtkSmartPointer<vtkPolyData> shuffled = Reorder(mesh, false);
+  const vtkSmartPointer<vtkPolyData> soup = Reorder(mesh, true);
+  for (const char* backend : { usual.c_str(), "Sequential" })
+  {
+    Register("ordered", mesh, backend);
+    Register("shuffled", shuffled, backend);
+    Register("soup", soup, backend);
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
