@@ -83,7 +83,8 @@ public:
     this->Work = { { a, isA }, { a - this->Light, isA }, { b - this->Light, isB }, { b, isB } };
     if (this->Light.w == 0.0)
     {
-      this->Work[1].Position = this->Work[2].Position = -this->Light;
+      // Away from a light at infinity lies one point, which takes nothing from either end.
+      this->Work[1] = this->Work[2] = { -this->Light, glm::dvec3(0.0) };
     }
     this->ClipToBox();
     this->Keep({ edge.A, edge.B, edge.B }, { edge.A, edge.B, edge.Weight, SHADOW_PLANE });
@@ -123,7 +124,7 @@ public:
       // A point is a sum of the vertices and the light; its shadow caster has the vertices' parts.
       for (Corner& corner : this->Work)
       {
-        const glm::dvec3 weights(toVertices * corner.Position);
+        const glm::dvec3 weights = glm::max(glm::dvec3(toVertices * corner.Position), 0.0);
         const double sum = weights.x + weights.y + weights.z;
         corner.Weights =
           std::isfinite(sum) && sum > 0.0 ? weights / sum : glm::dvec3(1.0, 0.0, 0.0);
