@@ -33,7 +33,6 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <iostream>
 #include <memory>
 #include <numeric>
 #include <random>
@@ -206,8 +205,8 @@ int main(int argc, char* argv[])
 {
   benchmark::Initialize(&argc, argv);
   const std::string usual = vtkSMPTools::GetBackend();
-  std::cout << "vtkSMPTools: " << usual << ", " << vtkSMPTools::GetEstimatedNumberOfThreads()
-            << " threads\n";
+  benchmark::AddCustomContext("vtkSMPTools",
+    usual + ", " + std::to_string(vtkSMPTools::GetEstimatedNumberOfThreads()) + " threads");
   const vtkSmartPointer<vtkPolyData> mesh = MakeMesh();
   const vtkSmartPointer<vtkPolyData> shuffled = Reorder(mesh, false);
   const vtkSmartPointer<vtkPolyData> soup = Reorder(mesh, true);
