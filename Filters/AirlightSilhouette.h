@@ -31,8 +31,8 @@ struct SilhouetteEdge
 
 // The weight of an edge is the sum of the directions in which its triangles, each turned to face
 // the light, run along it; edges of weight 0 bound nothing. Their sum is a closed chain whatever
-// the mesh, so that shadow planes never leak. The edges of pairs come first, each list in the mesh's
-// order.
+// the mesh, so that shadow planes never leak. The edges of pairs come first, each list in the
+// mesh's order.
 VTKAIRLIGHT_EXPORT std::vector<SilhouetteEdge> FindSilhouette(
   const CasterMesh& mesh, const HomogeneousPoint& light);
 

@@ -79,8 +79,8 @@ public:
    * How far every point of an edge is moved along its ray from the light, in world units. 0 stands
    * for twice the diagonal of the box around the input's triangles (in composite data, the
    * block's). The ends of a long edge close to the light move apart, and the plane between them
-   * reaches less far: use Bounds where it has to fill a region. Range: finite, at least 0; others are
-   * refused with an error and the old value stays. Default: 0.
+   * reaches less far: use Bounds where it has to fill a region. Range: finite, at least 0; others
+   * are refused with an error and the old value stays. Default: 0.
    */
   void SetFarDistance(double distance);
   vtkGetMacro(FarDistance, double);
@@ -89,9 +89,9 @@ public:
   ///@{
   /**
    * The box (xmin, xmax, ymin, ymax, zmin, zmax) that the planes are cut to, in world units, where
-   * Extent is BOUNDS. Range: finite, at most 1e100 in size; others are refused with an error and the
-   * old values stay. That each minimum lies below its maximum is checked when the filter executes.
-   * Default: (0, 1, 0, 1, 0, 1).
+   * Extent is BOUNDS. Range: finite, at most 1e100 in size; others are refused with an error and
+   * the old values stay. That each minimum lies below its maximum is checked when the filter
+   * executes. Default: (0, 1, 0, 1, 0, 1).
    */
   void SetBounds(double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
   void SetBounds(const double bounds[6]);

@@ -10,17 +10,17 @@
  * Composite data come through VTK's own pipeline, block by block; blocks do not know of each other.
  *
  * Every triangle is turned to face the light. The weight of an edge is the sum of the directions in
- * which its triangles then run along it: 0 inside a surface, which bounds nothing and is left out, 1
- * at an open border, 2 at the silhouette of a closed surface, whose front and back both cast. The
+ * which its triangles then run along it: 0 inside a surface, which bounds nothing and is left out,
+ * 1 at an open border, 2 at the silhouette of a closed surface, whose front and back both cast. The
  * lines run so that their shadow lies to the left, seen from the light. Nothing is assumed of the
  * mesh: it may be open, wound at random, non-manifold or self-intersecting, and points at the very
- * same position are one. At each point the weights of the lines that arrive equal those of the lines
- * that leave: they bound a chain of triangles, so shadow planes never leak. A triangle that the light
- * sees exactly edge-on casts nothing.
+ * same position are one. At each point the weights of the lines that arrive equal those of the
+ * lines that leave: they bound a chain of triangles, so shadow planes never leak. A triangle that
+ * the light sees exactly edge-on casts nothing.
  *
  * Cell data:
  *  - `Weight` (int): at least 1.
- *  - `EdgePoints` (vtkIdType, 2 components): the input's points at the line's ends, in its direction.
+ *  - `EdgePoints` (vtkIdType, 2 components): the input's points at the line's ends, in its order.
  *
  * Point data are the input's; where several points are at one position, the first one's.
  *
@@ -72,9 +72,9 @@ public:
   /**
    * The light, or nullptr to use the numbers below. A positional light shines from its transformed
    * position, any other along its transformed axis, from the position to the focal point. Its
-   * switch, colour, cone and attenuation do not matter. Headlights and camera lights are where their
-   * renderer put them when it last rendered. The filter executes again when the light changes.
-   * Default: nullptr.
+   * switch, colour, cone and attenuation do not matter. Headlights and camera lights are where
+   * their renderer put them when it last rendered. The filter executes again when the light
+   * changes. Default: nullptr.
    */
   virtual void SetLight(vtkLight* light);
   vtkLight* GetLight();

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Silhouettes: shapes whose edges and weights follow by hand, random soups against the definition,
-// and the same bytes whatever the number of threads.
+// Silhouettes: shapes whose edges and weights follow by hand, and random soups against the
+// definition.
 
-#include "AirlightSilhouette.h"
 #include "AirlightTestCheck.h"
 #include "AirlightTestSoup.h"
 
@@ -17,14 +16,11 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkSilhouetteEdgesFilter.h"
-#include "vtkSphereSource.h"
 #include "vtkStripper.h"
 #include "vtkTriangleFilter.h"
 
 #include <cstdlib>
-#include <cstring>
 #include <string>
 
 using namespace airlight_test;
@@ -106,7 +102,8 @@ void TestCube()
   cube->Update();
   vtkPolyData* data = cube->GetOutput();
   // Only the face x = 0.5 sees the light: its four edges. Seen from there with z up, y grows to the
-  // right, so that (y, z) = (-, -), (+, -), (+, +), (-, +) is anticlockwise, the shadow to the left.
+  // right, so that (y, z) = (-, -), (+, -), (+, +), (-, +) is anticlockwise, the shadow to the
+  // left.
   const EdgeWeights one = FindWeights(data, { 5.0, 0.1, 0.2, 1.0 }, "cube, one face");
   const double h = 0.5;
   const EdgeWeights expected{ { { { h, -h, -h }, { h, h, -h } }, 2 },
@@ -277,62 +274,6 @@ void TestLights()
   filter->SetLightDirection(0, 0, 0);
   Check(find() == point, "the numbers count again where there is no light");
 }
-
-//------------------------------------------------------------------------------
-template <typename Item>
-bool Same(const std::vector<Item>& a, const std::vector<Item>& b)
-{
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Item)) == 0;
-}
-
-void TestThreads()
-{
-  // Several times what one thread takes at a time, with open, pair and triple edges.
-  Random random(3);
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(300);
-  sphere->SetPhiResolution(300);
-  sphere->Update();
-  TriangleList triangles = GetFans(sphere->GetOutput());
-  for (size_t i = triangles.size() - 1; i > 0; --i)
-  {
-    std::swap(triangles[i], triangles[static_cast<size_t>(random.Uniform(0.0, i + 1.0))]);
-  }
-  triangles.resize(triangles.size() - 5000);
-  triangles.insert(triangles.end(), triangles.begin(), triangles.begin() + 2000);
-  const vtkSmartPointer<vtkPolyData> soup = MakeSoup(triangles);
-  const glm::dvec4 light(3.0, 1.0, 2.0, 1.0);
-  std::vector<airlight::CasterMesh> meshes;
-  std::vector<std::vector<airlight::SilhouetteEdge>> silhouettes;
-  const std::vector<std::pair<int, std::string>> threads{ { 1, "Sequential" }, { 1, "STDThread" },
-    { 2, "STDThread" }, { 2, "TBB" } };
-  for (const auto& [count, backend] : threads)
-  {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config{ count, backend, false }, [&] {
-      meshes.emplace_back(soup);
-      silhouettes.push_back(FindSilhouette(meshes.back(), light));
-    });
-    const airlight::CasterMesh& a = meshes.front();
-    const airlight::CasterMesh& b = meshes.back();
-    Check(Same(a.Points, b.Points) && Same(a.SourcePoints, b.SourcePoints) &&
-        Same(a.Triangles, b.Triangles) && Same(a.Planes, b.Planes) &&
-        Same(a.PairEnds, b.PairEnds) && Same(a.PairUses, b.PairUses) &&
-        Same(a.OtherEnds, b.OtherEnds) && Same(a.OtherUses, b.OtherUses) &&
-        Same(a.FirstUse, b.FirstUse),
-      Text("the same mesh with ", count, " threads of ", backend));
-    Check(Same(silhouettes.front(), silhouettes.back()),
-      Text("the same silhouette with ", count, " threads of ", backend));
-  }
-  Check(meshes.front().OtherEnds.size() > 5000 && meshes.front().PairEnds.size() > 100000,
-    "the mesh for the threads has edges of all kinds");
-  EdgeWeights found;
-  for (const airlight::SilhouetteEdge& edge : silhouettes.front())
-  {
-    const std::vector<glm::dvec3>& points = meshes.front().Points;
-    found[{ ToPosition(points[edge.A]), ToPosition(points[edge.B]) }] = edge.Weight;
-  }
-  Check(found == SumDirections(triangles, light), "the large mesh's silhouette by the definition");
-}
 }
 
 //------------------------------------------------------------------------------
@@ -344,6 +285,5 @@ int TestSilhouetteEdges(int, char*[])
   TestSoups();
   TestPointData();
   TestLights();
-  TestThreads();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
