@@ -2,128 +2,245 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightCasterMesh.h"
 
+#include "AirlightMergedPoints.h"
+#include "AirlightParallel.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStaticPointLocator.h"
+#include "vtkSmartPointer.h"
 #include "vtkTriangleFilter.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
+#include <atomic>
+#include <memory>
 
 namespace airlight
 {
 namespace
 {
+// Where the building stands after its steps, by their measured times.
+constexpr double AfterTriangulation = 0.1;
+constexpr double AfterMerging = 0.3;
+constexpr double AfterTriangles = 0.45;
+constexpr double AfterPlanes = 0.55;
+
 bool HasOnlyTriangles(vtkPolyData* data)
 {
   return data->GetNumberOfStrips() == 0 && data->GetPolys()->IsHomogeneous() == 3;
 }
 
-bool IsFinite(const glm::dvec3& v)
+vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* data)
 {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-// For each point the first point at the same position; -1 for points that are not finite.
-std::vector<vtkIdType> MergeByPosition(vtkPoints* points)
-{
-  const vtkIdType n = points->GetNumberOfPoints();
-  // The locator cannot take points that are not finite; they go to the origin and are unmarked.
-  vtkNew<vtkPoints> finite;
-  finite->SetDataTypeToDouble();
-  finite->SetNumberOfPoints(n);
-  std::vector<vtkIdType> map(n, -1);
-  std::vector<char> isFinite(n);
-  for (vtkIdType i = 0; i < n; ++i)
+  if (HasOnlyTriangles(data))
   {
-    glm::dvec3 p;
-    points->GetPoint(i, &p.x);
-    isFinite[i] = IsFinite(p);
-    finite->SetPoint(i, isFinite[i] ? p.x : 0.0, isFinite[i] ? p.y : 0.0, isFinite[i] ? p.z : 0.0);
+    return data;
   }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(finite);
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(cloud);
-  locator->BuildLocator();
-  locator->MergePoints(0.0, map.data());
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    map[i] = isFinite[i] ? map[i] : -1;
-  }
-  return map;
-}
-}
-
-//------------------------------------------------------------------------------
-CasterMesh::CasterMesh(vtkPolyData* data)
-{
-  if (!data || !data->GetPoints() || data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)
-  {
-    return;
-  }
-  this->ReadTriangles(data);
-  this->BuildPlanes();
-  this->BuildEdges();
-}
-
-//------------------------------------------------------------------------------
-void CasterMesh::ReadTriangles(vtkPolyData* data)
-{
+  vtkNew<vtkPolyData> copy; // keeps the pipeline from touching the caller's data
+  copy->CopyStructure(data);
   vtkNew<vtkTriangleFilter> triangulate;
-  if (!HasOnlyTriangles(data))
+  triangulate->SetInputData(copy);
+  triangulate->PassVertsOff();
+  triangulate->PassLinesOff();
+  triangulate->Update();
+  return triangulate->GetOutput();
+}
+
+// The point ids of all triangles in a row, in place where VTK keeps them so.
+class Corners
+{
+public:
+  explicit Corners(vtkCellArray* cells)
   {
-    vtkNew<vtkPolyData> copy; // keeps the pipeline from touching the caller's data
-    copy->ShallowCopy(data);
-    triangulate->SetInputData(copy);
-    triangulate->PassVertsOff();
-    triangulate->PassLinesOff();
-    triangulate->Update();
-    data = triangulate->GetOutput();
+    if (cells->IsHomogeneous() != 3)
+    {
+      this->Copy(cells);
+    }
+    else if (cells->IsStorage64Bit())
+    {
+      this->Ids64 = cells->GetConnectivityArray64()->GetPointer(0);
+      this->Count = cells->GetNumberOfCells();
+    }
+    else
+    {
+      this->Ids32 = cells->GetConnectivityArray32()->GetPointer(0);
+      this->Count = cells->GetNumberOfCells();
+    }
   }
-  const std::vector<vtkIdType> merged = MergeByPosition(data->GetPoints());
-  std::vector<int> compact(merged.size(), -1);
-  const auto vertex = [&](vtkIdType id) -> int {
-    if (id < 0 || id >= static_cast<vtkIdType>(merged.size()) || merged[id] < 0)
-    {
-      return -1;
-    }
-    int& index = compact[merged[id]];
-    if (index < 0)
-    {
-      index = static_cast<int>(this->Points.size());
-      glm::dvec3 p;
-      data->GetPoint(merged[id], &p.x);
-      this->Points.push_back(p);
-    }
-    return index;
-  };
-  this->Triangles.reserve(data->GetNumberOfPolys());
-  auto cell = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+
+  size_t GetCount() const { return this->Count; }
+  std::array<vtkIdType, 3> operator[](size_t triangle) const
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    cell->GetCurrentCell(size, ids);
-    if (size != 3)
+    const size_t i = 3 * triangle;
+    return this->Ids64
+      ? std::array<vtkIdType, 3>{ this->Ids64[i], this->Ids64[i + 1], this->Ids64[i + 2] }
+      : std::array<vtkIdType, 3>{ this->Ids32[i], this->Ids32[i + 1], this->Ids32[i + 2] };
+  }
+
+private:
+  // Cells of other sizes are left out.
+  void Copy(vtkCellArray* cells)
+  {
+    auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
     {
-      continue;
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      cell->GetCurrentCell(size, ids);
+      if (size == 3)
+      {
+        this->Copied.insert(this->Copied.end(), ids, ids + 3);
+      }
     }
-    const std::array<int, 3> t = { vertex(ids[0]), vertex(ids[1]), vertex(ids[2]) };
-    if (t[0] >= 0 && t[1] >= 0 && t[2] >= 0 && t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+    this->Ids64 = this->Copied.data();
+    this->Count = this->Copied.size() / 3;
+  }
+
+  const vtkTypeInt64* Ids64 = nullptr;
+  const vtkTypeInt32* Ids32 = nullptr;
+  std::vector<vtkTypeInt64> Copied;
+  size_t Count = 0;
+};
+
+bool AreDistinct(const std::array<vtkIdType, 3>& ids)
+{
+  return ids[0] != ids[1] && ids[1] != ids[2] && ids[2] != ids[0];
+}
+
+// Replaces the points by their vertices. False where the triangle casts nothing: a point does not
+// exist or has no vertex, or two have the same.
+bool FindVertices(const std::vector<vtkIdType>& vertices, std::array<vtkIdType, 3>& ids)
+{
+  for (vtkIdType& id : ids)
+  {
+    id = id >= 0 && id < static_cast<vtkIdType>(vertices.size()) ? vertices[id] : -1;
+  }
+  return ids[0] >= 0 && ids[1] >= 0 && ids[2] >= 0 && AreDistinct(ids);
+}
+
+// Marks what is not a vertex of any triangle, and tells how many triangles each chunk has.
+std::vector<size_t> FindUnused(const Corners& corners, std::vector<vtkIdType>& vertices)
+{
+  // Threads may mark the same vertex at the same time.
+  const std::unique_ptr<std::atomic<bool>[]> used(new std::atomic<bool>[vertices.size()]());
+  std::vector<size_t> counts(CountChunks(corners.GetCount()));
+  ForEachChunk(corners.GetCount(), [&](size_t chunk, size_t begin, size_t end) {
+    size_t count = 0;
+    for (size_t f = begin; f < end; ++f)
     {
-      this->Triangles.push_back(t);
+      std::array<vtkIdType, 3> ids = corners[f];
+      if (FindVertices(vertices, ids))
+      {
+        ++count;
+        for (const vtkIdType id : ids)
+        {
+          used[id].store(true, std::memory_order_relaxed);
+        }
+      }
     }
+    counts[chunk] = count;
+  });
+  ForEachChunk(vertices.size(), [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+    {
+      if (vertices[i] >= 0 && !used[vertices[i]].load(std::memory_order_relaxed))
+      {
+        vertices[i] = -1;
+      }
+    }
+  });
+  return counts;
+}
+}
+
+//------------------------------------------------------------------------------
+CasterMesh::CasterMesh(vtkPolyData* data, const Progress& progress)
+{
+  if (data && data->GetPoints() && data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0 &&
+    !this->Build(
+      data, progress ? progress : [](double) { return true; }))
+  {
+    *this = CasterMesh(nullptr);
   }
 }
 
 //------------------------------------------------------------------------------
-void CasterMesh::BuildPlanes()
+bool CasterMesh::Build(vtkPolyData* data, const Progress& progress)
 {
+  if (!this->ReadTriangles(data, progress) || !progress(AfterTriangles))
+  {
+    return false;
+  }
+  this->BuildPlanes();
+  if (!progress(AfterPlanes))
+  {
+    return false;
+  }
+  BuildEdges(*this);
+  return progress(1.0);
+}
+
+//------------------------------------------------------------------------------
+bool CasterMesh::ReadTriangles(vtkPolyData* data, const Progress& progress)
+{
+  const vtkSmartPointer<vtkPolyData> triangles = Triangulate(data);
+  if (!progress(AfterTriangulation))
+  {
+    return false;
+  }
+  MergedPoints merged = MergeByPosition(triangles->GetPoints());
+  if (!progress(AfterMerging))
+  {
+    return false;
+  }
+  const Corners corners(triangles->GetPolys());
+  std::vector<size_t> first = FindUnused(corners, merged.First);
+  size_t count = 0;
+  for (size_t& place : first)
+  {
+    const size_t size = place;
+    place = count;
+    count += size;
+  }
+  this->AddPoints(merged.Positions, merged.First);
+  this->Triangles.resize(count);
+  ForEachChunk(corners.GetCount(), [&](size_t chunk, size_t begin, size_t end) {
+    size_t place = first[chunk];
+    for (size_t f = begin; f < end; ++f)
+    {
+      std::array<vtkIdType, 3> ids = corners[f];
+      if (FindVertices(merged.First, ids))
+      {
+        this->Triangles[place++] = { static_cast<int>(ids[0]), static_cast<int>(ids[1]),
+          static_cast<int>(ids[2]) };
+      }
+    }
+  });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Turns each point's first point at the same position into the index of their common vertex.
+void CasterMesh::AddPoints(
+  const std::vector<glm::dvec3>& positions, std::vector<vtkIdType>& vertices)
+{
+  this->Points.reserve(positions.size());
+  this->SourcePoints.reserve(positions.size());
+  // The first point at a position comes before the others, which then find its index.
+  for (size_t i = 0; i < positions.size(); ++i)
+  {
+    const vtkIdType first = vertices[i];
+    if (first == static_cast<vtkIdType>(i))
+    {
+      vertices[i] = static_cast<vtkIdType>(this->Points.size());
+      this->Points.push_back(positions[i]);
+      this->SourcePoints.push_back(first);
+    }
+    else if (first >= 0)
+    {
+      vertices[i] = vertices[first];
+    }
+  }
   if (!this->Points.empty())
   {
     this->BoundsMin = this->BoundsMax = this->Points[0];
@@ -133,47 +250,20 @@ void CasterMesh::BuildPlanes()
     this->BoundsMin = glm::min(this->BoundsMin, p);
     this->BoundsMax = glm::max(this->BoundsMax, p);
   }
-  this->Planes.reserve(this->Triangles.size());
-  for (const std::array<int, 3>& t : this->Triangles)
-  {
-    const glm::dvec3& a = this->Points[t[0]];
-    const glm::dvec3 normal = glm::cross(this->Points[t[1]] - a, this->Points[t[2]] - a);
-    this->Planes.emplace_back(normal, -glm::dot(normal, a));
-  }
 }
 
 //------------------------------------------------------------------------------
-void CasterMesh::BuildEdges()
+void CasterMesh::BuildPlanes()
 {
-  struct Use
-  {
-    std::uint64_t Key;
-    EdgeUse Value;
-  };
-  std::vector<Use> uses;
-  uses.reserve(3 * this->Triangles.size());
-  for (size_t f = 0; f < this->Triangles.size(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
+  this->Planes.resize(this->Triangles.size());
+  ForEachChunk(this->Triangles.size(), [&](size_t, size_t begin, size_t end) {
+    for (size_t f = begin; f < end; ++f)
     {
-      const auto a = static_cast<std::uint64_t>(this->Triangles[f][k]);
-      const auto b = static_cast<std::uint64_t>(this->Triangles[f][(k + 1) % 3]);
-      uses.push_back(
-        { std::min(a, b) << 32 | std::max(a, b), static_cast<EdgeUse>(2 * f + (a < b ? 1 : 0)) });
+      const std::array<int, 3>& t = this->Triangles[f];
+      const glm::dvec3& a = this->Points[t[0]];
+      const glm::dvec3 normal = glm::cross(this->Points[t[1]] - a, this->Points[t[2]] - a);
+      this->Planes[f] = glm::dvec4(normal, -glm::dot(normal, a));
     }
-  }
-  std::sort(uses.begin(), uses.end(),
-    [](const Use& a, const Use& b) { return a.Key != b.Key ? a.Key < b.Key : a.Value < b.Value; });
-  this->Uses.reserve(uses.size());
-  this->Edges.reserve(uses.size() / 2);
-  for (size_t i = 0; i < uses.size(); ++i)
-  {
-    if (i == 0 || uses[i].Key != uses[i - 1].Key)
-    {
-      this->Edges.push_back({ static_cast<int>(uses[i].Key >> 32),
-        static_cast<int>(uses[i].Key & 0xffffffffu), static_cast<int>(i) });
-    }
-    this->Uses.push_back(uses[i].Value);
-  }
+  });
 }
 }

@@ -2,13 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightSilhouette.h"
 
+#include "AirlightParallel.h"
+
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <utility>
 
 namespace airlight
 {
 namespace
 {
+// Relative to the largest coordinate: how close to a triangle counts as on it.
+constexpr double OnMeshTolerance = 1e-14;
+
 // +1 in front of the triangle's plane, -1 behind, 0 on it.
 int Side(const glm::dvec4& plane, const HomogeneousPoint& p)
 {
@@ -79,36 +86,92 @@ bool TouchesBounds(const CasterMesh& mesh, const HomogeneousPoint& a, const Homo
   }
   return from <= to * (1.0 + 1e-9);
 }
+
+// What a triangle adds to the weight of an edge that it uses.
+int Contribution(const std::vector<signed char>& facings, CasterMesh::EdgeUse use)
+{
+  const int facing = facings[use >> 1];
+  return (use & 1) != 0 ? facing : -facing;
+}
+
+void AddEdge(const CasterMesh::EdgeEnds& ends, int weight, std::vector<SilhouetteEdge>& silhouette)
+{
+  if (weight != 0)
+  {
+    const bool up = weight > 0;
+    silhouette.push_back({ ends[up ? 0 : 1], ends[up ? 1 : 0], std::abs(weight) });
+  }
+}
+
+bool HoldsPoint(const CasterMesh& mesh, size_t triangle, const glm::dvec3& point, double tolerance)
+{
+  const glm::dvec3 normal = Xyz(mesh.Planes[triangle]);
+  const double area = glm::length(normal);
+  const std::array<int, 3>& t = mesh.Triangles[triangle];
+  if (!(std::abs(glm::dot(normal, point - mesh.Points[t[0]])) <= tolerance * area))
+  {
+    return false;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    const glm::dvec3& a = mesh.Points[t[k]];
+    const glm::dvec3 along = mesh.Points[t[(k + 1) % 3]] - a;
+    const double inside = glm::dot(glm::cross(along, point - a), normal);
+    if (inside < -tolerance * area * glm::length(along))
+    {
+      return false;
+    }
+  }
+  return area > 0.0;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<signed char> FindFacings(const CasterMesh& mesh, const HomogeneousPoint& light)
+{
+  std::vector<signed char> facings(mesh.Planes.size());
+  ForEachChunk(facings.size(), [&](size_t, size_t begin, size_t end) {
+    for (size_t f = begin; f < end; ++f)
+    {
+      facings[f] = static_cast<signed char>(Side(mesh.Planes[f], light));
+    }
+  });
+  return facings;
 }
 
 //------------------------------------------------------------------------------
 std::vector<SilhouetteEdge> FindSilhouette(const CasterMesh& mesh, const HomogeneousPoint& light)
 {
-  std::vector<signed char> facing(mesh.Planes.size());
-  for (size_t f = 0; f < facing.size(); ++f)
-  {
-    facing[f] = static_cast<signed char>(Side(mesh.Planes[f], light));
-  }
-  std::vector<SilhouetteEdge> silhouette;
-  for (size_t e = 0; e < mesh.Edges.size(); ++e)
-  {
-    int weight = 0;
-    const int end = mesh.EndOfUses(e);
-    for (int u = mesh.Edges[e].FirstUse; u < end; ++u)
+  const std::vector<signed char> facings = FindFacings(mesh, light);
+  const size_t pairChunks = CountChunks(mesh.PairUses.size());
+  std::vector<std::vector<SilhouetteEdge>> parts(pairChunks + CountChunks(mesh.OtherEnds.size()));
+  ForEachChunk(mesh.PairUses.size(), [&](size_t chunk, size_t begin, size_t end) {
+    std::vector<SilhouetteEdge> part;
+    for (size_t e = begin; e < end; ++e)
     {
-      const int direction = mesh.Uses[u] % 2 == 1 ? 1 : -1;
-      weight += direction * facing[mesh.Uses[u] / 2];
+      const std::array<CasterMesh::EdgeUse, 2>& uses = mesh.PairUses[e];
+      const int weight = Contribution(facings, uses[0]) + Contribution(facings, uses[1]);
+      if (weight != 0)
+      {
+        AddEdge(mesh.PairEnds[e], weight, part);
+      }
     }
-    if (weight > 0)
+    parts[chunk] = std::move(part);
+  });
+  ForEachChunk(mesh.OtherEnds.size(), [&](size_t chunk, size_t begin, size_t end) {
+    std::vector<SilhouetteEdge> part;
+    for (size_t e = begin; e < end; ++e)
     {
-      silhouette.push_back({ mesh.Edges[e].Low, mesh.Edges[e].High, weight });
+      int weight = 0;
+      for (int u = mesh.FirstUse[e]; u < mesh.FirstUse[e + 1]; ++u)
+      {
+        weight += Contribution(facings, mesh.OtherUses[u]);
+      }
+      AddEdge(mesh.OtherEnds[e], weight, part);
     }
-    else if (weight < 0)
-    {
-      silhouette.push_back({ mesh.Edges[e].High, mesh.Edges[e].Low, -weight });
-    }
-  }
-  return silhouette;
+    parts[pairChunks + chunk] = std::move(part);
+  });
+  return Concatenate(std::move(parts));
 }
 
 //------------------------------------------------------------------------------
@@ -122,16 +185,48 @@ int CountShadowsAt(
     return 0;
   }
   const Line line = Connect(light, point);
-  int count = 0;
-  for (size_t f = 0; f < mesh.Triangles.size(); ++f)
-  {
-    // A triangle that the light sees edge-on casts nothing, as in FindSilhouette.
-    if (Side(mesh.Planes[f], light) * Side(mesh.Planes[f], point) < 0 &&
-      LineHits(mesh, line, mesh.Triangles[f]))
+  std::atomic<int> count{ 0 };
+  ForEachChunk(mesh.Triangles.size(), [&](size_t, size_t begin, size_t end) {
+    int found = 0;
+    for (size_t f = begin; f < end; ++f)
     {
-      ++count;
+      // A triangle that the light sees edge-on casts nothing, as in FindSilhouette.
+      if (Side(mesh.Planes[f], light) * Side(mesh.Planes[f], point) < 0 &&
+        LineHits(mesh, line, mesh.Triangles[f]))
+      {
+        ++found;
+      }
     }
-  }
+    count += found;
+  });
   return count;
+}
+
+//------------------------------------------------------------------------------
+int FindTriangleAt(const CasterMesh& mesh, const glm::dvec3& point)
+{
+  const glm::dvec3 size = glm::max(glm::abs(mesh.BoundsMin), glm::abs(mesh.BoundsMax));
+  const double tolerance = OnMeshTolerance * std::max({ size.x, size.y, size.z });
+  if (glm::any(glm::lessThan(point, mesh.BoundsMin - tolerance)) ||
+    glm::any(glm::greaterThan(point, mesh.BoundsMax + tolerance)))
+  {
+    return -1;
+  }
+  const auto count = static_cast<int>(mesh.Triangles.size());
+  std::atomic<int> lowest{ count }; // whichever thread finds its own first
+  ForEachChunk(mesh.Triangles.size(), [&](size_t, size_t begin, size_t end) {
+    for (size_t f = begin; f < end && static_cast<int>(f) < lowest; ++f)
+    {
+      if (HoldsPoint(mesh, f, point, tolerance))
+      {
+        int found = lowest;
+        while (
+          static_cast<int>(f) < found && !lowest.compare_exchange_weak(found, static_cast<int>(f)))
+        {
+        }
+      }
+    }
+  });
+  return lowest < count ? lowest.load() : -1;
 }
 }

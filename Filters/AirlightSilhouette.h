@@ -9,6 +9,7 @@
 #define AirlightSilhouette_h
 
 #include "AirlightCasterMesh.h"
+#include "vtkAirlightModule.h" // for export macro
 
 #include <glm/glm.hpp>
 
@@ -30,12 +31,23 @@ struct SilhouetteEdge
 
 // The weight of an edge is the sum of the directions in which its triangles, each turned to face
 // the light, run along it; edges of weight 0 bound nothing. Their sum is a closed chain whatever
-// the mesh, so that shadow planes never leak.
-std::vector<SilhouetteEdge> FindSilhouette(const CasterMesh& mesh, const HomogeneousPoint& light);
+// the mesh, so that shadow planes never leak. The edges of pairs come first, each list in the
+// mesh's order.
+VTKAIRLIGHT_EXPORT std::vector<SilhouetteEdge> FindSilhouette(
+  const CasterMesh& mesh, const HomogeneousPoint& light);
+
+// How each triangle is turned: 1 where the light is in front of it, -1 behind, 0 in its plane. The
+// last casts nothing.
+VTKAIRLIGHT_EXPORT std::vector<signed char> FindFacings(
+  const CasterMesh& mesh, const HomogeneousPoint& light);
+
+// A triangle that holds the point but for rounding, -1 where there is none. A light there has no
+// defined shadows.
+VTKAIRLIGHT_EXPORT int FindTriangleAt(const CasterMesh& mesh, const glm::dvec3& point);
 
 // Number of triangles crossed by the straight way from the light to the point, that is the number
 // of shadow volumes that hold the point. Consistent along shared edges.
-int CountShadowsAt(
+VTKAIRLIGHT_EXPORT int CountShadowsAt(
   const CasterMesh& mesh, const HomogeneousPoint& light, const HomogeneousPoint& point);
 }
 

@@ -11,6 +11,8 @@ packages=(
   # to build
   build-essential cmake ninja-build ccache
   libvtk9-dev libeigen3-dev libglm-dev libcli11-dev nlohmann-json3-dev
+  # to measure
+  libbenchmark-dev
   # Python
   python3-vtk9 python3-numpy
   # to render without a screen

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The prepared meshes of a filter's inputs, kept from one execution to the next.
+ */
+
+#ifndef AirlightMeshCache_h
+#define AirlightMeshCache_h
+
+#include "AirlightCasterMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <array>
+#include <map>
+#include <memory>
+
+namespace airlight
+{
+class MeshCache
+{
+public:
+  // The data's mesh; null where the progress stopped its making.
+  std::shared_ptr<const CasterMesh> Get(vtkPolyData* data, const CasterMesh::Progress& progress)
+  {
+    // Blocks of composite data arrive as copies that share their arrays. No two objects have the
+    // same time, and an object's time grows with every change.
+    const Times times{ data->GetPoints() ? data->GetPoints()->GetMTime() : 0,
+      data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime() };
+    const auto found = this->Entries.find(times);
+    if (found != this->Entries.end())
+    {
+      found->second.Used = true;
+      return found->second.Mesh;
+    }
+    bool stopped = false;
+    auto mesh = std::make_shared<const CasterMesh>(data, [&](double value) {
+      stopped = !progress(value);
+      return !stopped;
+    });
+    if (stopped)
+    {
+      return nullptr;
+    }
+    this->Entries[times] = { mesh, true };
+    return mesh;
+  }
+
+  void MarkUnused()
+  {
+    for (auto& entry : this->Entries)
+    {
+      entry.second.Used = false;
+    }
+  }
+
+  // Erases what was not got since MarkUnused().
+  void EraseUnused()
+  {
+    for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
+    {
+      entry = entry->second.Used ? std::next(entry) : this->Entries.erase(entry);
+    }
+  }
+
+private:
+  using Times = std::array<vtkMTimeType, 3>;
+  struct Entry
+  {
+    std::shared_ptr<const CasterMesh> Mesh;
+    bool Used;
+  };
+  std::map<Times, Entry> Entries;
+};
+}
+
+#endif
