@@ -4,15 +4,13 @@
 // Queries of airlight::Occluders against loops over all triangles (see AirlightBruteForce.h), on
 // random triangles and on closed meshes, through whose seams nothing may leak.
 
-#include "AirlightBruteForce.h"
 #include "AirlightOccluders.h"
 #include "AirlightTestCheck.h"
-#include "AirlightTestTools.h"
+#include "AirlightTestSoup.h"
 
 #include "vtkCellArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
 
@@ -24,48 +22,12 @@ using airlight_test::Failures;
 using airlight_test::Random;
 using airlight_test::Text;
 using airlighttest::Infinity;
+using airlighttest::RandomPoint;
 using airlighttest::Ray;
 using airlighttest::Triangle;
 
 namespace
 {
-glm::dvec3 RandomPoint(Random& random, double reach)
-{
-  glm::dvec3 p;
-  for (int i = 0; i < 3; ++i)
-  {
-    p[i] = random.Uniform(-reach, reach);
-  }
-  return p;
-}
-
-// Triangles of all sizes in [-1, 1]^3, each with its own points.
-vtkSmartPointer<vtkPolyData> MakeSoup(Random& random, int count, std::vector<Triangle>& triangles)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (int i = 0; i < count; ++i)
-  {
-    const double size = random.LogUniform(0.01, 0.5);
-    const glm::dvec3 centre = RandomPoint(random, 1.0);
-    const Triangle t{ centre + RandomPoint(random, size), centre + RandomPoint(random, size),
-      centre + RandomPoint(random, size) };
-    triangles.push_back(t);
-    vtkIdType ids[3];
-    int k = 0;
-    for (const glm::dvec3& p : { t.A, t.B, t.C })
-    {
-      ids[k++] = points->InsertNextPoint(p.x, p.y, p.z);
-    }
-    cells->InsertNextCell(3, ids);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  return data;
-}
-
 Ray RandomRay(Random& random)
 {
   const glm::dvec3 origin = RandomPoint(random, 2.0);
@@ -261,7 +223,8 @@ int TestOccluders(int, char*[])
   for (int count : { 1, 2, 3, 300 })
   {
     std::vector<Triangle> triangles;
-    const vtkSmartPointer<vtkPolyData> soup = MakeSoup(random, count, triangles);
+    const vtkSmartPointer<vtkPolyData> soup =
+      airlighttest::MakeRandomSoup(random, count, triangles);
     Occluders occluders;
     occluders.Add(soup, nullptr, 0);
     occluders.Build();
