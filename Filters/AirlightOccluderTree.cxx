@@ -39,8 +39,7 @@ OccluderFan::OccluderFan(const HomogeneousPoint& light, const glm::dvec3& origin
   const double length =
     Largest(toLight) + (isFinite ? 2.0 * Largest(origin) : 0.0); // before the difference
   const double error = 1e-14 * length * reach;
-  this->AddSide(n, glm::dvec3(0.0), error);
-  this->AddSide(-n, glm::dvec3(0.0), error);
+  this->Plane = { n, glm::abs(n), error };
   this->AddSide(towards, glm::dvec3(0.0), error);
 
   const auto addEnd = [&](double sign, double t) {
@@ -64,7 +63,7 @@ OccluderFan::OccluderFan(const HomogeneousPoint& light, const glm::dvec3& origin
 //------------------------------------------------------------------------------
 void OccluderFan::AddSide(const glm::dvec3& normal, const glm::dvec3& point, double error)
 {
-  this->Sides[this->Count++] = { normal, error - glm::dot(normal, point) };
+  this->Sides[this->Count++] = { normal, glm::abs(normal), error - glm::dot(normal, point) };
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace airlight
@@ -47,10 +48,41 @@ public:
     }
     const glm::dvec3 centre = 0.5 * (box.Least + box.Greatest) - this->Origin;
     const glm::dvec3 half = 0.5 * (box.Greatest - box.Least);
+    if (std::abs(glm::dot(this->Plane.Normal, centre)) >
+      glm::dot(this->Plane.Absolute, half) + this->Plane.Offset)
+    {
+      return false;
+    }
     for (int i = 0; i < this->Count; ++i)
     {
       const Side& side = this->Sides[i];
-      if (glm::dot(side.Normal, centre) + glm::dot(glm::abs(side.Normal), half) + side.Offset < 0.0)
+      if (glm::dot(side.Normal, centre) + glm::dot(side.Absolute, half) + side.Offset < 0.0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Never false for a triangle that the fan meets.
+  bool MayMeet(const OccluderTriangle& t) const
+  {
+    const glm::dvec3 a = t.A - this->Origin;
+    const glm::dvec3 b = t.B - this->Origin;
+    const glm::dvec3 c = t.C - this->Origin;
+    const double heights[3] = { glm::dot(this->Plane.Normal, a), glm::dot(this->Plane.Normal, b),
+      glm::dot(this->Plane.Normal, c) };
+    const auto [least, greatest] = std::minmax_element(heights, heights + 3);
+    if (*least > this->Plane.Offset || *greatest < -this->Plane.Offset)
+    {
+      return false;
+    }
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const Side& side = this->Sides[i];
+      const double furthest =
+        std::max({ glm::dot(side.Normal, a), glm::dot(side.Normal, b), glm::dot(side.Normal, c) });
+      if (furthest + side.Offset < 0.0)
       {
         return false;
       }
@@ -63,6 +95,7 @@ private:
   struct Side
   {
     glm::dvec3 Normal;
+    glm::dvec3 Absolute; // of the normal, component by component
     double Offset;
   };
 
@@ -71,7 +104,8 @@ private:
     double t1, double scale);
 
   glm::dvec3 Origin;
-  std::array<Side, 5> Sides;
+  Side Plane; // abs(dot(Normal, x - Origin)) <= Offset
+  std::array<Side, 3> Sides;
   int Count = 0;
   OccluderBox Bounds;
 };

@@ -173,9 +173,10 @@ void Occluders::FindShadows(const HomogeneousPoint& light, const glm::dvec3& ori
   }
   const OccluderFan fan(light, origin, unitDirection, t0, t1, this->Scale);
   this->Boxes->VisitFan(fan, [&](int i) {
+    const OccluderTriangle& triangle = this->Triangles[i];
     Shadow shadow{ t0, t1, i };
-    if (FindShadow(
-          this->Triangles[i], light, origin, unitDirection, t0, t1, shadow.From, shadow.To))
+    if (fan.MayMeet(triangle) &&
+      FindShadow(triangle, light, origin, unitDirection, t0, t1, shadow.From, shadow.To))
     {
       shadows.push_back(shadow);
     }

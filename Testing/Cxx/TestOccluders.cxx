@@ -34,8 +34,13 @@ Ray RandomRay(Random& random)
   return { origin, glm::normalize(RandomPoint(random, 1.0) - origin) };
 }
 
-glm::dvec4 RandomLight(Random& random)
+// At a place, at infinity, or on the ray.
+glm::dvec4 RandomLight(Random& random, const Ray& ray)
 {
+  if (random.Index(4) == 0)
+  {
+    return glm::dvec4(ray.Origin + random.Uniform(-2.0, 4.0) * ray.Direction, 1.0);
+  }
   return random.Index(2) ? glm::dvec4(RandomPoint(random, 3.0), 1.0)
                          : glm::dvec4(glm::normalize(RandomPoint(random, 1.0)), 0.0);
 }
@@ -81,7 +86,7 @@ void CheckShadows(
   for (int k = 0; k < 3000; ++k)
   {
     const Ray ray = RandomRay(random);
-    const glm::dvec4 light = RandomLight(random);
+    const glm::dvec4 light = RandomLight(random, ray);
     const double t0 = random.Index(2) ? random.Uniform(0.0, 1.0) : 0.0;
     const double t1 = random.Index(2) ? random.Uniform(1.0, 5.0) : Infinity;
     std::vector<Occluders::Shadow> shadows;

@@ -45,7 +45,7 @@ def make_square():
 
 def airlight_on_x(start, end, eye):
     """Radiance towards x = eye of the part [start, end] of the x axis, by the midpoint rule."""
-    n = 200000
+    n = 50000
     x = start + (end - start) * (np.arange(n) + 0.5) / n
     r = np.hypot(x, LAMP[1])
     terms = SIGMA / (4 * np.pi) * POWER / r**2 * np.exp(-SIGMA * (r + np.abs(x - eye)))
@@ -59,7 +59,8 @@ class TestRayFilters(unittest.TestCase):
         line.SetPoint2(4, 0, 0.1)
         lit = airlight.vtkLitIntervalsFilter()
         lit.SetInputConnection(line.GetOutputPort())
-        lit.AddInputConnection(1, make_square().GetOutputPort())
+        square = make_square()
+        lit.AddInputConnection(1, square.GetOutputPort())
         lamp = make_lamp()
         lamp.SetPosition(0, 2, 0.1)
         lit.SetLight(lamp)
@@ -97,7 +98,8 @@ class TestRayFilters(unittest.TestCase):
         cloud.SetVerts(vertices)
         probe = airlight.vtkAirlightProbeFilter()
         probe.SetInputData(cloud)
-        probe.AddInputConnection(1, make_square().GetOutputPort())
+        square = make_square()
+        probe.AddInputConnection(1, square.GetOutputPort())
         probe.AddLight(make_lamp())
         probe.SetMedium(make_medium())
         probe.SetViewpoint(-5, 0, 0)
