@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What stands in the way of light: triangles in world coordinates in a hierarchy of boxes, in
- * double precision. Tells what a ray hits, whether a light is seen, and which parts of a ray are lit.
+ * double precision. Tells what a ray hits, whether a light is seen, and which parts of a ray are
+ * lit.
  *
  * Nothing is assumed of the triangles, as in AirlightCasterMesh.h, and each has two sides. What
  * neighbours share is computed alike for both, so that no light leaks between them.

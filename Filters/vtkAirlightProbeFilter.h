@@ -14,12 +14,14 @@
  *
  * Output: the input with these point data, double, RGB. With lamps in W/sr and lengths in metres:
  *
- * | array | meaning | unit |
- * |---|---|---|
- * | Radiance | what the medium between the point and the viewpoint sends to the viewpoint: the airlight of all lights, with shadows, and the medium's ambient radiance. A surface seen there comes on top, times Transmittance | W/(m^2 sr) |
- * | Transmittance | from the point to the viewpoint | 1 |
- * | DirectIrradiance | from all lights, attenuated by the medium and with shadows. With point normals on the side of the normal: I cos(theta)/r^2 T. Without them at normal incidence, I/r^2 T, summed: what a small sphere of unit cross-section catches | W/m^2 |
- * | ScatteredIrradiance | see SetScatteredIrradiance() | W/m^2 |
+ *  - Radiance [W/(m^2 sr)]: what the medium between the point and the viewpoint sends to the
+ *    viewpoint: the airlight of all lights, with shadows, and the medium's ambient radiance. A
+ *    surface seen there comes on top, times Transmittance.
+ *  - Transmittance: from the point to the viewpoint.
+ *  - DirectIrradiance [W/m^2]: from all lights, attenuated by the medium and with shadows. With
+ *    point normals on the side of the normal, I cos(theta)/r^2 T. Without them at normal incidence,
+ *    I/r^2 T, summed: what a small sphere of unit cross-section catches.
+ *  - ScatteredIrradiance [W/m^2]: see SetScatteredIrradiance().
  *
  * I and 1/r^2 stand for what vtkAirlight::SetRadiantIntensity() says of a vtkLight: its cone,
  * exponent and attenuation count; a directional light has its irradiance. Normals need not be of

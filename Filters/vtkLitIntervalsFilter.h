@@ -4,10 +4,11 @@
  * @class   vtkLitIntervalsFilter
  * @brief   the lit parts of lines in a participating medium, exactly
  *
- * Cuts lines into the parts on which a light shines: inside the medium, inside the light's cone, and
- * not in the shadow of an occluder. Tells how long each part is, how much of the medium it crosses,
- * and what the medium scatters there. Where vtkAirlightPass draws a picture, this gives the numbers
- * behind single rays: how far a sonde is in the light, where a beam is cut, which object does it.
+ * Cuts lines into the parts on which a light shines: inside the medium, inside the light's cone,
+ * and not in the shadow of an occluder. Tells how long each part is, how much of the medium it
+ * crosses, and what the medium scatters there. Where vtkAirlightPass draws a picture, this gives
+ * the numbers behind single rays: how far a sonde is in the light, where a beam is cut, which
+ * object does it.
  *
  * Input port 0: vtkPolyData whose lines and polylines are followed; other cells are ignored. Port 1
  * (optional, repeatable): vtkPolyData whose polygons and strips are opaque, whichever way they are
@@ -32,11 +33,11 @@
  * Airlight is the integral of vtkAirlight::Inscatter() over the part; on a polyline the light
  * goes back along the line, as if each bend were a mirror. So the sum over a straight line's cells
  * is the airlight that an eye at its first point sees, with shadows, without ambient radiance.
- * Errors: those of vtkAirlight for the numbers; rounding, about 1e-12 of the largest coordinate, for
- * the ends. Parts shorter than that between two shadows count as dark.
+ * Errors: those of vtkAirlight for the numbers; rounding, about 1e-12 of the largest coordinate,
+ * for the ends. Parts shorter than that between two shadows count as dark.
  *
- * A light that is switched off or of intensity 0 lights nothing. A light counts where it stands, with
- * its transform matrix; a headlight, too, casts shadows here. Photometric files belong to a
+ * A light that is switched off or of intensity 0 lights nothing. A light counts where it stands,
+ * with its transform matrix; a headlight, too, casts shadows here. Photometric files belong to a
  * vtkAirlightPass and are not known here.
  *
  * Bad input: no light, no medium, or a light whose numbers are no good give an error and an output
