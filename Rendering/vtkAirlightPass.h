@@ -360,8 +360,9 @@ public:
 
   /**
    * The last frame's buffer of this name, or null before the first recorded frame or for an
-   * unknown name; of the renderer drawn last. Single precision, linear, the renderer's size, bottom
-   * row first:
+   * unknown name; of the renderer drawn last. Single precision, linear, bottom row first, of the
+   * renderer's size, or of the target's that a pass outside gives (larger for vtkSSAAPass,
+   * vtkDepthOfFieldPass and vtkGaussianBlurPass):
    *  - "Radiance" (RGB): what reaches the eye, background included, W/(m^2 sr);
    *  - "Airlight" (RGB): the part that the medium scattered into the ray;
    *  - "Surface" (RGB): the part that opaque surfaces sent, attenuated; 0 where there is none;

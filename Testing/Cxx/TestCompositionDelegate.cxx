@@ -94,6 +94,8 @@ int TestCompositionDelegate(int, char*[])
 {
   Composition scene;
   scene.SetFoggy();
+  const double intensity[3] = { 20.0, 17.0, 13.0 }; // the ball is close to the lamp
+  vtkAirlight::SetRadiantIntensity(scene.Lamp, intensity);
   const vtkSmartPointer<vtkTextActor> text = MakeText();
   scene.Renderer->AddActor(text);
 
@@ -101,8 +103,8 @@ int TestCompositionDelegate(int, char*[])
   vtkNew<vtkRenderStepsPass> steps;
   CheckSame(scene, steps, 0, "annotations");
 
-  // One convex surface is two layers; VTK peels both in 8 bits, which rounds four times, the pass' own
-  // blending once.
+  // One convex surface is two layers. In 8 bits VTK rounds each and what is behind, the pass in single
+  // precision once: 1.5 and 0.5 steps.
   scene.AddTranslucentBall();
   CheckShows(scene, scene.Renderer->GetActors()->GetLastActor());
   vtkNew<vtkTranslucentPass> translucent;
@@ -115,7 +117,7 @@ int TestCompositionDelegate(int, char*[])
   scene.Renderer->UseDepthPeelingOff();
   CheckClear(scene, steps, 2, "a delegate's depth peeling");
   steps->SetTranslucentPass(translucent);
-  CheckClear(scene, steps, 1, "a delegate's plain blending");
+  CheckClear(scene, steps, 2, "a delegate's plain blending");
 
   // A delegate that does not draw what it is given: translucent actors are fogged by themselves
   // nevertheless.
