@@ -98,7 +98,8 @@ void CheckFades(Composition& scene, vtkImageProcessingPass* inside, const std::s
 
 //------------------------------------------------------------------------------
 // A delegate may draw in another size. Shadows on surfaces then move by less than a pixel or are
-// blurred: few values change much. Were they read from the wrong place, a tenth of all would.
+// blurred: few values change much. Read from the wrong place they would be
+// elsewhere altogether.
 template <typename Inside>
 void CheckShadows(Composition& scene, Inside* inside, const std::string& name)
 {
