@@ -253,55 +253,6 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
 }
 
 //------------------------------------------------------------------------------
-// Reads one light's airlight and clears its target for the next one.
-bool Frame::RecordSingle(int index)
-{
-  if (!this->Textures.Bind({ this->Textures.Single }, nullptr))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  this->Buffers["Airlight:" + std::to_string(index)] = this->Textures.Read(0, 0, 3);
-  this->ClearTarget(0.0f);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-vtkImageData* Frame::GetBuffer(const std::string& name)
-{
-  const auto it = this->Buffers.find(name);
-  return it != this->Buffers.end() ? it->second.Get() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-void Frame::SetMapRays(const View* rays, int x, int y)
-{
-  this->MapRays = rays;
-  this->MapX = x;
-  this->MapY = y;
-}
-
-//------------------------------------------------------------------------------
-SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
-{
-  SurfaceUniforms values;
-  values.Stage = stage;
-  values.Rays = this->MapRays ? this->MapRays : &*this->Rays;
-  values.ViewportX = this->MapRays ? this->MapX : 0;
-  values.ViewportY = this->MapRays ? this->MapY : 0;
-  values.Media = &this->Media;
-  values.Lamps = &this->Lamps;
-  values.Lit = this->Textures.Lit;
-  values.Data = this->Data.GetTexture();
-  values.Glow = this->Settings.SurfaceGlow;
-  values.EncodedInput = this->Settings.EncodedInput;
-  values.Records = this->Settings.LayerRecords ? &this->LayerLists : nullptr;
-  // Without records the bits are those of the opaque surface, which lies behind the layers.
-  values.UseLit = this->Settings.Shadows != ShadowMethod::None && this->Settings.SurfaceShadows &&
-    (stage != SurfaceStage::Layer || values.Records);
-  return values;
-}
-
-//------------------------------------------------------------------------------
 void Frame::ReleaseMaps(vtkWindow* window)
 {
   for (const auto& map : this->Maps)

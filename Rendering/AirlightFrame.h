@@ -74,6 +74,7 @@ struct FrameSettings
   bool LayerRecords = false; // and their fragments have records
   bool Record = false;
   bool EncodedInput = false;     // the scene's colours are encoded for display
+  bool EncodedOutput = false;    // the picture is
   int DebugView = 0;             // vtkAirlightPass::DebugViewType
   double PhaseErrorBound = 0.0;  // the largest of the media, relative
   std::uint64_t MemoryLimit = 0; // bytes
@@ -129,6 +130,10 @@ public:
   bool HasLayerRecords() const { return this->Settings.LayerRecords; }
 
   SurfaceUniforms GetSurfaceUniforms(SurfaceStage stage);
+
+  // Brings them to the target that a delegate has bound, which may be of another size, and binds
+  // the textures again whose units it may have used.
+  void FitToTarget(SurfaceUniforms& values);
   vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Textures.GetFramebuffer(); }
   const std::string& GetError() const { return this->Error; }
 

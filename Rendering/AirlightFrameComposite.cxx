@@ -48,6 +48,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   program->SetUniformi("encodedInput", this->Settings.EncodedInput ? 1 : 0);
   if (!layers)
   {
+    program->SetUniformi("encodedOutput", this->Settings.EncodedOutput ? 1 : 0);
     program->SetUniformi("debugView", this->Settings.DebugView);
   }
   if (layers && this->Settings.Record)
@@ -69,7 +70,7 @@ vtkShaderProgram* Frame::ReadyCopy(int x, int y)
   }
   const int corner[2] = { x, y };
   program->SetUniform2i("airlightViewport", corner);
-  program->SetUniformi("encodedInput", this->Settings.EncodedInput ? 1 : 0);
+  program->SetUniformi("encodedOutput", this->Settings.EncodedOutput ? 1 : 0);
   return program;
 }
 
@@ -134,6 +135,26 @@ bool Frame::Record()
 }
 
 //------------------------------------------------------------------------------
+// Reads one light's airlight and clears its target for the next one.
+bool Frame::RecordSingle(int index)
+{
+  if (!this->Textures.Bind({ this->Textures.Single }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Buffers["Airlight:" + std::to_string(index)] = this->Textures.Read(0, 0, 3);
+  this->ClearTarget(0.0f);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* Frame::GetBuffer(const std::string& name)
+{
+  const auto it = this->Buffers.find(name);
+  return it != this->Buffers.end() ? it->second.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool Frame::Composite(int x, int y, bool blend)
 {
   const bool copy = this->Settings.Layers;
@@ -161,8 +182,8 @@ bool Frame::Composite(int x, int y, bool blend)
   }
   if (copy)
   {
-    this->CopyQuad.Draw(
-      { { "radiances", this->Textures.Radiance }, { "sceneDepth", this->Textures.Depth } });
+    this->CopyQuad.Draw({ { "radiances", this->Textures.Radiance },
+      { "sceneDepth", this->Textures.Depth }, { "scene", this->Textures.Scene } });
   }
   else
   {

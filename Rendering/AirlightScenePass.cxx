@@ -4,11 +4,14 @@
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
+#include "vtkDualDepthPeelingPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkRenderState.h"
+#include "vtkTranslucentPass.h"
 
 #include <algorithm>
 
@@ -21,10 +24,37 @@ vtkPointGaussianMapper* GetSplatMapper(vtkProp* prop)
   auto* actor = vtkActor::SafeDownCast(prop);
   return actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
 }
+
+void RenderSplats(const vtkRenderState* s)
+{
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    if (AirlightScenePass::IsSplats(s->GetPropArray()[i]))
+    {
+      s->GetPropArray()[i]->RenderOpaqueGeometry(s->GetRenderer());
+    }
+  }
+}
+
+// Whether volumes are drawn with the translucent surfaces.
+bool PeelsVolumes(vtkRenderer* renderer, vtkRenderPass* translucentPass)
+{
+  if (translucentPass)
+  {
+    auto* peeling = vtkDualDepthPeelingPass::SafeDownCast(translucentPass);
+    return peeling && peeling->GetVolumetricPass();
+  }
+  return renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes();
+}
 }
 
 //------------------------------------------------------------------------------
-AirlightScenePass::AirlightScenePass() = default;
+AirlightScenePass::AirlightScenePass()
+{
+  this->Unordered->SetTranslucentPass(this->Blending);
+  this->Peeling->SetTranslucentPass(this->Blending);
+}
+
 AirlightScenePass::~AirlightScenePass() = default;
 
 //------------------------------------------------------------------------------
@@ -91,26 +121,41 @@ void AirlightScenePass::RenderFragments(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+void AirlightScenePass::RenderTransparentOf(const vtkRenderState* s)
+{
+  RenderSplats(s);
+  vtkRenderer* renderer = s->GetRenderer();
+  if (renderer->GetUseDepthPeeling())
+  {
+    this->Peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
+    this->Peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
+    this->Peeling->Render(s);
+  }
+  else
+  {
+    this->Unordered->Render(s);
+  }
+}
+
+//------------------------------------------------------------------------------
 // In VTK's order; where translucent surfaces are peeled together with volumes, these are done.
-void AirlightScenePass::RenderTransparent(const vtkRenderState* s)
+void AirlightScenePass::RenderTransparent(const vtkRenderState* s, vtkRenderPass* translucentPass)
 {
   vtkRenderer* renderer = s->GetRenderer();
   vtkProp** props = s->GetPropArray();
   const int count = s->GetPropArrayCount();
-  for (int i = 0; i < count; ++i)
-  {
-    if (IsSplats(props[i]))
-    {
-      props[i]->RenderOpaqueGeometry(renderer);
-    }
-  }
+  RenderSplats(s);
   const bool translucent = std::any_of(
     props, props + count, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
-  if (translucent)
+  if (translucent && translucentPass)
+  {
+    translucentPass->Render(s);
+  }
+  else if (translucent)
   {
     renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
   }
-  if (!translucent || !renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes())
+  if (!translucent || !PeelsVolumes(renderer, translucentPass))
   {
     std::for_each(
       props, props + count, [&](vtkProp* prop) { prop->RenderVolumetricGeometry(renderer); });
@@ -118,17 +163,18 @@ void AirlightScenePass::RenderTransparent(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-void AirlightScenePass::RenderOverlay(const vtkRenderState* s, bool antialias)
+void AirlightScenePass::Antialias(vtkRenderer* renderer)
 {
-  auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
-  if (antialias && renderer && renderer->GetUseFXAA())
+  if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
   {
-    if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
-    {
-      this->Antialiasing->UpdateConfiguration(options);
-    }
-    this->Antialiasing->Execute(renderer);
+    this->Antialiasing->UpdateConfiguration(options);
   }
+  this->Antialiasing->Execute(vtkOpenGLRenderer::SafeDownCast(renderer));
+}
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::RenderOverlay(const vtkRenderState* s)
+{
   vtkProp** props = s->GetPropArray();
   std::for_each(props, props + s->GetPropArrayCount(),
     [&](vtkProp* prop) { prop->RenderOverlay(s->GetRenderer()); });
@@ -139,4 +185,6 @@ void AirlightScenePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   this->Antialiasing->ReleaseGraphicsResources();
+  this->Unordered->ReleaseGraphicsResources(window);
+  this->Peeling->ReleaseGraphicsResources(window);
 }

@@ -11,9 +11,12 @@
 #include "vtkNew.h"
 #include "vtkRenderPass.h"
 
+class vtkDualDepthPeelingPass;
 class vtkFrameBufferObjectBase;
 class vtkOpenGLFXAAFilter;
+class vtkOrderIndependentTranslucentPass;
 class vtkProp;
+class vtkTranslucentPass;
 class vtkWindow;
 
 class AirlightScenePass : public vtkRenderPass
@@ -41,12 +44,17 @@ public:
   // The surfaces among that, plainly.
   static void RenderFragments(const vtkRenderState* s);
 
-  // Opaque splats, translucent surfaces as the renderer's settings say, then volumes.
-  void RenderTransparent(const vtkRenderState* s);
+  // Opaque splats, translucent surfaces with this pass or, without one, as the renderer's settings
+  // say, then volumes.
+  void RenderTransparent(const vtkRenderState* s, vtkRenderPass* translucentPass);
 
-  // Into the framebuffer that is bound: VTK's FXAA where it is allowed and the renderer asks for it,
-  // then annotations.
-  void RenderOverlay(const vtkRenderState* s, bool antialias);
+  // The same of the renderer's props that are in the state only, but for volumes, with the passes that
+  // the renderer's settings say.
+  void RenderTransparentOf(const vtkRenderState* s);
+
+  // Into the framebuffer that is bound: VTK's FXAA of it; annotations.
+  void Antialias(vtkRenderer* renderer);
+  static void RenderOverlay(const vtkRenderState* s);
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -60,6 +68,9 @@ private:
 
   bool OpaqueOnly = false;
   vtkNew<vtkOpenGLFXAAFilter> Antialiasing;
+  vtkNew<vtkTranslucentPass> Blending;
+  vtkNew<vtkOrderIndependentTranslucentPass> Unordered;
+  vtkNew<vtkDualDepthPeelingPass> Peeling;
 };
 
 #endif

@@ -154,7 +154,8 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
   lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
   lit = text.Translucent ? AddMedium(lit) : lit;
   const bool records = HasRecords(text);
-  const std::string hide = splats ? "  if (airlightHidden != 0)\n  {\n    discard;\n  }\n" : "";
+  const bool hides = splats || text.Hides;
+  const std::string hide = hides ? "  if (airlightHidden != 0)\n  {\n    discard;\n  }\n" : "";
   const std::string find = records
     ? "  if (airlightStage == AIRLIGHT_STAGE_LAYER)\n  {\n    airlightFindLayer();\n  }\n"
     : "";
@@ -164,7 +165,7 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
     "\n" + hide + (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
       (early ? "" : others));
   fragmentShader.insert(
-    mainStart, Declarations(text) + (splats ? "uniform int airlightHidden;\n" : ""));
+    mainStart, Declarations(text) + (hides ? "uniform int airlightHidden;\n" : ""));
   if (records)
   {
     // After VTK's line for the version, which is as old as can be.
@@ -247,7 +248,7 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
     program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
     program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
   }
-  values.Rays->SetUniforms(program, values.ViewportX, values.ViewportY);
+  values.Rays->SetUniforms(program, values.ViewportX, values.ViewportY, values.Pixels);
   if (values.Data)
   {
     program->SetUniformi("airlightData", values.Data->GetTextureUnit());
@@ -256,7 +257,7 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     values.Records->Use(program);
   }
-  if (values.Splats)
+  if (values.Hides)
   {
     program->SetUniformi("airlightHidden", values.Hidden ? 1 : 0);
   }

@@ -45,6 +45,7 @@ struct SurfaceText
   int GlowLightCount = 0;    // at most; 0: surfaces get no scattered light
   bool Translucent = false;  // fragments may be put behind the medium before them
   bool LayerRecords = false; // and have records (AirlightLayerRecords.h)
+  bool Hides = false;        // all fragments may be left out of a stage, as those of splats
   bool InPass = true;        // there are the pass's stages and its shadows on surfaces
   bool AtVertices = false;   // the medium before fragments is interpolated between vertices
   std::string Mathematics;   // GetScatteringSource() and, for scattered light, GetGlowSource()
@@ -54,7 +55,7 @@ struct SurfaceText
 // what arrives of the light, which leaves the mapper's shading model, whatever it is, as it was.
 // Scattered light is added to the diffuse part of the models that VTK has. Shaders without main()
 // are left alone. Where fragments are put behind the medium, that is the last thing before VTK's
-// marker for the passes of translucent surfaces. Splats can be left out of a stage.
+// marker for the passes of translucent surfaces.
 void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, bool splats = false);
 
 // Rewrites a mapper's vertex shader for SurfaceText::AtVertices.
@@ -73,6 +74,7 @@ struct SurfaceUniforms
   const View* Rays = nullptr;
   int ViewportX = 0; // lower left corner of the viewport in the target
   int ViewportY = 0;
+  glm::vec4 Pixels{ 1.0f, 1.0f, 0.0f, 0.0f }; // of the target (View::SetUniforms())
   const f64::AirlightMedia* Media = nullptr;
   const std::vector<Lamp>* Lamps = nullptr;
   vtkTextureObject* Lit = nullptr;       // in the pass, an active texture in any case
@@ -81,8 +83,8 @@ struct SurfaceUniforms
   bool EncodedInput = false;             // the mappers' colours are encoded for display
   bool UseLit = false;                   // false: all surfaces are lit
   bool Glow = false;                     // the shaders were rewritten for scattered light
-  bool Splats = false;                   // the shader was rewritten for splats
-  bool Hidden = false;                   // splats: nothing is drawn
+  bool Hides = false;                    // the shader was rewritten to draw nothing on demand
+  bool Hidden = false;                   // now it does
   bool Additive = false; // adds to what is behind, and the medium has done so already
 };
 

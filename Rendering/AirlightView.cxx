@@ -97,7 +97,21 @@ glm::mat4 View::GetClipMatrix(const glm::dvec3& origin) const
 }
 
 //------------------------------------------------------------------------------
-void View::SetUniforms(vtkShaderProgram* program, int x, int y) const
+glm::vec4 View::GetPixelsFrom(const View& other) const
+{
+  glm::vec4 result;
+  for (int i = 0; i < 2; ++i)
+  {
+    const glm::dvec3& step = this->Affine[i + 1];
+    const double square = glm::dot(step, step);
+    result[i] = static_cast<float>(glm::dot(other.Affine[i + 1], step) / square);
+    result[i + 2] = static_cast<float>(glm::dot(other.Affine[0] - this->Affine[0], step) / square);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void View::SetUniforms(vtkShaderProgram* program, int x, int y, const glm::vec4& pixels) const
 {
   const int corner[2] = { x, y };
   // Of the depth buffer: linear in the distance, in a perspective in its reciprocal.
@@ -105,6 +119,7 @@ void View::SetUniforms(vtkShaderProgram* program, int x, int y) const
   const double end = this->Parallel ? this->PerDepth * this->Far : 1.0 / this->Far;
   const float depth[2] = { static_cast<float>(start), static_cast<float>(end - start) };
   program->SetUniform2i("airlightViewport", corner);
+  program->SetUniform4f("airlightTargetPixels", &pixels.x);
   program->SetUniform3fv("airlightRayOrigin", 3, &this->RayOrigin[0].x);
   program->SetUniform3fv("airlightRayDirection", 3, &this->RayDirection[0].x);
   program->SetUniform2f("airlightDepthToDistance", depth);

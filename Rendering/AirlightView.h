@@ -45,8 +45,14 @@ public:
   // there: as a cross product of long vectors it would be lost in single precision near the light.
   void SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position) const;
 
-  // For a target in which the viewport's lower left corner is at x, y.
-  void SetUniforms(vtkShaderProgram* program, int x, int y) const;
+  // Scale (x, y) and shift (z, w) from the pixels of another view from the same place to those of
+  // this one with the same rays.
+  glm::vec4 GetPixelsFrom(const View& other) const;
+
+  // For a target in which the viewport's lower left corner is at x, y, and whose pixels are scaled
+  // and shifted so.
+  void SetUniforms(vtkShaderProgram* program, int x, int y,
+    const glm::vec4& pixels = glm::vec4(1.0f, 1.0f, 0.0f, 0.0f)) const;
 
 private:
   bool Valid = false;

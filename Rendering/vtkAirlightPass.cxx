@@ -242,11 +242,15 @@ bool vtkAirlightPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   SurfaceUniforms values = this->Impl->CurrentFrame.GetSurfaceUniforms(this->Impl->Stage);
+  if (this->DelegatePass && this->Impl->Stage == SurfaceStage::Colour)
+  {
+    this->Impl->CurrentFrame.FitToTarget(values);
+  }
   // A delegate may draw translucent surfaces with the opaque ones, whose bits are not theirs.
   values.UseLit = values.UseLit &&
     !(this->Impl->Stage == SurfaceStage::Colour && prop->IsRenderingTranslucentPolygonalGeometry());
-  values.Splats = program->IsUniformUsed("airlightHidden");
-  values.Hidden = values.Splats && this->Impl->IsDrawnLater(prop);
+  values.Hides = program->IsUniformUsed("airlightHidden");
+  values.Hidden = values.Hides && this->Impl->IsDrawnLater(prop);
   values.Additive = AirlightScenePass::IsEmissive(prop);
   SetSurfaceUniforms(program, values);
   // VTK leaves the lights of another renderer in a program that both use and that is newer than they.
@@ -279,6 +283,8 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
   os << indent << "ScatteredSurfaceLight: " << this->ScatteredSurfaceLight << "\n";
   os << indent << "LinearInput: " << this->LinearInput << "\n";
+  os << indent << "EncodedOutput: " << this->EncodedOutput << "\n";
+  os << indent << "Annotations: " << this->Annotations << "\n";
   const char* views[] = { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines" };
   os << indent << "DebugView: " << views[this->DebugView] << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";

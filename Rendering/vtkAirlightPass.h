@@ -20,6 +20,15 @@
  *
  * Order: opaque geometry (with the renderer's SSAO and hidden line removal), the medium, translucent
  * geometry (order-independent, peeled or blended as the renderer says), volumes, FXAA, annotations.
+ * The window's multisampling is without effect: the pass draws into textures of its own. For smooth
+ * edges use FXAA or SSAA. Documentation/composition.md tells what to expect of VTK's other passes
+ * inside and outside this one.
+ *
+ * A DelegatePass draws the opaque geometry, before the medium: it is shown props that draw nothing
+ * else. What blends over the medium the pass then draws itself, with the delegate's translucent
+ * pass (vtkTranslucentPass, vtkOrderIndependentTranslucentPass, vtkDepthPeelingPass) if there is
+ * one in it. So ambient occlusion or eye-dome lighting as the delegate darken surfaces, and fog
+ * lies over them.
  *
  * Cost: the opaque scene is drawn twice (distances first, then colours), the translucent one too; the closed form is
  * evaluated once per pixel and light, plus once per visible edge of a shadow volume, quadrature once
@@ -39,8 +48,14 @@
  *    shadows. VTK's depth peeling keeps 8 bits a layer (5e-3) and clips radiances above 1.
  *  - Props that draw with actors of their own (axes, skyboxes) are fogged by the depth buffer, to its
  *    precision; billboard texts, annotations and volumes are not fogged.
- *  - With a DelegatePass, which draws everything at once, translucent surfaces and volumes are fogged
- *    as what lies behind them, and annotations are drawn a second time over the medium.
+ *  - A DelegatePass that draws the renderer's list of props instead of those it is given (one that
+ *    calls vtkRenderPass::UpdateGeometry(), as ParaView's does) draws volumes, and translucent parts
+ *    of assemblies, before the medium: they are fogged as what lies behind them. Annotations are
+ *    then drawn twice, before the medium and over it.
+ *  - The renderer's FXAA is left out, with one warning, where a pass outside gives a target of
+ *    floating point or of another size, which VTK's FXAA cannot do.
+ *  - A vtkSSAOPass outside needs the positions and normals of surfaces, which it does not get; one
+ *    warning says so. Make it the delegate.
  *  - VTK's own shadow maps (vtkRenderer::UseShadows) are not drawn besides those of the pass.
  *  - At most eight media; where they overlap, their coefficients add.
  *  - A layer that keeps the depth of those below (vtkRenderer::SetPreserveDepthBuffer()) is drawn
@@ -219,6 +234,28 @@ public:
   vtkBooleanMacro(LinearInput, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the picture is encoded for display with a gamma of 2.2, which is done in any case where
+   * LinearInput is off. On for a vtkToneMappingPass outside: it decodes what it is given before it
+   * maps it. Buffers are linear in any case. Default: false.
+   */
+  vtkSetMacro(EncodedOutput, bool);
+  vtkGetMacro(EncodedOutput, bool);
+  vtkBooleanMacro(EncodedOutput, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the pass ends with the annotations (vtkActor2D and what else draws overlays). Off where
+   * passes outside would blur or map them: then a vtkOverlayPass after the outermost of these, in a
+   * vtkSequencePass, draws them as they are. Default: true.
+   */
+  vtkSetMacro(Annotations, bool);
+  vtkGetMacro(Annotations, bool);
+  vtkBooleanMacro(Annotations, bool);
+  ///@}
+
   /**
    * What is shown instead of the picture, to see what the pass does. Translucent surfaces and volumes
    * are left out of all but SHADED; recorded buffers are not touched.
@@ -323,8 +360,9 @@ public:
 
   /**
    * The last frame's buffer of this name, or null before the first recorded frame or for an
-   * unknown name; of the renderer drawn last. Single precision, linear, the renderer's size, bottom
-   * row first:
+   * unknown name; of the renderer drawn last. Single precision, linear, bottom row first, of the
+   * renderer's size, or of the target's that a pass outside gives (larger for vtkSSAAPass,
+   * vtkDepthOfFieldPass and vtkGaussianBlurPass):
    *  - "Radiance" (RGB): what reaches the eye, background included, W/(m^2 sr);
    *  - "Airlight" (RGB): the part that the medium scattered into the ray;
    *  - "Surface" (RGB): the part that opaque surfaces sent, attenuated; 0 where there is none;
@@ -385,6 +423,8 @@ private:
   bool SurfaceShadows = true;
   bool ScatteredSurfaceLight = false;
   bool LinearInput = true;
+  bool EncodedOutput = false;
+  bool Annotations = true;
   int DebugView = SHADED;
   double LightRadius = 0.0;
   int MemoryLimit = 1024;

@@ -1,10 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkAirlightPass knows of lights, and what it says of media, lights and graphics cards that it
-// cannot do.
+// What vtkAirlightPass knows of lights, and what it says of media, lights, graphics cards and other
+// passes that it cannot do.
 
 #include "vtkAirlightPassInternals.h"
+
+#include "AirlightOpenGL.h"
+
+#include "vtkFrameBufferObjectBase.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 
@@ -117,4 +125,61 @@ int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
   }
   this->WarnOnce(this->WarnedOpenGL, text);
   return SHADOW_MAP;
+}
+
+//------------------------------------------------------------------------------
+// Passes that take part in the mappers' shaders are named in the props' keys while they draw.
+void vtkAirlightPass::Internals::CheckOutside(const vtkRenderState* s)
+{
+  vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkInformation* keys = s->GetPropArray()[i]->GetPropertyKeys();
+    for (int k = 0; keys && keys->Has(key) && k < key->Length(keys); ++k)
+    {
+      if (key->Get(keys, k)->IsA("vtkSSAOPass"))
+      {
+        this->WarnOnce(this->WarnedOcclusion,
+          "A vtkSSAOPass draws this pass, which gives it no positions and normals of surfaces: "
+          "what "
+          "it darkens is arbitrary. Make it the delegate: pass->SetDelegatePass(ssao).");
+        return;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// VTK's FXAA takes the renderer's part of the window, in 8 bits. A delegate stands for a renderer
+// with passes, which does without.
+bool vtkAirlightPass::Internals::MayAntialias(const vtkRenderState* s)
+{
+  if (!s->GetRenderer()->GetUseFXAA() || this->Self->DelegatePass)
+  {
+    return false;
+  }
+  vtkFrameBufferObjectBase* target = s->GetFrameBuffer();
+  if (!target)
+  {
+    return true;
+  }
+  int given[2];
+  int own[2];
+  int origin[2];
+  target->GetLastSize(given);
+  s->GetRenderer()->GetTiledSizeAndOrigin(&own[0], &own[1], &origin[0], &origin[1]);
+  GLint type = GL_NONE;
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+  if (given[0] == own[0] && given[1] == own[1] && origin[0] == 0 && origin[1] == 0 &&
+    type != GL_FLOAT)
+  {
+    return true;
+  }
+  this->WarnOnce(this->WarnedAntialiasing,
+    "The renderer's FXAA is left out: the pass draws into a target of another pass, of " +
+      std::to_string(given[0]) + " x " + std::to_string(given[1]) +
+      (type == GL_FLOAT ? " pixels of floating point" : " pixels") +
+      ", which VTK's FXAA cannot do. Make a vtkOpenGLFXAAPass the outermost pass instead.");
+  return false;
 }

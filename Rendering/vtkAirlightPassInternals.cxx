@@ -4,19 +4,15 @@
 
 #include "AirlightOpenGL.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 
 using namespace airlight;
 
@@ -95,8 +91,12 @@ void vtkAirlightPass::Internals::UpdateSurfaceShader(
   const f64::AirlightMedia& media, const std::vector<Lamp>& lamps, bool translucent)
 {
   translucent = translucent || this->MapperText.Translucent;
+  const bool hides = this->MapperText.Hides || this->Self->DelegatePass;
+  const bool other = hides != this->MapperText.Hides;
+  this->MapperText.Hides = hides;
   if (UpdateSurfaceText(
-        this->MapperText, media, lamps, this->Self->ScatteredSurfaceLight, translucent))
+        this->MapperText, media, lamps, this->Self->ScatteredSurfaceLight, translucent) ||
+    other)
   {
     this->ShaderTime.Modified();
   }
@@ -126,9 +126,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   std::vector<Lamp> lamps =
     CollectLamps(renderer, converted, view, this->Self->LightRadius, this->Lights);
   this->CheckLamps(lamps);
-  // A delegate draws everything at once.
-  const bool layers = !this->Self->DelegatePass && this->Self->DebugView == SHADED &&
-    AirlightScenePass::HasTransparent(s);
+  const bool layers = this->Self->DebugView == SHADED && AirlightScenePass::HasTransparent(s);
   this->MapperText.LayerRecords = ShadowLists::IsSupported(window);
   this->UpdateSurfaceShader(converted, lamps, layers);
 
@@ -145,6 +143,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
   settings.Record = this->Self->RecordBuffers || this->Self->DebugView == BOUNDARY_COUNT;
   settings.EncodedInput = !this->Self->LinearInput;
+  settings.EncodedOutput = this->Self->EncodedOutput || settings.EncodedInput;
   settings.DebugView = this->Self->DebugView;
   for (vtkParticipatingMedium* medium : media)
   {
@@ -176,133 +175,13 @@ bool vtkAirlightPass::Internals::RenderFrame(
     this->Error = this->CurrentFrame.GetError();
     return false;
   }
-  // A delegate has drawn annotations with the scene, fogged; drawn again they are not.
-  this->ScenePass->RenderOverlay(s, !this->Self->DelegatePass);
+  if (this->MayAntialias(s))
+  {
+    this->ScenePass->Antialias(renderer);
+  }
+  if (this->Self->Annotations)
+  {
+    AirlightScenePass::RenderOverlay(s);
+  }
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkAirlightPass::Internals::IsDrawnLater(vtkProp* prop)
-{
-  return this->CurrentFrame.HasLayers() && !this->DrawsMap && this->Stage != SurfaceStage::Layer &&
-    this->Stage != SurfaceStage::Collect && AirlightScenePass::IsSplats(prop) &&
-    std::find(this->FrameProps.begin(), this->FrameProps.end(), prop) != this->FrameProps.end();
-}
-
-//------------------------------------------------------------------------------
-// The steps inside the pass's own framebuffer.
-bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
-{
-  vtkRenderState inner(s->GetRenderer());
-  inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
-  inner.SetFrameBuffer(this->CurrentFrame.GetFramebuffer());
-
-  this->FrameProps.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
-  this->Self->PreRender(s);
-  bool ok = this->CurrentFrame.BindDistances();
-  if (ok)
-  {
-    this->RenderStage(SurfaceStage::Distance, [&] { this->OpaquePass->Render(&inner); });
-  }
-  ok = ok && this->CurrentFrame.FinishDistances() &&
-    (!this->CurrentFrame.HasLayerRecords() || this->CollectLayers(inner)) &&
-    this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
-  if (ok)
-  {
-    this->RenderStage(SurfaceStage::Colour, [&] {
-      vtkRenderPass* delegate = this->GetDelegate(true);
-      delegate->Render(&inner);
-      this->Self->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
-    });
-  }
-  const bool layers = this->CurrentFrame.HasLayers();
-  ok = ok && (!(layers || this->Self->RecordBuffers) || this->CurrentFrame.CompositeLayers());
-  if (ok && layers)
-  {
-    this->RenderStage(SurfaceStage::Layer, [&] { this->ScenePass->RenderTransparent(&inner); });
-  }
-  this->Self->PostRender(s);
-  return ok && (!this->Self->RecordBuffers || this->CurrentFrame.Record());
-}
-
-//------------------------------------------------------------------------------
-// Makes the records of translucent fragments.
-bool vtkAirlightPass::Internals::CollectLayers(const vtkRenderState& inner)
-{
-  LayerRecords::Outcome outcome = LayerRecords::Outcome::Again;
-  while (outcome == LayerRecords::Outcome::Again)
-  {
-    if (!this->CurrentFrame.BindCollect())
-    {
-      return false;
-    }
-    this->RenderStage(SurfaceStage::Collect, [&] { AirlightScenePass::RenderFragments(&inner); });
-    outcome = this->CurrentFrame.CheckCollected();
-  }
-  return outcome == LayerRecords::Outcome::Done;
-}
-
-//------------------------------------------------------------------------------
-// Actors outside the view are not among those that the pass has taken hold of.
-void vtkAirlightPass::Internals::DrawInMap(const vtkRenderState* s,
-  const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y, int side)
-{
-  vtkRenderer* renderer = s->GetRenderer();
-  vtkProp** seen = s->GetPropArray();
-  std::vector<vtkProp*> unseen;
-  std::copy_if(actors.begin(), actors.end(), std::back_inserter(unseen), [&](vtkProp* prop) {
-    return std::find(seen, seen + s->GetPropArrayCount(), prop) == seen + s->GetPropArrayCount();
-  });
-  vtkRenderState state(renderer);
-  state.SetPropArrayAndCount(unseen.data(), static_cast<int>(unseen.size()));
-  this->Self->PreRender(&state);
-  const vtkSmartPointer<vtkCamera> own = renderer->GetActiveCamera();
-  renderer->SetActiveCamera(camera);
-  const View view(renderer, side, side);
-  if (view.IsValid())
-  {
-    this->CurrentFrame.SetMapRays(&view, x, y);
-    this->DrawsMap = true;
-    this->RenderStage(SurfaceStage::Distance, [&] {
-      for (vtkActor* actor : actors)
-      {
-        actor->RenderOpaqueGeometry(renderer);
-      }
-    });
-    this->DrawsMap = false;
-    this->CurrentFrame.SetMapRays(nullptr, 0, 0);
-  }
-  // VTK takes lights in the coordinates of a camera changed before for those of its own.
-  for (vtkShaderProgram* program : this->MapPrograms)
-  {
-    program->SetUniformGroupUpdateTime(vtkShaderProgram::CameraGroup, 0);
-    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
-  }
-  this->MapPrograms.clear();
-  renderer->SetActiveCamera(own);
-  this->Self->PostRender(&state);
-}
-
-//------------------------------------------------------------------------------
-// Draws with the mappers' shaders in this stage and the textures that they read.
-void vtkAirlightPass::Internals::RenderStage(
-  SurfaceStage stage, const std::function<void()>& render)
-{
-  this->Stage = stage;
-  const SurfaceUniforms values = this->CurrentFrame.GetSurfaceUniforms(stage);
-  for (vtkTextureObject* texture : { values.Lit, values.Data })
-  {
-    if (texture)
-    {
-      texture->Activate();
-    }
-  }
-  render();
-  for (vtkTextureObject* texture : { values.Lit, values.Data })
-  {
-    if (texture)
-    {
-      texture->Deactivate();
-    }
-  }
 }

@@ -8,12 +8,14 @@
 #define vtkAirlightPassInternals_h
 
 #include "AirlightContext.h"
+#include "AirlightDelegate.h"
 #include "AirlightFrame.h"
 #include "AirlightMediaList.h"
 #include "AirlightScenePass.h"
 #include "vtkAirlightPass.h"
 
 #include "vtkCameraPass.h"
+#include "vtkHiddenLineRemovalPass.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
@@ -55,14 +57,20 @@ public:
   airlight::LightOptions& GetOptions(vtkLight* light);
   const airlight::LightOptions* FindOptions(vtkLight* light) const;
 
-  // Whether a prop of the opaque stages is left for the one that blends over the medium. Parts of
-  // assemblies are not.
+  // Whether what a prop draws in the opaque stages, or in a delegate's own, is left for the one that
+  // blends over the medium. Parts of assemblies are not.
   bool IsDrawnLater(vtkProp* prop);
 
   void WarnOnce(bool& warned, const std::string& text);
   void CheckMedia();
   void CheckLamps(const std::vector<airlight::Lamp>& lamps);
   int ChooseTechnique(vtkOpenGLRenderWindow* window);
+
+  // Speaks of passes outside that need what this one does not give.
+  void CheckOutside(const vtkRenderState* s);
+
+  // Whether the renderer asks for FXAA and the bound target, the state's, is one for it.
+  bool MayAntialias(const vtkRenderState* s);
 
   vtkAirlightPass* Self;
   airlight::MediaList Media;
@@ -80,9 +88,12 @@ public:
   vtkNew<AirlightScenePass> ScenePass;
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<vtkOpaquePass> OpaquePass;
+  vtkNew<vtkHiddenLineRemovalPass> HiddenLinePass;
   vtkNew<vtkParticipatingMedium> Vacuum;
 
   std::vector<vtkProp*> FrameProps; // those that the frame began with
+  airlight::DelegateProps Shown;    // what a delegate is shown of them
+  std::set<vtkProp*> Hidden;        // those kept from the stage of colours
 
   bool WarnedOpenGL = false;
   bool WarnedMedia = false;
@@ -90,11 +101,16 @@ public:
   bool WarnedLightCount = false;
   bool WarnedPhotometry = false;
   bool WarnedGlowCount = false;
+  bool WarnedOcclusion = false;
+  bool WarnedAntialiasing = false;
   std::string ReportedError;
 
 private:
   bool RenderSteps(const vtkRenderState* s);
   bool CollectLayers(const vtkRenderState& inner);
+  void RenderDistances(const vtkRenderState& inner);
+  void RenderColours(const vtkRenderState& inner);
+  void RenderLayers(const vtkRenderState& inner);
   void RenderStage(airlight::SurfaceStage stage, const std::function<void()>& render);
   void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media,
     const std::vector<airlight::Lamp>& lamps, bool translucent);

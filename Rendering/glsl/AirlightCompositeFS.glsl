@@ -6,6 +6,7 @@ uniform sampler2D scene;
 uniform int encodedInput; // 1: the scene's colours are encoded for display
 #ifndef AIRLIGHT_LAYERS
 uniform sampler2D sceneDepth;
+uniform int encodedOutput; // 1: the picture is encoded for display
 uniform int blended;   // over what the framebuffer holds
 uniform int debugView; // vtkAirlightPass::DebugViewType
 #endif
@@ -51,7 +52,7 @@ void main()
   {
     radiance = vec4(added, 1.0);
   }
-  if (encodedInput != 0)
+  if (encodedOutput != 0)
   {
     radiance = airlightEncode(radiance, blended != 0);
   }

@@ -40,7 +40,10 @@ vec3 airlightShare(int k, vec3 point)
 #if AIRLIGHT_IN_PASS
   if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_COLOUR && k < 4 * AIRLIGHT_BITS)
   {
-    vec4 bits = texelFetch(airlightLit, ivec2(airlightPixel()), 0);
+    // A delegate may draw some pixels beyond the viewport.
+    ivec2 pixel = ivec2(airlightPixel());
+    pixel = clamp(pixel, ivec2(0), textureSize(airlightLit, 0) - 1);
+    vec4 bits = texelFetch(airlightLit, pixel, 0);
     float word = bits[k / AIRLIGHT_BITS];
     if (mod(floor(word * exp2(-float(k % AIRLIGHT_BITS))), 2.0) < 0.5)
     {

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What vtkAirlightPass draws of the scene between the steps of a frame, and which props in which.
+
+#include "vtkAirlightPassInternals.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <iterator>
+
+using namespace airlight;
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::IsDrawnLater(vtkProp* prop)
+{
+  if (!this->CurrentFrame.HasLayers() || this->DrawsMap || this->Stage == SurfaceStage::Layer ||
+    this->Stage == SurfaceStage::Collect ||
+    !(AirlightScenePass::IsSplats(prop) ||
+      (this->Self->DelegatePass && prop->IsRenderingTranslucentPolygonalGeometry())) ||
+    std::find(this->FrameProps.begin(), this->FrameProps.end(), prop) == this->FrameProps.end())
+  {
+    return false;
+  }
+  this->Hidden.insert(prop);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The steps inside the pass's own framebuffer.
+bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
+{
+  vtkRenderState inner(s->GetRenderer());
+  inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
+  inner.SetFrameBuffer(this->CurrentFrame.GetFramebuffer());
+
+  this->FrameProps.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  this->CheckOutside(s);
+  this->Self->PreRender(s);
+  bool ok = this->CurrentFrame.BindDistances();
+  if (ok)
+  {
+    this->RenderStage(SurfaceStage::Distance, [&] { this->RenderDistances(inner); });
+  }
+  ok = ok && this->CurrentFrame.FinishDistances() &&
+    (!this->CurrentFrame.HasLayerRecords() || this->CollectLayers(inner)) &&
+    this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
+  if (ok)
+  {
+    this->RenderStage(SurfaceStage::Colour, [&] { this->RenderColours(inner); });
+  }
+  const bool layers = this->CurrentFrame.HasLayers();
+  ok = ok && (!(layers || this->Self->RecordBuffers) || this->CurrentFrame.CompositeLayers());
+  if (ok && layers)
+  {
+    this->RenderStage(SurfaceStage::Layer, [&] { this->RenderLayers(inner); });
+  }
+  this->Shown.Clear();
+  this->Self->PostRender(s);
+  return ok && (!this->Self->RecordBuffers || this->CurrentFrame.Record());
+}
+
+//------------------------------------------------------------------------------
+// Of what the stage of colours draws: hidden lines are neither drawn nor fogged there.
+void vtkAirlightPass::Internals::RenderDistances(const vtkRenderState& inner)
+{
+  if (inner.GetRenderer()->GetUseHiddenLineRemoval() && !HasOpaquePass(this->Self->DelegatePass) &&
+    vtkHiddenLineRemovalPass::WireframePropsExist(inner.GetPropArray(), inner.GetPropArrayCount()))
+  {
+    this->HiddenLinePass->Render(&inner);
+  }
+  else
+  {
+    this->OpaquePass->Render(&inner);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::RenderColours(const vtkRenderState& inner)
+{
+  this->Hidden.clear();
+  vtkRenderPass* delegate = this->GetDelegate(true);
+  if (this->Self->DelegatePass)
+  {
+    vtkRenderState shown(inner.GetRenderer());
+    shown.SetFrameBuffer(inner.GetFrameBuffer());
+    this->Shown.Show(&inner, shown);
+    delegate->Render(&shown);
+  }
+  else
+  {
+    delegate->Render(&inner);
+  }
+  this->Self->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+// What a delegate draws of the renderer's own list, volumes and what blends in assemblies, is there
+// already.
+void vtkAirlightPass::Internals::RenderLayers(const vtkRenderState& inner)
+{
+  if (!this->Self->DelegatePass || this->Shown.WereDrawn())
+  {
+    this->ScenePass->RenderTransparent(&inner, FindTranslucentPass(this->Self->DelegatePass));
+    return;
+  }
+  std::vector<vtkProp*> hidden;
+  std::copy_if(this->FrameProps.begin(), this->FrameProps.end(), std::back_inserter(hidden),
+    [this](vtkProp* prop) { return this->Hidden.count(prop) > 0; });
+  if (hidden.empty())
+  {
+    return;
+  }
+  vtkRenderState state(inner.GetRenderer());
+  state.SetFrameBuffer(inner.GetFrameBuffer());
+  state.SetPropArrayAndCount(hidden.data(), static_cast<int>(hidden.size()));
+  this->ScenePass->RenderTransparentOf(&state);
+}
+
+//------------------------------------------------------------------------------
+// Makes the records of translucent fragments.
+bool vtkAirlightPass::Internals::CollectLayers(const vtkRenderState& inner)
+{
+  LayerRecords::Outcome outcome = LayerRecords::Outcome::Again;
+  while (outcome == LayerRecords::Outcome::Again)
+  {
+    if (!this->CurrentFrame.BindCollect())
+    {
+      return false;
+    }
+    this->RenderStage(SurfaceStage::Collect, [&] { AirlightScenePass::RenderFragments(&inner); });
+    outcome = this->CurrentFrame.CheckCollected();
+  }
+  return outcome == LayerRecords::Outcome::Done;
+}
+
+//------------------------------------------------------------------------------
+// Actors outside the view are not among those that the pass has taken hold of.
+void vtkAirlightPass::Internals::DrawInMap(const vtkRenderState* s,
+  const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y, int side)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkProp** seen = s->GetPropArray();
+  std::vector<vtkProp*> unseen;
+  std::copy_if(actors.begin(), actors.end(), std::back_inserter(unseen), [&](vtkProp* prop) {
+    return std::find(seen, seen + s->GetPropArrayCount(), prop) == seen + s->GetPropArrayCount();
+  });
+  vtkRenderState state(renderer);
+  state.SetPropArrayAndCount(unseen.data(), static_cast<int>(unseen.size()));
+  this->Self->PreRender(&state);
+  const vtkSmartPointer<vtkCamera> own = renderer->GetActiveCamera();
+  renderer->SetActiveCamera(camera);
+  const View view(renderer, side, side);
+  if (view.IsValid())
+  {
+    this->CurrentFrame.SetMapRays(&view, x, y);
+    this->DrawsMap = true;
+    this->RenderStage(SurfaceStage::Distance, [&] {
+      for (vtkActor* actor : actors)
+      {
+        actor->RenderOpaqueGeometry(renderer);
+      }
+    });
+    this->DrawsMap = false;
+    this->CurrentFrame.SetMapRays(nullptr, 0, 0);
+  }
+  // VTK takes lights in the coordinates of a camera changed before for those of its own.
+  for (vtkShaderProgram* program : this->MapPrograms)
+  {
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::CameraGroup, 0);
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+  }
+  this->MapPrograms.clear();
+  renderer->SetActiveCamera(own);
+  this->Self->PostRender(&state);
+}
+
+//------------------------------------------------------------------------------
+// Draws with the mappers' shaders in this stage and the textures that they read.
+void vtkAirlightPass::Internals::RenderStage(
+  SurfaceStage stage, const std::function<void()>& render)
+{
+  this->Stage = stage;
+  const SurfaceUniforms values = this->CurrentFrame.GetSurfaceUniforms(stage);
+  for (vtkTextureObject* texture : { values.Lit, values.Data })
+  {
+    if (texture)
+    {
+      texture->Activate();
+    }
+  }
+  render();
+  for (vtkTextureObject* texture : { values.Lit, values.Data })
+  {
+    if (texture)
+    {
+      texture->Deactivate();
+    }
+  }
+}
