@@ -14,6 +14,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+
 namespace airlight
 {
 //------------------------------------------------------------------------------
@@ -273,6 +275,13 @@ vtkImageData* Frame::GetBuffer(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+bool Frame::IsClear() const
+{
+  return std::all_of(this->Media.item, this->Media.item + this->Media.count,
+    [](const f64::AirlightMedium& medium) { return medium.sigmaT == glm::dvec3(0.0); });
+}
+
+//------------------------------------------------------------------------------
 void Frame::SetMapRays(const View* rays, int x, int y)
 {
   this->MapRays = rays;
@@ -288,6 +297,9 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Rays = this->MapRays ? this->MapRays : &*this->Rays;
   values.ViewportX = this->MapRays ? this->MapX : 0;
   values.ViewportY = this->MapRays ? this->MapY : 0;
+  values.Width = this->Width;
+  values.Height = this->Height;
+  values.VolumeNodes = this->Settings.VolumeNodes;
   values.Media = &this->Media;
   values.Lamps = &this->Lamps;
   values.Lit = this->Textures.Lit;

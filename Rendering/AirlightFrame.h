@@ -72,6 +72,7 @@ struct FrameSettings
   bool SurfaceGlow = false;  // surfaces are lit by scattered light, too
   bool Layers = false;       // translucent surfaces or volumes are drawn over the medium
   bool LayerRecords = false; // and their fragments have records
+  int VolumeNodes = 2;       // on the rays through volumes
   bool Record = false;
   bool EncodedInput = false;     // the scene's colours are encoded for display
   int DebugView = 0;             // vtkAirlightPass::DebugViewType
@@ -124,6 +125,9 @@ public:
   // For the meantime of what is drawn with a light's camera into a shadow map: its rays, and the
   // face's lower left corner.
   void SetMapRays(const View* rays, int x, int y);
+
+  // Whether the media neither scatter nor absorb.
+  bool IsClear() const;
 
   bool HasLayers() const { return this->Settings.Layers; }
   bool HasLayerRecords() const { return this->Settings.LayerRecords; }

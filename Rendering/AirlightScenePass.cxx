@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightScenePass.h"
 
+#include "AirlightVolumeShader.h"
+
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkObjectFactory.h"
@@ -87,6 +89,10 @@ void AirlightScenePass::RenderFragments(const vtkRenderState* s)
       prop->RenderOpaqueGeometry(s->GetRenderer());
     }
     prop->RenderTranslucentPolygonalGeometry(s->GetRenderer());
+    if (airlight::HasRayCastVolume(prop))
+    {
+      prop->RenderVolumetricGeometry(s->GetRenderer());
+    }
   }
 }
 

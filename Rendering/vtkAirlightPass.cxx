@@ -11,10 +11,8 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
-#include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +26,8 @@ vtkInformationKeyMacro(vtkAirlightPass, CASTS_SHADOW, Integer);
 vtkAirlightPass::vtkAirlightPass()
   : Impl(new Internals(this))
 {
+  // Into which VTK draws volumes of lower resolution.
+  this->ActiveDrawBuffers = 1;
 }
 
 vtkAirlightPass::~vtkAirlightPass() = default;
@@ -228,38 +228,6 @@ void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
   // In whichever window they are.
   this->Impl->Context->SetContext(nullptr);
 }
-
-//------------------------------------------------------------------------------
-bool vtkAirlightPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
-{
-  InjectSurfaceShader(fragmentShader, this->Impl->MapperText, AirlightScenePass::IsSplats(prop));
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkAirlightPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
-{
-  SurfaceUniforms values = this->Impl->CurrentFrame.GetSurfaceUniforms(this->Impl->Stage);
-  // A delegate may draw translucent surfaces with the opaque ones, whose bits are not theirs.
-  values.UseLit = values.UseLit &&
-    !(this->Impl->Stage == SurfaceStage::Colour && prop->IsRenderingTranslucentPolygonalGeometry());
-  values.Splats = program->IsUniformUsed("airlightHidden");
-  values.Hidden = values.Splats && this->Impl->IsDrawnLater(prop);
-  values.Additive = AirlightScenePass::IsEmissive(prop);
-  SetSurfaceUniforms(program, values);
-  // VTK leaves the lights of another renderer in a program that both use and that is newer than they.
-  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
-  if (this->Impl->DrawsMap)
-  {
-    this->Impl->MapPrograms.insert(program);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkAirlightPass::GetShaderStageMTime() { return this->Impl->ShaderTime; }
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)

@@ -6,6 +6,13 @@
 
 #include "vtkAirlightPassInternals.h"
 
+#include "AirlightVolumeShader.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkMath.h"
+#include "vtkRenderState.h"
+#include "vtkVolume.h"
+
 #include <algorithm>
 
 using namespace airlight;
@@ -91,6 +98,42 @@ void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
     this->WarnOnce(this->WarnedGlowCount,
       "The medium scatters " + std::to_string(glowing) + " lights; those after the first " +
         std::to_string(MaximumGlowLights) + " light surfaces directly only.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::NoteVolume(vtkVolume* volume, bool through)
+{
+  this->NotedVolumes.insert(volume);
+  if (!through && this->Stage == SurfaceStage::Layer && !this->CurrentFrame.IsClear())
+  {
+    this->WarnOnce(this->WarnedVolumes,
+      std::string("A volume of the mapper ") + volume->GetMapper()->GetClassName() +
+        " is drawn without the medium before it: only samples that are blended over each other "
+        "by VTK's own shader go through it. Use the blend mode composite, isosurface or slice, and "
+        "no shader code of your own for the whole.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::CheckVolumes(const vtkRenderState* s)
+{
+  if (this->CurrentFrame.IsClear())
+  {
+    return;
+  }
+  for (vtkVolume* volume : GetVolumes(s->GetPropArray(), s->GetPropArrayCount()))
+  {
+    const double* bounds = volume->GetBounds();
+    if (this->NotedVolumes.count(volume) == 0 && bounds && vtkMath::AreBoundsInitialized(bounds))
+    {
+      this->WarnOnce(this->WarnedVolumes,
+        std::string("A volume is drawn without the medium before it: its mapper ") +
+          volume->GetMapper()->GetClassName() +
+          " does not draw it with the graphics card's ray casting. Use "
+          "vtkGPUVolumeRayCastMapper, or vtkSmartVolumeMapper with "
+          "SetRequestedRenderModeToGPU(), for image data.");
+    }
   }
 }
 

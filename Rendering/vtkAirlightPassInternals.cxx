@@ -3,6 +3,7 @@
 #include "vtkAirlightPassInternals.h"
 
 #include "AirlightOpenGL.h"
+#include "AirlightVolumeShader.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -143,6 +144,9 @@ bool vtkAirlightPass::Internals::RenderFrame(
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Layers = layers;
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
+  settings.VolumeNodes =
+    GetVolumeNodeCount(GetVolumes(s->GetPropArray(), s->GetPropArrayCount()).size(), width, height,
+      static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20);
   settings.Record = this->Self->RecordBuffers || this->Self->DebugView == BOUNDARY_COUNT;
   settings.EncodedInput = !this->Self->LinearInput;
   settings.DebugView = this->Self->DebugView;
@@ -219,7 +223,9 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   ok = ok && (!(layers || this->Self->RecordBuffers) || this->CurrentFrame.CompositeLayers());
   if (ok && layers)
   {
+    this->NotedVolumes.clear();
     this->RenderStage(SurfaceStage::Layer, [&] { this->ScenePass->RenderTransparent(&inner); });
+    this->CheckVolumes(s);
   }
   this->Self->PostRender(s);
   return ok && (!this->Self->RecordBuffers || this->CurrentFrame.Record());

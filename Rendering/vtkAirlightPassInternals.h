@@ -34,6 +34,7 @@ class vtkRenderPass;
 class vtkRenderState;
 class vtkRenderer;
 class vtkShaderProgram;
+class vtkVolume;
 
 class vtkAirlightPass::Internals
 {
@@ -58,6 +59,11 @@ public:
   // Whether a prop of the opaque stages is left for the one that blends over the medium. Parts of
   // assemblies are not.
   bool IsDrawnLater(vtkProp* prop);
+
+  // Of volumes: that one is drawn with a shader of the graphics card, whether its samples go through
+  // the medium; and after the frame, that those of which nothing was noted do not.
+  void NoteVolume(vtkVolume* volume, bool through);
+  void CheckVolumes(const vtkRenderState* s);
 
   void WarnOnce(bool& warned, const std::string& text);
   void CheckMedia();
@@ -84,7 +90,10 @@ public:
 
   std::vector<vtkProp*> FrameProps; // those that the frame began with
 
+  std::set<vtkProp*> NotedVolumes;
+
   bool WarnedOpenGL = false;
+  bool WarnedVolumes = false;
   bool WarnedMedia = false;
   bool WarnedLights = false;
   bool WarnedLightCount = false;
