@@ -98,10 +98,11 @@ void vtkAirlightPass::SetShadowTechnique(int technique)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetDebugView(int view)
 {
-  if (view < SHADED || view > OUTLINES)
+  if (view < SHADED || view > DIFFERENCE)
   {
     vtkErrorMacro(<< "DebugView " << view
-                  << " is not a view: use SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT or OUTLINES.");
+                  << " is not a view: use SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT, OUTLINES or "
+                     "DIFFERENCE.");
     return;
   }
   if (this->DebugView != view)
@@ -247,7 +248,8 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
   os << indent << "ScatteredSurfaceLight: " << this->ScatteredSurfaceLight << "\n";
   os << indent << "LinearInput: " << this->LinearInput << "\n";
-  const char* views[] = { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines" };
+  const char* views[] = { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines",
+    "Difference" };
   os << indent << "DebugView: " << views[this->DebugView] << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";

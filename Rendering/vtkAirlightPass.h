@@ -252,9 +252,9 @@ public:
     SHADED = 0,        ///< the picture
     AIRLIGHT_ONLY = 1, ///< what the medium scatters into the rays, without the scene
     BOUNDARY_COUNT =
-      2,          ///< shadow planes on each ray: black 0, red 5, yellow 39, white 255 and more
-    OUTLINES = 3, ///< the picture with the outlines of the shadow planes, red where the view
-                  ///< enters a shadow, blue where it leaves it
+      2,           ///< shadow planes on each ray: black 0, red 5, yellow 39, white 255 and more
+    OUTLINES = 3,  ///< the picture with the outlines of the shadow planes, red where the view
+                   ///< enters a shadow, blue where it leaves it
     DIFFERENCE = 4 ///< what the picture differs by from that of the ray march; see below
   };
 

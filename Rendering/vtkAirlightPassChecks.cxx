@@ -9,13 +9,36 @@
 #include "AirlightVolumeShader.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
+#include "vtkRenderer.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
 
 using namespace airlight;
+
+namespace
+{
+// Their mappers' classes, each once.
+std::string GetMapperNames(const std::vector<vtkActor*>& actors)
+{
+  std::set<std::string> names;
+  for (vtkActor* actor : actors)
+  {
+    names.insert(actor->GetMapper()->GetClassName());
+  }
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+}
 
 //------------------------------------------------------------------------------
 LightOptions& vtkAirlightPass::Internals::GetOptions(vtkLight* light)
@@ -138,26 +161,61 @@ void vtkAirlightPass::Internals::CheckVolumes(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
+void vtkAirlightPass::Internals::ReportDifference(const std::string& reason)
+{
+  this->ShownView = SHADED;
+  if (!this->WarnedDifference)
+  {
+    this->WarnedDifference = true;
+    vtkErrorWithObjectMacro(
+      this->Self, << "The debug view of the difference is not shown: " << reason << ".");
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkAirlightPass::Internals::ChooseTechnique(
+  vtkRenderer* renderer, const std::vector<Lamp>& lamps, bool clear)
 {
   const int technique = this->Self->ShadowTechnique;
+  if (technique == NONE)
+  {
+    return technique;
+  }
+  this->CurrentFrame.FindCasters(renderer);
   if (technique != SHADOW_PLANES && technique != AUTOMATIC)
   {
     return technique;
   }
-  if (ShadowLists::IsSupported(window))
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!ShadowLists::IsSupported(window))
   {
-    return SHADOW_PLANES;
+    const std::string text =
+      "Shadow planes need OpenGL 4.3 with storage buffers, which this window "
+      "lacks: shadows come from "
+      "shadow maps, which are less exact. Update the graphics driver, or call "
+      "SetShadowTechniqueToShadowMap().";
+    if (technique == SHADOW_PLANES && !this->WarnedOpenGL)
+    {
+      this->WarnedOpenGL = true;
+      vtkErrorWithObjectMacro(this->Self, << text);
+    }
+    this->WarnOnce(this->WarnedOpenGL, text);
+    return SHADOW_MAP;
   }
-  const std::string text = "Shadow planes need OpenGL 4.3 with storage buffers, which this window "
-                           "lacks: shadows come from "
-                           "shadow maps, which are less exact. Update the graphics driver, or call "
-                           "SetShadowTechniqueToShadowMap().";
-  if (technique == SHADOW_PLANES && !this->WarnedOpenGL)
+  const std::vector<vtkActor*>& others = this->CurrentFrame.GetOtherCasters();
+  const bool casts = (!clear || this->Self->SurfaceShadows) &&
+    std::any_of(lamps.begin(), lamps.end(),
+      [](const Lamp& lamp) { return lamp.Scatters() && lamp.CastsShadows; });
+  if (!others.empty() && casts)
   {
-    this->WarnedOpenGL = true;
-    vtkErrorWithObjectMacro(this->Self, << text);
+    const std::string keep = " Set vtkAirlightPass::CASTS_SHADOW() to 0 in the property keys of "
+                             "those that shall not cast";
+    this->WarnOnce(this->WarnedCasters,
+      "No shadow planes can be drawn from what the mappers " + GetMapperNames(others) + " draw: " +
+        (technique == AUTOMATIC
+            ? "shadows come from shadow maps, which are less exact." + keep + " for exact shadows."
+            : "it casts none." + keep + ", or call SetShadowTechniqueToShadowMap()."));
+    return technique == AUTOMATIC ? SHADOW_MAP : SHADOW_PLANES;
   }
-  this->WarnOnce(this->WarnedOpenGL, text);
-  return SHADOW_MAP;
+  return this->TooManyPlanes ? SHADOW_MAP : SHADOW_PLANES;
 }

@@ -65,10 +65,14 @@ public:
   void NoteVolume(vtkVolume* volume, bool through);
   void CheckVolumes(const vtkRenderState* s);
 
+  // An error, once, that says why the difference from the ray march is not shown; the picture is.
+  void ReportDifference(const std::string& reason);
+
   void WarnOnce(bool& warned, const std::string& text);
   void CheckMedia();
   void CheckLamps(const std::vector<airlight::Lamp>& lamps);
-  int ChooseTechnique(vtkOpenGLRenderWindow* window);
+  // By SetShadowTechnique()'s rule. Sets what the frame's casters are.
+  int ChooseTechnique(vtkRenderer* renderer, const std::vector<airlight::Lamp>& lamps, bool clear);
 
   vtkAirlightPass* Self;
   airlight::MediaList Media;
@@ -76,6 +80,8 @@ public:
   airlight::Frame CurrentFrame;
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
   int EffectiveTechnique = NONE;
+  bool TooManyPlanes = false; // of this frame
+  int ShownView = SHADED;
   airlight::SurfaceText MapperText; // of the mappers' shaders
   bool DrawsMap = false;
   std::set<vtkShaderProgram*> MapPrograms; // those used for the map that is drawn
@@ -93,6 +99,9 @@ public:
   std::set<vtkProp*> NotedVolumes;
 
   bool WarnedOpenGL = false;
+  bool WarnedCasters = false;
+  bool WarnedBudget = false;
+  bool WarnedDifference = false;
   bool WarnedVolumes = false;
   bool WarnedMedia = false;
   bool WarnedLights = false;
@@ -102,6 +111,7 @@ public:
   std::string ReportedError;
 
 private:
+  bool RenderOnce(const vtkRenderState* s, int x, int y, int width, int height);
   bool RenderSteps(const vtkRenderState* s);
   bool CollectLayers(const vtkRenderState& inner);
   void RenderStage(airlight::SurfaceStage stage, const std::function<void()>& render);
