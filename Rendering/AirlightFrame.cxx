@@ -195,8 +195,7 @@ bool Frame::ScatterLights()
   this->Volumes.resize(this->Lamps.size());
   // Maps are large: those of lamps, or of a technique, that are no more go.
   const bool mapped = this->Settings.Shadows == ShadowMethod::Map ||
-    this->Settings.Shadows == ShadowMethod::March ||
-    (this->Settings.Difference && this->Settings.Shadows != ShadowMethod::None);
+    this->Settings.Shadows == ShadowMethod::March || this->Settings.Difference;
   if (this->Maps.size() > this->Lamps.size() || !mapped)
   {
     this->ReleaseMaps(this->Window);

@@ -69,7 +69,7 @@ bool Frame::ScatterLight(int index)
 }
 
 //------------------------------------------------------------------------------
-// The airlight once more, by the ray march, with shadows where the picture has them.
+// The airlight once more, by the ray march.
 bool Frame::ScatterReference()
 {
   const ShadowMethod method = this->Settings.Shadows;
@@ -85,7 +85,7 @@ bool Frame::ScatterReference()
   {
     const Lamp& lamp = this->Lamps[k];
     const int index = static_cast<int>(k);
-    const bool casts = method != ShadowMethod::None && lamp.CastsShadows;
+    const bool casts = lamp.CastsShadows;
     ok = !lamp.Scatters() ||
       ((!casts || this->UpdateShadows(index, this->Casters.GetCasters())) &&
         this->Resolve(index, Lists::Map, 0, this->Height));

@@ -177,11 +177,10 @@ int vtkAirlightPass::Internals::ChooseTechnique(
   vtkRenderer* renderer, const std::vector<Lamp>& lamps, bool clear)
 {
   const int technique = this->Self->ShadowTechnique;
-  if (technique == NONE)
+  if (technique != NONE || this->ShownView == DIFFERENCE)
   {
-    return technique;
+    this->CurrentFrame.FindCasters(renderer);
   }
-  this->CurrentFrame.FindCasters(renderer);
   if (technique != SHADOW_PLANES && technique != AUTOMATIC)
   {
     return technique;
