@@ -208,7 +208,7 @@ void vtkAirlight::SetRadiantIntensity(vtkLight* light, const double rgb[3])
 {
   light->SwitchOn();
   light->PositionalOn();
-  light->SetConeAngle(90.0);
+  light->SetConeAngle(180.0); // at 90 VTK shades volumes as in the light of a spot
   light->SetAttenuationValues(0.0, 0.0, 1.0);
   light->SetIntensity(1.0);
   light->SetColor(rgb[0] / vtkMath::Pi(), rgb[1] / vtkMath::Pi(), rgb[2] / vtkMath::Pi());

@@ -87,7 +87,7 @@ public:
    * [W/m^2] on a plane that faces it. With another attenuation a + b r + c r^2 the light has
    * I(r) = pi * colour * intensity * r^2/(a + b r + c r^2).
    *
-   * SetRadiantIntensity() makes the light a switched-on point light (positional, cone angle 90,
+   * SetRadiantIntensity() makes the light a switched-on point light (positional, cone angle 180,
    * attenuation (0, 0, 1)) of this radiant intensity; SetIrradiance() makes it directional.
    * GetRadiantIntensity() returns pi * colour * intensity.
    */

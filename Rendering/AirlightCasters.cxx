@@ -55,6 +55,18 @@ bool DrawsItsPolygons(vtkMapper* mapper)
     !mapper->IsA("vtkOpenGLStickMapper");
 }
 
+// Whether what the mapper draws can be made of polygons.
+bool IsKnown(vtkMapper* mapper)
+{
+  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
+  if (!glyphs || glyphs->GetNumberOfInputConnections(0) == 0)
+  {
+    return glyphs || DrawsItsPolygons(mapper);
+  }
+  glyphs->Update();
+  return HasKnownGlyphs(glyphs);
+}
+
 // The visible polygonal blocks below a node of a composite data set. A hidden node hides what is
 // below it, unless that is made visible of its own.
 void AddBlocks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attributes, bool visible,
@@ -159,7 +171,7 @@ void CasterCache::AddProp(vtkProp* prop)
   if (auto* actor = vtkActor::SafeDownCast(prop))
   {
     vtkMapper* mapper = actor->GetMapper();
-    if (mapper && !DrawsItsPolygons(mapper) && !mapper->IsA("vtkGlyph3DMapper"))
+    if (mapper && !IsKnown(mapper))
     {
       this->AddOther(actor);
       return;

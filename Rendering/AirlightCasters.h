@@ -53,8 +53,11 @@ public:
   // but for those whose property keys say otherwise.
   const std::vector<Caster>& Collect(vtkRenderer* renderer);
 
+  // What the last Collect() returned.
+  const std::vector<Caster>& GetCasters() const { return this->Casters; }
+
   // Opaque actors of the last Collect() whose mappers draw something else than their input's
-  // polygons: glyphs, splats, imposters. Parts of assemblies are not among them.
+  // polygons: splats, imposters, glyphs that GetGlyphs() does not know. Parts of assemblies are not among them.
   const std::vector<vtkActor*>& GetOthers() const { return this->Others; }
 
   void Clear();

@@ -14,8 +14,17 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+
 namespace airlight
 {
+//------------------------------------------------------------------------------
+bool IsClear(const f64::AirlightMedia& media)
+{
+  return std::all_of(media.item, media.item + media.count,
+    [](const f64::AirlightMedium& medium) { return medium.sigmaT == glm::dvec3(0.0); });
+}
+
 //------------------------------------------------------------------------------
 bool Frame::Fail(const std::string& reason)
 {
@@ -27,6 +36,8 @@ bool Frame::Fail(const std::string& reason)
 bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
   f64::AirlightMedia& converted, std::vector<Lamp>& lamps)
 {
+  this->OverBudget = false;
+  this->TakesReference = false;
   return UploadData(this->Data, window, media, converted, lamps) ||
     this->Fail(this->Data.GetError());
 }
@@ -44,7 +55,8 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   this->Settings = settings;
   this->Width = width;
   this->Height = height;
-  if (!this->Textures.Prepare(this->Window, width, height, settings.Record, settings.Layers))
+  if (!this->Textures.Prepare(
+        this->Window, width, height, settings.Record, settings.Layers, settings.Difference))
   {
     return this->Fail(this->Textures.GetError());
   }
@@ -53,7 +65,8 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
     return this->Fail(this->LayerLists.GetError());
   }
   if (settings.Shadows == ShadowMethod::Planes &&
-    !this->Boundaries.Prepare(this->Window, width, height, settings.MemoryLimit))
+    !this->Boundaries.Prepare(
+      this->Window, width, height, settings.MemoryLimit, settings.PlaneBudget))
   {
     return this->Fail(this->Boundaries.GetError());
   }
@@ -155,6 +168,10 @@ bool Frame::BindScene()
 //------------------------------------------------------------------------------
 std::vector<vtkTextureObject*> Frame::GetScatterTargets()
 {
+  if (this->TakesReference)
+  {
+    return { this->Textures.Reference };
+  }
   std::vector<vtkTextureObject*> targets = { this->Textures.Scattered, this->Textures.Lit };
   if (this->Settings.Record)
   {
@@ -174,11 +191,12 @@ bool Frame::ScatterLights()
   this->ClearTarget(0.0f);
   this->Buffers.clear();
   const std::vector<Caster>* casters =
-    this->Settings.Shadows != ShadowMethod::None ? &this->Casters.Collect(this->Renderer) : nullptr;
+    this->Settings.Shadows != ShadowMethod::None ? &this->Casters.GetCasters() : nullptr;
   this->Volumes.resize(this->Lamps.size());
   // Maps are large: those of lamps, or of a technique, that are no more go.
-  if (this->Maps.size() > this->Lamps.size() || this->Settings.Shadows == ShadowMethod::None ||
-    this->Settings.Shadows == ShadowMethod::Planes)
+  const bool mapped = this->Settings.Shadows == ShadowMethod::Map ||
+    this->Settings.Shadows == ShadowMethod::March || this->Settings.Difference;
+  if (this->Maps.size() > this->Lamps.size() || !mapped)
   {
     this->ReleaseMaps(this->Window);
   }
@@ -200,7 +218,7 @@ bool Frame::ScatterLights()
       return false;
     }
   }
-  return true;
+  return !this->Settings.Difference || this->ScatterReference();
 }
 
 //------------------------------------------------------------------------------

@@ -54,6 +54,9 @@ constexpr const char* RecordDefinition = "#define AIRLIGHT_RECORD\n";
 constexpr float ClosedFormError = 1e-4f;
 constexpr float QuadratureError = 1e-3f;
 
+// Whether the media neither scatter nor absorb.
+bool IsClear(const f64::AirlightMedia& media);
+
 // How shadows are found.
 enum class ShadowMethod
 {
@@ -72,12 +75,15 @@ struct FrameSettings
   bool SurfaceGlow = false;  // surfaces are lit by scattered light, too
   bool Layers = false;       // translucent surfaces or volumes are drawn over the medium
   bool LayerRecords = false; // and their fragments have records
+  int VolumeNodes = 2;       // on the rays through volumes
   bool Record = false;
   bool EncodedInput = false;     // the scene's colours are encoded for display
   bool EncodedOutput = false;    // the picture is
   int DebugView = 0;             // vtkAirlightPass::DebugViewType
   double PhaseErrorBound = 0.0;  // the largest of the media, relative
+  bool Difference = false;       // the airlight is taken once more by the ray march
   std::uint64_t MemoryLimit = 0; // bytes
+  bool PlaneBudget = false;      // too many shadow boundaries are an error: IsOverBudget()
   DrawActors Draw;               // for casters that are not polygons
 };
 
@@ -87,6 +93,10 @@ public:
   // UploadData() for the shaders, before Begin().
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
     f64::AirlightMedia& converted, std::vector<Lamp>& lamps);
+
+  // Finds what casts shadows, before Begin(); what of it has no polygons to draw planes from.
+  void FindCasters(vtkRenderer* renderer) { this->Casters.Collect(renderer); }
+  const std::vector<vtkActor*>& GetOtherCasters() const { return this->Casters.GetOthers(); }
 
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
   bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps,
@@ -126,6 +136,11 @@ public:
   // face's lower left corner.
   void SetMapRays(const View* rays, int x, int y);
 
+  bool IsClear() const { return airlight::IsClear(this->Media); }
+  // After a failure: whether it was for too many shadow boundaries, or only the ray march's.
+  bool IsOverBudget() const { return this->OverBudget; }
+  bool IsReferenceMissing() const { return this->TakesReference; }
+
   bool HasLayers() const { return this->Settings.Layers; }
   bool HasLayerRecords() const { return this->Settings.LayerRecords; }
 
@@ -143,6 +158,7 @@ private:
   bool Fail(const std::string& reason);
   bool UpdateShadows(int index, const std::vector<Caster>& casters);
   bool ScatterLight(int index);
+  bool ScatterReference();
   bool ScatterWithLists(int index);
   bool RecordSingle(int index);
 
@@ -193,6 +209,8 @@ private:
   int MapX = 0;
   int MapY = 0;
   FrameSettings Settings;
+  bool OverBudget = false;
+  bool TakesReference = false; // the ray march, beside the picture
   int Width = 0;
   int Height = 0;
 };

@@ -193,6 +193,10 @@ bool Frame::Composite(int x, int y, bool blend)
     {
       textures.emplace_back("counts", this->Textures.Counts);
     }
+    if (this->Settings.Difference)
+    {
+      textures.emplace_back("reference", this->Textures.Reference);
+    }
     this->CompositeQuad.Draw(textures);
   }
   state->vtkglDepthFunc(GL_LEQUAL);

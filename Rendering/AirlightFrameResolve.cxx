@@ -69,6 +69,33 @@ bool Frame::ScatterLight(int index)
 }
 
 //------------------------------------------------------------------------------
+// The airlight once more, by the ray march.
+bool Frame::ScatterReference()
+{
+  const ShadowMethod method = this->Settings.Shadows;
+  this->TakesReference = true;
+  this->Settings.Shadows = ShadowMethod::March;
+  bool ok = this->Textures.Bind(this->GetScatterTargets(), nullptr) ||
+    this->Fail(this->Textures.GetError());
+  if (ok)
+  {
+    this->ClearTarget(0.0f);
+  }
+  for (size_t k = 0; k < this->Lamps.size() && ok; ++k)
+  {
+    const Lamp& lamp = this->Lamps[k];
+    const int index = static_cast<int>(k);
+    const bool casts = lamp.CastsShadows;
+    ok = !lamp.Scatters() ||
+      ((!casts || this->UpdateShadows(index, this->Casters.GetCasters())) &&
+        this->Resolve(index, Lists::Map, 0, this->Height));
+  }
+  this->Settings.Shadows = method;
+  this->TakesReference = !ok;
+  return ok;
+}
+
+//------------------------------------------------------------------------------
 bool Frame::ScatterWithLists(int index)
 {
   const ShadowVolumes& volumes = this->Volumes[index];
@@ -82,6 +109,7 @@ bool Frame::ScatterWithLists(int index)
       this->Textures.Distances, row, this->Height - row);
     if (rows == 0)
     {
+      this->OverBudget = this->Boundaries.IsOverBudget();
       return this->Fail(this->Boundaries.GetError());
     }
     if (!this->Resolve(index, Lists::Short, row, rows))
@@ -111,15 +139,17 @@ std::string Frame::GetResolveSource(int index, Lists lists) const
   const bool planes = lists != Lists::None && lists != Lists::Map;
   const bool march = this->Settings.Shadows == ShadowMethod::March;
   const bool records = this->Settings.LayerRecords;
-  std::string boundaries = AirlightNoBoundaries;
+  const std::string layers =
+    records ? std::string(AirlightLayers) + AirlightResolveLayers : std::string();
+  std::string boundaries = AirlightNoBoundaries + layers;
   if (planes)
   {
-    boundaries = ShadowLists::GetBoundariesSource(lists != Lists::Short);
+    boundaries = ShadowLists::GetBoundariesSource(lists != Lists::Short) + layers;
   }
   else if (lists == Lists::Map)
   {
     boundaries = std::string(AirlightMapMarch) +
-      (march ? std::string(AirlightNoBoundaries) + AirlightRayMarch : AirlightMapBoundaries);
+      (march ? AirlightNoBoundaries + layers + AirlightRayMarch : AirlightMapBoundaries + layers);
   }
   return std::string(planes || records ? "#version 430\n" : "#version 330\n") +
     (this->Settings.Record ? RecordDefinition : "") +
@@ -128,8 +158,7 @@ std::string Frame::GetResolveSource(int index, Lists lists) const
     GetScatteringSource(
       this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
     AirlightViewShader + "uniform AirlightMedia media;\nuniform AirlightLight light;\n" +
-    boundaries + (records ? std::string(AirlightLayers) + AirlightResolveLayers : "") +
-    AirlightResolveFS;
+    boundaries + AirlightResolveFS;
 }
 
 //------------------------------------------------------------------------------

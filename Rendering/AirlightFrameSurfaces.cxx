@@ -29,6 +29,9 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Rays = this->MapRays ? this->MapRays : &*this->Rays;
   values.ViewportX = this->MapRays ? this->MapX : 0;
   values.ViewportY = this->MapRays ? this->MapY : 0;
+  values.Width = this->Width;
+  values.Height = this->Height;
+  values.VolumeNodes = this->Settings.VolumeNodes;
   values.Media = &this->Media;
   values.Lamps = &this->Lamps;
   values.Lit = this->Textures.Lit;

@@ -109,12 +109,19 @@ void Scale(vtkTransform* transform, vtkGlyph3DMapper* mapper, vtkDataArray* arra
 }
 
 //------------------------------------------------------------------------------
+bool HasKnownGlyphs(vtkGlyph3DMapper* mapper)
+{
+  return vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0)) &&
+    !mapper->GetUseSourceTableTree();
+}
+
+//------------------------------------------------------------------------------
 std::vector<Glyph> GetGlyphs(vtkGlyph3DMapper* mapper)
 {
   std::vector<Glyph> glyphs;
   auto* data = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
   const int sources = mapper->GetNumberOfInputConnections(1);
-  if (!data || sources == 0 || mapper->GetUseSourceTableTree())
+  if (sources == 0 || !HasKnownGlyphs(mapper))
   {
     return glyphs;
   }

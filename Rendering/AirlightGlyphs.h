@@ -23,6 +23,9 @@ struct Glyph
   vtkSmartPointer<vtkMatrix4x4> ToActor;
 };
 
+// Whether GetGlyphs() knows the mapper's glyphs.
+bool HasKnownGlyphs(vtkGlyph3DMapper* mapper);
+
 // The glyphs of a data set, turned, scaled, indexed and masked as the mapper does. None for
 // composite data sets and for sources from a table tree.
 std::vector<Glyph> GetGlyphs(vtkGlyph3DMapper* mapper);

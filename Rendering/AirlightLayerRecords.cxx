@@ -12,9 +12,8 @@ namespace airlight
 {
 namespace
 {
-constexpr std::uint32_t RecordSize = 32;
 // Numbers of words have to fit into an integer.
-constexpr std::uint32_t MostRecords = 0x7fffffffu / RecordSize;
+constexpr std::uint32_t MostRecords = 0x7fffffffu / LayerRecords::RecordSize;
 constexpr GLuint RecordBinding = 3;
 constexpr GLuint HeadBinding = 4;
 }

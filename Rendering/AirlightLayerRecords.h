@@ -22,6 +22,8 @@ namespace airlight
 class LayerRecords
 {
 public:
+  static constexpr std::uint32_t RecordSize = 32; // bytes
+
   // Empty lists for this viewport. False with a reason in GetError() where a buffer cannot be had.
   bool Prepare(int width, int height);
   const std::string& GetError() const { return this->Error; }

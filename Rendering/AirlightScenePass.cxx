@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightScenePass.h"
 
+#include "AirlightVolumeShader.h"
+
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkDualDepthPeelingPass.h"
@@ -117,6 +119,10 @@ void AirlightScenePass::RenderFragments(const vtkRenderState* s)
       prop->RenderOpaqueGeometry(s->GetRenderer());
     }
     prop->RenderTranslucentPolygonalGeometry(s->GetRenderer());
+    if (airlight::HasRayCastVolume(prop))
+    {
+      prop->RenderVolumetricGeometry(s->GetRenderer());
+    }
   }
 }
 

@@ -41,7 +41,7 @@ public:
   // Whether RenderTransparent() would draw anything.
   static bool HasTransparent(const vtkRenderState* s);
 
-  // The surfaces among that, plainly.
+  // The surfaces and the ray cast volumes among that, plainly.
   static void RenderFragments(const vtkRenderState* s);
 
   // Opaque splats, translucent surfaces with this pass or, without one, as the renderer's settings

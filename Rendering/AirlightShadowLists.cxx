@@ -87,12 +87,14 @@ bool ShadowLists::Reserve(std::uint64_t boundaries)
 
 //------------------------------------------------------------------------------
 bool ShadowLists::Prepare(
-  vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t memoryLimit)
+  vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t memoryLimit, bool budgeted)
 {
   this->Window = window;
   this->Width = width;
   this->Height = height;
   this->MemoryLimit = memoryLimit;
+  this->Budgeted = budgeted;
+  this->OverBudget = false;
   if (this->VertexArray == 0)
   {
     glGenVertexArrays(1, &this->VertexArray);
@@ -216,6 +218,10 @@ int ShadowLists::DrawRows(vtkShaderProgram* program, int slot, int row, int rows
     {
       return rows;
     }
+    if (this->Budgeted && needed > MostBands * most)
+    {
+      break;
+    }
     // A quarter more than asked for, so that a scene in motion does not grow it each frame.
     if (needed <= most && this->Reserve(std::min(needed + needed / 4, most)))
     {
@@ -227,6 +233,7 @@ int ShadowLists::DrawRows(vtkShaderProgram* program, int slot, int row, int rows
     }
     rows = this->Capacity > 0 ? rows / 2 : 0;
   }
+  this->OverBudget = true;
   this->Error = "one row of pixels crosses more shadow boundaries than the memory limit allows";
   return 0;
 }

@@ -31,6 +31,8 @@ class View;
 class ShadowLists
 {
 public:
+  static constexpr std::uint64_t MostBands = 16;
+
   // Whether the window's OpenGL has what this needs: 4.3.
   static bool IsSupported(vtkOpenGLRenderWindow* window);
 
@@ -40,8 +42,10 @@ public:
   // with the uniform "resume" set.
   static std::string GetBoundariesSource(bool sorted);
 
-  // `memoryLimit` in bytes. False with a reason in GetError() where a buffer cannot be had.
-  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t memoryLimit);
+  // `memoryLimit` in bytes; with `budgeted`, Fill() gives up where all rows at once would need more
+  // than MostBands times that. False with a reason in GetError() where a buffer cannot be had.
+  bool Prepare(
+    vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t memoryLimit, bool budgeted);
   const std::string& GetError() const { return this->Error; }
 
   // Uploads a light's edges and caps; `slot` is the light's number.
@@ -58,6 +62,9 @@ public:
   // GetError() where the shader does not compile.
   bool DrawWireframe(
     int slot, const ShadowVolumes& volumes, const glm::dvec4& light, const View& view);
+
+  // Whether Fill() failed since there are too many boundaries.
+  bool IsOverBudget() const { return this->OverBudget; }
 
   // For a program with the source above: binds the lists and sets its uniforms.
   void Use(vtkShaderProgram* program);
@@ -90,6 +97,8 @@ private:
   int Width = 0;
   int Height = 0;
   std::uint64_t MemoryLimit = 0;
+  bool Budgeted = false;
+  bool OverBudget = false;
   std::uint32_t Capacity = 0; // boundaries, the unused one at index 0 included
   unsigned int Nodes = 0;
   unsigned int Heads = 0;

@@ -5,7 +5,6 @@
 #include "AirlightBefore.h"
 #include "AirlightDisplay.h"
 #include "AirlightFragment.h"
-#include "AirlightLayerRecords.h"
 #include "AirlightLayers.h"
 #include "AirlightLayersBefore.h"
 #include "AirlightQuad.h"
@@ -14,11 +13,7 @@
 #include "AirlightSurfaceLights.h"
 #include "AirlightSurfaceMedium.h"
 #include "AirlightVertexMedium.h"
-#include "AirlightView.h"
 #include "AirlightViewShader.h"
-
-#include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <regex>
@@ -116,22 +111,30 @@ std::string OtherStages(bool records, bool leave)
                "    discard;\n  }\n"
              : "");
 }
-
-void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
-{
-  int count = 0;
-  for (const Lamp& lamp : *values.Lamps)
-  {
-    if (lamp.Glows() && count < MaximumGlowLights)
-    {
-      SetLightUniforms(program, "airlightGlowLights[" + std::to_string(count) + "]", lamp.Values);
-      ++count;
-    }
-  }
-  program->SetUniformi("airlightGlowCount", count);
-  glm::mat3 normals = values.Rays->GetNormalMatrix();
-  program->SetUniformMatrix3x3("airlightNormalToWorld", &normals[0].x);
 }
+
+//------------------------------------------------------------------------------
+void AddRecordExtensions(std::string& fragmentShader, const SurfaceText& text)
+{
+  if (HasRecords(text))
+  {
+    // After VTK's line for the version, which is as old as can be.
+    const std::string version = "//VTK::System::Dec";
+    const size_t line = fragmentShader.find(version);
+    fragmentShader.insert(line == std::string::npos ? 0 : line + version.size(),
+      "\n#extension GL_ARB_shader_storage_buffer_object : require\n"
+      "#extension GL_ARB_shading_language_420pack : require\n"
+      "#extension GL_ARB_shader_bit_encoding : require\n");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string GetVolumeDeclarations(const SurfaceText& text, const std::string& volume)
+{
+  return CommonDeclarations(text) + AirlightViewShader + AirlightFragment +
+    (HasRecords(text) ? AirlightLayers : "") + AirlightSurface +
+    (HasRecords(text) ? AirlightLayersBefore : AirlightBefore) + AirlightDisplay + volume +
+    Undefine;
 }
 
 //------------------------------------------------------------------------------
@@ -166,16 +169,7 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
       (early ? "" : others));
   fragmentShader.insert(
     mainStart, Declarations(text) + (hides ? "uniform int airlightHidden;\n" : ""));
-  if (records)
-  {
-    // After VTK's line for the version, which is as old as can be.
-    const std::string version = "//VTK::System::Dec";
-    const size_t line = fragmentShader.find(version);
-    fragmentShader.insert(line == std::string::npos ? 0 : line + version.size(),
-      "\n#extension GL_ARB_shader_storage_buffer_object : require\n"
-      "#extension GL_ARB_shading_language_420pack : require\n"
-      "#extension GL_ARB_shader_bit_encoding : require\n");
-  }
+  AddRecordExtensions(fragmentShader, text);
 }
 
 //------------------------------------------------------------------------------
@@ -214,83 +208,5 @@ bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
   text.GlowLightCount = glows ? std::min(text.LampCount, MaximumGlowLights) : 0;
   text.Mathematics = source;
   return true;
-}
-
-//------------------------------------------------------------------------------
-// Shaders without photometry do not have these uniforms.
-void SetPhotometries(vtkShaderProgram* program, const std::vector<Lamp>& lamps)
-{
-  if (!program->IsUniformUsed("airlightGoniometric"))
-  {
-    return;
-  }
-  std::vector<int> goniometric;
-  for (size_t k = 0; k < lamps.size(); ++k)
-  {
-    goniometric.push_back(lamps[k].Values.goniometric);
-    if (lamps[k].Values.goniometric != 0)
-    {
-      SetPhotometryUniforms(
-        program, "airlightPhotometries[" + std::to_string(k) + "]", lamps[k].Values.photometry);
-    }
-  }
-  program->SetUniform1iv(
-    "airlightGoniometric", static_cast<int>(goniometric.size()), goniometric.data());
-}
-
-//------------------------------------------------------------------------------
-void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
-{
-  if (values.Lit)
-  {
-    program->SetUniformi("airlightStage", static_cast<int>(values.Stage));
-    // A sampler left at unit 0 would clash with the mapper's own.
-    program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
-    program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
-  }
-  values.Rays->SetUniforms(program, values.ViewportX, values.ViewportY, values.Pixels);
-  if (values.Data)
-  {
-    program->SetUniformi("airlightData", values.Data->GetTextureUnit());
-  }
-  if (values.Records)
-  {
-    values.Records->Use(program);
-  }
-  if (values.Hides)
-  {
-    program->SetUniformi("airlightHidden", values.Hidden ? 1 : 0);
-  }
-  if (values.Stage == SurfaceStage::Distance || values.Stage == SurfaceStage::Collect)
-  {
-    return;
-  }
-  SetMediaUniforms(program, "airlightMedia", *values.Media);
-  std::vector<glm::vec4> lamps;
-  for (const Lamp& lamp : *values.Lamps)
-  {
-    const float kind = !lamp.Scatters()         ? -1.0f
-      : f64::airlightIsDirectional(lamp.Values) ? 0.0f
-                                                : 1.0f;
-    lamps.emplace_back(glm::vec3(lamp.Values.position), kind);
-  }
-  if (!lamps.empty())
-  {
-    program->SetUniform4fv("airlightLamps", static_cast<int>(lamps.size()), &lamps[0].x);
-  }
-  program->SetUniformi("airlightLampCount", static_cast<int>(lamps.size()));
-  SetPhotometries(program, *values.Lamps);
-  if (values.Glow)
-  {
-    SetGlowUniforms(program, values);
-  }
-  program->SetUniformi("airlightEncodedInput", values.EncodedInput ? 1 : 0);
-  program->SetUniformi("airlightAdditive", values.Additive ? 1 : 0);
-  const bool lights = values.Stage == SurfaceStage::Layer && !values.Records;
-  for (size_t k = 0; k < values.Lamps->size() && lights; ++k)
-  {
-    SetLightUniforms(
-      program, "airlightLights[" + std::to_string(k) + "]", (*values.Lamps)[k].Values);
-  }
 }
 }

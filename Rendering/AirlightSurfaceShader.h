@@ -58,6 +58,12 @@ struct SurfaceText
 // marker for the passes of translucent surfaces.
 void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, bool splats = false);
 
+// The declarations for a volume's fragment shader that come before `volume`, and that.
+std::string GetVolumeDeclarations(const SurfaceText& text, const std::string& volume);
+
+// Asks for what records of fragments need, where the text has them.
+void AddRecordExtensions(std::string& fragmentShader, const SurfaceText& text);
+
 // Rewrites a mapper's vertex shader for SurfaceText::AtVertices.
 void InjectVertexShader(std::string& vertexShader, const SurfaceText& text);
 
@@ -85,6 +91,9 @@ struct SurfaceUniforms
   bool Glow = false;                     // the shaders were rewritten for scattered light
   bool Hides = false;                    // the shader was rewritten to draw nothing on demand
   bool Hidden = false;                   // now it does
+  int Width = 0;                         // of the viewport
+  int Height = 0;
+  int VolumeNodes = 2;   // on the rays through volumes
   bool Additive = false; // adds to what is behind, and the medium has done so already
 };
 

@@ -40,7 +40,7 @@ bool Targets::Allocate(vtkTextureObject* texture, int components)
 
 //------------------------------------------------------------------------------
 bool Targets::Prepare(
-  vtkOpenGLRenderWindow* window, int width, int height, bool record, bool layers)
+  vtkOpenGLRenderWindow* window, int width, int height, bool record, bool layers, bool reference)
 {
   const int most = vtkTextureObject::GetMaximumTextureSize(window);
   if (width > most || height > most)
@@ -68,6 +68,10 @@ bool Targets::Prepare(
   if (record || layers)
   {
     ok = ok && this->Allocate(this->Radiance, 4);
+  }
+  if (reference)
+  {
+    ok = ok && this->Allocate(this->Reference, 4);
   }
   if (record)
   {
@@ -165,10 +169,10 @@ vtkSmartPointer<vtkImageData> Targets::Read(
 //------------------------------------------------------------------------------
 void Targets::Release(vtkWindow* window)
 {
-  for (vtkTextureObject* texture :
-    { this->Distances.Get(), this->Drawn.Get(), this->Depth.Get(), this->Scene.Get(),
-      this->Scattered.Get(), this->Lit.Get(), this->Counts.Get(), this->Single.Get(),
-      this->Radiance.Get(), this->Airlight.Get(), this->Surface.Get(), this->Transmittance.Get() })
+  for (vtkTextureObject* texture : { this->Distances.Get(), this->Drawn.Get(), this->Depth.Get(),
+         this->Scene.Get(), this->Scattered.Get(), this->Lit.Get(), this->Counts.Get(),
+         this->Single.Get(), this->Radiance.Get(), this->Airlight.Get(), this->Surface.Get(),
+         this->Transmittance.Get(), this->Reference.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

@@ -29,7 +29,8 @@ public:
 
   // Makes or resizes what the next frame needs. False with a reason in GetError() where the size
   // is beyond the graphics card.
-  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool record, bool layers);
+  bool Prepare(
+    vtkOpenGLRenderWindow* window, int width, int height, bool record, bool layers, bool reference);
   const std::string& GetError() const { return this->Error; }
   void Release(vtkWindow* window);
 
@@ -54,6 +55,7 @@ public:
   vtkNew<vtkTextureObject> Radiance;  // recorded, or to draw translucent surfaces into
   vtkNew<vtkTextureObject> Airlight;
   vtkNew<vtkTextureObject> Surface;
+  vtkNew<vtkTextureObject> Reference; // as Scattered, of the ray march, for the difference from it
   vtkNew<vtkTextureObject> Transmittance;
 
 private:

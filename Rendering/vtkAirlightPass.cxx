@@ -11,10 +11,8 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
-#include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +26,8 @@ vtkInformationKeyMacro(vtkAirlightPass, CASTS_SHADOW, Integer);
 vtkAirlightPass::vtkAirlightPass()
   : Impl(new Internals(this))
 {
+  // Into which VTK draws volumes of lower resolution.
+  this->ActiveDrawBuffers = 1;
 }
 
 vtkAirlightPass::~vtkAirlightPass() = default;
@@ -98,10 +98,11 @@ void vtkAirlightPass::SetShadowTechnique(int technique)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetDebugView(int view)
 {
-  if (view < SHADED || view > OUTLINES)
+  if (view < SHADED || view > DIFFERENCE)
   {
     vtkErrorMacro(<< "DebugView " << view
-                  << " is not a view: use SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT or OUTLINES.");
+                  << " is not a view: use SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT, OUTLINES or "
+                     "DIFFERENCE.");
     return;
   }
   if (this->DebugView != view)
@@ -230,42 +231,6 @@ void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
 }
 
 //------------------------------------------------------------------------------
-bool vtkAirlightPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
-{
-  InjectSurfaceShader(fragmentShader, this->Impl->MapperText, AirlightScenePass::IsSplats(prop));
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkAirlightPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
-{
-  SurfaceUniforms values = this->Impl->CurrentFrame.GetSurfaceUniforms(this->Impl->Stage);
-  if (this->DelegatePass && this->Impl->Stage == SurfaceStage::Colour)
-  {
-    this->Impl->CurrentFrame.FitToTarget(values);
-  }
-  // A delegate may draw translucent surfaces with the opaque ones, whose bits are not theirs.
-  values.UseLit = values.UseLit &&
-    !(this->Impl->Stage == SurfaceStage::Colour && prop->IsRenderingTranslucentPolygonalGeometry());
-  values.Hides = program->IsUniformUsed("airlightHidden");
-  values.Hidden = values.Hides && this->Impl->IsDrawnLater(prop);
-  values.Additive = AirlightScenePass::IsEmissive(prop);
-  SetSurfaceUniforms(program, values);
-  // VTK leaves the lights of another renderer in a program that both use and that is newer than they.
-  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
-  if (this->Impl->DrawsMap)
-  {
-    this->Impl->MapPrograms.insert(program);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkAirlightPass::GetShaderStageMTime() { return this->Impl->ShaderTime; }
-
-//------------------------------------------------------------------------------
 void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -285,7 +250,8 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LinearInput: " << this->LinearInput << "\n";
   os << indent << "EncodedOutput: " << this->EncodedOutput << "\n";
   os << indent << "Annotations: " << this->Annotations << "\n";
-  const char* views[] = { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines" };
+  const char* views[] = { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines",
+    "Difference" };
   os << indent << "DebugView: " << views[this->DebugView] << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";

@@ -42,12 +42,25 @@
  *    follows, but for directional lights in an unbounded medium or a box; directional lights in a
  *    sphere; height fog, but for directional lights where it is unbounded; several media.
  *  - Headlights cast no shadows: they see what the camera sees.
- *  - Translucent surfaces, point gaussians, volumes and the glyphs of composite data or of source
- *    tables cast no shadows. Translucent surfaces and point gaussians are put behind the medium before
- *    them, fragment by fragment, with its shadows (32 bytes a fragment); without OpenGL 4.3 without
+ *  - Translucent surfaces and volumes cast no shadows; point gaussians, imposters and the glyphs of
+ *    composite data or of source tables only with shadow maps (see SetShadowTechnique()).
+ *  - Translucent surfaces and point gaussians are put behind the medium before them, fragment by
+ *    fragment, with its shadows (32 bytes a fragment); without OpenGL 4.3 without
  *    shadows. VTK's depth peeling keeps 8 bits a layer (5e-3) and clips radiances above 1.
+ *  - Volumes that are drawn by ray casting on the graphics card (vtkGPUVolumeRayCastMapper,
+ *    vtkSmartVolumeMapper, vtkMultiVolume) with the blend mode composite, isosurface or slice are lit
+ *    by what arrives of the lights, and put behind the medium before them, sample by sample. The
+ *    medium before the samples is known at sixteen nodes between where a ray enters the volume and
+ *    where it leaves it, and interpolated: within 1e-3 of the largest airlight on the ray in smooth
+ *    fog, by up to what the air between two nodes scatters at the edges of shadows and media and
+ *    close to a lamp. On samples, the edges of shadows are as wide as nodes are apart. 512 bytes a
+ *    pixel; fewer nodes where volumes over all pixels would take more than GetMemoryLimit(). Without
+ *    OpenGL 4.3 without shadows. Surfaces' scattered light does not light volumes.
+ *    Projections (maximum, minimum, average, additive) and volumes of other mappers
+ *    (vtkFixedPointVolumeRayCastMapper, those of unstructured grids) are drawn without the medium
+ *    before them, and one warning says so.
  *  - Props that draw with actors of their own (axes, skyboxes) are fogged by the depth buffer, to its
- *    precision; billboard texts, annotations and volumes are not fogged.
+ *    precision; billboard texts and annotations are not fogged.
  *  - A DelegatePass that draws the renderer's list of props instead of those it is given (one that
  *    calls vtkRenderPass::UpdateGeometry(), as ParaView's does) draws volumes, and translucent parts
  *    of assemblies, before the medium: they are fogged as what lies behind them. Annotations are
@@ -60,8 +73,8 @@
  *  - At most eight media; where they overlap, their coefficients add.
  *  - A layer that keeps the depth of those below (vtkRenderer::SetPreserveDepthBuffer()) is drawn
  *    over them. Over other layers the medium is as opaque as the mean of its colours.
- *  - Exact volumetric shadows need OpenGL 4.3; without it they come from shadow maps, and one
- *    warning says so.
+ *  - Exact volumetric shadows need OpenGL 4.3, polygons that cast and not too many of them; else
+ *    they come from shadow maps, and one warning says so (see SetShadowTechnique()).
  *
  * One pass may serve several renderers, of one window or of several. In several windows at once it
  * makes all its OpenGL objects anew whenever the window changes; a pass for each is faster.
@@ -116,7 +129,7 @@ public:
   {
     NONE = 0,          ///< no shadows
     SHADOW_PLANES = 1, ///< exact, from silhouette edges; needs OpenGL 4.3
-    AUTOMATIC = 2,     ///< SHADOW_PLANES where possible, else SHADOW_MAP with one warning
+    AUTOMATIC = 2,     ///< SHADOW_PLANES where possible, else SHADOW_MAP with a warning; see below
     SHADOW_MAP = 3,    ///< lit intervals from shadow maps; see below
     RAY_MARCH = 4      ///< SHADOW_MAP, with the integrand sampled at each step; for comparison
   };
@@ -141,8 +154,18 @@ public:
    *
    * RAY_MARCH takes the integrand in the middle of each step, in the same maps: what others do.
    *
-   * Where OpenGL 4.3 is missing, AUTOMATIC and SHADOW_PLANES take SHADOW_MAP, the first with a
-   * warning, the other with an error.
+   * AUTOMATIC takes SHADOW_PLANES, but SHADOW_MAP in frames of which one of these is true:
+   *  - the window lacks OpenGL 4.3 with storage buffers;
+   *  - an opaque actor casts whose mapper draws something else than its input's polygons, from which
+   *    planes cannot be drawn: point gaussians, imposters, glyphs of composite data or of source
+   *    tables. For exact shadows of all others, keep it from casting with CASTS_SHADOW();
+   *  - the boundaries of a light's shadows need more than sixteen times GetMemoryLimit(), or those
+   *    of one row of pixels more than GetMemoryLimit(). Such a frame is begun twice.
+   * The first frame of each of the three kinds gives a warning that names it.
+   *
+   * SHADOW_PLANES takes SHADOW_MAP where OpenGL 4.3 is missing, with an error; leaves out casters that
+   * planes cannot be drawn from, with a warning that names their mapper; and fails
+   * with an error where one row of pixels is too much.
    *
    * Cost of SHADOW_MAP: for each light 24 bytes a texel of a face (24 MiB at 1024 texels a side), drawn
    * anew when the light or a caster changes; per pixel and light GetNumberOfSteps() look-ups and one
@@ -177,7 +200,8 @@ public:
   ///@}
 
   /**
-   * The technique used in the last frame: any but AUTOMATIC.
+   * The technique used in the last frame: any but AUTOMATIC, whose rule is that of
+   * SetShadowTechnique().
    */
   int GetEffectiveShadowTechnique();
 
@@ -265,14 +289,23 @@ public:
     SHADED = 0,        ///< the picture
     AIRLIGHT_ONLY = 1, ///< what the medium scatters into the rays, without the scene
     BOUNDARY_COUNT =
-      2,         ///< shadow planes on each ray: black 0, red 5, yellow 39, white 255 and more
-    OUTLINES = 3 ///< the picture with the outlines of the shadow planes, red where the view
-                 ///< enters a shadow, blue where it leaves it
+      2,           ///< shadow planes on each ray: black 0, red 5, yellow 39, white 255 and more
+    OUTLINES = 3,  ///< the picture with the outlines of the shadow planes, red where the view
+                   ///< enters a shadow, blue where it leaves it
+    DIFFERENCE = 4 ///< what the picture differs by from that of the ray march; see below
   };
 
   ///@{
   /**
    * The debug view. Default: SHADED.
+   *
+   * DIFFERENCE takes the airlight once more with RAY_MARCH, of GetNumberOfSteps() steps in shadow
+   * maps of GetShadowMapResolution(), and shows the picture's airlight minus that, the mean of the
+   * three channels, as a share of the mean of the pixel's radiance: white for none, red for more,
+   * blue for less, the full colour at 1 % and beyond. The ray march is the coarser one: the more
+   * steps and texels, the less is seen. Casters that only shadow maps know are missing in SHADOW_PLANES. With
+   * RAY_MARCH itself, and where shadow maps cannot be drawn, an error says so and
+   * the picture is SHADED.
    */
   void SetDebugView(int view);
   vtkGetMacro(DebugView, int);
@@ -280,6 +313,7 @@ public:
   void SetDebugViewToAirlightOnly() { this->SetDebugView(AIRLIGHT_ONLY); }
   void SetDebugViewToBoundaryCount() { this->SetDebugView(BOUNDARY_COUNT); }
   void SetDebugViewToShadowPlanes() { this->SetDebugView(OUTLINES); }
+  void SetDebugViewToDifference() { this->SetDebugView(DIFFERENCE); }
   ///@}
 
   ///@{
@@ -296,7 +330,8 @@ public:
   ///@{
   /**
    * Most memory in MiB that the per-pixel lists of shadow boundaries may take on the graphics
-   * card. A frame that needs more is drawn in several horizontal bands, with the same result.
+   * card. A frame that needs more is drawn in several horizontal bands, with the same result. The
+   * nodes on rays through volumes may take as much again.
    * Range: at least 1. Default: 1024.
    */
   vtkSetClampMacro(MemoryLimit, int, 1, 1 << 20);
@@ -402,6 +437,8 @@ public:
   /**
    * Called by VTK's mappers while they build and use their shaders.
    */
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,

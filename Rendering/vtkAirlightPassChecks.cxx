@@ -7,16 +7,42 @@
 #include "vtkAirlightPassInternals.h"
 
 #include "AirlightOpenGL.h"
+#include "AirlightVolumeShader.h"
 
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkActor.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 
 using namespace airlight;
+
+namespace
+{
+// Their mappers' classes, each once.
+std::string GetMapperNames(const std::vector<vtkActor*>& actors)
+{
+  std::set<std::string> names;
+  for (vtkActor* actor : actors)
+  {
+    names.insert(actor->GetMapper()->GetClassName());
+  }
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+}
 
 //------------------------------------------------------------------------------
 LightOptions& vtkAirlightPass::Internals::GetOptions(vtkLight* light)
@@ -103,28 +129,98 @@ void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
 }
 
 //------------------------------------------------------------------------------
-int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
+void vtkAirlightPass::Internals::NoteVolume(vtkVolume* volume, bool through)
+{
+  this->NotedVolumes.insert(volume);
+  if (!through && this->Stage == SurfaceStage::Layer && !this->CurrentFrame.IsClear())
+  {
+    this->WarnOnce(this->WarnedVolumes,
+      std::string("A volume of the mapper ") + volume->GetMapper()->GetClassName() +
+        " is drawn without the medium before it: only samples that are blended over each other "
+        "by VTK's own shader go through it. Use the blend mode composite, isosurface or slice, and "
+        "no shader code of your own for the whole.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::CheckVolumes(const vtkRenderState* s)
+{
+  if (this->CurrentFrame.IsClear())
+  {
+    return;
+  }
+  for (vtkVolume* volume : GetVolumes(s->GetPropArray(), s->GetPropArrayCount()))
+  {
+    const double* bounds = volume->GetBounds();
+    if (this->NotedVolumes.count(volume) == 0 && bounds && vtkMath::AreBoundsInitialized(bounds))
+    {
+      this->WarnOnce(this->WarnedVolumes,
+        std::string("A volume is drawn without the medium before it: its mapper ") +
+          volume->GetMapper()->GetClassName() +
+          " does not draw it with the graphics card's ray casting. Use "
+          "vtkGPUVolumeRayCastMapper, or vtkSmartVolumeMapper with "
+          "SetRequestedRenderModeToGPU(), for image data.");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::ReportDifference(const std::string& reason)
+{
+  this->ShownView = SHADED;
+  if (!this->WarnedDifference)
+  {
+    this->WarnedDifference = true;
+    vtkErrorWithObjectMacro(
+      this->Self, << "The debug view of the difference is not shown: " << reason << ".");
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkAirlightPass::Internals::ChooseTechnique(
+  vtkRenderer* renderer, const std::vector<Lamp>& lamps, bool clear)
 {
   const int technique = this->Self->ShadowTechnique;
+  if (technique != NONE || this->ShownView == DIFFERENCE)
+  {
+    this->CurrentFrame.FindCasters(renderer);
+  }
   if (technique != SHADOW_PLANES && technique != AUTOMATIC)
   {
     return technique;
   }
-  if (ShadowLists::IsSupported(window))
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!ShadowLists::IsSupported(window))
   {
-    return SHADOW_PLANES;
+    const std::string text =
+      "Shadow planes need OpenGL 4.3 with storage buffers, which this window "
+      "lacks: shadows come from "
+      "shadow maps, which are less exact. Update the graphics driver, or call "
+      "SetShadowTechniqueToShadowMap().";
+    if (technique == SHADOW_PLANES && !this->WarnedOpenGL)
+    {
+      this->WarnedOpenGL = true;
+      vtkErrorWithObjectMacro(this->Self, << text);
+    }
+    this->WarnOnce(this->WarnedOpenGL, text);
+    return SHADOW_MAP;
   }
-  const std::string text = "Shadow planes need OpenGL 4.3 with storage buffers, which this window "
-                           "lacks: shadows come from "
-                           "shadow maps, which are less exact. Update the graphics driver, or call "
-                           "SetShadowTechniqueToShadowMap().";
-  if (technique == SHADOW_PLANES && !this->WarnedOpenGL)
+  const std::vector<vtkActor*>& others = this->CurrentFrame.GetOtherCasters();
+  const bool casts = (!clear || this->Self->SurfaceShadows) &&
+    std::any_of(lamps.begin(), lamps.end(),
+      [](const Lamp& lamp) { return lamp.Scatters() && lamp.CastsShadows; });
+  if (!others.empty() && casts)
   {
-    this->WarnedOpenGL = true;
-    vtkErrorWithObjectMacro(this->Self, << text);
+    const std::string keep = " Set vtkAirlightPass::CASTS_SHADOW() to 0 in the property keys of "
+                             "those that shall not cast";
+    this->WarnOnce(this->WarnedCasters,
+      "No shadow planes can be drawn from what the mappers " + GetMapperNames(others) + " draw: " +
+        (technique == AUTOMATIC
+            ? "shadows come from shadow maps, which are less exact." + keep + " for exact shadows."
+            : "it casts none." + keep + ", or call SetShadowTechniqueToShadowMap()."));
+    return technique == AUTOMATIC ? SHADOW_MAP : SHADOW_PLANES;
   }
-  this->WarnOnce(this->WarnedOpenGL, text);
-  return SHADOW_MAP;
+  return this->TooManyPlanes ? SHADOW_MAP : SHADOW_PLANES;
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "vtkAirlightPassInternals.h"
 
 #include "AirlightOpenGL.h"
+#include "AirlightVolumeShader.h"
 
 #include "vtkCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -106,6 +107,32 @@ void vtkAirlightPass::Internals::UpdateSurfaceShader(
 bool vtkAirlightPass::Internals::RenderFrame(
   const vtkRenderState* s, int x, int y, int width, int height)
 {
+  this->TooManyPlanes = false;
+  this->ShownView = this->Self->DebugView;
+  bool ok = this->RenderOnce(s, x, y, width, height);
+  if (!ok && this->CurrentFrame.IsOverBudget() && this->Self->ShadowTechnique == AUTOMATIC)
+  {
+    this->WarnOnce(this->WarnedBudget,
+      "The shadow planes' boundaries need more than " + std::to_string(ShadowLists::MostBands) +
+        " times the memory limit of " + std::to_string(this->Self->MemoryLimit) +
+        " MiB, or those of one row of pixels more than that: shadows come from shadow maps, which "
+        "are "
+        "less exact. Raise SetMemoryLimit(), or call SetShadowTechniqueToShadowMap().");
+    this->TooManyPlanes = true;
+    ok = this->RenderOnce(s, x, y, width, height);
+  }
+  if (!ok && this->CurrentFrame.IsReferenceMissing())
+  {
+    this->ReportDifference("the ray march failed: " + this->Error);
+    ok = this->RenderOnce(s, x, y, width, height);
+  }
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::RenderOnce(
+  const vtkRenderState* s, int x, int y, int width, int height)
+{
   vtkRenderer* renderer = s->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->Context->SetContext(window);
@@ -126,11 +153,16 @@ bool vtkAirlightPass::Internals::RenderFrame(
   std::vector<Lamp> lamps =
     CollectLamps(renderer, converted, view, this->Self->LightRadius, this->Lights);
   this->CheckLamps(lamps);
-  const bool layers = this->Self->DebugView == SHADED && AirlightScenePass::HasTransparent(s);
+  this->EffectiveTechnique = this->ChooseTechnique(renderer, lamps, IsClear(converted));
+  if (this->ShownView == DIFFERENCE && this->EffectiveTechnique == RAY_MARCH)
+  {
+    this->ReportDifference("the picture is that of the ray march itself. Use another "
+                           "ShadowTechnique than RAY_MARCH");
+  }
+  const bool layers = this->ShownView == SHADED && AirlightScenePass::HasTransparent(s);
   this->MapperText.LayerRecords = ShadowLists::IsSupported(window);
   this->UpdateSurfaceShader(converted, lamps, layers);
 
-  this->EffectiveTechnique = this->ChooseTechnique(window);
   FrameSettings settings;
   settings.Shadows = GetMethod(this->EffectiveTechnique);
   settings.MapResolution = this->Self->ShadowMapResolution;
@@ -141,10 +173,15 @@ bool vtkAirlightPass::Internals::RenderFrame(
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Layers = layers;
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
-  settings.Record = this->Self->RecordBuffers || this->Self->DebugView == BOUNDARY_COUNT;
+  settings.VolumeNodes =
+    GetVolumeNodeCount(GetVolumes(s->GetPropArray(), s->GetPropArrayCount()).size(), width, height,
+      static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20);
+  settings.Record = this->Self->RecordBuffers || this->ShownView == BOUNDARY_COUNT;
   settings.EncodedInput = !this->Self->LinearInput;
   settings.EncodedOutput = this->Self->EncodedOutput || settings.EncodedInput;
-  settings.DebugView = this->Self->DebugView;
+  settings.DebugView = this->ShownView;
+  settings.Difference = this->ShownView == DIFFERENCE;
+  settings.PlaneBudget = this->Self->ShadowTechnique == AUTOMATIC;
   for (vtkParticipatingMedium* medium : media)
   {
     settings.PhaseErrorBound = std::max(settings.PhaseErrorBound, medium->GetPhaseErrorBound());

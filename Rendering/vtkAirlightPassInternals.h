@@ -36,6 +36,7 @@ class vtkRenderPass;
 class vtkRenderState;
 class vtkRenderer;
 class vtkShaderProgram;
+class vtkVolume;
 
 class vtkAirlightPass::Internals
 {
@@ -61,10 +62,19 @@ public:
   // blends over the medium. Parts of assemblies are not.
   bool IsDrawnLater(vtkProp* prop);
 
+  // Of volumes: that one is drawn with a shader of the graphics card, whether its samples go through
+  // the medium; and after the frame, that those of which nothing was noted do not.
+  void NoteVolume(vtkVolume* volume, bool through);
+  void CheckVolumes(const vtkRenderState* s);
+
+  // An error, once, that says why the difference from the ray march is not shown; the picture is.
+  void ReportDifference(const std::string& reason);
+
   void WarnOnce(bool& warned, const std::string& text);
   void CheckMedia();
   void CheckLamps(const std::vector<airlight::Lamp>& lamps);
-  int ChooseTechnique(vtkOpenGLRenderWindow* window);
+  // By SetShadowTechnique()'s rule. Sets what the frame's casters are.
+  int ChooseTechnique(vtkRenderer* renderer, const std::vector<airlight::Lamp>& lamps, bool clear);
 
   // Speaks of passes outside that need what this one does not give.
   void CheckOutside(const vtkRenderState* s);
@@ -78,6 +88,8 @@ public:
   airlight::Frame CurrentFrame;
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
   int EffectiveTechnique = NONE;
+  bool TooManyPlanes = false; // of this frame
+  int ShownView = SHADED;
   airlight::SurfaceText MapperText; // of the mappers' shaders
   bool DrawsMap = false;
   std::set<vtkShaderProgram*> MapPrograms; // those used for the map that is drawn
@@ -95,7 +107,13 @@ public:
   airlight::DelegateProps Shown;    // what a delegate is shown of them
   std::set<vtkProp*> Hidden;        // those kept from the stage of colours
 
+  std::set<vtkProp*> NotedVolumes;
+
   bool WarnedOpenGL = false;
+  bool WarnedCasters = false;
+  bool WarnedBudget = false;
+  bool WarnedDifference = false;
+  bool WarnedVolumes = false;
   bool WarnedMedia = false;
   bool WarnedLights = false;
   bool WarnedLightCount = false;
@@ -106,6 +124,7 @@ public:
   std::string ReportedError;
 
 private:
+  bool RenderOnce(const vtkRenderState* s, int x, int y, int width, int height);
   bool RenderSteps(const vtkRenderState* s);
   bool CollectLayers(const vtkRenderState& inner);
   void RenderDistances(const vtkRenderState& inner);

@@ -60,7 +60,9 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   ok = ok && (!(layers || this->Self->RecordBuffers) || this->CurrentFrame.CompositeLayers());
   if (ok && layers)
   {
+    this->NotedVolumes.clear();
     this->RenderStage(SurfaceStage::Layer, [&] { this->RenderLayers(inner); });
+    this->CheckVolumes(s);
   }
   this->Shown.Clear();
   this->Self->PostRender(s);

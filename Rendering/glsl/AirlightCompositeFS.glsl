@@ -9,6 +9,7 @@ uniform sampler2D sceneDepth;
 uniform int encodedOutput; // 1: the picture is encoded for display
 uniform int blended;   // over what the framebuffer holds
 uniform int debugView; // vtkAirlightPass::DebugViewType
+uniform sampler2D reference; // airlight by the ray march
 #endif
 uniform sampler2D scattered;
 
@@ -52,6 +53,7 @@ void main()
   {
     radiance = vec4(added, 1.0);
   }
+  vec3 linear = radiance.rgb;
   if (encodedOutput != 0)
   {
     radiance = airlightEncode(radiance, blended != 0);
@@ -61,6 +63,14 @@ void main()
     // Black, red, yellow, white: 0, 5, 39, 255 and more boundaries.
     float heat = 3.0 * log2(1.0 + texelFetch(counts, pixel, 0).r) / 8.0;
     radiance = vec4(clamp(vec3(heat, heat - 1.0, heat - 2.0), 0.0, 1.0), 1.0);
+  }
+  if (debugView == 4)
+  {
+    // Blue, white, red: 1 % less than the ray march, the same, 1 % more.
+    float more =
+      dot(texelFetch(scattered, pixel, 0).rgb - texelFetch(reference, pixel, 0).rgb, vec3(1.0));
+    float share = clamp(100.0 * more / max(dot(linear, vec3(1.0)), 1e-30), -1.0, 1.0);
+    radiance = vec4(1.0 + vec3(min(share, 0.0), -abs(share), min(-share, 0.0)), 1.0);
   }
   gl_FragDepth = texelFetch(sceneDepth, pixel, 0).r;
 #endif

@@ -20,6 +20,21 @@ uint airlightLayer = 0u; // this fragment's record, 0: none
 // The share of each light that arrives; see airlightReceive().
 vec3 airlightArrived[AIRLIGHT_LAMPS];
 
+// The share of light k that the medium leaves of it on its way to a point.
+vec3 airlightPassed(int k, vec3 point)
+{
+  vec3 share = exp(-(airlightLamps[k].w == 0.0
+      ? airlightSunDepths(airlightMedia, point, airlightLamps[k].xyz)
+      : airlightDepthBetween(airlightMedia, point, airlightLamps[k].xyz)));
+#if AIRLIGHT_HAS_PHOTOMETRY
+  if (airlightGoniometric[k] != 0)
+  {
+    share *= airlightPhotometry(airlightPhotometries[k], normalize(point - airlightLamps[k].xyz));
+  }
+#endif
+  return share;
+}
+
 // The share of light k that arrives at a point: transmittance, 0 in shadow.
 vec3 airlightShare(int k, vec3 point)
 {
@@ -51,16 +66,7 @@ vec3 airlightShare(int k, vec3 point)
     }
   }
 #endif
-  vec3 share = exp(-(airlightLamps[k].w == 0.0
-      ? airlightSunDepths(airlightMedia, point, airlightLamps[k].xyz)
-      : airlightDepthBetween(airlightMedia, point, airlightLamps[k].xyz)));
-#if AIRLIGHT_HAS_PHOTOMETRY
-  if (airlightGoniometric[k] != 0)
-  {
-    share *= airlightPhotometry(airlightPhotometries[k], normalize(point - airlightLamps[k].xyz));
-  }
-#endif
-  return share;
+  return airlightPassed(k, point);
 }
 
 // In a loop and before the mapper's own lines of every light: compilers take time for what is there

@@ -1,0 +1,262 @@
+// Added to the fragment shaders of VTK's volume ray casting: what the medium before each sample makes
+// of its colour before it is blended, and what of each light arrives at it.
+//
+// The air before the samples, scattered light and optical depth, is known at a few nodes, equally
+// spaced between where the ray enters the volume and where it ends, and interpolated by cubics that
+// rise wherever the nodes do.
+
+const int AIRLIGHT_NODES = 16;
+uniform int airlightNodeCount;    // 2 to AIRLIGHT_NODES
+uniform mat4 airlightVolumeToEye; // from the data set's coordinates to those of the rays
+uniform vec2 airlightVolumeSize;  // of the viewport, pixels
+uniform int airlightEncodedInput; // 1: colours are encoded for display
+
+vec3 airlightVolumeOrigin; // of the ray, as airlightOrigin()
+vec3 airlightVolumeAlong;  // unit
+vec3 airlightPerTexture;   // what the distance grows by along the texture's coordinates
+float airlightFirstNode;   // distances along the ray
+float airlightNodeStep;
+vec3 airlightNodeAir[AIRLIGHT_NODES];
+vec3 airlightNodeAirSlope[AIRLIGHT_NODES]; // a step
+vec3 airlightNodeDepth[AIRLIGHT_NODES];
+vec3 airlightNodeDepthSlope[AIRLIGHT_NODES];
+#if AIRLIGHT_LAYER_RECORDS
+uint airlightNodeLayer[AIRLIGHT_NODES]; // records, 0: none
+
+// As many pixels as the viewport has, where VTK draws volumes in lower resolution, too.
+ivec2 airlightVolumePixel()
+{
+  vec2 p = (gl_FragCoord.xy - in_windowLowerLeftCorner) * in_inverseWindowSize;
+  return ivec2(clamp(p * airlightVolumeSize, vec2(0.0), airlightVolumeSize - 1.0));
+}
+
+// In the first draw: a record for each node.
+void airlightCollectNodes()
+{
+  uint count = uint(airlightNodeCount);
+  uint first = atomicAdd(layerHeads[0], count) + 1u;
+  if (first + count > uint(airlightLayerCapacity))
+  {
+    return;
+  }
+  uint next = atomicExchange(layerHeads[airlightLayerHead(airlightVolumePixel())], first);
+  for (uint k = 0u; k < count; k++)
+  {
+    uint word = AIRLIGHT_LAYER_WORDS * (first + k);
+    layers[word] = k + 1u < count ? first + k + 1u : next;
+    layers[word + 1u] = floatBitsToUint(airlightFirstNode + float(k) * airlightNodeStep);
+    for (uint i = 2u; i < AIRLIGHT_LAYER_WORDS; i++)
+    {
+      layers[word + i] = 0u;
+    }
+  }
+}
+
+// In the last draw: the nearest record of each node.
+void airlightFindNodes()
+{
+  float nearest[AIRLIGHT_NODES];
+  for (int i = 0; i < airlightNodeCount; i++)
+  {
+    airlightNodeLayer[i] = 0u;
+    nearest[i] = 0.5;
+  }
+  uint layer = layerHeads[airlightLayerHead(airlightVolumePixel())];
+  for (int guard = 0; layer != 0u && guard < airlightLayerCapacity; guard++)
+  {
+    float place = (airlightLayerDistance(layer) - airlightFirstNode) / airlightNodeStep;
+    int i = int(clamp(floor(place + 0.5), 0.0, float(airlightNodeCount - 1)));
+    float apart = abs(place - float(i));
+    if (apart < nearest[i])
+    {
+      airlightNodeLayer[i] = layer;
+      nearest[i] = apart;
+    }
+    layer = layers[AIRLIGHT_LAYER_WORDS * layer];
+  }
+}
+#endif
+
+// What the medium scatters into the ray before node i.
+vec3 airlightBeforeNode(int i, float t)
+{
+#if AIRLIGHT_LAYER_RECORDS
+  airlightLayer = airlightNodeLayer[i];
+  if (airlightLayer == 0u)
+  {
+    return airlightAmbient(airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t);
+  }
+#endif
+  return airlightBefore(airlightVolumeOrigin, airlightVolumeAlong, t);
+}
+
+// The slope at a node between two that rise, so that the cubics between them do.
+vec3 airlightSlope(vec3 before, vec3 after)
+{
+  return clamp(0.5 * (before + after), vec3(0.0), 3.0 * max(min(before, after), vec3(0.0)));
+}
+
+vec3 airlightEndSlope(vec3 next, vec3 other)
+{
+  return clamp(1.5 * next - 0.5 * other, vec3(0.0), 3.0 * max(next, vec3(0.0)));
+}
+
+void airlightFillNodes()
+{
+  for (int i = 0; i < airlightNodeCount; i++)
+  {
+    float t = airlightFirstNode + float(i) * airlightNodeStep;
+    airlightNodeAir[i] = airlightBeforeNode(i, t);
+    airlightNodeDepth[i] =
+      airlightDepth(airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t);
+  }
+  int last = airlightNodeCount - 1;
+  for (int i = 0; i <= last; i++)
+  {
+    int low = clamp(i - 1, 0, last - 1);
+    int high = min(low + 1, last - 1);
+    vec3 air = airlightNodeAir[low + 1] - airlightNodeAir[low];
+    vec3 nextAir = airlightNodeAir[high + 1] - airlightNodeAir[high];
+    vec3 depth = airlightNodeDepth[low + 1] - airlightNodeDepth[low];
+    vec3 nextDepth = airlightNodeDepth[high + 1] - airlightNodeDepth[high];
+    if (i > 0 && i < last)
+    {
+      airlightNodeAirSlope[i] = airlightSlope(air, nextAir);
+      airlightNodeDepthSlope[i] = airlightSlope(depth, nextDepth);
+      continue;
+    }
+    int other = i == 0 ? high : max(low - 1, 0);
+    vec3 otherAir = airlightNodeAir[other + 1] - airlightNodeAir[other];
+    vec3 otherDepth = airlightNodeDepth[other + 1] - airlightNodeDepth[other];
+    airlightNodeAirSlope[i] = airlightEndSlope(air, otherAir);
+    airlightNodeDepthSlope[i] = airlightEndSlope(depth, otherDepth);
+  }
+}
+
+// The ray from where it enters the volume to where it leaves it or ends.
+void airlightFindSpan()
+{
+  mat4 flip = mat4(1.0); // as the vertex shader does
+  flip[0][0] = sign(in_cellSpacing[0].x);
+  flip[1][1] = sign(in_cellSpacing[0].y);
+  flip[2][2] = sign(in_cellSpacing[0].z);
+  mat4 place =
+    airlightVolumeToEye * in_textureDatasetMatrix[0] * flip * inverse(in_cellToPoint[0]);
+  float steps = g_terminatePointMax;
+  for (int axis = 0; axis < 3; axis++)
+  {
+    float d = g_dirStep[axis];
+    float end = d > 0.0 ? in_texMax[0][axis] : in_texMin[0][axis];
+    steps = abs(d) > 1e-20 ? min(steps, (end - g_rayOrigin[axis]) / d) : steps;
+  }
+  vec3 a = (place * vec4(g_rayOrigin, 1.0)).xyz;
+  vec3 b = (place * vec4(g_rayOrigin + max(steps, 0.0) * g_dirStep, 1.0)).xyz;
+  vec3 deep = cross(airlightRayOrigin[1], airlightRayOrigin[2]);
+  airlightVolumeAlong =
+    airlightParallel != 0 ? normalize(airlightDirection(vec2(0.0))) : normalize(b);
+  vec3 across = airlightParallel != 0 ? deep : airlightVolumeAlong;
+  float unit = dot(airlightVolumeAlong, across);
+  airlightFirstNode = dot(a, across) / unit;
+  airlightVolumeOrigin =
+    airlightParallel != 0 ? a - airlightFirstNode * airlightVolumeAlong : vec3(0.0);
+  float span = max(dot(b, across) / unit - airlightFirstNode, 1e-6 * abs(airlightFirstNode));
+  airlightNodeStep = max(span, 1e-30) / float(airlightNodeCount - 1);
+  airlightPerTexture = across * mat3(place) / unit;
+}
+
+// At the end of VTK's own preparations.
+void airlightStartVolume()
+{
+  for (int k = 0; k < AIRLIGHT_LAMPS; k++)
+  {
+    airlightArrived[k] = vec3(1.0);
+  }
+  if (airlightStage != AIRLIGHT_STAGE_LAYER && airlightStage != AIRLIGHT_STAGE_COLLECT)
+  {
+    return;
+  }
+  airlightFindSpan();
+#if AIRLIGHT_LAYER_RECORDS
+  if (airlightStage == AIRLIGHT_STAGE_COLLECT)
+  {
+    airlightCollectNodes();
+    discard;
+  }
+  airlightFindNodes();
+#endif
+  airlightFillNodes();
+}
+
+// The sample's distance along the ray.
+float airlightSampleDistance()
+{
+  return airlightFirstNode + dot(g_dataPos - g_rayOrigin, airlightPerTexture);
+}
+
+// Its place among the nodes: the first of two, and the share of the other.
+int airlightSampleNode(float t, out float share)
+{
+  float place =
+    clamp((t - airlightFirstNode) / airlightNodeStep, 0.0, float(airlightNodeCount - 1));
+  int i = min(int(place), airlightNodeCount - 2);
+  share = place - float(i);
+  return i;
+}
+
+#if AIRLIGHT_LAYER_RECORDS
+float airlightNodeIsLit(int i, int k)
+{
+  uint word = AIRLIGHT_LAYER_WORDS * airlightNodeLayer[i] + 5u + uint(k / 32);
+  bool isLit = airlightNodeLayer[i] == 0u || (layers[word] & (1u << uint(k % 32))) != 0u;
+  return isLit ? 1.0 : 0.0;
+}
+#endif
+
+// What arrives of each light at the sample. The edges of shadows are as wide as nodes are apart.
+void airlightReceiveSample()
+{
+  if (airlightStage != AIRLIGHT_STAGE_LAYER)
+  {
+    return;
+  }
+  float t = airlightSampleDistance();
+  vec3 point = airlightVolumeOrigin + t * airlightVolumeAlong;
+  float share;
+  int i = airlightSampleNode(t, share);
+  for (int k = 0; k < airlightLampCount; k++)
+  {
+    airlightArrived[k] = airlightLamps[k].w < 0.0 ? vec3(1.0) : airlightPassed(k, point);
+#if AIRLIGHT_LAYER_RECORDS
+    if (airlightUseLit != 0 && airlightLamps[k].w >= 0.0 && k < 4 * AIRLIGHT_BITS)
+    {
+      airlightArrived[k] *= mix(airlightNodeIsLit(i, k), airlightNodeIsLit(i + 1, k), share);
+    }
+#endif
+  }
+}
+
+vec3 airlightCubic(vec3 a, vec3 aSlope, vec3 b, vec3 bSlope, float x)
+{
+  float y = 1.0 - x;
+  return y * y * ((1.0 + 2.0 * x) * a + x * aSlope) + x * x * ((1.0 + 2.0 * y) * b - y * bSlope);
+}
+
+// A sample's colour, times its opacity, behind the medium before it.
+vec4 airlightThroughVolume(vec4 colour)
+{
+  if (airlightStage != AIRLIGHT_STAGE_LAYER || colour.a <= 0.0)
+  {
+    return colour;
+  }
+  // A light whose numbers are not finite makes VTK shade with NaN.
+  colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
+  colour.rgb = airlightEncodedInput != 0 ? colour.a * airlightDecode(colour.rgb / colour.a)
+                                         : colour.rgb;
+  float x;
+  int i = airlightSampleNode(airlightSampleDistance(), x);
+  vec3 depth = airlightCubic(airlightNodeDepth[i], airlightNodeDepthSlope[i],
+    airlightNodeDepth[i + 1], airlightNodeDepthSlope[i + 1], x);
+  vec3 air = airlightCubic(airlightNodeAir[i], airlightNodeAirSlope[i], airlightNodeAir[i + 1],
+    airlightNodeAirSlope[i + 1], x);
+  return vec4(colour.rgb * exp(-depth) + colour.a * air, colour.a);
+}

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What vtkAirlightPass does when VTK's mappers build and use their shaders.
+
+#include "vtkAirlightPassInternals.h"
+
+#include "AirlightVolumeShader.h"
+
+#include "vtkProp.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolume.h"
+
+using namespace airlight;
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  if (vtkVolume::SafeDownCast(prop))
+  {
+    MarkVolumeShader(fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  if (vtkVolume::SafeDownCast(prop))
+  {
+    InjectVolumeShader(fragmentShader, this->Impl->MapperText);
+    return true;
+  }
+  InjectSurfaceShader(fragmentShader, this->Impl->MapperText, AirlightScenePass::IsSplats(prop));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  SurfaceUniforms values = this->Impl->CurrentFrame.GetSurfaceUniforms(this->Impl->Stage);
+  if (auto* volume = vtkVolume::SafeDownCast(prop))
+  {
+    const bool through = IsVolumeProgram(program);
+    this->Impl->NoteVolume(volume, through);
+    if (through)
+    {
+      SetSurfaceUniforms(program, values);
+      SetVolumeUniforms(program, volume, values);
+    }
+    return true;
+  }
+  if (this->DelegatePass && this->Impl->Stage == SurfaceStage::Colour)
+  {
+    this->Impl->CurrentFrame.FitToTarget(values);
+  }
+  // A delegate may draw translucent surfaces with the opaque ones, whose bits are not theirs.
+  values.UseLit = values.UseLit &&
+    !(this->Impl->Stage == SurfaceStage::Colour && prop->IsRenderingTranslucentPolygonalGeometry());
+  values.Hides = program->IsUniformUsed("airlightHidden");
+  values.Hidden = values.Hides && this->Impl->IsDrawnLater(prop);
+  values.Additive = AirlightScenePass::IsEmissive(prop);
+  SetSurfaceUniforms(program, values);
+  // VTK leaves the lights of another renderer in a program that both use and that is newer than they.
+  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+  if (this->Impl->DrawsMap)
+  {
+    this->Impl->MapPrograms.insert(program);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkAirlightPass::GetShaderStageMTime() { return this->Impl->ShaderTime; }

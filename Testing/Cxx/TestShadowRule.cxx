@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// When AUTOMATIC takes shadow maps, and that it says so once: casters without polygons, and more
+// boundaries than the memory limit allows. Old OpenGL is in TestAirlightPassOldOpenGL.
+
+#include "AirlightTestErrors.h"
+#include "AirlightTestScene.h"
+#include "AirlightTestTools.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkPointGaussianMapper.h"
+
+#include <cstdlib>
+
+using namespace airlighttest;
+using airlight_test::ErrorListener;
+using airlight_test::Random;
+using airlight_test::Text;
+
+namespace
+{
+// Draws two frames and checks what they took and said.
+void CheckRule(Scene& scene, const std::string& name, int technique, int effective, int warnings,
+  const std::string& said = "")
+{
+  ErrorListener warned(scene.Pass, vtkCommand::WarningEvent);
+  ErrorListener failed(scene.Pass);
+  scene.Pass->SetShadowTechnique(technique);
+  scene.Window->Render();
+  scene.Window->Render();
+  Check(scene.Pass->GetEffectiveShadowTechnique() == effective,
+    Text(name, ": technique ", scene.Pass->GetEffectiveShadowTechnique()));
+  const int count = warned.Take();
+  Check(count == warnings, Text(name, ": ", count, " warnings"));
+  Check(count == 0 || warned.GetText().find(said) != std::string::npos,
+    name + ": the warning says " + said + ": " + warned.GetText());
+  Check(failed.Take() == 0, name + ": no errors");
+}
+
+double GetMean(vtkImageData* image)
+{
+  double sum = 0.0;
+  const int* size = image->GetDimensions();
+  for (int i = 0; i < size[0] * size[1]; ++i)
+  {
+    sum += static_cast<float*>(image->GetScalarPointer(i % size[0], i / size[0], 0))[0];
+  }
+  return sum / (size[0] * size[1]);
+}
+
+//------------------------------------------------------------------------------
+void TestCasters()
+{
+  const int automatic = vtkAirlightPass::AUTOMATIC;
+  const int planes = vtkAirlightPass::SHADOW_PLANES;
+  const int map = vtkAirlightPass::SHADOW_MAP;
+  Scene scene(80, 60);
+  scene.Pass->SetShadowMapResolution(256);
+  vtkLight* lamp = scene.AddPointLight({ 0, 5, 0 });
+  scene.Add(MakeSphere(0.5));
+  CheckRule(scene, "polygons", automatic, planes, 0);
+
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 3.0, 0.0);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  vtkNew<vtkPointGaussianMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetScaleFactor(1.0);
+  vtkNew<vtkActor> splat;
+  splat->SetMapper(mapper);
+  vtkNew<vtkInformation> keys;
+  keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
+  splat->SetPropertyKeys(keys);
+  scene.Renderer->AddActor(splat);
+  CheckRule(scene, "a splat that casts none", automatic, planes, 0);
+  const double without = GetMean(scene.GetBuffer("LitLength"));
+  lamp->SetLightTypeToHeadlight();
+  keys->Set(vtkAirlightPass::CASTS_SHADOW(), 1);
+  CheckRule(scene, "a splat in a headlight", automatic, planes, 0);
+  lamp->SetLightTypeToSceneLight();
+  CheckRule(scene, "a splat", automatic, map, 1, "PointGaussianMapper");
+  const double with = GetMean(scene.GetBuffer("LitLength"));
+  // The spheres' shadows do not touch; the splat's is the longer one.
+  Check(with < 0.99 * without, Text("the splat casts a shadow: ", with, " for ", without));
+  CheckRule(scene, "said once", automatic, map, 0);
+
+  Scene other(80, 60);
+  other.AddPointLight({ 0, 5, 0 });
+  other.Renderer->AddActor(splat);
+  CheckRule(other, "a splat, planes", planes, planes, 1, "PointGaussianMapper");
+  other.Renderer->RemoveActor(splat);
+}
+
+//------------------------------------------------------------------------------
+// At 1 MiB, 87381 boundaries, sixteen times of which are 72 a pixel.
+void TestBudget()
+{
+  const int automatic = vtkAirlightPass::AUTOMATIC;
+  const int planes = vtkAirlightPass::SHADOW_PLANES;
+  const int map = vtkAirlightPass::SHADOW_MAP;
+  Scene scene(160, 120);
+  scene.Pass->SetShadowMapResolution(256);
+  scene.AddPointLight({ 0, 5, 0 });
+  Random random(3);
+  std::vector<Triangle> leaves;
+  for (int i = 0; i < 500; ++i)
+  {
+    const glm::dvec3 at(random.Uniform(-2.0, 2.0), random.Uniform(2.0, 4.0), random.Uniform(-2, 2));
+    leaves.push_back({ at, at + glm::dvec3(0.6, 0, 0.3), at + glm::dvec3(0, 0.1, 0.6) });
+  }
+  scene.Add(MakeSoup(leaves));
+  CheckRule(scene, "leaves", automatic, planes, 0);
+  const double boundaries = 160.0 * 120.0 * GetMean(scene.GetBuffer("BoundaryCount"));
+  Check(boundaries > 16.0 * 87381.0, Text("there are ", boundaries, " boundaries"));
+  const double exact = GetMean(scene.GetBuffer("Airlight"));
+  scene.Pass->SetMemoryLimit(1);
+  CheckRule(scene, "leaves in 1 MiB", automatic, map, 1, "SetMemoryLimit");
+  const double coarse = GetMean(scene.GetBuffer("Airlight"));
+  Check(std::abs(coarse - exact) < 0.1 * exact, Text("airlight ", coarse, " for ", exact));
+  Check(coarse != exact, "it is that of shadow maps");
+  CheckRule(scene, "leaves in 1 MiB, said once", automatic, map, 0);
+  scene.Pass->SetMemoryLimit(64);
+  CheckRule(scene, "leaves in 64 MiB", automatic, planes, 0);
+}
+}
+
+//------------------------------------------------------------------------------
+int TestShadowRule(int, char*[])
+{
+  TestCasters();
+  TestBudget();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
