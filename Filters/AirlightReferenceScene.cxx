@@ -42,7 +42,8 @@ bool CastsShadow(vtkProp* prop)
 // Mappers that draw their input's polygons as they are.
 bool DrawsItsPolygons(vtkMapper* mapper)
 {
-  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper")) &&
+  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") ||
+           mapper->IsA("vtkCompositePolyDataMapper")) &&
     !mapper->IsA("vtkPointGaussianMapper") && !mapper->IsA("vtkOpenGLSphereMapper") &&
     !mapper->IsA("vtkOpenGLStickMapper");
 }

@@ -34,7 +34,8 @@
  * shadows, and of two at the same distance one is seen. Textures, physically based shading, wireframes,
  * points and lines, glyphs, volumes and other props, and what vtkCompositePolyDataMapper2 says of
  * single blocks are left out or shaded plainly: one warning each time names them. The pass's
- * photometric files, scattered surface light, and encoded input are not known here.
+ * photometric files, scattered surface light, and encoded input are not known here. The colours of a
+ * gradient background are exact, where VTK rounds them to 1/255.
  *
  * Cost: pixels times lights times boundaries of shadows; about 1 s for 160 x 120 pixels in uniform
  * media, see Documentation/accuracy.md. Pixels are computed in parallel by vtkSMPTools; the result is

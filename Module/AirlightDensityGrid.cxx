@@ -141,7 +141,7 @@ double DensityGrid::Interpolate(const glm::ivec3& cell, const glm::dvec3& positi
 double DensityGrid::GetDensity(const glm::dvec3& point) const
 {
   const glm::dvec3 p = this->ToSamples(point);
-  const glm::dvec3 last(this->Size - 1);
+  const glm::dvec3 last = this->GetLast();
   // Written so that NaN is outside.
   if (!(glm::all(glm::greaterThanEqual(p, glm::dvec3(0.0))) &&
         glm::all(glm::lessThanEqual(p, last))))

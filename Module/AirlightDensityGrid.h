@@ -46,6 +46,12 @@ public:
   const glm::dvec3& GetLeast() const { return this->Least; }
   const glm::dvec3& GetGreatest() const { return this->Greatest; }
 
+  // Coordinates in units of samples, counted from the first one.
+  glm::dvec3 ToSamples(const glm::dvec3& point) const { return this->Axes * (point - this->First); }
+  const glm::dmat3& GetAxes() const { return this->Axes; }
+  // Of the last sample.
+  glm::dvec3 GetLast() const { return glm::dvec3(this->Size - 1); }
+
 private:
   // A ray in units of samples, counted from the first one, cut to the image.
   struct Line
@@ -59,7 +65,6 @@ private:
   DensityGrid() = default;
   bool ReadPlace(vtkImageData* image, std::string& error);
   bool ReadSamples(vtkImageData* image, std::string& error);
-  glm::dvec3 ToSamples(const glm::dvec3& point) const { return this->Axes * (point - this->First); }
   bool Clip(const glm::dvec3& origin, const glm::dvec3& direction, double from, double to,
     Line& line) const;
   // Calls visit(from, to, cell) for each cell on the line.

@@ -66,7 +66,7 @@ public:
         piece.to = f64::airlightFadedAt(this->Media, piece, this->Ray.origin, this->Ray.direction);
         if (this->Scatters(piece))
         {
-          this->AddPiece(piece);
+          this->AddParts(piece);
         }
       }
     }
@@ -105,17 +105,50 @@ private:
     return depth > 0.0;
   }
 
-  void AddPiece(const f64::AirlightPiece& piece)
+  // Cuts the piece where the way to the light begins to leave a region or an image through another
+  // face: near their edges what arrives changes on so short a part that no node would see it.
+  void AddParts(const f64::AirlightPiece& piece)
+  {
+    const f64::AirlightWay way = f64::airlightWay(this->Light, this->Ray);
+    for (double from = piece.from; from < piece.to;)
+    {
+      double to = f64::airlightNextKink(this->Media, way, from, piece.to);
+      for (int i = 0; i < this->Media.count; ++i)
+      {
+        const bool grid = this->Media.item[i].density == AIRLIGHT_DENSITY_GRID;
+        to = grid ? NextImageKink(this->Media.item[i], way, from, to) : to;
+      }
+      this->AddPart(piece, from, to);
+      from = to;
+    }
+  }
+
+  // An image is a box in its own coordinates, in which straight ways stay straight.
+  static double NextImageKink(
+    const f64::AirlightMedium& medium, const f64::AirlightWay& way, double from, double to)
+  {
+    const DensityGrid& grid = *medium.grid;
+    f64::AirlightWay own = way;
+    own.direction = grid.GetAxes() * way.direction;
+    own.origin = way.directional ? grid.ToSamples(medium.gridOrigin + way.origin)
+                                 : grid.GetAxes() * way.origin;
+    own.light =
+      way.directional ? grid.GetAxes() * way.light : grid.ToSamples(medium.gridOrigin + way.light);
+    f64::AirlightRegion box{};
+    box.boxMax = grid.GetLast();
+    return f64::airlightBoxKink(box, own, from + 1e-6 * (to - from), to);
+  }
+
+  void AddPart(const f64::AirlightPiece& piece, double from, double to)
   {
     const double tL = this->Ray.range.x + this->Ray.foot.tL;
     const double h = this->Ray.foot.h;
-    const double reach = std::max(std::abs(piece.from - tL), h);
+    const double reach = std::max(std::abs(from - tL), h);
     Panel panel;
     panel.Piece = piece;
-    panel.Straight =
-      f64::airlightIsDirectional(this->Light) || piece.to - piece.from < 0.05 * reach;
-    panel.From = panel.Straight ? piece.from : std::asinh((piece.from - tL) / h);
-    panel.To = panel.Straight ? piece.to : std::asinh((piece.to - tL) / h);
+    panel.Straight = f64::airlightIsDirectional(this->Light) || to - from < 0.05 * reach;
+    panel.From = panel.Straight ? from : std::asinh((from - tL) / h);
+    panel.To = panel.Straight ? to : std::asinh((to - tL) / h);
     this->Evaluate(panel);
     this->Panels.push_back(panel);
   }
