@@ -37,8 +37,8 @@
  * photometric files, scattered surface light, and encoded input are not known here. The colours of a
  * gradient background are exact, where VTK rounds them to 1/255.
  *
- * Cost: pixels times lights times boundaries of shadows; about 1 s for 160 x 120 pixels in uniform
- * media, see Documentation/accuracy.md. Pixels are computed in parallel by vtkSMPTools; the result is
+ * Cost: pixels times lights times boundaries of shadows; tenths of a second for 160 x 120 pixels
+ * in uniform media, see Documentation/accuracy.md. Pixels are computed in parallel by vtkSMPTools; the result is
  * the same to the last bit with any number of threads. Progress is reported, and SetAbortExecute()
  * from an observer ends the work at the next row: rows not yet computed are 0.
  *
