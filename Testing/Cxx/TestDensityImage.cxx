@@ -11,6 +11,7 @@
 #include "AirlightTestTools.h"
 
 #include "vtkAirlight.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
