@@ -40,7 +40,7 @@ vtkDataArray* GetArray(vtkAirlightReference* reference, const char* name)
 
 //------------------------------------------------------------------------------
 // Share of pixels that may be wrong by more than a thousandth, as they are at edges.
-constexpr double MostAtEdges = 0.02;
+constexpr double MostAtEdges = 0.005;
 
 void CompareBuffer(
   const std::string& scene, const char* name, vtkImageData* drawn, vtkDataArray* computed)
