@@ -32,6 +32,15 @@ int ConvertRegion(int region)
   }
 }
 
+void MakeNowhere(f64::AirlightMedium& medium)
+{
+  medium.region.kind = AIRLIGHT_REGION_BOX;
+  medium.region.boxMin = glm::dvec3(0.0);
+  medium.region.boxMax = glm::dvec3(0.0);
+  medium.sigmaS = glm::dvec3(0.0);
+  medium.sigmaT = glm::dvec3(0.0);
+}
+
 // A medium whose surface is missing or no good is nowhere.
 void ConvertSurface(
   vtkParticipatingMedium* medium, const glm::dvec3& origin, f64::AirlightMedium& result)
@@ -40,11 +49,7 @@ void ConvertSurface(
   const std::shared_ptr<const SurfaceTree> tree = medium->GetSurfaceTree();
   if (!tree)
   {
-    region.kind = AIRLIGHT_REGION_BOX;
-    region.boxMin = glm::dvec3(0.0);
-    region.boxMax = glm::dvec3(0.0);
-    result.sigmaS = glm::dvec3(0.0);
-    result.sigmaT = glm::dvec3(0.0);
+    MakeNowhere(result);
     return;
   }
   region.boxMin = tree->GetLeast() - origin;
@@ -52,6 +57,37 @@ void ConvertSurface(
   region.centre = tree->GetCentre() - origin;
   region.data = tree->GetTexels().data();
   region.nodes = tree->GetNodeCount();
+}
+
+// A medium whose image is missing or no good is nowhere. Boxes shrink to where the image is.
+void ConvertGrid(
+  vtkParticipatingMedium* medium, const glm::dvec3& origin, f64::AirlightMedium& result)
+{
+  const std::shared_ptr<const DensityGrid> grid = medium->GetDensityGrid();
+  if (!grid)
+  {
+    MakeNowhere(result);
+    return;
+  }
+  result.density = AIRLIGHT_DENSITY_GRID;
+  result.grid = grid.get();
+  result.gridOrigin = origin;
+  f64::AirlightRegion& region = result.region;
+  if (region.kind == AIRLIGHT_REGION_UNBOUNDED)
+  {
+    region.kind = AIRLIGHT_REGION_BOX;
+    region.boxMin = grid->GetLeast() - origin;
+    region.boxMax = grid->GetGreatest() - origin;
+  }
+  else if (region.kind == AIRLIGHT_REGION_BOX)
+  {
+    region.boxMin = glm::max(region.boxMin, grid->GetLeast() - origin);
+    region.boxMax = glm::min(region.boxMax, grid->GetGreatest() - origin);
+    if (glm::any(glm::greaterThan(region.boxMin, region.boxMax)))
+    {
+      MakeNowhere(result);
+    }
+  }
 }
 
 f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dvec3& origin)
@@ -81,6 +117,10 @@ f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dve
     medium->GetUp(&result.up.x);
     result.inverseScaleHeight = 1.0 / medium->GetScaleHeight();
     result.originHeight = glm::dot(result.up, origin) - medium->GetReferenceHeight();
+  }
+  else if (medium->GetDensity() == vtkParticipatingMedium::IMAGE)
+  {
+    ConvertGrid(medium, origin, result);
   }
   return result;
 }

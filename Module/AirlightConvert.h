@@ -36,6 +36,12 @@ enum class LightSupport
   Invalid   // numbers that are not finite, or attenuation without a positive term
 };
 
+// What is said of lights that are LightSupport::Invalid.
+constexpr const char* InvalidLampText =
+  "A light is left out of the medium: its position, colour and attenuation must be finite, "
+  "its attenuation at least 0 with one term above 0, its exponent at least 0, and the focal "
+  "point of a spot or a directional light apart from its position.";
+
 // A point light of this radiant intensity and inverse-square attenuation, relative to `origin`.
 f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm::dvec3& position,
   const glm::dvec3& radiantIntensity, const glm::dvec3& origin);

@@ -9,6 +9,8 @@
 #ifndef AirlightMath_h
 #define AirlightMath_h
 
+#include "AirlightDensityGrid.h"
+
 #include <glm/glm.hpp>
 
 // More poles than any fit uses.
@@ -28,6 +30,16 @@
 #define AIRLIGHT_MAY_TRY true
 #define AIRLIGHT_HAS_TABLE 1
 #define AIRLIGHT_HAS_PHOTOMETRY 1
+// So do images of density, in world coordinates.
+#define AIRLIGHT_HAS_GRID 1
+#define AIRLIGHT_GRID_MEMBER \
+  const DensityGrid* grid;   \
+  glm::dvec3 gridOrigin; /* the origin of coordinates in the world */
+#define AIRLIGHT_GRID_DENSITY(medium, point) \
+  real((medium).grid->GetDensity((medium).gridOrigin + glm::dvec3(point)))
+#define AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to) \
+  real((medium).grid->Integrate(                                 \
+    (medium).gridOrigin + glm::dvec3(origin), glm::dvec3(direction), from, to))
 
 namespace airlight
 {
@@ -63,5 +75,8 @@ using namespace glm;
 #undef AIRLIGHT_PRECISE
 #undef AIRLIGHT_DATA_MEMBER
 #undef AIRLIGHT_FETCH
+#undef AIRLIGHT_GRID_MEMBER
+#undef AIRLIGHT_GRID_DENSITY
+#undef AIRLIGHT_GRID_DEPTH
 
 #endif

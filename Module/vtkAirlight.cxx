@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlight.h"
 
-#include "AirlightAdaptive.h"
 #include "AirlightConvert.h"
+#include "AirlightIntegrate.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -83,12 +83,7 @@ glm::dvec3 Integrate(const f64::AirlightMedia& media, f64::AirlightLight light,
   {
     return glm::dvec3(0.0);
   }
-  if (light.kind == AIRLIGHT_POINT_QUADRATURE || light.kind == AIRLIGHT_DIRECTIONAL_QUADRATURE)
-  {
-    return light.intensity * AdaptiveQuadrature(media, light, ray, from, to);
-  }
-  return f64::airlightInterval3(media, light, ray, from,
-    f64::airlightTail3(media, light, ray, from), to, f64::airlightTail3(media, light, ray, to));
+  return IntegrateAirlight(media, light, ray, from, to);
 }
 
 // Channels without scattering are exactly dark, whatever the limits of their integrals.
@@ -197,7 +192,7 @@ bool vtkAirlight::Ambient(vtkParticipatingMedium* medium, const double origin[3]
     return false;
   }
   const f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(origin));
-  const glm::dvec3 ambient = f64::airlightAmbient(
+  const glm::dvec3 ambient = IntegrateAmbient(
     converted, glm::dvec3(0.0), unit, std::min(std::max(t1, 0.0), AIRLIGHT_FAR));
   Store(converted, ambient, rgb);
   return true;

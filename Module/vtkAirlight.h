@@ -46,8 +46,8 @@ public:
    * the integral of sigma_s p(cosTheta) I/r^2 exp(-sigma_t (lengths inside the medium)) dt.
    * t0 is clamped at 0. t1 may be infinite. Relative error: 1e-9 in a uniform medium that is
    * unbounded or a box or sphere that holds the light, and 1e-6 by quadrature in all others, and
-   * with Mie's phase functions or a table that no fit follows; to both comes at most
-   * vtkParticipatingMedium::GetPhaseErrorBound().
+   * with Mie's phase functions or a table that no fit follows; 1e-5 with densities from images; to
+   * all comes at most vtkParticipatingMedium::GetPhaseErrorBound().
    */
   static bool Inscatter(vtkParticipatingMedium* medium, const double lightPosition[3],
     const double radiantIntensity[3], const double origin[3], const double direction[3], double t0,
@@ -66,7 +66,7 @@ public:
 
   /**
    * Fraction of light that passes from point a to point b, per RGB channel:
-   * exp(-sigma_t * length inside the medium).
+   * exp(-sigma_t * integral of the density inside the medium).
    */
   static bool Transmittance(
     vtkParticipatingMedium* medium, const double a[3], const double b[3], double rgb[3]);

@@ -3,6 +3,7 @@
 #include "vtkParticipatingMedium.h"
 
 #include "AirlightPhaseFunctions.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -172,6 +173,7 @@ vtkMTimeType vtkParticipatingMedium::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
   time = this->PhaseTable ? std::max(time, this->PhaseTable->GetMTime()) : time;
+  time = this->DensityImage ? std::max(time, this->DensityImage->GetMTime()) : time;
   return this->Surface ? std::max(time, this->Surface->GetMTime()) : time;
 }
 
@@ -197,8 +199,9 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   print3("Center", this->Center);
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "Surface: " << this->Surface.Get() << "\n";
-  os << indent << "Density: " << (this->Density == UNIFORM ? "Uniform" : "ExponentialHeight")
-     << "\n";
+  const char* densities[] = { "Uniform", "ExponentialHeight", "Image" };
+  os << indent << "Density: " << densities[this->Density] << "\n";
+  os << indent << "DensityImage: " << this->DensityImage.Get() << "\n";
   os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
   os << indent << "ReferenceHeight: " << this->ReferenceHeight << "\n";
   print3("Up", this->Up);

@@ -27,15 +27,17 @@
 
 #include "vtkAirlightModule.h" // for export macro
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // for the phase table and the surface
+#include "vtkSmartPointer.h" // for the phase table, the surface and the image
 
-#include <memory> // for the phase function and the surface
+#include <memory> // for the phase function, the surface and the image
 
+class vtkImageData;
 class vtkPolyData;
 class vtkTable;
 
 namespace airlight
 {
+class DensityGrid;
 struct PhaseShape;
 class PhaseTable;
 class SurfaceTree;
@@ -290,7 +292,9 @@ public:
   enum DensityType
   {
     UNIFORM = 0,           ///< the same everywhere
-    EXPONENTIAL_HEIGHT = 1 ///< exp(-(height - reference height)/scale height), as in the atmosphere
+    EXPONENTIAL_HEIGHT =
+      1,      ///< exp(-(height - reference height)/scale height), as in the atmosphere
+    IMAGE = 2 ///< measured or simulated, see SetDensityImage()
   };
 
   ///@{
@@ -301,6 +305,7 @@ public:
   vtkGetMacro(Density, int);
   void SetDensityToUniform() { this->SetDensity(UNIFORM); }
   void SetDensityToExponentialHeight() { this->SetDensity(EXPONENTIAL_HEIGHT); }
+  void SetDensityToImage() { this->SetDensity(IMAGE); }
   ///@}
 
   ///@{
@@ -331,8 +336,28 @@ public:
   vtkGetVector3Macro(Up, double);
   ///@}
 
+  ///@{
   /**
-   * The last modification of the medium, its phase table or its surface.
+   * The image of SetDensityToImage(): its point scalars are the density, without unit, as a factor of
+   * both coefficients. Between the points it is trilinear, outside the image 0; the image's origin,
+   * spacing and direction matrix place it in the world. The medium is where both its region and the
+   * image are; an unbounded region stands for the box along the world's axes that holds the image.
+   * Ways through an image are summed up cell by cell, which is exact; airlight is integrated by
+   * quadrature. Range: one finite value of at least 0 for each point, at most 1e100; at least 2 points
+   * along each axis. The medium keeps 8 bytes for each point.
+   * An image that is no good is refused with an error and the old one stays; if it becomes so later,
+   * or there is none, an error is reported when the medium is used, which then is nowhere. Call
+   * Modified() of the image after a change of its scalars. Default: none.
+   *
+   * For vtkAirlight and vtkAirlightReference; vtkAirlightPass and vtkAirlightPolyDataMapper do not draw
+   * such media yet and say so.
+   */
+  void SetDensityImage(vtkImageData* image);
+  vtkImageData* GetDensityImage();
+  ///@}
+
+  /**
+   * The last modification of the medium, its phase table, its surface or its image.
    */
   vtkMTimeType GetMTime() override;
 
@@ -343,6 +368,10 @@ public:
   // The surface as it is used; null without a region of a surface or where that is no good. For the
   // library's own use.
   std::shared_ptr<const airlight::SurfaceTree> GetSurfaceTree();
+
+  // The image as it is used; null without a density from an image or where that is no good. For the
+  // library's own use.
+  std::shared_ptr<const airlight::DensityGrid> GetDensityGrid();
 #endif
 
 protected:
@@ -391,6 +420,10 @@ private:
   double ScaleHeight = 1.0;
   double ReferenceHeight = 0.0;
   double Up[3] = { 0.0, 1.0, 0.0 };
+  vtkSmartPointer<vtkImageData> DensityImage;
+  std::shared_ptr<const airlight::DensityGrid> Grid; // of the image
+  vtkMTimeType GridTime = 0;                         // of the image when the grid was made
+  vtkMTimeType MissingImageTime = 0;                 // of the medium when the error was reported
 };
 
 #endif

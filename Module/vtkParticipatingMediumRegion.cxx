@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a medium is and how its density varies there; the rest of the class is in
-// vtkParticipatingMedium.cxx.
+// Where a medium is; the rest of the class is in vtkParticipatingMedium.cxx.
 #include "vtkParticipatingMedium.h"
 
 #include "AirlightSurfaceTree.h"
@@ -104,45 +103,6 @@ void vtkParticipatingMedium::SetRadius(double radius)
 {
   this->SetNumber("Radius", this->Radius, radius, radius >= 0.0, "finite and at least 0");
 }
-
-//------------------------------------------------------------------------------
-void vtkParticipatingMedium::SetDensity(int type)
-{
-  if (type != UNIFORM && type != EXPONENTIAL_HEIGHT)
-  {
-    vtkErrorMacro(<< "Density " << type << " is not a density: use UNIFORM or EXPONENTIAL_HEIGHT.");
-    return;
-  }
-  if (this->Density != type)
-  {
-    this->Density = type;
-    this->Modified();
-  }
-}
-
-void vtkParticipatingMedium::SetScaleHeight(double height)
-{
-  this->SetNumber("ScaleHeight", this->ScaleHeight, height, height > 0.0, "finite and above 0");
-}
-
-void vtkParticipatingMedium::SetReferenceHeight(double height)
-{
-  this->SetNumber("ReferenceHeight", this->ReferenceHeight, height, true, "finite");
-}
-
-void vtkParticipatingMedium::SetUp(double x, double y, double z)
-{
-  const double length = std::hypot(x, y, z);
-  if (!(length > 0.0))
-  {
-    vtkErrorMacro(<< "Up (" << x << ", " << y << ", " << z
-                  << ") must be a direction: finite and not 0; the old one stays.");
-    return;
-  }
-  this->SetVector("Up", this->Up, x / length, y / length, z / length);
-}
-
-void vtkParticipatingMedium::SetUp(const double up[3]) { this->SetUp(up[0], up[1], up[2]); }
 
 //------------------------------------------------------------------------------
 void vtkParticipatingMedium::SetSurface(vtkPolyData* surface)

@@ -51,12 +51,6 @@ struct Lamp
   bool Glows() const { return this->Scatters() && this->Values.intensity != glm::dvec3(0.0); }
 };
 
-// What is said of lights that are LightSupport::Invalid.
-constexpr const char* InvalidLampText =
-  "A light is left out of the medium: its position, colour and attenuation must be finite, "
-  "its attenuation at least 0 with one term above 0, its exponent at least 0, and the focal "
-  "point of a spot or a directional light apart from its position.";
-
 // The kind of all lights that are scattered, -1 where there are several.
 int CommonKind(const std::vector<Lamp>& lamps);
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightView.h"
 
-#include "AirlightMatrix.h"
-#include "vtkCamera.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
@@ -11,64 +9,15 @@
 
 namespace airlight
 {
-namespace
-{
-bool IsFinite(const glm::dmat4& m)
-{
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      if (!std::isfinite(m[i][j]))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-}
-
 //------------------------------------------------------------------------------
 View::View(vtkRenderer* renderer, int width, int height)
+  : PixelRays(renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), width, height)
 {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const glm::dmat4 worldToView = ToGlm(camera->GetModelViewTransformMatrix());
-  const glm::dmat4 viewToClip =
-    ToGlm(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1));
-  this->WorldToClip = viewToClip * worldToView;
-  const glm::dmat4 viewToWorld = glm::inverse(worldToView);
-  const glm::dmat4 clipToView = glm::inverse(viewToClip);
-  this->Valid = width > 0 && height > 0 && IsFinite(viewToWorld) && IsFinite(clipToView);
   if (!this->Valid)
   {
     return;
   }
-  this->NormalMatrix = glm::mat3(glm::transpose(glm::dmat3(worldToView)));
-  this->Parallel = camera->GetParallelProjection() != 0;
-  this->Forward = -glm::normalize(glm::dvec3(viewToWorld[2]));
-  camera->GetClippingRange(this->Near, this->Far);
-
-  // Where all rays meet. The cameras of a stereo pair have their projections sheared by VTK, which
-  // takes them from the origin of the view; in parallel projection it tilts the rays.
-  const glm::dvec4 apex = clipToView * glm::dvec4(0.0, 0.0, 1.0, 0.0);
-  const glm::dvec3 eye = this->Parallel ? glm::dvec3(0.0) : glm::dvec3(apex) / apex.w;
-  const glm::dvec3 tilt = this->Parallel ? glm::dvec3(apex) / -apex.z : glm::dvec3(0.0);
-  const glm::dmat3 axes(viewToWorld);
-  this->Eye = glm::dvec3(viewToWorld[3]) + axes * eye;
-
-  // Of a pixel, affine in its position: the direction of its ray, one unit deep; in parallel
-  // projection the point where its ray leaves the camera's plane.
-  const auto viewPoint = [&](double px, double py) {
-    const glm::dvec4 q =
-      clipToView * glm::dvec4(2.0 * px / width - 1.0, 2.0 * py / height - 1.0, 0.0, 1.0);
-    const glm::dvec3 point = glm::dvec3(q) / q.w - eye;
-    return this->Parallel ? point + point.z * tilt : point / -point.z;
-  };
-  const glm::dvec3 corner = viewPoint(0.0, 0.0);
-  this->Affine[0] = axes * corner;
-  this->Affine[1] = axes * (viewPoint(width, 0.0) - corner) / static_cast<double>(width);
-  this->Affine[2] = axes * (viewPoint(0.0, height) - corner) / static_cast<double>(height);
+  this->NormalMatrix = glm::mat3(glm::transpose(glm::dmat3(this->WorldToView)));
   for (int i = 0; i < 3; ++i)
   {
     this->RayOrigin[i] = this->Parallel ? glm::vec3(this->Affine[i]) : glm::vec3(0.0f);
@@ -76,8 +25,6 @@ View::View(vtkRenderer* renderer, int width, int height)
   }
   if (this->Parallel)
   {
-    this->Along = glm::normalize(axes * tilt);
-    this->PerDepth = glm::length(tilt);
     this->RayDirection[0] = glm::vec3(this->Along);
   }
 }

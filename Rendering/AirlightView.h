@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The rays of a renderer's pixels and the uniforms of glsl/AirlightView.glsl. World axes, the eye
+ * The rays of a renderer's pixels as the uniforms of glsl/AirlightView.glsl. World axes, the eye
  * as origin: subtracted in double precision, so that single precision serves the shaders even far
  * from the world's origin.
  */
 
 #ifndef AirlightView_h
 #define AirlightView_h
+
+#include "AirlightPixelRays.h"
 
 #include <glm/glm.hpp>
 
@@ -16,19 +18,11 @@ class vtkShaderProgram;
 
 namespace airlight
 {
-class View
+class View : public PixelRays
 {
 public:
   // Of the active camera, for a viewport of this size in pixels.
   View(vtkRenderer* renderer, int width, int height);
-
-  bool IsValid() const { return this->Valid; }
-  bool IsParallel() const { return this->Parallel; }
-  // Where all rays meet; in parallel projection the camera's position.
-  const glm::dvec3& GetEye() const { return this->Eye; }
-  double GetNear() const { return this->Near; }
-  // The camera's axis.
-  const glm::dvec3& GetForward() const { return this->Forward; }
 
   // From normals in view coordinates to normals in the world, of any length.
   const glm::mat3& GetNormalMatrix() const { return this->NormalMatrix; }
@@ -55,17 +49,7 @@ public:
     const glm::vec4& pixels = glm::vec4(1.0f, 1.0f, 0.0f, 0.0f)) const;
 
 private:
-  bool Valid = false;
-  bool Parallel = false;
-  glm::dvec3 Eye{ 0.0 };
-  glm::dvec3 Forward{ 0.0 };
-  double Near = 0.0;
-  double Far = 0.0;
-  glm::dvec3 Along{ 0.0 }; // parallel projection: the rays' direction, unit
-  double PerDepth = 1.0;   // parallel projection: length of a ray one unit deep
-  glm::dmat4 WorldToClip{ 1.0 };
   glm::mat3 NormalMatrix{ 1.0f };
-  glm::dvec3 Affine[3]; // constant, per x, per y: the rays' directions; parallel: their origins
   glm::vec3 RayOrigin[3];
   glm::vec3 RayDirection[3];
 };

@@ -144,6 +144,11 @@ bool vtkAirlightPass::Internals::RenderOnce(
     this->Error = "the camera's matrices are not finite or cannot be inverted";
     return false;
   }
+  this->Error = this->Media.CheckDensities();
+  if (!this->Error.empty())
+  {
+    return false;
+  }
   std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   if (media.empty())
   {

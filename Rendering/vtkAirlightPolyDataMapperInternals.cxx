@@ -49,6 +49,11 @@ bool vtkAirlightPolyDataMapper::Internals::Prepare(vtkRenderer* renderer, double
     this->Error = "the camera's matrices are not finite or cannot be inverted";
     return false;
   }
+  this->Error = this->Media.CheckDensities();
+  if (!this->Error.empty())
+  {
+    return false;
+  }
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   this->Converted = ConvertMedia(media, this->Rays->GetEye());
   this->Lamps = CollectLamps(renderer, this->Converted, *this->Rays, radius, {});

@@ -2,6 +2,7 @@
 
 #define AIRLIGHT_DENSITY_UNIFORM 0
 #define AIRLIGHT_DENSITY_HEIGHT 1 // exp(-height/scaleHeight)
+#define AIRLIGHT_DENSITY_GRID 2   // an image's samples (AirlightDensityGrid.h); not in shaders yet
 
 struct AirlightMedium
 {
@@ -14,6 +15,7 @@ struct AirlightMedium
   real3 up;               // unit vector
   real inverseScaleHeight;
   real originHeight;      // of the origin of coordinates above the height of density 1
+  AIRLIGHT_GRID_MEMBER
 };
 
 // Likewise.
@@ -65,6 +67,12 @@ AIRLIGHT_FN real airlightDensity(AIRLIGHT_IN(AirlightMedium) medium, real3 point
   {
     return real(1.0);
   }
+#if AIRLIGHT_HAS_GRID
+  if (medium.density == AIRLIGHT_DENSITY_GRID)
+  {
+    return AIRLIGHT_GRID_DENSITY(medium, point);
+  }
+#endif
   // Deep below, the medium is opaque anyway; the bound keeps numbers finite.
   return exp(min(-airlightHeight(medium, point) * medium.inverseScaleHeight, real(80.0)));
 }
@@ -77,6 +85,12 @@ AIRLIGHT_FN real airlightInsideDepth(
   {
     return to - from;
   }
+#if AIRLIGHT_HAS_GRID
+  if (medium.density == AIRLIGHT_DENSITY_GRID)
+  {
+    return AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to);
+  }
+#endif
   // From the lower end, where the density is largest.
   real rate = dot(medium.up, direction) * medium.inverseScaleHeight;
   real lower = rate >= real(0.0) ? from : to;

@@ -14,6 +14,9 @@
 #else
 #define AIRLIGHT_PRECISE
 #endif
+// Images are not there yet.
+#define AIRLIGHT_HAS_GRID 0
+#define AIRLIGHT_GRID_MEMBER
 // Triangles, tables: what does not fit into uniforms.
 #define AIRLIGHT_DATA_MEMBER
 #define AIRLIGHT_FETCH(owner, i) texelFetch(airlightData, i)

@@ -70,6 +70,22 @@ public:
         " are drawn: the first ones are. Call RemoveMedium() for those not needed.";
   }
 
+  // Empty, or why graphics cards cannot draw them.
+  std::string CheckDensities() const
+  {
+    for (int i = 0; i < this->GetSize(); ++i)
+    {
+      if (this->Get(i)->GetDensity() == vtkParticipatingMedium::IMAGE)
+      {
+        return "medium " + std::to_string(i) +
+          " has its density from an image, which is not drawn yet; choose another density, or "
+          "compute "
+          "the picture with vtkAirlightReference";
+      }
+    }
+    return "";
+  }
+
 private:
   std::vector<vtkSmartPointer<vtkParticipatingMedium>> Media;
 };

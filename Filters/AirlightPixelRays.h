@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The rays through the pixels of a camera's picture, in double precision.
+ */
+
+#ifndef AirlightPixelRays_h
+#define AirlightPixelRays_h
+
+#include <glm/glm.hpp>
+
+class vtkCamera;
+
+namespace airlight
+{
+class PixelRays
+{
+public:
+  // For a picture of this size in pixels. `aspect` is its width by its height.
+  PixelRays(vtkCamera* camera, double aspect, int width, int height);
+
+  bool IsValid() const { return this->Valid; }
+  bool IsParallel() const { return this->Parallel; }
+  // Where all rays meet; in parallel projection the camera's position.
+  const glm::dvec3& GetEye() const { return this->Eye; }
+  double GetNear() const { return this->Near; }
+  // The camera's axis.
+  const glm::dvec3& GetForward() const { return this->Forward; }
+
+  struct Ray
+  {
+    glm::dvec3 Origin;    // from the eye
+    glm::dvec3 Direction; // unit
+    double Nearest;       // distances at which the clipping range begins and ends
+    double Farthest;
+  };
+
+  // Through a point of the picture, in pixels from its lower left corner.
+  Ray GetRay(double x, double y) const;
+
+protected:
+  bool Valid = false;
+  bool Parallel = false;
+  glm::dvec3 Eye{ 0.0 };
+  glm::dvec3 Forward{ 0.0 };
+  double Near = 0.0;
+  double Far = 0.0;
+  glm::dvec3 Along{ 0.0 }; // parallel projection: the rays' direction, unit
+  double PerDepth = 1.0;   // parallel projection: length of a ray one unit deep
+  glm::dmat4 WorldToView{ 1.0 };
+  glm::dmat4 WorldToClip{ 1.0 };
+  glm::dvec3 Affine[3]; // constant, per x, per y: the rays' directions, one unit deep; in parallel
+                        // projection their origins
+};
+}
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * One pixel of vtkAirlightReference: its ray's surfaces, shadows and integrals.
+ */
+
+#ifndef AirlightReferenceTracer_h
+#define AirlightReferenceTracer_h
+
+#include "AirlightPixelRays.h"
+#include "AirlightReferenceLights.h"
+#include "AirlightReferenceScene.h"
+
+#include <glm/glm.hpp>
+
+#include <functional>
+#include <vector>
+
+class vtkLight;
+class vtkParticipatingMedium;
+class vtkRenderer;
+
+namespace airlight
+{
+struct ReferencePixel
+{
+  glm::dvec3 Radiance{ 0.0 };
+  glm::dvec3 Airlight{ 0.0 };
+  glm::dvec3 Surface{ 0.0 };
+  glm::dvec3 Transmittance{ 1.0 };
+  double Depth = -1.0;
+  double LitLength = 0.0;
+};
+
+struct ReferenceSettings
+{
+  int Width = 0;
+  int Height = 0;
+  double LightRadius = 0.0;
+  bool SurfaceShadows = true;
+  std::function<bool(vtkLight*)> Scatters;
+};
+
+// Reads the whole scene when it is made; Trace() may then run in many threads.
+class ReferenceTracer
+{
+public:
+  ReferenceTracer(vtkRenderer* renderer, const std::vector<vtkParticipatingMedium*>& media,
+    const ReferenceSettings& settings);
+
+  // False where the camera's matrices are not finite or cannot be inverted.
+  bool IsValid() const { return this->Rays.IsValid(); }
+  const ReferenceScene& GetScene() const { return this->Scene; }
+  const ReferenceLights& GetLights() const { return this->Lights; }
+
+  // Columns from the left, rows from below.
+  ReferencePixel Trace(int column, int row) const;
+
+private:
+  struct PixelRay;
+  struct SurfaceHit
+  {
+    double T;
+    const OccluderTriangle* Triangle;
+  };
+
+  bool FindSurface(const Occluders& surfaces, const PixelRay& ray, double after, double before,
+    SurfaceHit& hit) const;
+  void FindLitParts(PixelRay& ray, double end) const;
+  bool IsLit(const PixelRay& ray, size_t light, double t) const;
+  glm::dvec3 Scatter(const PixelRay& ray, double end, double* litLength) const;
+  glm::dvec4 Shade(const PixelRay& ray, const SurfaceHit& hit) const;
+  glm::dvec3 Pass(const PixelRay& ray, double end) const;
+  void AddLayers(const PixelRay& ray, double end, glm::dvec3& radiance) const;
+  glm::dvec3 GetBackground(int row) const;
+
+  ReferenceSettings Settings;
+  PixelRays Rays;
+  f64::AirlightMedia Media;
+  ReferenceScene Scene;
+  ReferenceLights Lights;
+  glm::dvec3 Bottom{ 0.0 }; // of the background
+  glm::dvec3 Top{ 0.0 };
+};
+}
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Density from the samples of an image: trilinear between them, 0 outside the image.
+ *
+ * Along a straight line through one cell, between eight samples, a trilinear function is a cubic of
+ * the distance. Gauss and Legendre's two nodes integrate cubics exactly, so that the optical depth of
+ * a way, summed cell by cell, is exact but for rounding.
+ */
+
+#ifndef AirlightDensityGrid_h
+#define AirlightDensityGrid_h
+
+#include "vtkAirlightModule.h" // for export macro
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace airlight
+{
+// Immutable: it may be asked from many threads.
+class VTKAIRLIGHT_EXPORT DensityGrid
+{
+public:
+  // Copies the image's point scalars. Null and an error that continues "The density image ..." where
+  // they are no densities.
+  static std::shared_ptr<const DensityGrid> Build(vtkImageData* image, std::string& error);
+
+  double GetDensity(const glm::dvec3& point) const;
+
+  // Integral of the density on the part [from, to] of a ray of unit direction.
+  double Integrate(
+    const glm::dvec3& origin, const glm::dvec3& direction, double from, double to) const;
+
+  // Adds where between from and to the ray passes from one cell to the next, or enters or leaves the
+  // image, in ascending order: there the density has kinks and jumps.
+  void AddCuts(const glm::dvec3& origin, const glm::dvec3& direction, double from, double to,
+    std::vector<double>& cuts) const;
+
+  // Corners of the box along the world's axes that holds the image.
+  const glm::dvec3& GetLeast() const { return this->Least; }
+  const glm::dvec3& GetGreatest() const { return this->Greatest; }
+
+  // Coordinates in units of samples, counted from the first one.
+  glm::dvec3 ToSamples(const glm::dvec3& point) const { return this->Axes * (point - this->First); }
+  const glm::dmat3& GetAxes() const { return this->Axes; }
+  // Of the last sample.
+  glm::dvec3 GetLast() const { return glm::dvec3(this->Size - 1); }
+
+private:
+  // A ray in units of samples, counted from the first one, cut to the image.
+  struct Line
+  {
+    glm::dvec3 Point;
+    glm::dvec3 Slope;
+    double From;
+    double To;
+  };
+
+  DensityGrid() = default;
+  bool ReadPlace(vtkImageData* image, std::string& error);
+  bool ReadSamples(vtkImageData* image, std::string& error);
+  bool Clip(const glm::dvec3& origin, const glm::dvec3& direction, double from, double to,
+    Line& line) const;
+  // Calls visit(from, to, cell) for each cell on the line.
+  template <typename Visit>
+  void Walk(const Line& line, const Visit& visit) const;
+  double Interpolate(const glm::ivec3& cell, const glm::dvec3& position) const;
+
+  glm::ivec3 Size{ 0 }; // numbers of samples
+  std::vector<double> Samples;
+  glm::dvec3 First{ 0.0 }; // the first sample's place in the world
+  glm::dmat3 Axes{ 1.0 };  // from the world to samples
+  glm::dvec3 Least{ 0.0 };
+  glm::dvec3 Greatest{ 0.0 };
+};
+}
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Media whose density comes from an image, in double precision: transmittance, airlight and ambient
+// light against quadrature of the trilinear function in its own eight-term form, and an image of ones
+// against the uniform box.
+
+#include "AirlightTestCheck.h"
+#include "AirlightTestCloud.h"
+#include "AirlightTestQuadrature.h"
+#include "AirlightTestTools.h"
+
+#include "vtkAirlight.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkParticipatingMedium.h"
+#include "vtkPointData.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+using namespace airlight_test;
+
+namespace
+{
+constexpr double Scattering[3] = { 0.3, 0.6, 0.2 };
+constexpr double Absorption[3] = { 0.1, 0.0, 0.3 };
+
+void SetCoefficients(vtkParticipatingMedium* medium)
+{
+  medium->SetScattering(Scattering);
+  medium->SetAbsorption(Absorption);
+  medium->SetPhaseFunctionToRayleigh();
+}
+
+double Rayleigh(double cosine) { return 3.0 / (16.0 * Pi) * (1.0 + cosine * cosine); }
+
+//------------------------------------------------------------------------------
+// Depth, what a lamp scatters, and ambient light, along rays through the cloud.
+bool CompareCloud()
+{
+  Random random(5);
+  const Cloud cloud(random);
+  vtkNew<vtkParticipatingMedium> medium;
+  SetCoefficients(medium);
+  medium->SetAmbientRadiance(0.5, 1.0, 2.0);
+  medium->SetDensityImage(cloud.Image);
+  medium->SetDensityToImage();
+  Comparison depth("optical depth through an image");
+  Comparison airlight("airlight of a lamp in an image");
+  Comparison ambient("ambient light in an image");
+  for (int i = 0; i < 25; ++i)
+  {
+    const glm::dvec3 a = cloud.GetPoint(random);
+    const glm::dvec3 b = cloud.GetPoint(random);
+    const glm::dvec3 lamp = cloud.GetPoint(random);
+    const double length = glm::length(b - a);
+    const glm::dvec3 direction = (b - a) / length;
+    const auto describe = [&] { return Text("ray ", i, " of length ", length); };
+
+    const double whole = cloud.GetDepth(a, b);
+    double passes[3];
+    vtkAirlight::Transmittance(medium, &a.x, &b.x, passes);
+    const int c = i % 3;
+    const double sigmaT = Scattering[c] + Absorption[c];
+    depth.Add(std::abs(-std::log(passes[c]) / sigmaT - whole), 1e-9 * whole + 1e-12, describe);
+
+    double found[3];
+    vtkAirlight::Ambient(medium, &a.x, &direction.x, length, found);
+    const double expected =
+      Scattering[c] / sigmaT * medium->GetAmbientRadiance()[c] * (1.0 - std::exp(-sigmaT * whole));
+    ambient.Add(std::abs(found[c] - expected), 1e-9 * expected + 1e-12, describe);
+
+    const auto integrand = [&](double share) {
+      const glm::dvec3 x = a + share * (b - a);
+      const double density = cloud.GetDensity(x);
+      const glm::dvec3 way = x - lamp;
+      const double r = glm::length(way);
+      const double depths = density > 0.0 ? cloud.GetDepth(a, x) + cloud.GetDepth(x, lamp) : 0.0;
+      return density * Rayleigh(-glm::dot(way, direction) / r) * std::exp(-sigmaT * depths) /
+        (r * r);
+    };
+    if (i < 6)
+    {
+      const double intensity[3] = { 2.0, 2.0, 2.0 };
+      vtkAirlight::Inscatter(medium, &lamp.x, intensity, &a.x, &direction.x, 0.0, length, found);
+      const double scattered =
+        2.0 * Scattering[c] * length * Integrate(integrand, cloud.FindKinks(a, b), 1e-6);
+      airlight.Add(std::abs(found[c] - scattered), 1e-5 * scattered + 1e-12, describe);
+    }
+  }
+  return AllOk({ &depth, &airlight, &ambient });
+}
+
+//------------------------------------------------------------------------------
+// An image of ones is a uniform box, for lamps of all kinds, inside and outside.
+bool CompareOnes()
+{
+  vtkNew<vtkImageData> ones;
+  ones->SetDimensions(4, 9, 6);
+  ones->SetOrigin(-1.0, -2.0, 0.0);
+  ones->SetSpacing(1.0, 0.5, 0.6);
+  ones->AllocateScalars(VTK_FLOAT, 1);
+  ones->GetPointData()->GetScalars()->Fill(1.0);
+  vtkNew<vtkParticipatingMedium> cloud;
+  SetCoefficients(cloud);
+  cloud->SetDensityImage(ones);
+  cloud->SetDensityToImage();
+  vtkNew<vtkParticipatingMedium> box;
+  SetCoefficients(box);
+  box->SetRegionToBox();
+  box->SetBounds(ones->GetBounds());
+
+  Random random(9);
+  Comparison comparison("an image of ones and a box");
+  for (int i = 0; i < 400; ++i)
+  {
+    const auto point = [&] {
+      return glm::dvec3(random.Uniform(-3, 4), random.Uniform(-4, 4), random.Uniform(-2, 5));
+    };
+    const glm::dvec3 a = point();
+    const glm::dvec3 b = point();
+    const glm::dvec3 position = i % 2 == 0 ? glm::dvec3(0.3, 0.4, 1.1) : point();
+    vtkNew<vtkLight> light;
+    const double power[3] = { 3.0, 2.0, 1.0 };
+    vtkAirlight::SetRadiantIntensity(light, power);
+    light->SetPositional(i % 4 != 3);
+    light->SetConeAngle(i % 4 == 2 ? 35.0 : 90.0);
+    light->SetExponent(i % 8 == 2 ? 3.0 : 0.0);
+    light->SetPosition(position.x, position.y, position.z);
+    light->SetFocalPoint(0.5, 0.1, 1.5);
+    const glm::dvec3 direction = b - a;
+    double found[3];
+    double expected[3];
+    const double end = i % 5 == 0 ? HUGE_VAL : glm::length(direction);
+    vtkAirlight::Inscatter(cloud, light, &a.x, &direction.x, 0.0, end, found);
+    vtkAirlight::Inscatter(box, light, &a.x, &direction.x, 0.0, end, expected);
+    comparison.Add(std::abs(found[i % 3] - expected[i % 3]), 2e-6 * expected[i % 3] + 1e-15,
+      [&] { return Text("setting ", i, ": ", found[i % 3], " and ", expected[i % 3]); });
+  }
+  return comparison.Report();
+}
+
+//------------------------------------------------------------------------------
+// Changes of the image, and the boxes of region and image together.
+void CheckUpdates()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  image->SetSpacing(4.0, 4.0, 4.0);
+  image->AllocateScalars(VTK_DOUBLE, 1);
+  image->GetPointData()->GetScalars()->Fill(1.0);
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetAbsorption(0.25, 0.25, 0.25);
+  medium->SetDensityImage(image);
+  Check(medium->GetDensityImage() == image, "the image is kept");
+  const double a[3] = { -10.0, 1.0, 1.0 };
+  const double b[3] = { 10.0, 1.0, 1.0 };
+  const auto depth = [&] {
+    double rgb[3];
+    vtkAirlight::Transmittance(medium, a, b, rgb);
+    return -std::log(rgb[1]);
+  };
+  const auto isNear = [](double x, double y) { return std::abs(x - y) < 1e-12; };
+  Check(isNear(depth(), 5.0), "an image that is not asked for has no effect");
+  medium->SetDensityToImage();
+  Check(medium->GetDensity() == vtkParticipatingMedium::IMAGE, "the density is the image's");
+  Check(isNear(depth(), 1.0), "20 % of the way are in the image");
+  medium->SetRegionToBox();
+  medium->SetBounds(3.0, 9.0, 0.0, 4.0, 0.0, 4.0);
+  Check(isNear(depth(), 0.25), "box and image together");
+  medium->SetBounds(5.0, 9.0, 0.0, 4.0, 0.0, 4.0);
+  Check(depth() == 0.0, "box and image apart");
+  medium->SetRegionToSphere();
+  medium->SetCenter(0.0, 1.0, 1.0);
+  medium->SetRadius(2.0);
+  Check(isNear(depth(), 0.5), "half a sphere is in the image");
+  medium->SetRegionToUnbounded();
+  const vtkMTimeType before = medium->GetMTime();
+  image->GetPointData()->GetScalars()->Fill(2.0);
+  image->GetPointData()->GetScalars()->Modified();
+  image->Modified();
+  Check(medium->GetMTime() > before, "the medium changes with its image");
+  Check(isNear(depth(), 2.0), "twice the density");
+}
+}
+
+int TestDensityImage(int, char*[])
+{
+  const bool cloud = CompareCloud();
+  const bool ones = CompareOnes();
+  CheckUpdates();
+  return cloud && ones && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
