@@ -51,11 +51,11 @@
  *    vtkSmartVolumeMapper, vtkMultiVolume) with the blend mode composite, isosurface or slice are lit
  *    by what arrives of the lights, and put behind the medium before them, sample by sample. The
  *    medium before the samples is known at sixteen nodes between where a ray enters the volume and
- *    where it leaves it, and interpolated: within 1e-3 of the largest airlight on the ray in smooth
- *    fog, by up to what the air between two nodes scatters at the edges of shadows and media and
- *    close to a lamp. On samples, the edges of shadows are as wide as nodes are apart. 512 bytes a
- *    pixel; fewer nodes where volumes over all pixels would take more than GetMemoryLimit(). Without
- *    OpenGL 4.3 without shadows. Surfaces' scattered light does not light volumes.
+ *    where it leaves it, and interpolated: in smooth fog within 1e-5, at the edges of shadows and
+ *    media and close to a lamp within what the air between two nodes scatters. On samples, the edges
+ *    of shadows are as wide as nodes are apart. 512 bytes a pixel; fewer nodes where volumes over all
+ *    pixels would take more than GetMemoryLimit(). Without OpenGL 4.3 without shadows. Surfaces'
+ *    scattered light does not light volumes.
  *    Projections (maximum, minimum, average, additive) and volumes of other mappers
  *    (vtkFixedPointVolumeRayCastMapper, those of unstructured grids) are drawn without the medium
  *    before them, and one warning says so.

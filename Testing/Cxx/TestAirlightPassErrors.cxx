@@ -89,20 +89,25 @@ void TestScenes()
     vtkNew<vtkSphereSource> sphere;
     s.Add(sphere)->SetUserMatrix(matrix);
   });
+  const auto addStrips = [](Stage& s) {
+    std::vector<Triangle> strips;
+    for (int i = 0; i < 1500; ++i)
+    {
+      const double z = 5.0 - 0.03 * i;
+      strips.push_back({ { 20, -60, z }, { 20, 60, z }, { 20, 0, z - 0.01 } });
+    }
+    s.Add(MakeSoup(strips));
+    s.Pass->SetMemoryLimit(1);
+    s.AddPointLight({ 40, 0, -10 });
+  };
   CheckStage(
     "more boundaries in a row than the memory limit holds", 1, 0,
-    [](Stage& s) {
-      std::vector<Triangle> strips;
-      for (int i = 0; i < 1500; ++i)
-      {
-        const double z = 5.0 - 0.03 * i;
-        strips.push_back({ { 20, -60, z }, { 20, 60, z }, { 20, 0, z - 0.01 } });
-      }
-      s.Add(MakeSoup(strips));
-      s.Pass->SetMemoryLimit(1);
-      s.AddPointLight({ 40, 0, -10 });
+    [&](Stage& s) {
+      addStrips(s);
+      s.Pass->SetShadowTechniqueToShadowPlanes();
     },
     false);
+  CheckStage("the same, automatic", 0, 1, addStrips);
 }
 
 //------------------------------------------------------------------------------
@@ -162,13 +167,15 @@ void TestValues()
   pass->SetShadowTechnique(-1);
   Check(stage.Errors == 2, "SetShadowTechnique(-1) is an error");
   Check(pass->GetShadowTechnique() == vtkAirlightPass::AUTOMATIC, "the technique stays");
+  pass->SetDebugView(vtkAirlightPass::DIFFERENCE + 1);
+  Check(stage.Errors == 3, "SetDebugView(5) is an error");
   for (const double radius : { -1.0, nan, Infinity })
   {
     pass->SetLightRadius(radius);
   }
-  Check(stage.Errors == 5, "bad radii are errors");
+  Check(stage.Errors == 6, "bad radii are errors");
   Check(pass->GetLightRadius() == 0.0, "the radius stays");
-  Check(pass->GetMedium(3) == nullptr && stage.Errors == 6, "GetMedium(3) is an error");
+  Check(pass->GetMedium(3) == nullptr && stage.Errors == 7, "GetMedium(3) is an error");
   Check(pass->GetMTime() == time, "nothing is modified");
   pass->SetMemoryLimit(-5);
   Check(pass->GetMemoryLimit() == 1, "the memory limit is clamped");
