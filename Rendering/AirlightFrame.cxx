@@ -48,10 +48,6 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   {
     return this->Fail(this->Textures.GetError());
   }
-  if (settings.LayerRecords && !this->LayerLists.Prepare(width, height))
-  {
-    return this->Fail(this->LayerLists.GetError());
-  }
   if (settings.Shadows == ShadowMethod::Planes &&
     !this->Boundaries.Prepare(this->Window, width, height, settings.MemoryLimit))
   {
@@ -173,8 +169,6 @@ bool Frame::ScatterLights()
   }
   this->ClearTarget(0.0f);
   this->Buffers.clear();
-  const std::vector<Caster>* casters =
-    this->Settings.Shadows != ShadowMethod::None ? &this->Casters.Collect(this->Renderer) : nullptr;
   this->Volumes.resize(this->Lamps.size());
   // Maps are large: those of lamps, or of a technique, that are no more go.
   if (this->Maps.size() > this->Lamps.size() || this->Settings.Shadows == ShadowMethod::None ||
@@ -186,8 +180,8 @@ bool Frame::ScatterLights()
   for (size_t k = 0; k < this->Lamps.size(); ++k)
   {
     const Lamp& lamp = this->Lamps[k];
-    if (lamp.Scatters() && lamp.CastsShadows && casters &&
-      !this->UpdateShadows(static_cast<int>(k), *casters))
+    if (lamp.Scatters() && lamp.CastsShadows && this->FoundCasters &&
+      !this->UpdateShadows(static_cast<int>(k), *this->FoundCasters))
     {
       return false;
     }
@@ -199,6 +193,11 @@ bool Frame::ScatterLights()
     {
       return false;
     }
+  }
+  // The mappers read what the resolves wrote.
+  if (this->Settings.LayerRecords || this->Dimmed)
+  {
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
   return true;
 }
@@ -295,6 +294,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Glow = this->Settings.SurfaceGlow;
   values.EncodedInput = this->Settings.EncodedInput;
   values.Records = this->Settings.LayerRecords ? &this->LayerLists : nullptr;
+  values.Dims = &this->SurfaceDimming;
   // Without records the bits are those of the opaque surface, which lies behind the layers.
   values.UseLit = this->Settings.Shadows != ShadowMethod::None && this->Settings.SurfaceShadows &&
     (stage != SurfaceStage::Layer || values.Records);
@@ -327,7 +327,9 @@ void Frame::Release(vtkWindow* window)
   this->CopyQuad.Release();
   this->Boundaries.Release();
   this->LayerLists.Release();
+  this->SurfaceDimming.Release();
   this->Casters.Clear();
+  this->FoundCasters = nullptr;
   this->Volumes.clear();
   this->ReleaseMaps(window);
   this->Textures.Release(window);

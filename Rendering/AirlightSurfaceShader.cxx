@@ -3,6 +3,8 @@
 #include "AirlightSurfaceShader.h"
 
 #include "AirlightBefore.h"
+#include "AirlightDimmed.h"
+#include "AirlightDimming.h"
 #include "AirlightDisplay.h"
 #include "AirlightFragment.h"
 #include "AirlightLayerRecords.h"
@@ -52,8 +54,9 @@ std::string CommonDeclarations(const SurfaceText& text)
     return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
   };
   return text.Mathematics + DefineStages() + define("LAYER_RECORDS", HasRecords(text)) +
-    define("LAMPS", text.LampCount) + define("BITS", BitsPerChannel) +
-    define("IN_PASS", text.InPass) + define("AT_VERTICES", text.AtVertices) + AirlightSurfaceLights;
+    define("DIMMED", text.InPass && text.Dimmed) + define("LAMPS", text.LampCount) +
+    define("BITS", BitsPerChannel) + define("IN_PASS", text.InPass) +
+    define("AT_VERTICES", text.AtVertices) + AirlightSurfaceLights;
 }
 
 std::string Declarations(const SurfaceText& text)
@@ -67,7 +70,8 @@ std::string Declarations(const SurfaceText& text)
   const std::string medium =
     text.Translucent ? std::string(before) + AirlightDisplay + AirlightSurfaceMedium : "";
   return CommonDeclarations(text) + AirlightViewShader + AirlightFragment +
-    (HasRecords(text) ? AirlightLayers : "") + AirlightSurface + glow + medium + Undefine;
+    (HasRecords(text) ? AirlightLayers : "") + (text.InPass && text.Dimmed ? AirlightDimmed : "") +
+    AirlightSurface + glow + medium + Undefine;
 }
 
 // Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
@@ -165,7 +169,7 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
       (early ? "" : others));
   fragmentShader.insert(
     mainStart, Declarations(text) + (splats ? "uniform int airlightHidden;\n" : ""));
-  if (records)
+  if (records || (text.InPass && text.Dimmed))
   {
     // After VTK's line for the version, which is as old as can be.
     const std::string version = "//VTK::System::Dec";
@@ -279,6 +283,10 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   }
   program->SetUniformi("airlightLampCount", static_cast<int>(lamps.size()));
   SetPhotometries(program, *values.Lamps);
+  if (values.Dims)
+  {
+    values.Dims->UseInMapper(program);
+  }
   if (values.Glow)
   {
     SetGlowUniforms(program, values);

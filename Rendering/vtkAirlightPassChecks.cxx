@@ -95,6 +95,29 @@ void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
 }
 
 //------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::CheckCasters()
+{
+  const CasterCache& casters = this->CurrentFrame.GetCasters();
+  const std::string& error = casters.GetError();
+  if (error != this->ReportedCasterError)
+  {
+    this->ReportedCasterError = error;
+    if (!error.empty())
+    {
+      vtkErrorWithObjectMacro(this->Self, << error << ".");
+    }
+  }
+  if (casters.MetTranslucent() && this->Self->TranslucentShadows &&
+    (this->EffectiveTechnique == SHADOW_MAP || this->EffectiveTechnique == RAY_MARCH))
+  {
+    this->WarnOnce(this->WarnedTranslucent,
+      "Shadow maps know of light and dark only: what lets light through casts no shadow in them. "
+      "Call SetShadowTechniqueToShadowPlanes(), or SetTranslucentShadows(false) to cast none "
+      "anyway.");
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkAirlightPass::Internals::ChooseTechnique(vtkOpenGLRenderWindow* window)
 {
   const int technique = this->Self->ShadowTechnique;

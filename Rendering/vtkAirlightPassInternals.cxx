@@ -140,6 +140,7 @@ bool vtkAirlightPass::Internals::RenderFrame(
   settings.Draw = [this, s](const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y,
                     int side) { this->DrawInMap(s, actors, camera, x, y, side); };
   settings.SurfaceShadows = this->Self->SurfaceShadows;
+  settings.TranslucentShadows = this->Self->TranslucentShadows;
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Layers = layers;
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
@@ -204,7 +205,7 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   {
     this->RenderStage(SurfaceStage::Distance, [&] { this->OpaquePass->Render(&inner); });
   }
-  ok = ok && this->CurrentFrame.FinishDistances() &&
+  ok = ok && this->CurrentFrame.FinishDistances() && this->CollectCasters() &&
     (!this->CurrentFrame.HasLayerRecords() || this->CollectLayers(inner)) &&
     this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
   if (ok)
@@ -223,6 +224,23 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   }
   this->Self->PostRender(s);
   return ok && (!this->Self->RecordBuffers || this->CurrentFrame.Record());
+}
+
+//------------------------------------------------------------------------------
+// What a caster that lets light through asks of the mappers' shaders stays, as with translucency.
+bool vtkAirlightPass::Internals::CollectCasters()
+{
+  if (!this->CurrentFrame.CollectCasters())
+  {
+    return false;
+  }
+  this->CheckCasters();
+  if (this->CurrentFrame.IsDimmed() && !this->MapperText.Dimmed)
+  {
+    this->MapperText.Dimmed = true;
+    this->ShaderTime.Modified();
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

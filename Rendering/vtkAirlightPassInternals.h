@@ -62,6 +62,7 @@ public:
   void WarnOnce(bool& warned, const std::string& text);
   void CheckMedia();
   void CheckLamps(const std::vector<airlight::Lamp>& lamps);
+  void CheckCasters();
   int ChooseTechnique(vtkOpenGLRenderWindow* window);
 
   vtkAirlightPass* Self;
@@ -90,10 +91,13 @@ public:
   bool WarnedLightCount = false;
   bool WarnedPhotometry = false;
   bool WarnedGlowCount = false;
+  bool WarnedTranslucent = false;
   std::string ReportedError;
+  std::string ReportedCasterError;
 
 private:
   bool RenderSteps(const vtkRenderState* s);
+  bool CollectCasters();
   bool CollectLayers(const vtkRenderState& inner);
   void RenderStage(airlight::SurfaceStage stage, const std::function<void()>& render);
   void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media,

@@ -20,6 +20,30 @@ uint airlightLayer = 0u; // this fragment's record, 0: none
 // The share of each light that arrives; see airlightReceive().
 vec3 airlightArrived[AIRLIGHT_LAMPS];
 
+#if AIRLIGHT_DIMMED
+uniform int airlightDimmingSlots[AIRLIGHT_LAMPS]; // place of light k, -1: not dimmed
+
+// What translucent casters leave of light k.
+vec3 airlightDimmed(int k)
+{
+  int slot = airlightDimmingSlots[k];
+  if (slot < 0 || airlightUseLit == 0)
+  {
+    return vec3(1.0);
+  }
+#if AIRLIGHT_LAYER_RECORDS
+  if (airlightStage == AIRLIGHT_STAGE_LAYER)
+  {
+    uint word = AIRLIGHT_LAYER_WORDS * airlightLayer + 9u + 2u * uint(slot);
+    return airlightUnpack(layers[word], layers[word + 1u]);
+  }
+#endif
+  uint word = airlightDimmingWord(slot, ivec2(airlightPixel()));
+  return airlightStage == AIRLIGHT_STAGE_COLOUR ? airlightUnpack(dimming[word], dimming[word + 1u])
+                                                : vec3(1.0);
+}
+#endif
+
 // The share of light k that arrives at a point: transmittance, 0 in shadow.
 vec3 airlightShare(int k, vec3 point)
 {
@@ -51,6 +75,9 @@ vec3 airlightShare(int k, vec3 point)
   vec3 share = exp(-(airlightLamps[k].w == 0.0
       ? airlightSunDepths(airlightMedia, point, airlightLamps[k].xyz)
       : airlightDepthBetween(airlightMedia, point, airlightLamps[k].xyz)));
+#if AIRLIGHT_DIMMED
+  share *= airlightDimmed(k);
+#endif
 #if AIRLIGHT_HAS_PHOTOMETRY
   if (airlightGoniometric[k] != 0)
   {
