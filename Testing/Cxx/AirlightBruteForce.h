@@ -294,7 +294,8 @@ inline Answer Trace(const std::vector<Triangle>& triangles, const std::vector<vt
       add(part.Where, part.Passes, answer.Airlight);
       const bool reached = part.Passes != glm::dvec3(0.0);
       answer.LitLength += reached ? LengthInside(medium, ray, part.Where) : 0.0;
-      last = part;
+      // The surface's own shadow may begin within rounding before it.
+      last = part.Where.From < part.Where.To * (1.0 - 1e-9) ? part : last;
     }
     add({ 0.0, end }, glm::dvec3(1.0), answer.Unshadowed);
     // The surface is lit as the air just before it: its own shadow begins or ends at it.

@@ -56,6 +56,17 @@ inline void AddFloorAndBall(Scene& scene)
   scene.Add(MakeSheet({ -8, -2, -8 }, { 16, 0, 0 }, { 0, 0, 16 }));
   scene.Add(MakeSphere(0.7), [](vtkActor* actor) { actor->SetPosition(-1.2, -0.8, 1.5); });
 }
+
+// The same window with floor, ball and nothing else: shaders are compiled once.
+inline void Restart(Scene& scene)
+{
+  scene.Renderer->RemoveAllViewProps();
+  scene.Renderer->RemoveAllLights();
+  scene.Lights.clear();
+  scene.Triangles.clear();
+  scene.Look({ 0, 1, 10 }, { 0, 0, 0 });
+  AddFloorAndBall(scene);
+}
 }
 
 #endif
