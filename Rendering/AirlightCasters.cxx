@@ -67,14 +67,24 @@ bool IsKnown(vtkMapper* mapper)
   return HasKnownGlyphs(glyphs);
 }
 
+struct Block
+{
+  vtkPolyData* Data;
+  double Opacity; // below 0: the actor's
+};
+
 // The visible polygonal blocks below a node of a composite data set. A hidden node hides what is
-// below it, unless that is made visible of its own.
+// below it, unless that is made visible of its own; so with opacity.
 void AddBlocks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attributes, bool visible,
-  std::vector<vtkPolyData*>& blocks)
+  double opacity, std::vector<Block>& blocks)
 {
   if (attributes && attributes->HasBlockVisibility(node))
   {
     visible = attributes->GetBlockVisibility(node);
+  }
+  if (attributes && attributes->HasBlockOpacity(node))
+  {
+    opacity = std::clamp(attributes->GetBlockOpacity(node), 0.0, 1.0);
   }
   if (auto* tree = vtkDataObjectTree::SafeDownCast(node))
   {
@@ -83,24 +93,24 @@ void AddBlocks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attribute
     it->TraverseSubTreeOff();
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
     {
-      AddBlocks(it->GetCurrentDataObject(), attributes, visible, blocks);
+      AddBlocks(it->GetCurrentDataObject(), attributes, visible, opacity, blocks);
     }
   }
   else if (auto* data = vtkPolyData::SafeDownCast(node))
   {
     if (visible)
     {
-      blocks.push_back(data);
+      blocks.push_back({ data, opacity });
     }
   }
 }
 
-std::vector<vtkPolyData*> GetBlocks(vtkCompositeDataSet* composite, vtkMapper* mapper)
+std::vector<Block> GetBlocks(vtkCompositeDataSet* composite, vtkMapper* mapper)
 {
   auto* mapper2 = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
-  std::vector<vtkPolyData*> blocks;
-  AddBlocks(
-    composite, mapper2 ? mapper2->GetCompositeDataDisplayAttributes() : nullptr, true, blocks);
+  std::vector<Block> blocks;
+  AddBlocks(composite, mapper2 ? mapper2->GetCompositeDataDisplayAttributes() : nullptr, true, -1.0,
+    blocks);
   return blocks;
 }
 
@@ -128,8 +138,11 @@ bool HasVolume(const glm::dmat4& toWorld)
 }
 
 //------------------------------------------------------------------------------
-const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer)
+const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer, bool translucent)
 {
+  this->Translucent = false;
+  this->TakesTranslucent = translucent;
+  this->Error.clear();
   this->Casters.clear();
   this->Others.clear();
   for (auto& entry : this->Meshes)
@@ -176,7 +189,7 @@ void CasterCache::AddProp(vtkProp* prop)
       this->AddOther(actor);
       return;
     }
-    this->AddActor(actor, actor->GetMatrix());
+    this->AddActor(actor, actor, actor->GetMatrix());
     return;
   }
   // Assemblies: their parts, each in its place.
@@ -187,7 +200,7 @@ void CasterCache::AddProp(vtkProp* prop)
     auto* actor = node ? vtkActor::SafeDownCast(node->GetViewProp()) : nullptr;
     if (actor && MayCast(actor))
     {
-      this->AddActor(actor, node->GetMatrix());
+      this->AddActor(actor, prop, node->GetMatrix());
     }
   }
 }
@@ -203,7 +216,29 @@ void CasterCache::AddOther(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-void CasterCache::AddActor(vtkActor* actor, vtkMatrix4x4* matrix)
+// Where the opacity is not the property's, that of the surface's places is not known here, and the
+// actor casts nothing.
+CasterCache::Look CasterCache::GetLook(vtkActor* actor, vtkProp* owner)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  vtkProperty* property = actor->GetProperty();
+  Look look;
+  look.Culled = property->GetBackfaceCulling() || property->GetFrontfaceCulling() ||
+    (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0);
+  look.HidesFaces = look.Culled;
+  const double opacity = property->GetOpacity();
+  if (actor->HasTranslucentPolygonalGeometry() && (opacity < 1.0 || !actor->HasOpaqueGeometry()))
+  {
+    look.HidesFaces = true;
+    look.Opacity = glm::dvec3(opacity < 1.0 ? opacity : 0.0);
+  }
+  look.FromKey = ReadShadowOpacity(actor, look.Opacity, this->Error) ||
+    (owner != actor && ReadShadowOpacity(owner, look.Opacity, this->Error));
+  return look;
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix)
 {
   vtkMapper* mapper = actor->GetMapper();
   auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
@@ -214,45 +249,50 @@ void CasterCache::AddActor(vtkActor* actor, vtkMatrix4x4* matrix)
   }
   // Actors outside the view are not rendered, so nobody else updates them.
   mapper->Update();
-  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE || !actor->HasOpaqueGeometry())
+  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE ||
+    !(actor->HasOpaqueGeometry() || actor->HasTranslucentPolygonalGeometry()))
   {
     return;
   }
-  vtkProperty* property = actor->GetProperty();
-  const bool hidesFaces = property->GetBackfaceCulling() || property->GetFrontfaceCulling() ||
-    (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0);
+  const Look look = this->GetLook(actor, owner);
   if (glyphs)
   {
-    this->AddGlyphs(glyphs, matrix, hidesFaces);
+    this->AddGlyphs(glyphs, matrix, look);
     return;
   }
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   if (auto* data = vtkPolyData::SafeDownCast(input))
   {
-    this->AddData(data, matrix, hidesFaces);
+    this->AddData(data, matrix, look);
   }
   else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
-    for (vtkPolyData* block : GetBlocks(composite, mapper))
+    for (const Block& block : GetBlocks(composite, mapper))
     {
-      this->AddData(block, matrix, hidesFaces);
+      Look own = look;
+      if (block.Opacity >= 0.0)
+      {
+        own.HidesFaces = look.Culled || block.Opacity < 1.0;
+        own.Opacity = look.FromKey ? look.Opacity : glm::dvec3(block.Opacity);
+      }
+      this->AddData(block.Data, matrix, own);
     }
   }
   else if (auto* grid = vtkDataSet::SafeDownCast(input))
   {
-    this->AddData(this->GetSurface(grid), matrix, hidesFaces);
+    this->AddData(this->GetSurface(grid), matrix, look);
   }
 }
 
 //------------------------------------------------------------------------------
 // Each a caster of its own; they share the meshes of their sources.
-void CasterCache::AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, bool hidesFaces)
+void CasterCache::AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Look& look)
 {
   vtkNew<vtkMatrix4x4> toWorld;
   for (const Glyph& glyph : GetGlyphs(mapper))
   {
     vtkMatrix4x4::Multiply4x4(matrix, glyph.ToActor, toWorld);
-    this->AddData(glyph.Source, toWorld, hidesFaces);
+    this->AddData(glyph.Source, toWorld, look);
   }
 }
 
@@ -271,12 +311,19 @@ vtkPolyData* CasterCache::GetSurface(vtkDataSet* grid)
 }
 
 //------------------------------------------------------------------------------
-void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, bool hidesFaces)
+void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Look& look)
 {
   Caster caster;
-  caster.HidesFaces = hidesFaces;
+  caster.HidesFaces = look.HidesFaces;
+  caster.Layer = GetShadowLayer(look.Opacity);
   caster.ToWorld = ToGlm(matrix);
-  if (!HasVolume(caster.ToWorld))
+  if (!HasVolume(caster.ToWorld) || caster.Layer == ShadowLayer{})
+  {
+    return;
+  }
+  const bool translucent = caster.Layer.Blocks != glm::ivec3(1);
+  this->Translucent = this->Translucent || translucent;
+  if (translucent && !this->TakesTranslucent)
   {
     return;
   }

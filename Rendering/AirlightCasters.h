@@ -8,6 +8,7 @@
 #define AirlightCasters_h
 
 #include "AirlightCasterMesh.h"
+#include "AirlightShadowLayer.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -35,12 +36,19 @@ struct Caster
 {
   std::shared_ptr<const CasterMesh> Mesh;
   glm::dmat4 ToWorld;
-  bool HidesFaces = false; // culled or clipped: rays can go through parts of it that cast
+  bool HidesFaces =
+    false;           // culled, clipped or translucent: rays can go through parts of it that cast
+  ShadowLayer Layer; // what each of its triangles does to light
 
-  bool operator==(const Caster& other) const
+  bool HasSameShape(const Caster& other) const
   {
     return this->Mesh == other.Mesh && this->ToWorld == other.ToWorld &&
       this->HidesFaces == other.HidesFaces;
+  }
+
+  bool operator==(const Caster& other) const
+  {
+    return this->HasSameShape(other) && this->Layer == other.Layer;
   }
 };
 
@@ -49,9 +57,14 @@ struct Caster
 class CasterCache
 {
 public:
-  // All visible opaque polygonal actors, glyphs, parts of assemblies and blocks of composite data sets,
-  // but for those whose property keys say otherwise.
-  const std::vector<Caster>& Collect(vtkRenderer* renderer);
+  // All visible polygonal actors, glyphs, parts of assemblies and blocks of composite data sets, but
+  // for those whose property keys say otherwise; those that let light through where asked for.
+  const std::vector<Caster>& Collect(vtkRenderer* renderer, bool translucent);
+
+  // Whether the last Collect() met casters that let light through, and what is wrong with the keys of
+  // one of the props.
+  bool MetTranslucent() const { return this->Translucent; }
+  const std::string& GetError() const { return this->Error; }
 
   // What the last Collect() returned.
   const std::vector<Caster>& GetCasters() const { return this->Casters; }
@@ -78,11 +91,21 @@ private:
     bool Used = false;
   };
 
+  // How an actor's triangles stand in the light and in the way of rays.
+  struct Look
+  {
+    glm::dvec3 Opacity{ 1.0 };
+    bool HidesFaces = false;
+    bool Culled = false;  // or clipped
+    bool FromKey = false; // the opacity, which then is that of all blocks
+  };
+
   void AddProp(vtkProp* prop);
   void AddOther(vtkActor* actor);
-  void AddActor(vtkActor* actor, vtkMatrix4x4* matrix);
-  void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, bool hidesFaces);
-  void AddData(vtkPolyData* data, vtkMatrix4x4* matrix, bool hidesFaces);
+  void AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix);
+  Look GetLook(vtkActor* actor, vtkProp* owner);
+  void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Look& look);
+  void AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Look& look);
 
   vtkPolyData* GetSurface(vtkDataSet* grid);
 
@@ -90,6 +113,9 @@ private:
   std::map<vtkDataSet*, Surface> Surfaces;
   std::vector<Caster> Casters;
   std::vector<vtkActor*> Others;
+  bool Translucent = false;
+  bool TakesTranslucent = false;
+  std::string Error;
 };
 }
 

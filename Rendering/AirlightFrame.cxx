@@ -60,10 +60,6 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   {
     return this->Fail(this->Textures.GetError());
   }
-  if (settings.LayerRecords && !this->LayerLists.Prepare(width, height))
-  {
-    return this->Fail(this->LayerLists.GetError());
-  }
   if (settings.Shadows == ShadowMethod::Planes &&
     !this->Boundaries.Prepare(
       this->Window, width, height, settings.MemoryLimit, settings.PlaneBudget))
@@ -190,8 +186,6 @@ bool Frame::ScatterLights()
   }
   this->ClearTarget(0.0f);
   this->Buffers.clear();
-  const std::vector<Caster>* casters =
-    this->Settings.Shadows != ShadowMethod::None ? &this->Casters.GetCasters() : nullptr;
   this->Volumes.resize(this->Lamps.size());
   // Maps are large: those of lamps, or of a technique, that are no more go.
   const bool mapped = this->Settings.Shadows == ShadowMethod::Map ||
@@ -204,8 +198,8 @@ bool Frame::ScatterLights()
   for (size_t k = 0; k < this->Lamps.size(); ++k)
   {
     const Lamp& lamp = this->Lamps[k];
-    if (lamp.Scatters() && lamp.CastsShadows && casters &&
-      !this->UpdateShadows(static_cast<int>(k), *casters))
+    if (lamp.Scatters() && lamp.CastsShadows && this->FoundCasters &&
+      !this->UpdateShadows(static_cast<int>(k), *this->FoundCasters))
     {
       return false;
     }
@@ -217,6 +211,11 @@ bool Frame::ScatterLights()
     {
       return false;
     }
+  }
+  // The mappers read what the resolves wrote.
+  if (this->Settings.LayerRecords || this->Dimmed)
+  {
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
   return !this->Settings.Difference || this->ScatterReference();
 }
@@ -296,7 +295,10 @@ void Frame::Release(vtkWindow* window)
   this->CopyQuad.Release();
   this->Boundaries.Release();
   this->LayerLists.Release();
+  this->SurfaceDimming.Release();
   this->Casters.Clear();
+  this->FoundCasters = nullptr;
+  this->OpaqueCasters.clear();
   this->Volumes.clear();
   this->ReleaseMaps(window);
   this->Textures.Release(window);

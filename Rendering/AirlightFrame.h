@@ -3,7 +3,7 @@
 /**
  * One frame of vtkAirlightPass, step by step, and what is kept from frame to frame:
  *
- *   1. distances of the opaque surfaces;
+ *   1. distances of the opaque surfaces, and what casts shadows;
  *   2. for each light: shadow planes into lists, or casters into a shadow map, and from these
  *      airlight and the bit that says whether the light reaches the surface;
  *   3. colours of the scene, each light dimmed and shadowed;
@@ -16,6 +16,7 @@
 #define AirlightFrame_h
 
 #include "AirlightCasters.h"
+#include "AirlightDimming.h"
 #include "AirlightLamps.h"
 #include "AirlightLayerRecords.h"
 #include "AirlightQuad.h"
@@ -72,10 +73,11 @@ struct FrameSettings
   int MapResolution = 1024;
   int Steps = 64;
   bool SurfaceShadows = false;
-  bool SurfaceGlow = false;  // surfaces are lit by scattered light, too
-  bool Layers = false;       // translucent surfaces or volumes are drawn over the medium
-  bool LayerRecords = false; // and their fragments have records
-  int VolumeNodes = 2;       // on the rays through volumes
+  bool TranslucentShadows = false; // casters dim light by their opacity
+  bool SurfaceGlow = false;        // surfaces are lit by scattered light, too
+  bool Layers = false;             // translucent surfaces or volumes are drawn over the medium
+  bool LayerRecords = false;       // and their fragments have records
+  int VolumeNodes = 2;             // on the rays through volumes
   bool Record = false;
   bool EncodedInput = false;     // the scene's colours are encoded for display
   bool EncodedOutput = false;    // the picture is
@@ -94,8 +96,12 @@ public:
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
     f64::AirlightMedia& converted, std::vector<Lamp>& lamps);
 
-  // Finds what casts shadows, before Begin(); what of it has no polygons to draw planes from.
-  void FindCasters(vtkRenderer* renderer) { this->Casters.Collect(renderer); }
+  // Finds what casts shadows, before Begin(), with what lets light through or without; and what of
+  // it has no polygons to draw planes from.
+  void FindCasters(vtkRenderer* renderer, bool translucent)
+  {
+    this->Casters.Collect(renderer, translucent);
+  }
   const std::vector<vtkActor*>& GetOtherCasters() const { return this->Casters.GetOthers(); }
 
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
@@ -111,6 +117,12 @@ public:
   LayerRecords::Outcome CheckCollected();
   // After that.
   bool FinishDistances();
+
+  // Room for what the casters found take; before the records are made.
+  bool PrepareCasters();
+  // Whether some of it lets light through; the mappers' shaders then have to know.
+  bool IsDimmed() const { return this->Dimmed; }
+  const CasterCache& GetCasters() const { return this->Casters; }
 
   // Step 2.
   bool ScatterLights();
@@ -174,6 +186,8 @@ private:
   bool Resolve(int index, Lists lists, int row, int rows);
   std::string GetResolveSource(int index, Lists lists) const;
   void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists);
+  void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);
+  double GetIntegralError(int index) const;
   void SetMapUniforms(vtkShaderProgram* program, int index);
   ShadowMap* GetMap(int index) const;
 
@@ -189,6 +203,7 @@ private:
   ShadowLists Boundaries;
   LayerRecords LayerLists;
   CasterCache Casters;
+  Dimming SurfaceDimming;
   std::vector<ShadowVolumes> Volumes;           // by light number
   std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise
   std::array<Quad, 4> ResolveQuads;             // none, short, long, map
@@ -206,6 +221,9 @@ private:
   std::vector<Lamp> Lamps;
   std::optional<View> Rays;
   const View* MapRays = nullptr;
+  const std::vector<Caster>* FoundCasters = nullptr; // null: without shadows
+  std::vector<Caster> OpaqueCasters;                 // those for maps
+  bool Dimmed = false;
   int MapX = 0;
   int MapY = 0;
   FrameSettings Settings;

@@ -5,6 +5,7 @@
 
 #include "AirlightFrame.h"
 
+#include "AirlightDimmed.h"
 #include "AirlightLayers.h"
 #include "AirlightMapBoundaries.h"
 #include "AirlightMapMarch.h"
@@ -13,6 +14,7 @@
 #include "AirlightRayMarch.h"
 #include "AirlightResolveFS.h"
 #include "AirlightResolveLayers.h"
+#include "AirlightShadowCounts.h"
 #include "AirlightViewShader.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -73,8 +75,10 @@ bool Frame::ScatterLight(int index)
 bool Frame::ScatterReference()
 {
   const ShadowMethod method = this->Settings.Shadows;
+  const bool dimmed = this->Dimmed;
   this->TakesReference = true;
   this->Settings.Shadows = ShadowMethod::March;
+  this->Dimmed = false; // maps know of light and dark only
   bool ok = this->Textures.Bind(this->GetScatterTargets(), nullptr) ||
     this->Fail(this->Textures.GetError());
   if (ok)
@@ -87,10 +91,11 @@ bool Frame::ScatterReference()
     const int index = static_cast<int>(k);
     const bool casts = lamp.CastsShadows;
     ok = !lamp.Scatters() ||
-      ((!casts || this->UpdateShadows(index, this->Casters.GetCasters())) &&
+      ((!casts || this->UpdateShadows(index, this->OpaqueCasters)) &&
         this->Resolve(index, Lists::Map, 0, this->Height));
   }
   this->Settings.Shadows = method;
+  this->Dimmed = dimmed;
   this->TakesReference = !ok;
   return ok;
 }
@@ -144,21 +149,39 @@ std::string Frame::GetResolveSource(int index, Lists lists) const
   std::string boundaries = AirlightNoBoundaries + layers;
   if (planes)
   {
-    boundaries = ShadowLists::GetBoundariesSource(lists != Lists::Short) + layers;
+    boundaries = this->Boundaries.GetBoundariesSource(lists != Lists::Short) + layers;
   }
   else if (lists == Lists::Map)
   {
     boundaries = std::string(AirlightMapMarch) +
       (march ? AirlightNoBoundaries + layers + AirlightRayMarch : AirlightMapBoundaries + layers);
   }
-  return std::string(planes || records ? "#version 430\n" : "#version 330\n") +
-    (this->Settings.Record ? RecordDefinition : "") +
+  const bool storage = planes || records || this->Dimmed;
+  return std::string(storage ? "#version 430\n" : "#version 330\n") +
+    ShadowLists::DefineNodes(this->Dimmed) + (this->Settings.Record ? RecordDefinition : "") +
     (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
     (march ? "#define AIRLIGHT_RAY_MARCH\n" : "") +
     GetScatteringSource(
       this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
     AirlightViewShader + "uniform AirlightMedia media;\nuniform AirlightLight light;\n" +
-    boundaries + AirlightResolveFS;
+    (this->Dimmed ? AirlightDimmed : "") + AirlightShadowCounts + boundaries + AirlightResolveFS;
+}
+
+//------------------------------------------------------------------------------
+// Of a light's airlight, relative to that without shadows.
+double Frame::GetIntegralError(int index) const
+{
+  double error = IsQuadrature(this->Lamps[index].Values) ? QuadratureError : ClosedFormError;
+  if (this->Dimmed && this->Lamps[index].CastsShadows)
+  {
+    double thickness = 0.0;
+    for (const ShadowLayer& layer : this->Volumes[index].GetLayers())
+    {
+      thickness = std::max(thickness, GetThicknessError(layer));
+    }
+    error += thickness;
+  }
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -176,7 +199,7 @@ void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists
     this->Rays->SetFootUniforms(program, this->Lamps[index].Values.position);
   }
   const bool planes = lists != Lists::None && lists != Lists::Map;
-  program->SetUniformi("startCount", planes ? this->Volumes[index].GetStartCount() : 0);
+  this->SetStartUniforms(program, index, planes);
   glm::vec4 bit(0.0f);
   if (index < MaximumShadowingLights)
   {
@@ -186,8 +209,7 @@ void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists
   if (this->Settings.Record)
   {
     program->SetUniformf("phaseError", static_cast<float>(this->Settings.PhaseErrorBound));
-    program->SetUniformf(
-      "error", IsQuadrature(this->Lamps[index].Values) ? QuadratureError : ClosedFormError);
+    program->SetUniformf("error", static_cast<float>(this->GetIntegralError(index)));
   }
   if (this->Settings.LayerRecords)
   {

@@ -39,6 +39,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Glow = this->Settings.SurfaceGlow;
   values.EncodedInput = this->Settings.EncodedInput;
   values.Records = this->Settings.LayerRecords ? &this->LayerLists : nullptr;
+  values.Dims = &this->SurfaceDimming;
   // Without records the bits are those of the opaque surface, which lies behind the layers.
   values.UseLit = this->Settings.Shadows != ShadowMethod::None && this->Settings.SurfaceShadows &&
     (stage != SurfaceStage::Layer || values.Records);

@@ -12,8 +12,8 @@ namespace airlight
 {
 namespace
 {
-// Numbers of words have to fit into an integer.
-constexpr std::uint32_t MostRecords = 0x7fffffffu / LayerRecords::RecordSize;
+// Numbers of bytes have to fit into an integer.
+constexpr std::uint32_t MostBytes = 0x7fffffffu;
 constexpr GLuint RecordBinding = 3;
 constexpr GLuint HeadBinding = 4;
 }
@@ -25,8 +25,8 @@ bool LayerRecords::Reserve(std::uint32_t records)
   {
   }
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Records);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(records) * RecordSize, nullptr,
-    GL_DYNAMIC_COPY);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(records) * this->Words * 4,
+    nullptr, GL_DYNAMIC_COPY);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   const bool ok = glGetError() == GL_NO_ERROR;
   this->Capacity = ok ? records : 0;
@@ -45,7 +45,7 @@ void LayerRecords::Clear()
 }
 
 //------------------------------------------------------------------------------
-bool LayerRecords::Prepare(int width, int height)
+bool LayerRecords::Prepare(int width, int height, int words)
 {
   if (this->Records == 0)
   {
@@ -61,6 +61,12 @@ bool LayerRecords::Prepare(int width, int height)
       (static_cast<GLsizeiptr>(width) * height + 1) * static_cast<GLsizeiptr>(sizeof(GLuint)),
       nullptr, GL_DYNAMIC_COPY);
   }
+  if (this->Words != words)
+  {
+    this->Capacity =
+      static_cast<std::uint32_t>(static_cast<std::uint64_t>(this->Capacity) * this->Words / words);
+    this->Words = words;
+  }
   // Room for one layer over a quarter of the pixels, at first.
   const bool ok =
     this->Capacity > 0 || this->Reserve(static_cast<std::uint32_t>(width * height / 4 + 64));
@@ -72,6 +78,7 @@ bool LayerRecords::Prepare(int width, int height)
 void LayerRecords::Use(vtkShaderProgram* program) const
 {
   program->SetUniformi("airlightLayerWidth", this->Width);
+  program->SetUniformi("airlightLayerWords", this->Words);
   program->SetUniformi("airlightLayerCapacity", static_cast<int>(this->Capacity));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RecordBinding, this->Records);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
@@ -89,7 +96,8 @@ LayerRecords::Outcome LayerRecords::Check()
   {
     return Outcome::Done;
   }
-  if (count >= MostRecords || !this->Reserve(std::min(count + count / 4 + 1, MostRecords)))
+  const std::uint32_t most = MostBytes / (4u * static_cast<std::uint32_t>(this->Words));
+  if (count >= most || !this->Reserve(std::min(count + count / 4 + 1, most)))
   {
     this->Error = "no room for the records of " + std::to_string(count) + " translucent fragments";
     return Outcome::Failed;

@@ -6,7 +6,8 @@
  * what it scatters before each of them, with its shadows, and the fragments look theirs up when they
  * are drawn.
  *
- * Memory: 32 bytes a translucent fragment and 4 a pixel.
+ * Memory: 32 bytes a translucent fragment, where casters let light through 36 and 8 for each light that
+ * they dim, and 4 a pixel.
  */
 
 #ifndef AirlightLayerRecords_h
@@ -22,10 +23,11 @@ namespace airlight
 class LayerRecords
 {
 public:
-  static constexpr std::uint32_t RecordSize = 32; // bytes
+  static constexpr std::uint32_t RecordSize = 32; // bytes, where no caster lets light through
 
-  // Empty lists for this viewport. False with a reason in GetError() where a buffer cannot be had.
-  bool Prepare(int width, int height);
+  // Empty lists for this viewport, with records of so many words (see glsl/AirlightLayers.glsl). False
+  // with a reason in GetError() where a buffer cannot be had.
+  bool Prepare(int width, int height, int words);
   const std::string& GetError() const { return this->Error; }
 
   // For a program with the source AirlightLayers: binds the lists and sets its uniforms.
@@ -51,6 +53,7 @@ private:
   unsigned int Heads = 0;
   int Width = 0;
   int Height = 0;
+  int Words = 8;
   std::uint32_t Capacity = 0; // the unused one at index 0 included
   std::string Error;
 };

@@ -23,7 +23,8 @@ namespace airlight
 {
 namespace
 {
-constexpr std::uint64_t NodeSize = 12;
+constexpr std::uint64_t PlainNodeWords = 3;
+constexpr std::uint64_t DimmedNodeWords = 6;
 // Room for a few boundaries on each pixel of a usual window.
 constexpr std::uint64_t InitialCapacity = 1u << 21;
 // Lists up to this length are sorted where they are read.
@@ -37,6 +38,7 @@ constexpr int HeadOffset = 2;
 constexpr GLuint EdgeBinding = 0;
 constexpr GLuint NodeBinding = 1;
 constexpr GLuint HeadBinding = 2;
+constexpr GLuint LayerBinding = 6;
 
 std::string DefineLengths()
 {
@@ -60,7 +62,29 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::string ShadowLists::GetBoundariesSource(bool sorted)
+std::uint64_t ShadowLists::GetNodeSize() const
+{
+  return 4 * (this->Dimmed ? DimmedNodeWords : PlainNodeWords);
+}
+
+//------------------------------------------------------------------------------
+std::string ShadowLists::DefineNodes(bool dimmed)
+{
+  return "#define AIRLIGHT_DIMMED " + std::to_string(dimmed) + "\n#define AIRLIGHT_NODE_WORDS " +
+    std::to_string(dimmed ? DimmedNodeWords : PlainNodeWords) + "u\n";
+}
+
+//------------------------------------------------------------------------------
+// The buffer keeps its bytes.
+void ShadowLists::SetDimmed(bool dimmed)
+{
+  const std::uint64_t bytes = this->Capacity * this->GetNodeSize();
+  this->Dimmed = dimmed;
+  this->Capacity = static_cast<std::uint32_t>(bytes / this->GetNodeSize());
+}
+
+//------------------------------------------------------------------------------
+std::string ShadowLists::GetBoundariesSource(bool sorted) const
 {
   return DefineLengths() + (sorted ? "#define AIRLIGHT_SORTED\n" : "") + AirlightBoundaries;
 }
@@ -72,8 +96,8 @@ bool ShadowLists::Reserve(std::uint64_t boundaries)
   {
   }
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Nodes);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(boundaries * NodeSize), nullptr,
-    GL_DYNAMIC_COPY);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(boundaries * this->GetNodeSize()),
+    nullptr, GL_DYNAMIC_COPY);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   if (glGetError() != GL_NO_ERROR)
   {
@@ -110,8 +134,8 @@ bool ShadowLists::Prepare(
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
     this->HeadCount = heads;
   }
-  const bool fits = this->Capacity > 0 && this->Capacity * NodeSize <= memoryLimit;
-  return fits || this->Reserve(std::min(InitialCapacity, memoryLimit / NodeSize));
+  const bool fits = this->Capacity > 0 && this->Capacity * this->GetNodeSize() <= memoryLimit;
+  return fits || this->Reserve(std::min(InitialCapacity, memoryLimit / this->GetNodeSize()));
 }
 
 //------------------------------------------------------------------------------
@@ -129,6 +153,18 @@ void ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t 
 }
 
 //------------------------------------------------------------------------------
+void ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers)
+{
+  std::vector<glm::ivec4> values;
+  for (const ShadowLayer& layer : layers)
+  {
+    const int channels = layer.Blocks.r + 2 * layer.Blocks.g + 4 * layer.Blocks.b;
+    values.emplace_back(layer.Thickness, channels);
+  }
+  this->Upload(buffer, values.data(), values.size(), sizeof(glm::ivec4));
+}
+
+//------------------------------------------------------------------------------
 void ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
 {
   if (static_cast<size_t>(slot) >= this->Edges.size())
@@ -136,6 +172,7 @@ void ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
     this->Edges.resize(slot + 1);
     this->NearEdges.resize(slot + 1);
     this->Caps.resize(slot + 1);
+    this->Layers.resize(slot + 1);
   }
   const auto upload = [this](Buffer& buffer, const auto& records) {
     this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
@@ -143,6 +180,7 @@ void ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
   upload(this->Edges[slot], volumes.GetEdges());
   upload(this->NearEdges[slot], volumes.GetNearEdges());
   upload(this->Caps[slot], volumes.GetCaps());
+  this->UploadLayers(this->Layers[slot], volumes.GetLayers());
 }
 
 //------------------------------------------------------------------------------
@@ -189,6 +227,7 @@ std::uint64_t ShadowLists::DrawOnce(vtkShaderProgram* program, int slot, int row
   glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
   this->Use(program);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LayerBinding, this->Layers[slot].Handle);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   glBindVertexArray(this->VertexArray);
   const auto draw = [program](const Buffer& buffer, int kind, float nearer, int vertices) {
@@ -209,8 +248,8 @@ std::uint64_t ShadowLists::DrawOnce(vtkShaderProgram* program, int slot, int row
 //------------------------------------------------------------------------------
 int ShadowLists::DrawRows(vtkShaderProgram* program, int slot, int row, int rows)
 {
-  const std::uint64_t most =
-    std::min<std::uint64_t>(this->MemoryLimit / NodeSize, 0x7fffffffu / 3u);
+  const std::uint64_t most = std::min<std::uint64_t>(
+    this->MemoryLimit / this->GetNodeSize(), 0x7fffffffu / (this->GetNodeSize() / 4));
   while (rows > 0)
   {
     const std::uint64_t needed = this->DrawOnce(program, slot, row, rows);
@@ -243,8 +282,8 @@ int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& 
   const View& view, vtkTextureObject* distances, int row, int rows)
 {
   distances->Activate();
-  vtkShaderProgram* program =
-    this->ReadyPlanes(std::string(AirlightViewShader) + AirlightPlanesFS, volumes, light, view);
+  vtkShaderProgram* program = this->ReadyPlanes(
+    DefineNodes(this->Dimmed) + AirlightViewShader + AirlightPlanesFS, volumes, light, view);
   int done = 0;
   if (program)
   {
@@ -320,8 +359,8 @@ int ShadowLists::GetLongDraws()
 bool ShadowLists::Sort()
 {
   const std::uint32_t longest = this->ReadHead(1);
-  vtkShaderProgram* program =
-    this->SortQuad.Ready(this->Window, "#version 430\n" + DefineLengths() + AirlightSortFS);
+  vtkShaderProgram* program = this->SortQuad.Ready(
+    this->Window, "#version 430\n" + DefineNodes(this->Dimmed) + AirlightSortFS);
   if (!program)
   {
     this->Error = "the sort shader did not compile: " + this->SortQuad.GetError();
@@ -357,10 +396,12 @@ void ShadowLists::Release()
     glDeleteBuffers(1, &this->Edges[slot].Handle);
     glDeleteBuffers(1, &this->NearEdges[slot].Handle);
     glDeleteBuffers(1, &this->Caps[slot].Handle);
+    glDeleteBuffers(1, &this->Layers[slot].Handle);
   }
   this->Edges.clear();
   this->NearEdges.clear();
   this->Caps.clear();
+  this->Layers.clear();
   this->SortQuad.Release();
   this->VertexArray = this->Nodes = this->Heads = 0;
   this->Capacity = 0;

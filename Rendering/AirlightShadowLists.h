@@ -4,7 +4,7 @@
  * Draws a light's shadow planes and collects, for each pixel, the list of boundaries that its ray
  * crosses before the surface.
  *
- * Memory: 12 bytes a boundary and 4 a pixel. Lists are never cut short: where the boundaries do
+ * Memory: 12 bytes a boundary, 24 where casters let light through, and 4 a pixel. Lists are never cut short: where the boundaries do
  * not fit, the buffer grows; where it may not grow, fewer rows are drawn at a time.
  */
 
@@ -40,7 +40,13 @@ public:
   // with short lists. Where GetLongDraws() is above 0 afterwards, there are others: Sort() puts
   // them in order and that many draws of the source for sorted lists do them, all but the first
   // with the uniform "resume" set.
-  static std::string GetBoundariesSource(bool sorted);
+  std::string GetBoundariesSource(bool sorted) const;
+
+  // Whether boundaries tell how much light their casters let through, after Prepare().
+  void SetDimmed(bool dimmed);
+
+  // The words of a boundary, for shaders that read or write them.
+  static std::string DefineNodes(bool dimmed);
 
   // `memoryLimit` in bytes; with `budgeted`, Fill() gives up where all rows at once would need more
   // than MostBands times that. False with a reason in GetError() where a buffer cannot be had.
@@ -87,6 +93,8 @@ private:
 
   void Upload(Buffer& buffer, const void* data, size_t count, size_t size);
   bool Reserve(std::uint64_t boundaries);
+  std::uint64_t GetNodeSize() const;
+  void UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers);
   vtkShaderProgram* ReadyPlanes(const std::string& fragment, const ShadowVolumes& volumes,
     const glm::dvec4& light, const View& view);
   std::uint64_t DrawOnce(vtkShaderProgram* program, int slot, int row, int rows);
@@ -107,6 +115,8 @@ private:
   std::vector<Buffer> Edges; // by slot
   std::vector<Buffer> NearEdges;
   std::vector<Buffer> Caps;
+  std::vector<Buffer> Layers;
+  bool Dimmed = false;
   Quad SortQuad;
   std::string Error;
 };

@@ -126,10 +126,11 @@ bool ShadowVolumes::UpdateParts(const std::vector<Caster>& casters, const View& 
   {
     Part& part = this->Parts[i];
     const bool capped = NeedsCaps(casters[i], view);
-    const bool remake = moved || !(part.Source == casters[i]);
+    const bool remake = moved || !part.Source.HasSameShape(casters[i]);
+    changed = changed || !(part.Source.Layer == casters[i].Layer);
+    part.Source = casters[i];
     if (remake)
     {
-      part.Source = casters[i];
       this->MakeEdges(part);
     }
     if (remake || capped != part.Capped)
@@ -143,15 +144,35 @@ bool ShadowVolumes::UpdateParts(const std::vector<Caster>& casters, const View& 
 }
 
 //------------------------------------------------------------------------------
+float ShadowVolumes::GetLayerIndex(const ShadowLayer& layer)
+{
+  const auto place = std::find(this->Layers.begin(), this->Layers.end(), layer);
+  const auto index = static_cast<float>(place - this->Layers.begin());
+  if (place == this->Layers.end())
+  {
+    this->Layers.push_back(layer);
+  }
+  return index;
+}
+
+//------------------------------------------------------------------------------
 void ShadowVolumes::CollectEdges()
 {
+  this->Layers.clear();
   this->Edges.clear();
   this->NearEdges.clear();
   this->Caps.clear();
   for (const Part& part : this->Parts)
   {
+    const size_t edges = this->Edges.size();
+    const size_t caps = this->Caps.size();
     this->Edges.insert(this->Edges.end(), part.Edges.begin(), part.Edges.end());
     this->Caps.insert(this->Caps.end(), part.Caps.begin(), part.Caps.end());
+    const float layer = this->GetLayerIndex(part.Source.Layer);
+    std::for_each(this->Edges.begin() + edges, this->Edges.end(),
+      [layer](ShadowEdge& edge) { edge.Normal.w = layer; });
+    std::for_each(
+      this->Caps.begin() + caps, this->Caps.end(), [layer](ShadowCap& cap) { cap.C.w = layer; });
   }
 }
 
@@ -202,7 +223,7 @@ bool ShadowVolumes::SplitNearEdges(const View& view)
     const glm::dvec3 b(edge.B);
     const glm::dvec3 away = this->Light.w != 0.0 ? a : -glm::dvec3(this->Light);
     const glm::dvec3 normal = glm::normalize(glm::cross(away, b - a));
-    edge.Normal = glm::vec4(glm::vec3(normal), 0.0f);
+    edge.Normal = glm::vec4(glm::vec3(normal), edge.Normal.w);
     edge.B.w = static_cast<float>(glm::dot(normal, a - aside));
   }
   return !this->NearEdges.empty();
@@ -216,10 +237,14 @@ void ShadowVolumes::CountAtStart(const View& view)
     ? view.GetStart()
     : view.GetStart() + glm::dvec4(AsideLength * distance * AsideDirection, 0.0);
   this->StartCount = 0;
+  this->StartLayers = ShadowLayer{};
   for (const Part& part : this->Parts)
   {
     const glm::dmat4 toLocal = glm::inverse(part.Source.ToWorld);
-    this->StartCount += CountShadowsAt(*part.Source.Mesh, toLocal * this->Light, toLocal * start);
+    const int count = CountShadowsAt(*part.Source.Mesh, toLocal * this->Light, toLocal * start);
+    this->StartCount += count;
+    this->StartLayers.Blocks += count * part.Source.Layer.Blocks;
+    this->StartLayers.Thickness += count * part.Source.Layer.Thickness;
   }
 }
 

@@ -24,7 +24,7 @@ struct ShadowEdge
 {
   glm::vec4 A; // w: weight
   glm::vec4 B;
-  glm::vec4 Normal;
+  glm::vec4 Normal; // w: index of the layer
 };
 
 // A caster's triangle, for rays that go through it: where its front faces are culled, where it is
@@ -33,7 +33,7 @@ struct ShadowCap
 {
   glm::vec4 A; // w: 1 where the light is on the side of the normal, -1 behind, 0 edge-on
   glm::vec4 B;
-  glm::vec4 C;
+  glm::vec4 C; // w: index of the layer
 };
 
 class ShadowVolumes
@@ -48,7 +48,12 @@ public:
   {
     return !this->Edges.empty() || !this->NearEdges.empty() || !this->Caps.empty();
   }
+  // Shadow volumes that hold the start of the rays, and what their layers do together.
   int GetStartCount() const { return this->StartCount; }
+  const ShadowLayer& GetStartLayers() const { return this->StartLayers; }
+
+  // What the layers of the casters do, each kind once.
+  const std::vector<ShadowLayer>& GetLayers() const { return this->Layers; }
 
   // The edges whose planes the eye lies on or nearly so, which it sees edge-on. They are not among
   // GetEdges(). B.w is the plane's offset from the eye.
@@ -72,6 +77,7 @@ private:
   void MakeEdges(Part& part) const;
   void MakeCaps(Part& part) const;
   void CollectEdges();
+  float GetLayerIndex(const ShadowLayer& layer);
   bool UpdateParts(const std::vector<Caster>& casters, const View& view, bool moved);
   bool IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) const;
   bool SplitNearEdges(const View& view);
@@ -84,6 +90,8 @@ private:
   std::vector<ShadowEdge> Edges;
   std::vector<ShadowEdge> NearEdges;
   std::vector<ShadowCap> Caps;
+  std::vector<ShadowLayer> Layers;
+  ShadowLayer StartLayers;
   int StartCount = 0;
 };
 }

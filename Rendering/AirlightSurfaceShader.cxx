@@ -3,6 +3,7 @@
 #include "AirlightSurfaceShader.h"
 
 #include "AirlightBefore.h"
+#include "AirlightDimmed.h"
 #include "AirlightDisplay.h"
 #include "AirlightFragment.h"
 #include "AirlightLayers.h"
@@ -40,6 +41,8 @@ bool HasRecords(const SurfaceText& text)
   return text.InPass && text.Translucent && text.LayerRecords;
 }
 
+bool IsDimmed(const SurfaceText& text) { return text.InPass && text.Dimmed; }
+
 // What both shaders begin with.
 std::string CommonDeclarations(const SurfaceText& text)
 {
@@ -47,8 +50,15 @@ std::string CommonDeclarations(const SurfaceText& text)
     return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
   };
   return text.Mathematics + DefineStages() + define("LAYER_RECORDS", HasRecords(text)) +
-    define("LAMPS", text.LampCount) + define("BITS", BitsPerChannel) +
-    define("IN_PASS", text.InPass) + define("AT_VERTICES", text.AtVertices) + AirlightSurfaceLights;
+    define("DIMMED", IsDimmed(text)) + define("LAMPS", text.LampCount) +
+    define("BITS", BitsPerChannel) + define("IN_PASS", text.InPass) +
+    define("AT_VERTICES", text.AtVertices) + AirlightSurfaceLights;
+}
+
+std::string StorageDeclarations(const SurfaceText& text)
+{
+  return std::string(HasRecords(text) ? AirlightLayers : "") +
+    (IsDimmed(text) ? AirlightDimmed : "");
 }
 
 std::string Declarations(const SurfaceText& text)
@@ -62,7 +72,7 @@ std::string Declarations(const SurfaceText& text)
   const std::string medium =
     text.Translucent ? std::string(before) + AirlightDisplay + AirlightSurfaceMedium : "";
   return CommonDeclarations(text) + AirlightViewShader + AirlightFragment +
-    (HasRecords(text) ? AirlightLayers : "") + AirlightSurface + glow + medium + Undefine;
+    StorageDeclarations(text) + AirlightSurface + glow + medium + Undefine;
 }
 
 // Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
@@ -116,7 +126,7 @@ std::string OtherStages(bool records, bool leave)
 //------------------------------------------------------------------------------
 void AddRecordExtensions(std::string& fragmentShader, const SurfaceText& text)
 {
-  if (HasRecords(text))
+  if (HasRecords(text) || IsDimmed(text))
   {
     // After VTK's line for the version, which is as old as can be.
     const std::string version = "//VTK::System::Dec";
@@ -132,7 +142,7 @@ void AddRecordExtensions(std::string& fragmentShader, const SurfaceText& text)
 std::string GetVolumeDeclarations(const SurfaceText& text, const std::string& volume)
 {
   return CommonDeclarations(text) + AirlightViewShader + AirlightFragment +
-    (HasRecords(text) ? AirlightLayers : "") + AirlightSurface +
+    StorageDeclarations(text) + AirlightSurface +
     (HasRecords(text) ? AirlightLayersBefore : AirlightBefore) + AirlightDisplay + volume +
     Undefine;
 }

@@ -19,6 +19,7 @@ class vtkTextureObject;
 
 namespace airlight
 {
+class Dimming;
 class LayerRecords;
 class View;
 
@@ -46,6 +47,7 @@ struct SurfaceText
   bool Translucent = false;  // fragments may be put behind the medium before them
   bool LayerRecords = false; // and have records (AirlightLayerRecords.h)
   bool Hides = false;        // all fragments may be left out of a stage, as those of splats
+  bool Dimmed = false;       // casters may let light through (AirlightDimming.h)
   bool InPass = true;        // there are the pass's stages and its shadows on surfaces
   bool AtVertices = false;   // the medium before fragments is interpolated between vertices
   std::string Mathematics;   // GetScatteringSource() and, for scattered light, GetGlowSource()
@@ -86,6 +88,7 @@ struct SurfaceUniforms
   vtkTextureObject* Lit = nullptr;       // in the pass, an active texture in any case
   vtkTextureObject* Data = nullptr;      // an active texture, or null where the shaders read none
   const LayerRecords* Records = nullptr; // null: there are none
+  const Dimming* Dims = nullptr;         // what casters leave of lights on opaque surfaces
   bool EncodedInput = false;             // the mappers' colours are encoded for display
   bool UseLit = false;                   // false: all surfaces are lit
   bool Glow = false;                     // the shaders were rewritten for scattered light

@@ -5,6 +5,7 @@
 
 #include "AirlightSurfaceShader.h"
 
+#include "AirlightDimming.h"
 #include "AirlightLayerRecords.h"
 #include "AirlightQuad.h"
 #include "AirlightView.h"
@@ -97,6 +98,10 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   }
   program->SetUniformi("airlightLampCount", static_cast<int>(lamps.size()));
   SetPhotometries(program, *values.Lamps);
+  if (values.Dims)
+  {
+    values.Dims->UseInMapper(program);
+  }
   if (values.Glow)
   {
     SetGlowUniforms(program, values);

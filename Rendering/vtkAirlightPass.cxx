@@ -8,6 +8,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
@@ -21,6 +22,7 @@ using namespace airlight;
 
 vtkStandardNewMacro(vtkAirlightPass);
 vtkInformationKeyMacro(vtkAirlightPass, CASTS_SHADOW, Integer);
+vtkInformationKeyMacro(vtkAirlightPass, SHADOW_OPACITY, DoubleVector);
 
 //------------------------------------------------------------------------------
 vtkAirlightPass::vtkAirlightPass()
@@ -246,6 +248,7 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShadowMapResolution: " << this->ShadowMapResolution << "\n";
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
+  os << indent << "TranslucentShadows: " << this->TranslucentShadows << "\n";
   os << indent << "ScatteredSurfaceLight: " << this->ScatteredSurfaceLight << "\n";
   os << indent << "LinearInput: " << this->LinearInput << "\n";
   os << indent << "EncodedOutput: " << this->EncodedOutput << "\n";

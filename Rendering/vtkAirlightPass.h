@@ -9,8 +9,8 @@
  *   renderer->SetPass(pass);
  * @endcode
  * Every switched-on light of the renderer then lights the surfaces and the medium alike; both are
- * attenuated on the way from the light and on the way to the eye, and every opaque polygonal actor
- * casts a shadow through the medium and on the surfaces. Nothing is sampled at random: the
+ * attenuated on the way from the light and on the way to the eye, and every polygonal actor
+ * casts a shadow through the medium and on the surfaces, translucent ones by their opacity. Nothing is sampled at random: the
  * light scattered into a ray comes from a closed form or, where there is none, from quadrature, and
  * the shadows' edges from geometry.
  *
@@ -42,8 +42,9 @@
  *    follows, but for directional lights in an unbounded medium or a box; directional lights in a
  *    sphere; height fog, but for directional lights where it is unbounded; several media.
  *  - Headlights cast no shadows: they see what the camera sees.
- *  - Translucent surfaces and volumes cast no shadows; point gaussians, imposters and the glyphs of
- *    composite data or of source tables only with shadow maps (see SetShadowTechnique()).
+ *  - Volumes cast no shadows; point gaussians, imposters and the glyphs of composite data or of source
+ *    tables only with shadow maps (see SetShadowTechnique()). Translucent surfaces dim light
+ *    (SetTranslucentShadows()).
  *  - Translucent surfaces and point gaussians are put behind the medium before them, fragment by
  *    fragment, with its shadows (32 bytes a fragment); without OpenGL 4.3 without
  *    shadows. VTK's depth peeling keeps 8 bits a layer (5e-3) and clips radiances above 1.
@@ -98,6 +99,7 @@
 #include <string> // for shader sources
 
 class vtkImageData;
+class vtkInformationDoubleVectorKey;
 class vtkInformationIntegerKey;
 class vtkLight;
 class vtkParticipatingMedium;
@@ -212,6 +214,38 @@ public:
   vtkSetMacro(SurfaceShadows, bool);
   vtkGetMacro(SurfaceShadows, bool);
   vtkBooleanMacro(SurfaceShadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether translucent polygonal actors cast shadows. Each of their triangles is a layer that lets
+   * 1 - opacity of the light through, in each colour, whichever way it faces: light behind n layers is
+   * dimmed by (1 - opacity)^n, in the medium, on surfaces and on translucent surfaces. A closed body
+   * dims by both its walls, as VTK's blending dims what is seen through it. The opacity is that of the
+   * actor's vtkProperty, or of a block of composite data, the same for all colours; see
+   * SHADOW_OPACITY() for glass that has a colour. Opacities of colours, lookup tables or textures vary
+   * over a surface and are left out of account: an actor that is translucent by them alone casts no
+   * shadow, unless that key says otherwise.
+   *
+   * Exact as the shadows of opaque actors are, but for the thickness -ln(1 - opacity) of a layer, which
+   * is kept to 5e-7 (ErrorBound counts that), and for sums of it above 4000 on the way of one light.
+   * Opacities from 1 - 1e-6 on block light wholly. A surface is not dimmed by what lies within 1e-5 of
+   * its distance before it, or less than 1/128 of what its distance changes by from pixel to pixel.
+   *
+   * With SHADOW_MAP and RAY_MARCH what lets light through casts no shadow, and one warning says so.
+   *
+   * Cost, while there are such casters: 24 instead of 12 bytes a boundary, on surfaces 8 bytes a pixel
+   * and light, a closed form for each boundary; each of their triangles is drawn for each light.
+   * Without them: none.
+   *
+   * Default: true.
+   *
+   * Source: B. Kim, K. Kim and G. Turk, "A Shadow-Volume Algorithm for Opaque and Transparent
+   * Nonmanifold Casters", Journal of Graphics Tools 13(3), 2008.
+   */
+  vtkSetMacro(TranslucentShadows, bool);
+  vtkGetMacro(TranslucentShadows, bool);
+  vtkBooleanMacro(TranslucentShadows, bool);
   ///@}
 
   ///@{
@@ -403,9 +437,9 @@ public:
    *  - "Surface" (RGB): the part that opaque surfaces sent, attenuated; 0 where there is none;
    *  - "Transmittance" (RGB): from the eye to the surface, or to the far side of the medium;
    *  - "Depth": distance along the unit ray, world units; -1 where there is no surface;
-   *  - "LitLength": length of the ray inside media (once where they overlap) that light reaches,
-   *    summed over lights;
-   *  - "BoundaryCount": number of shadow planes that the ray crosses, or of changes between light
+   *  - "LitLength": length of the ray inside media (once where they overlap) that light of any colour
+   *    reaches, dimmed or not, summed over lights;
+   *  - "BoundaryCount": number of shadow planes that the ray crosses, and of translucent casters' triangles, or of changes between light
    *    and shadow that a shadow map shows on it, summed over lights;
    *  - "ErrorBound": how far each component of "Airlight" may be from the exact integral, W/(m^2 sr):
    *    for each light the error bound of the medium's phase function
@@ -428,6 +462,17 @@ public:
    * @endcode
    */
   static vtkInformationIntegerKey* CASTS_SHADOW();
+
+  /**
+   * Key for a prop's property keys: the opacity of its shadow for red, green and blue, in place of its
+   * vtkProperty's; opaque props may have it, too. Range: three values from 0 (no shadow) to 1; others
+   * are reported once, and the property's opacity is taken. Of an assembly it is that of all parts
+   * without a key of their own. See SetTranslucentShadows().
+   * @code
+   *   keys->Set(vtkAirlightPass::SHADOW_OPACITY(), 0.1, 0.8, 0.9); // red glass
+   * @endcode
+   */
+  static vtkInformationDoubleVectorKey* SHADOW_OPACITY();
 
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* w) override;
@@ -458,6 +503,7 @@ private:
   int ShadowMapResolution = 1024;
   int NumberOfSteps = 64;
   bool SurfaceShadows = true;
+  bool TranslucentShadows = true;
   bool ScatteredSurfaceLight = false;
   bool LinearInput = true;
   bool EncodedOutput = false;

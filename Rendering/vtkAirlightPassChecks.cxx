@@ -177,13 +177,36 @@ void vtkAirlightPass::Internals::ReportDifference(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::CheckCasters()
+{
+  const CasterCache& casters = this->CurrentFrame.GetCasters();
+  const std::string& error = casters.GetError();
+  if (error != this->ReportedCasterError)
+  {
+    this->ReportedCasterError = error;
+    if (!error.empty())
+    {
+      vtkErrorWithObjectMacro(this->Self, << error << ".");
+    }
+  }
+  if (casters.MetTranslucent() && this->Self->TranslucentShadows &&
+    (this->EffectiveTechnique == SHADOW_MAP || this->EffectiveTechnique == RAY_MARCH))
+  {
+    this->WarnOnce(this->WarnedTranslucent,
+      "Shadow maps know of light and dark only: what lets light through casts no shadow in them. "
+      "Call SetShadowTechniqueToShadowPlanes(), or SetTranslucentShadows(false) to cast none "
+      "anyway.");
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkAirlightPass::Internals::ChooseTechnique(
   vtkRenderer* renderer, const std::vector<Lamp>& lamps, bool clear)
 {
   const int technique = this->Self->ShadowTechnique;
   if (technique != NONE || this->ShownView == DIFFERENCE)
   {
-    this->CurrentFrame.FindCasters(renderer);
+    this->CurrentFrame.FindCasters(renderer, this->Self->TranslucentShadows);
   }
   if (technique != SHADOW_PLANES && technique != AUTOMATIC)
   {

@@ -175,6 +175,7 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.Draw = [this, s](const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y,
                     int side) { this->DrawInMap(s, actors, camera, x, y, side); };
   settings.SurfaceShadows = this->Self->SurfaceShadows;
+  settings.TranslucentShadows = this->Self->TranslucentShadows;
   settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
   settings.Layers = layers;
   settings.LayerRecords = layers && this->MapperText.LayerRecords;

@@ -81,6 +81,7 @@ public:
 
   // Whether the renderer asks for FXAA and the bound target, the state's, is one for it.
   bool MayAntialias(const vtkRenderState* s);
+  void CheckCasters();
 
   vtkAirlightPass* Self;
   airlight::MediaList Media;
@@ -121,11 +122,14 @@ public:
   bool WarnedGlowCount = false;
   bool WarnedOcclusion = false;
   bool WarnedAntialiasing = false;
+  bool WarnedTranslucent = false;
   std::string ReportedError;
+  std::string ReportedCasterError;
 
 private:
   bool RenderOnce(const vtkRenderState* s, int x, int y, int width, int height);
   bool RenderSteps(const vtkRenderState* s);
+  bool CollectCasters();
   bool CollectLayers(const vtkRenderState& inner);
   void RenderDistances(const vtkRenderState& inner);
   void RenderColours(const vtkRenderState& inner);

@@ -49,7 +49,7 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   {
     this->RenderStage(SurfaceStage::Distance, [&] { this->RenderDistances(inner); });
   }
-  ok = ok && this->CurrentFrame.FinishDistances() &&
+  ok = ok && this->CurrentFrame.FinishDistances() && this->CollectCasters() &&
     (!this->CurrentFrame.HasLayerRecords() || this->CollectLayers(inner)) &&
     this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
   if (ok)
@@ -124,6 +124,23 @@ void vtkAirlightPass::Internals::RenderLayers(const vtkRenderState& inner)
   state.SetFrameBuffer(inner.GetFrameBuffer());
   state.SetPropArrayAndCount(hidden.data(), static_cast<int>(hidden.size()));
   this->ScenePass->RenderTransparentOf(&state);
+}
+
+//------------------------------------------------------------------------------
+// What a caster that lets light through asks of the mappers' shaders stays, as with translucency.
+bool vtkAirlightPass::Internals::CollectCasters()
+{
+  if (!this->CurrentFrame.PrepareCasters())
+  {
+    return false;
+  }
+  this->CheckCasters();
+  if (this->CurrentFrame.IsDimmed() && !this->MapperText.Dimmed)
+  {
+    this->MapperText.Dimmed = true;
+    this->ShaderTime.Modified();
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,10 @@
 // Longer ones are left out in a first draw, which notes that they are there; AirlightSortFS.glsl
 // sorts them in place, and further draws with AIRLIGHT_SORTED read them as they are, some boundaries
 // a draw, because some software renderers bound the iterations of one shader run.
+//
+// A boundary has AIRLIGHT_NODE_WORDS: t, weight, index of the next; with AIRLIGHT_DIMMED the weight
+// is eight times the number of layers and a bit for each channel that they block, and the optical
+// thickness of the layers follows.
 
 layout(std430, binding = 1) buffer AirlightNodes
 {
@@ -24,6 +28,18 @@ uint airlightHeadIndex(ivec2 pixel)
   return uint(2 + pixel.y * width + pixel.x);
 }
 
+AirlightCounts airlightWeight(uint node)
+{
+  int weight = int(nodes[AIRLIGHT_NODE_WORDS * node + 1u]);
+#if AIRLIGHT_DIMMED
+  uint word = AIRLIGHT_NODE_WORDS * node + 3u;
+  return AirlightCounts((weight >> 3) * ivec3(weight & 1, (weight >> 1) & 1, (weight >> 2) & 1),
+    ivec3(int(nodes[word]), int(nodes[word + 1u]), int(nodes[word + 2u])));
+#else
+  return weight;
+#endif
+}
+
 #ifdef AIRLIGHT_SORTED
 
 uniform int resume; // 0: the first draw of the sorted lists
@@ -32,45 +48,99 @@ uint boundaryNode;
 uint boundaryLast;
 int boundariesLeft;
 
+#if AIRLIGHT_DIMMED
+
+uint boundaryBefore; // the last but one
+
+// What a pause leaves takes the last two boundaries read, the first of which becomes the head.
+void airlightLeave(float from, AirlightCounts shadows)
+{
+  uint a = AIRLIGHT_NODE_WORDS * boundaryBefore;
+  uint b = AIRLIGHT_NODE_WORDS * boundaryLast;
+  nodes[a] = floatBitsToUint(from);
+  nodes[b] = floatBitsToUint(airlightRunStart);
+  nodes[a + 1u] = uint(shadows.blocks.r);
+  nodes[b + 1u] = uint(shadows.thickness.r);
+  for (uint i = 1u; i < 3u; i++)
+  {
+    nodes[a + 2u + i] = uint(shadows.blocks[i]);
+    nodes[b + 2u + i] = uint(shadows.thickness[i]);
+  }
+}
+
+void airlightTakeUp(out float from, out AirlightCounts shadows)
+{
+  uint a = AIRLIGHT_NODE_WORDS * boundaryNode;
+  uint b = AIRLIGHT_NODE_WORDS * nodes[a + 2u];
+  from = uintBitsToFloat(nodes[a]);
+  airlightRunStart = uintBitsToFloat(nodes[b]);
+  shadows.blocks = ivec3(int(nodes[a + 1u]), int(nodes[a + 3u]), int(nodes[a + 4u]));
+  shadows.thickness = ivec3(int(nodes[b + 1u]), int(nodes[b + 3u]), int(nodes[b + 4u]));
+  boundaryNode = nodes[b + 2u];
+}
+
+#else
+
+void airlightLeave(float from, int shadows)
+{
+  nodes[AIRLIGHT_NODE_WORDS * boundaryLast] = floatBitsToUint(from);
+  nodes[AIRLIGHT_NODE_WORDS * boundaryLast + 1u] = uint(shadows);
+}
+
+void airlightTakeUp(out float from, out int shadows)
+{
+  uint word = AIRLIGHT_NODE_WORDS * boundaryNode;
+  from = uintBitsToFloat(nodes[word]);
+  shadows = int(nodes[word + 1u]);
+  boundaryNode = nodes[word + 2u];
+}
+
+#endif
+
 // False where nothing is left to do. Otherwise where to go on: a pause leaves its distance and its
 // count of shadows in the last boundary read, which becomes the head.
 bool airlightOpenBoundaries(
-  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout int shadows)
+  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout AirlightCounts shadows)
 {
   boundaryNode = heads[airlightHeadIndex(pixel)];
   boundaryLast = 0u;
   boundariesLeft = AIRLIGHT_CHUNK;
   if (boundaryNode != 0u && resume != 0)
   {
-    from = uintBitsToFloat(nodes[3u * boundaryNode]);
-    shadows = int(nodes[3u * boundaryNode + 1u]);
-    boundaryNode = nodes[3u * boundaryNode + 2u];
+    airlightTakeUp(from, shadows);
     return true;
   }
   return boundaryNode != 0u;
 }
 
-int airlightNextBoundary(out float t, out int weight)
+int airlightNextBoundary(out float t, out AirlightCounts weight)
 {
-  t = uintBitsToFloat(nodes[3u * boundaryNode]);
-  weight = int(nodes[3u * boundaryNode + 1u]);
+  t = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * boundaryNode]);
+  weight = airlightWeight(boundaryNode);
   if (boundaryNode == 0u || boundariesLeft == 0)
   {
     return boundaryNode == 0u ? AIRLIGHT_END : AIRLIGHT_PAUSE;
   }
   boundariesLeft--;
+#if AIRLIGHT_DIMMED
+  boundaryBefore = boundaryLast;
+#endif
   boundaryLast = boundaryNode;
-  boundaryNode = nodes[3u * boundaryNode + 2u];
+  boundaryNode = nodes[AIRLIGHT_NODE_WORDS * boundaryNode + 2u];
   return AIRLIGHT_MORE;
 }
 
-void airlightCloseBoundaries(ivec2 pixel, int state, float from, int shadows)
+void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts shadows)
 {
-  heads[airlightHeadIndex(pixel)] = state == AIRLIGHT_PAUSE ? boundaryLast : 0u;
+#if AIRLIGHT_DIMMED
+  uint paused = boundaryBefore;
+#else
+  uint paused = boundaryLast;
+#endif
+  heads[airlightHeadIndex(pixel)] = state == AIRLIGHT_PAUSE ? paused : 0u;
   if (state == AIRLIGHT_PAUSE)
   {
-    nodes[3u * boundaryLast] = floatBitsToUint(from);
-    nodes[3u * boundaryLast + 1u] = uint(shadows);
+    airlightLeave(from, shadows);
   }
 }
 
@@ -78,12 +148,15 @@ void airlightCloseBoundaries(ivec2 pixel, int state, float from, int shadows)
 
 float listT[AIRLIGHT_SHORT_LIST];
 int listWeight[AIRLIGHT_SHORT_LIST];
+#if AIRLIGHT_DIMMED
+uint listNode[AIRLIGHT_SHORT_LIST];
+#endif
 int listSize;
 int listNext;
 
 // False where the list is too long for the local array.
 bool airlightOpenBoundaries(
-  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout int shadows)
+  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout AirlightCounts shadows)
 {
   listSize = 0;
   listNext = 0;
@@ -93,21 +166,27 @@ bool airlightOpenBoundaries(
   {
     if (listSize < AIRLIGHT_SHORT_LIST)
     {
-      float t = uintBitsToFloat(nodes[3u * node]);
-      int weight = int(nodes[3u * node + 1u]);
+      float t = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * node]);
+      int weight = int(nodes[AIRLIGHT_NODE_WORDS * node + 1u]);
       int k = listSize;
       // By distance; at one distance entries before exits, so that volumes that touch stay joined.
       for (; k > 0 && (t < listT[k - 1] || (t == listT[k - 1] && weight > listWeight[k - 1])); k--)
       {
         listT[k] = listT[k - 1];
         listWeight[k] = listWeight[k - 1];
+#if AIRLIGHT_DIMMED
+        listNode[k] = listNode[k - 1];
+#endif
       }
       listT[k] = t;
       listWeight[k] = weight;
+#if AIRLIGHT_DIMMED
+      listNode[k] = node;
+#endif
       listSize++;
     }
     length++;
-    node = nodes[3u * node + 2u];
+    node = nodes[AIRLIGHT_NODE_WORDS * node + 2u];
   }
   if (length > AIRLIGHT_SHORT_LIST)
   {
@@ -116,17 +195,21 @@ bool airlightOpenBoundaries(
   return length <= AIRLIGHT_SHORT_LIST;
 }
 
-int airlightNextBoundary(out float t, out int weight)
+int airlightNextBoundary(out float t, out AirlightCounts weight)
 {
   int k = min(listNext, AIRLIGHT_SHORT_LIST - 1);
   t = listT[k];
+#if AIRLIGHT_DIMMED
+  weight = airlightWeight(listNode[k]);
+#else
   weight = listWeight[k];
+#endif
   listNext++;
   return listNext <= listSize ? AIRLIGHT_MORE : AIRLIGHT_END;
 }
 
 // What is done here is not the later draws'.
-void airlightCloseBoundaries(ivec2 pixel, int state, float from, int shadows)
+void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts shadows)
 {
   heads[airlightHeadIndex(pixel)] = 0u;
 }

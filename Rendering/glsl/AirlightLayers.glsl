@@ -2,10 +2,16 @@
 // The fragments make them in a first draw; each light's resolve adds what it scatters into the ray
 // before the fragment, and whether it reaches it; the fragments look for theirs in the last draw.
 
+#if AIRLIGHT_DIMMED
+uniform int airlightLayerWords; // 8 where no caster lets light through
+#define AIRLIGHT_LAYER_WORDS uint(airlightLayerWords)
+#else
 const uint AIRLIGHT_LAYER_WORDS = 8u;
+#endif
 
 // Eight words a record: index of the next, 0 at the end; t; radiance; bits of the lights that reach
-// it, 32 a word.
+// it, 32 a word. With AIRLIGHT_DIMMED nine and two for each light that is dimmed: the distance just
+// before the fragment at which it is lit, and what passes.
 layout(std430, binding = 3) buffer AirlightLayers
 {
   uint layers[];

@@ -4,16 +4,28 @@
 void airlightCollect()
 {
   ivec2 pixel = ivec2(airlightPixel());
+  float t = airlightFragmentDistance();
+#if AIRLIGHT_DIMMED
+  // A surface does not shadow its own lit side: light is taken before it, by more than the rounding
+  // of its distance, which grows with its slope.
+  float before = 1e-5 * t + fwidth(t) / 128.0;
+#endif
   uint layer = atomicAdd(layerHeads[0], 1u) + 1u;
   if (layer < uint(airlightLayerCapacity))
   {
     uint word = AIRLIGHT_LAYER_WORDS * layer;
     layers[word] = atomicExchange(layerHeads[airlightLayerHead(pixel)], layer);
-    layers[word + 1u] = floatBitsToUint(airlightFragmentDistance());
+    layers[word + 1u] = floatBitsToUint(t);
     for (uint i = 2u; i < AIRLIGHT_LAYER_WORDS; i++)
     {
       layers[word + i] = 0u;
     }
+#if AIRLIGHT_DIMMED
+    if (AIRLIGHT_LAYER_WORDS > 8u)
+    {
+      layers[word + 8u] = floatBitsToUint(t - before);
+    }
+#endif
   }
 }
 

@@ -5,16 +5,16 @@ const int AIRLIGHT_PAUSE = 1;
 const int AIRLIGHT_END = 2;
 
 bool airlightOpenBoundaries(
-  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout int shadows)
+  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout AirlightCounts shadows)
 {
   return true;
 }
 
-int airlightNextBoundary(out float t, out int weight)
+int airlightNextBoundary(out float t, out AirlightCounts weight)
 {
   t = 0.0;
-  weight = 0;
+  weight = airlightNoCounts();
   return AIRLIGHT_END;
 }
 
-void airlightCloseBoundaries(ivec2 pixel, int state, float from, int shadows) {}
+void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts shadows) {}

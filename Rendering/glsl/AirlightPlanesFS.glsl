@@ -2,7 +2,7 @@
 
 layout(early_fragment_tests) in;
 
-// Three words a boundary: t, weight, index of the next; index 0 ends a list.
+// The words of a boundary are those of AirlightBoundaries.glsl; index 0 ends a list.
 layout(std430, binding = 1) writeonly buffer AirlightNodes
 {
   uint nodes[];
@@ -11,6 +11,15 @@ layout(std430, binding = 2) buffer AirlightHeads
 {
   uint heads[]; // counter of boundaries, length of the longest list, one head a pixel
 };
+
+#if AIRLIGHT_DIMMED
+// By kind of caster: the thickness of a layer, and a bit for each channel that it blocks.
+layout(std430, binding = 6) readonly buffer AirlightShadowLayers
+{
+  ivec4 shadowLayers[];
+};
+flat in int planeLayer;
+#endif
 
 uniform sampler2D distances;
 uniform float nearer; // a boundary counts where t < nearer * surface
@@ -70,8 +79,19 @@ void main()
   if (index < capacity)
   {
     uint next = atomicExchange(heads[2 + pixel.y * width + pixel.x], index);
-    nodes[3u * index] = floatBitsToUint(t);
-    nodes[3u * index + 1u] = uint(enters ? planeWeight : -planeWeight);
-    nodes[3u * index + 2u] = next;
+    uint word = AIRLIGHT_NODE_WORDS * index;
+    int weight = enters ? planeWeight : -planeWeight;
+    nodes[word] = floatBitsToUint(t);
+    nodes[word + 2u] = next;
+#if AIRLIGHT_DIMMED
+    ivec4 layer = shadowLayers[planeLayer];
+    nodes[word + 1u] = uint(8 * weight + layer.w);
+    for (uint i = 0u; i < 3u; i++)
+    {
+      nodes[word + 3u + i] = uint(weight * layer[i]);
+    }
+#else
+    nodes[word + 1u] = uint(weight);
+#endif
   }
 }

@@ -7,7 +7,7 @@
 // Relative to the anchor (the light itself, or for a directional light any point). Per edge: A and
 // its weight, B, the plane's normal. Per cap: A and the side of the light (1: where the triangle's
 // normal points, -1: behind), B, C. Per near plane: as an edge, B with the plane's offset from the
-// eye, which single precision could not find out.
+// eye, which single precision could not find out. The third's w is the kind of caster.
 layout(std430, binding = 0) readonly buffer AirlightEdges
 {
   vec4 edges[];
@@ -21,6 +21,7 @@ uniform int kind; // 0: planes, 1: caps, 2: near planes
 flat out vec3 planeNormal;
 flat out float planeOffset; // dot(normal, x) = offset on the plane, x from the eye
 flat out int planeWeight;
+flat out int planeLayer;
 flat out vec3 planeA; // the edge, from the anchor
 flat out vec3 planeB;
 
@@ -68,6 +69,7 @@ void main()
 {
   planeA = vec3(0.0);
   planeB = vec3(0.0);
+  planeLayer = int(edges[3 * (gl_VertexID / (kind == 0 ? 6 : 3)) + 2].w);
   if (kind == 0)
   {
     drawPlane();

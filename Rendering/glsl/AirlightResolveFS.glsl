@@ -2,8 +2,7 @@
 // additively, light by light.
 
 uniform sampler2D distances;
-uniform int startCount; // shadow volumes that hold the ray's start
-uniform vec4 litBit;    // what to add where the surface is lit
+uniform vec4 litBit; // what to add where the surface is lit
 #ifdef AIRLIGHT_RECORD
 uniform float phaseError; // of the medium's fitted phase function, relative
 uniform float error;      // of the integration, of the ray's airlight without shadows
@@ -71,36 +70,45 @@ void main()
 #else
   float from = ray.lit.x;
   float runStart = -1.0; // of what is lit, or not, as a whole
-  int shadows = startCount;
+  AirlightCounts shadows = airlightStartCounts();
   if (!airlightOpenBoundaries(pixel, ray, surface, from, shadows))
   {
     discard;
   }
 #ifdef AIRLIGHT_LAYER_RECORDS
+#if AIRLIGHT_DIMMED
+  runStart = airlightRunStart;
+#else
   runStart = from > ray.lit.x ? from : runStart; // where a draw before this one left off
+#endif
 #endif
   vec3 fromTail = airlightTail3(media, light, ray, from);
   vec3 sum = vec3(0.0);
   float litLength = 0.0;
   int boundaries = 0;
-  bool startsLit = shadows <= 0;
+  AirlightPassing passing = airlightPassing(shadows);
+  bool startsLit = airlightPassesWhole(passing);
 
   int state = AIRLIGHT_MORE;
   while (state == AIRLIGHT_MORE)
   {
     float t;
-    int weight;
+    AirlightCounts weight;
     state = airlightNextBoundary(t, weight);
     if (state == AIRLIGHT_PAUSE)
     {
       break;
     }
     bool more = state == AIRLIGHT_MORE;
-    int next = more ? shadows + weight : shadows;
-    boundaries += more ? 1 : 0;
+    AirlightCounts next = shadows;
+    if (more)
+    {
+      next = airlightAdd(shadows, weight);
+      boundaries++;
+    }
     // Only where light ends or begins does the integral change; the ray's end ends it too.
-    bool wasLit = shadows <= 0;
-    if (!more || wasLit != (next <= 0))
+    AirlightPassing nextPassing = airlightPassing(next);
+    if (!more || passing != nextPassing)
     {
       float to = more ? clamp(t, from, ray.lit.y) : ray.lit.y;
       vec3 toTail = fromTail;
@@ -108,24 +116,34 @@ void main()
       if (to > from)
       {
         toTail = airlightTail3(media, light, ray, to);
-        if (wasLit)
+        if (airlightPasses(passing))
         {
           part = airlightInterval3(media, light, ray, from, fromTail, to, toTail);
-          sum += part;
+          sum += airlightDim(part, passing);
           litLength += airlightLengthInside(media, ray.origin, ray.direction, from, to);
         }
       }
 #ifdef AIRLIGHT_LAYER_RECORDS
       float runEnd = more ? t : AIRLIGHT_FAR;
       addToLayers(
-        media, light, pixel, ray, wasLit, runStart, runEnd, from, fromTail, max(from, to), part);
+        media, light, pixel, ray, passing, runStart, runEnd, from, fromTail, max(from, to), part);
       runStart = runEnd;
 #endif
       from = max(from, to);
       fromTail = toTail;
     }
     shadows = next;
+    passing = nextPassing;
   }
+#if AIRLIGHT_DIMMED
+  airlightRunStart = runStart;
+  if (state == AIRLIGHT_END && dimmingSlot >= 0)
+  {
+    uvec2 kept = airlightPack(passing);
+    dimming[airlightDimmingWord(dimmingSlot, pixel)] = kept.x;
+    dimming[airlightDimmingWord(dimmingSlot, pixel) + 1u] = kept.y;
+  }
+#endif
   airlightCloseBoundaries(pixel, state, from, shadows);
   bool shadowless = boundaries == 0 && startsLit;
 #endif
@@ -137,7 +155,7 @@ void main()
     sigmaS += media.item[i].sigmaS;
   }
   airlight = vec4(mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0))), litLength);
-  lit = state == AIRLIGHT_END && shadows <= 0 ? litBit : vec4(0.0);
+  lit = state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)) ? litBit : vec4(0.0);
 #ifdef AIRLIGHT_RECORD
   single = airlight;
   vec3 whole = shadowless ? sum : unshadowed(ray);

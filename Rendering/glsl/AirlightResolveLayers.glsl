@@ -1,5 +1,5 @@
-// Adds to the records of what is drawn over the medium: the run [runStart, to] of the ray is lit or
-// not; where it is, `sum` is scattered into [from, to] of it, which lies inside the media.
+// Adds to the records of what is drawn over the medium: on the run [runStart, runEnd] of the ray so much
+// of the light passes; undimmed, `sum` is scattered into [from, to] of it, which lies inside the media.
 
 uniform int layerBit; // of the light, -1 without surface shadows
 
@@ -11,9 +11,11 @@ void addToLayer(uint layer, vec3 part)
   layers[word + 4u] = floatBitsToUint(uintBitsToFloat(layers[word + 4u]) + part.b);
 }
 
-void addToLayers(AirlightMedia media, AirlightLight light, ivec2 pixel, AirlightRay ray, bool isLit, float runStart, float runEnd, float from,
+void addToLayers(AirlightMedia media, AirlightLight light, ivec2 pixel, AirlightRay ray,
+  AirlightPassing passing, float runStart, float runEnd, float from,
   vec3 fromTail, float to, vec3 sum)
 {
+  bool isLit = airlightPasses(passing);
   uint layer = layerHeads[airlightLayerHead(pixel)];
   for (int guard = 0; layer != 0u && guard < airlightLayerCapacity; guard++)
   {
@@ -27,8 +29,17 @@ void addToLayers(AirlightMedia media, AirlightLight light, ivec2 pixel, Airlight
         part = airlightInterval3(
           media, light, ray, from, fromTail, t, airlightTail3(media, light, ray, t));
       }
-      addToLayer(layer, part);
+      addToLayer(layer, airlightDim(part, passing));
     }
+#if AIRLIGHT_DIMMED
+    t = uintBitsToFloat(layers[word + 8u]);
+    if (dimmingSlot >= 0 && t > runStart && t <= runEnd)
+    {
+      uvec2 kept = airlightPack(passing);
+      layers[word + 9u + 2u * uint(dimmingSlot)] = kept.x;
+      layers[word + 10u + 2u * uint(dimmingSlot)] = kept.y;
+    }
+#endif
     if (isLit && layerBit >= 0 && t > runStart && t <= runEnd)
     {
       layers[word + 5u + uint(layerBit / 32)] |= 1u << uint(layerBit % 32);

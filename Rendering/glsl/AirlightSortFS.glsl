@@ -19,9 +19,9 @@ uniform uint run;
 // By distance; at one distance entries before exits.
 bool airlightBefore(uint a, uint b)
 {
-  float ta = uintBitsToFloat(nodes[3u * a]);
-  float tb = uintBitsToFloat(nodes[3u * b]);
-  return ta < tb || (ta == tb && int(nodes[3u * a + 1u]) >= int(nodes[3u * b + 1u]));
+  float ta = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * a]);
+  float tb = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * b]);
+  return ta < tb || (ta == tb && int(nodes[AIRLIGHT_NODE_WORDS * a + 1u]) >= int(nodes[AIRLIGHT_NODE_WORDS * b + 1u]));
 }
 
 void main()
@@ -41,7 +41,7 @@ void main()
     uint leftSize = 0u;
     for (; leftSize < run && right != 0u; leftSize++)
     {
-      right = nodes[3u * right + 2u];
+      right = nodes[AIRLIGHT_NODE_WORDS * right + 2u];
     }
     uint rightSize = run;
     while (leftSize > 0u || (rightSize > 0u && right != 0u))
@@ -51,12 +51,12 @@ void main()
       uint taken = takeLeft ? left : right;
       if (takeLeft)
       {
-        left = nodes[3u * left + 2u];
+        left = nodes[AIRLIGHT_NODE_WORDS * left + 2u];
         leftSize--;
       }
       else
       {
-        right = nodes[3u * right + 2u];
+        right = nodes[AIRLIGHT_NODE_WORDS * right + 2u];
         rightSize--;
       }
       if (tail == 0u)
@@ -65,12 +65,12 @@ void main()
       }
       else
       {
-        nodes[3u * tail + 2u] = taken;
+        nodes[AIRLIGHT_NODE_WORDS * tail + 2u] = taken;
       }
       tail = taken;
     }
     left = right;
   }
-  nodes[3u * tail + 2u] = 0u;
+  nodes[AIRLIGHT_NODE_WORDS * tail + 2u] = 0u;
   heads[headIndex] = head;
 }

@@ -35,6 +35,38 @@ vec3 airlightPassed(int k, vec3 point)
   return share;
 }
 
+#if AIRLIGHT_DIMMED
+uniform int airlightDimmingSlots[AIRLIGHT_LAMPS]; // place of light k, -1: not dimmed
+
+#if AIRLIGHT_LAYER_RECORDS
+// What translucent casters leave of the light in this place at a record's point.
+vec3 airlightDimmedLayer(uint layer, int slot)
+{
+  uint word = AIRLIGHT_LAYER_WORDS * layer + 9u + 2u * uint(slot);
+  return airlightUnpack(layers[word], layers[word + 1u]);
+}
+#endif
+
+// What translucent casters leave of light k.
+vec3 airlightDimmed(int k)
+{
+  int slot = airlightDimmingSlots[k];
+  if (slot < 0 || airlightUseLit == 0)
+  {
+    return vec3(1.0);
+  }
+#if AIRLIGHT_LAYER_RECORDS
+  if (airlightStage == AIRLIGHT_STAGE_LAYER)
+  {
+    return airlightDimmedLayer(airlightLayer, slot);
+  }
+#endif
+  uint word = airlightDimmingWord(slot, ivec2(airlightPixel()));
+  return airlightStage == AIRLIGHT_STAGE_COLOUR ? airlightUnpack(dimming[word], dimming[word + 1u])
+                                                : vec3(1.0);
+}
+#endif
+
 // The share of light k that arrives at a point: transmittance, 0 in shadow.
 vec3 airlightShare(int k, vec3 point)
 {
@@ -66,7 +98,11 @@ vec3 airlightShare(int k, vec3 point)
     }
   }
 #endif
-  return airlightPassed(k, point);
+  vec3 share = airlightPassed(k, point);
+#if AIRLIGHT_DIMMED
+  share *= airlightDimmed(k);
+#endif
+  return share;
 }
 
 // In a loop and before the mapper's own lines of every light: compilers take time for what is there

@@ -49,6 +49,12 @@ void airlightCollectNodes()
     {
       layers[word + i] = 0u;
     }
+#if AIRLIGHT_DIMMED
+    if (AIRLIGHT_LAYER_WORDS > 8u)
+    {
+      layers[word + 8u] = layers[word + 1u];
+    }
+#endif
   }
 }
 
@@ -204,11 +210,22 @@ int airlightSampleNode(float t, out float share)
 }
 
 #if AIRLIGHT_LAYER_RECORDS
-float airlightNodeIsLit(int i, int k)
+// What casters leave of light k at node i.
+vec3 airlightNodeLight(int i, int k)
 {
+  if (airlightNodeLayer[i] == 0u)
+  {
+    return vec3(1.0);
+  }
   uint word = AIRLIGHT_LAYER_WORDS * airlightNodeLayer[i] + 5u + uint(k / 32);
-  bool isLit = airlightNodeLayer[i] == 0u || (layers[word] & (1u << uint(k % 32))) != 0u;
-  return isLit ? 1.0 : 0.0;
+  vec3 light = vec3((layers[word] & (1u << uint(k % 32))) != 0u ? 1.0 : 0.0);
+#if AIRLIGHT_DIMMED
+  if (airlightDimmingSlots[k] >= 0)
+  {
+    light *= airlightDimmedLayer(airlightNodeLayer[i], airlightDimmingSlots[k]);
+  }
+#endif
+  return light;
 }
 #endif
 
@@ -229,7 +246,7 @@ void airlightReceiveSample()
 #if AIRLIGHT_LAYER_RECORDS
     if (airlightUseLit != 0 && airlightLamps[k].w >= 0.0 && k < 4 * AIRLIGHT_BITS)
     {
-      airlightArrived[k] *= mix(airlightNodeIsLit(i, k), airlightNodeIsLit(i + 1, k), share);
+      airlightArrived[k] *= mix(airlightNodeLight(i, k), airlightNodeLight(i + 1, k), share);
     }
 #endif
   }

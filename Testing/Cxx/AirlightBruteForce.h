@@ -3,7 +3,8 @@
 /**
  * What a ray ought to see, by brute force and in double precision: each triangle's shadow is cut
  * out of the ray by four planes, the lit intervals are the complement of the union, and each lit
- * interval's airlight comes from vtkAirlight::Inscatter(), which its own tests verify. Nothing
+ * interval's airlight comes from vtkAirlight::Inscatter(), which its own tests verify. Triangles that
+ * let light through cut lit intervals in parts, and dim each part that lies in their shadow. Nothing
  * here knows of silhouettes, edges or lists.
  */
 
@@ -31,6 +32,8 @@ struct Triangle
   glm::dvec3 A, B, C;
   bool FrontCulled = false; // drawn only where seen from behind
   bool Casts = true;
+  glm::dvec3 Opacity{ 1.0 }; // of its shadow
+  bool Stops = true;         // rays end at it
 };
 
 struct Ray
@@ -43,6 +46,13 @@ struct Ray
 struct Interval
 {
   double From, To;
+};
+
+// A part of the ray, and the share of the light that reaches it.
+struct LitPart
+{
+  Interval Where;
+  glm::dvec3 Passes;
 };
 
 struct Answer
@@ -109,7 +119,8 @@ inline double Hit(const Triangle& t, const Ray& ray)
   const double u = glm::dot(s, p) / determinant;
   const double v = glm::dot(ray.Direction, q) / determinant;
   const double distance = glm::dot(e2, q) / determinant;
-  const bool culled = t.FrontCulled && glm::dot(glm::cross(e1, e2), ray.Direction) < 0.0;
+  const bool culled =
+    !t.Stops || (t.FrontCulled && glm::dot(glm::cross(e1, e2), ray.Direction) < 0.0);
   return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > ray.Nearest && !culled ? distance
                                                                                    : Infinity;
 }
@@ -135,6 +146,65 @@ inline std::vector<Interval> Complement(std::vector<Interval> parts, double end)
     result.push_back({ from, end });
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+// Lit intervals, cut where the shadows of translucent triangles begin and end.
+inline std::vector<LitPart> Dim(
+  const std::vector<Interval>& lit, const std::vector<LitPart>& shadows)
+{
+  std::vector<LitPart> result;
+  for (const Interval& whole : lit)
+  {
+    std::vector<double> ends = { whole.From, whole.To };
+    for (const LitPart& shadow : shadows)
+    {
+      ends.push_back(std::clamp(shadow.Where.From, whole.From, whole.To));
+      ends.push_back(std::clamp(shadow.Where.To, whole.From, whole.To));
+    }
+    std::sort(ends.begin(), ends.end());
+    for (size_t i = 1; i < ends.size(); ++i)
+    {
+      LitPart part = { { ends[i - 1], ends[i] }, glm::dvec3(1.0) };
+      for (const LitPart& shadow : shadows)
+      {
+        const bool inside =
+          shadow.Where.From <= part.Where.From && shadow.Where.To >= part.Where.To;
+        part.Passes *= inside ? shadow.Passes : glm::dvec3(1.0);
+      }
+      if (part.Where.From < part.Where.To)
+      {
+        result.push_back(part);
+      }
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// The parts of [0, end] that light reaches.
+inline std::vector<LitPart> FindLitParts(
+  const std::vector<Triangle>& triangles, const glm::dvec4& light, const Ray& ray, double end)
+{
+  std::vector<Interval> dark;
+  std::vector<LitPart> dimmed;
+  for (const Triangle& t : triangles)
+  {
+    Interval shadow;
+    if (!t.Casts || !FindShadow(t, light, ray, shadow))
+    {
+      continue;
+    }
+    if (t.Opacity == glm::dvec3(1.0))
+    {
+      dark.push_back(shadow);
+    }
+    else
+    {
+      dimmed.push_back({ shadow, 1.0 - t.Opacity });
+    }
+  }
+  return Dim(Complement(dark, end), dimmed);
 }
 
 //------------------------------------------------------------------------------
@@ -212,33 +282,26 @@ inline Answer Trace(const std::vector<Triangle>& triangles, const std::vector<vt
   normal *= glm::dot(normal, ray.Direction) > 0.0 ? -1.0 : 1.0;
   for (vtkLight* light : lights)
   {
-    std::vector<Interval> shadows;
-    for (const Triangle& t : triangles)
-    {
-      Interval shadow;
-      if (t.Casts && FindShadow(t, GetPosition(light), ray, shadow))
-      {
-        shadows.push_back(shadow);
-      }
-    }
-    const auto add = [&](const Interval& part, glm::dvec3& sum) {
+    const auto add = [&](const Interval& part, const glm::dvec3& passes, glm::dvec3& sum) {
       glm::dvec3 rgb;
       vtkAirlight::Inscatter(
         medium, light, &ray.Origin.x, &ray.Direction.x, part.From, part.To, &rgb.x);
-      sum += rgb;
+      sum += passes * rgb;
     };
-    double lastLit = 0.0;
-    for (const Interval& part : Complement(shadows, end))
+    LitPart last = { { 0.0, 0.0 }, glm::dvec3(0.0) };
+    for (const LitPart& part : FindLitParts(triangles, GetPosition(light), ray, end))
     {
-      add(part, answer.Airlight);
-      answer.LitLength += LengthInside(medium, ray, part);
-      lastLit = part.To;
+      add(part.Where, part.Passes, answer.Airlight);
+      const bool reached = part.Passes != glm::dvec3(0.0);
+      answer.LitLength += reached ? LengthInside(medium, ray, part.Where) : 0.0;
+      // The surface's own shadow may begin within rounding before it.
+      last = part.Where.From < part.Where.To * (1.0 - 1e-9) ? part : last;
     }
-    add({ 0.0, end }, answer.Unshadowed);
+    add({ 0.0, end }, glm::dvec3(1.0), answer.Unshadowed);
     // The surface is lit as the air just before it: its own shadow begins or ends at it.
-    if (end < Infinity && lastLit > end * (1.0 - 1e-9))
+    if (end < Infinity && last.Where.To > end * (1.0 - 1e-9))
     {
-      answer.Surface += Shade(medium, light, x, normal);
+      answer.Surface += last.Passes * Shade(medium, light, x, normal);
     }
   }
   if (end < Infinity)

@@ -39,7 +39,7 @@ vtkSmartPointer<vtkPolyData> MakePane(const Pane& pane)
   return Make(plane);
 }
 
-// Adds a pane that casts no shadow to the renderer alone.
+// Adds a pane to the renderer alone; panes cast no shadows here (see TestTranslucentShadowLayers).
 vtkSmartPointer<vtkActor> AddPane(Scene& scene, const Pane& pane)
 {
   vtkSmartPointer<vtkActor> actor = Scene::MakeActor(MakePane(pane));
@@ -83,6 +83,7 @@ glm::dvec3 GetLayer(Scene& scene, const Pane& pane, double px, double py, bool& 
 bool ComparePanes(
   const std::string& name, Scene& scene, const std::vector<Pane>& panes, double limit)
 {
+  scene.Pass->TranslucentShadowsOff();
   scene.Window->Render();
   vtkNew<vtkImageData> before;
   before->DeepCopy(scene.GetBuffer("Radiance"));

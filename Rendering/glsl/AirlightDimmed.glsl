@@ -1,0 +1,25 @@
+// What translucent casters leave of a light, kept for surfaces: 21 bits a channel in two words.
+
+layout(std430, binding = 5) buffer AirlightDimming
+{
+  uint dimming[]; // by light, row and column
+};
+uniform ivec2 airlightDimmingSize; // of the viewport, pixels
+
+uvec2 airlightPack(vec3 passing)
+{
+  uvec3 q = uvec3(clamp(passing, 0.0, 1.0) * 2097151.0 + 0.5);
+  return uvec2(q.r | (q.g << 21), (q.g >> 11) | (q.b << 10));
+}
+
+vec3 airlightUnpack(uint low, uint high)
+{
+  uvec3 q = uvec3(low & 0x1fffffu, (low >> 21) | ((high & 0x3ffu) << 11), high >> 10);
+  return vec3(q) / 2097151.0;
+}
+
+// The first of the two words; `slot` is the light's place.
+uint airlightDimmingWord(int slot, ivec2 pixel)
+{
+  return 2u * uint((slot * airlightDimmingSize.y + pixel.y) * airlightDimmingSize.x + pixel.x);
+}

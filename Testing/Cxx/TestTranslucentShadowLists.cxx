@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Translucent casters in lists of boundaries that take several draws, in the light of the sun, and
+// the power law of layers.
+
+#include "AirlightTestGlass.h"
+#include "AirlightTestTools.h"
+
+#include <cstdlib>
+
+using namespace airlighttest;
+using airlight_test::Random;
+
+namespace
+{
+const glm::dvec3 Red(0.1, 0.8, 0.9);
+const glm::dvec3 Blue(0.7, 0.5, 0.05);
+
+//------------------------------------------------------------------------------
+// Lists that take several draws, drawn in bands, too: many faint sheets one behind another.
+void TestLongLists()
+{
+  Scene scene(32, 24);
+  Random random(3);
+  std::vector<Triangle> sheets;
+  for (int i = 0; i < 160; ++i)
+  {
+    const double x = 30.0 + 0.02 * i;
+    const double front = random.Uniform(4.0, 9.0);
+    const double back = random.Uniform(-9.0, -2.0);
+    sheets.push_back({ { x, -40, front }, { x, -40, back }, { x, 40, back } });
+    sheets.push_back({ { x, -40, front }, { x, 40, back }, { x, 40, front } });
+  }
+  AddGlass(scene, MakeSoup(sheets), { 0.002, 0.005, 0.004 });
+  scene.Add(MakeSheet({ 20, -4, -1 }, { 0, 3, 0 }, { 0, 0, 2 }));
+  scene.Add(MakeSheet({ -8, -2, -8 }, { 16, 0, 0 }, { 0, 0, 16 }));
+  scene.AddPointLight({ 60, 8, -1 }, { 3000, 2000, 1000 });
+  // Each layer's thickness is kept to half of 2^-20.
+  Limits limits;
+  limits.Median = 160.0 * 0x1p-21;
+  CompareScene("160 sheets", scene, 120, limits);
+  const double most = scene.GetBuffer("BoundaryCount")->GetScalarRange()[1];
+  std::cout << "  " << most << " boundaries on one pixel\n";
+  Check(most > 130.0, "some lists take several draws");
+  const Buffers whole = scene.CopyBuffers();
+  scene.Pass->SetMemoryLimit(1);
+  CheckSame(whole, scene.Render(), "long lists in little memory");
+}
+
+//------------------------------------------------------------------------------
+// Under wide sheets that the sun shines through, all air has the share that n layers let through.
+void TestPowerLaw()
+{
+  Scene scene(40, 30);
+  scene.AddDirectionalLight({ 0.2, 1, 0.1 });
+  const vtkSmartPointer<vtkImageData> clear = scene.Render()["Airlight"];
+  double worst = 0.0;
+  double bound = 0.0;
+  for (int n = 1; n <= 4; ++n)
+  {
+    AddGlass(scene, MakeSheet({ -2000, 300.0 + n, -2000 }, { 4000, 0, 0 }, { 0, 0, 4000 }), Red);
+    const Buffers buffers = scene.Render();
+    for (int i = 0; i < scene.Width * scene.Height; ++i)
+    {
+      const int x = i % scene.Width;
+      const int y = i / scene.Width;
+      const glm::dvec3 without = GetColour(clear, x, y);
+      const glm::dvec3 expected = glm::pow(1.0 - Red, glm::dvec3(n)) * without;
+      const glm::dvec3 error = glm::abs(GetColour(buffers.at("Airlight"), x, y) - expected);
+      const double allowed = GetValue(buffers.at("ErrorBound"), x, y);
+      worst = std::max({ worst, error.x / without.x, error.y / without.y, error.z / without.z });
+      bound = std::max(bound, std::max({ error.x, error.y, error.z }) / allowed);
+    }
+  }
+  std::cout << "power law: largest error " << worst << " of the undimmed airlight, " << bound
+            << " of the error bound\n";
+  Check(worst < 2e-6, "n layers let (1 - opacity)^n through");
+  Check(bound < 1.0, "the error bound holds");
+}
+
+//------------------------------------------------------------------------------
+// A light at infinity, a box of fog, a parallel projection.
+void TestSun()
+{
+  Scene scene;
+  scene.Medium->SetRegionToBox();
+  scene.Medium->SetBounds(-4, 4, -3, 3, -2, 4);
+  scene.AddDirectionalLight({ 0.4, 1, 0.5 });
+  AddFloorAndBall(scene);
+  AddGlass(scene, MakeSphere(1.0), Red);
+  AddGlass(scene, MakeSheet({ -2, 1.5, -1 }, { 3, 0, 0 }, { 0, 0, 3 }), Blue);
+  CompareScene("sun", scene);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(4.0);
+  CompareScene("sun in a parallel projection", scene);
+}
+}
+
+//------------------------------------------------------------------------------
+int TestTranslucentShadowLists(int, char*[])
+{
+  TestLongLists();
+  TestPowerLaw();
+  TestSun();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
