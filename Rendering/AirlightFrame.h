@@ -137,6 +137,7 @@ public:
   // The buffers of vtkAirlightPass::GetBuffer(), after that.
   bool Record();
   vtkImageData* GetBuffer(const std::string& name);
+  void ForgetBuffers() { this->Buffers.clear(); }
 
   // Step 5: into the framebuffer that is bound, with the viewport at x, y.
   bool Composite(int x, int y, bool blend);

@@ -247,6 +247,17 @@ int vtkAirlightPass::Internals::ChooseTechnique(
 }
 
 //------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::ChangesNothing(const std::vector<Lamp>& lamps, bool clear)
+{
+  const bool shadows = this->EffectiveTechnique != NONE && this->Self->SurfaceShadows;
+  return clear && this->ShownView == SHADED && !this->Self->RecordBuffers &&
+    !(this->Self->EncodedOutput && this->Self->LinearInput) && this->Self->Annotations &&
+    std::none_of(lamps.begin(), lamps.end(), [&](const Lamp& lamp) {
+      return lamp.Values.goniometric != 0 || (shadows && lamp.Scatters() && lamp.CastsShadows);
+    });
+}
+
+//------------------------------------------------------------------------------
 // Passes that take part in the mappers' shaders are named in the props' keys while they draw.
 void vtkAirlightPass::Internals::CheckOutside(const vtkRenderState* s)
 {

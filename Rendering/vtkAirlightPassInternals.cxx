@@ -164,6 +164,12 @@ bool vtkAirlightPass::Internals::RenderOnce(
     this->ReportDifference("the picture is that of the ray march itself. Use another "
                            "ShadowTechnique than RAY_MARCH");
   }
+  if (this->ChangesNothing(lamps, IsClear(converted)))
+  {
+    this->CurrentFrame.ForgetBuffers();
+    this->RenderPlain(s);
+    return true;
+  }
   const bool layers = this->ShownView == SHADED && AirlightScenePass::HasTransparent(s);
   this->MapperText.LayerRecords = ShadowLists::IsSupported(window);
   this->UpdateSurfaceShader(converted, lamps, layers);

@@ -79,6 +79,10 @@ public:
   // Speaks of passes outside that need what this one does not give.
   void CheckOutside(const vtkRenderState* s);
 
+  // Whether the picture is VTK's own: in clear air without shadows on surfaces. VTK then draws it, with
+  // the roundings of its own and with multisampling.
+  bool ChangesNothing(const std::vector<airlight::Lamp>& lamps, bool clear);
+
   // Whether the renderer asks for FXAA and the bound target, the state's, is one for it.
   bool MayAntialias(const vtkRenderState* s);
   void CheckCasters();
