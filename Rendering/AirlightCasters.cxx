@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightCasters.h"
 
+#include "AirlightCasterBlocks.h"
 #include "AirlightGlyphs.h"
 #include "AirlightMatrix.h"
 #include "vtkActor.h"
@@ -9,11 +10,7 @@
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCellArray.h"
-#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkCompositePolyDataMapper2.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
 #include "vtkGlyph3DMapper.h"
@@ -65,53 +62,6 @@ bool IsKnown(vtkMapper* mapper)
   }
   glyphs->Update();
   return HasKnownGlyphs(glyphs);
-}
-
-struct Block
-{
-  vtkPolyData* Data;
-  double Opacity; // below 0: the actor's
-};
-
-// The visible polygonal blocks below a node of a composite data set. A hidden node hides what is
-// below it, unless that is made visible of its own; so with opacity.
-void AddBlocks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attributes, bool visible,
-  double opacity, std::vector<Block>& blocks)
-{
-  if (attributes && attributes->HasBlockVisibility(node))
-  {
-    visible = attributes->GetBlockVisibility(node);
-  }
-  if (attributes && attributes->HasBlockOpacity(node))
-  {
-    opacity = std::clamp(attributes->GetBlockOpacity(node), 0.0, 1.0);
-  }
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(node))
-  {
-    auto it = vtk::TakeSmartPointer(tree->NewTreeIterator());
-    it->VisitOnlyLeavesOff();
-    it->TraverseSubTreeOff();
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      AddBlocks(it->GetCurrentDataObject(), attributes, visible, opacity, blocks);
-    }
-  }
-  else if (auto* data = vtkPolyData::SafeDownCast(node))
-  {
-    if (visible)
-    {
-      blocks.push_back({ data, opacity });
-    }
-  }
-}
-
-std::vector<Block> GetBlocks(vtkCompositeDataSet* composite, vtkMapper* mapper)
-{
-  auto* mapper2 = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
-  std::vector<Block> blocks;
-  AddBlocks(composite, mapper2 ? mapper2->GetCompositeDataDisplayAttributes() : nullptr, true, -1.0,
-    blocks);
-  return blocks;
 }
 
 vtkMTimeType GetGeometryTime(vtkPolyData* data)
@@ -232,8 +182,8 @@ CasterCache::Look CasterCache::GetLook(vtkActor* actor, vtkProp* owner)
     look.HidesFaces = true;
     look.Opacity = glm::dvec3(opacity < 1.0 ? opacity : 0.0);
   }
-  look.FromKey = ReadShadowOpacity(actor, look.Opacity, this->Error) ||
-    (owner != actor && ReadShadowOpacity(owner, look.Opacity, this->Error));
+  // VTK hands an assembly's keys to its parts while it draws them.
+  look.FromKey = ReadShadowOpacity(owner, look.Opacity, this->Error);
   return look;
 }
 
@@ -267,7 +217,7 @@ void CasterCache::AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix
   }
   else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
-    for (const Block& block : GetBlocks(composite, mapper))
+    for (const CasterBlock& block : GetBlocks(composite, mapper))
     {
       Look own = look;
       if (block.Opacity >= 0.0)

@@ -466,8 +466,8 @@ public:
   /**
    * Key for a prop's property keys: the opacity of its shadow for red, green and blue, in place of its
    * vtkProperty's; opaque props may have it, too. Range: three values from 0 (no shadow) to 1; others
-   * are reported once, and the property's opacity is taken. Of an assembly it is that of all parts
-   * without a key of their own. See SetTranslucentShadows().
+   * are reported once, and the property's opacity is taken. Of an assembly it is that of all its
+   * parts, whose own keys VTK replaces. See SetTranslucentShadows().
    * @code
    *   keys->Set(vtkAirlightPass::SHADOW_OPACITY(), 0.1, 0.8, 0.9); // red glass
    * @endcode

@@ -11,6 +11,8 @@
 #ifndef AirlightBruteForce_h
 #define AirlightBruteForce_h
 
+#include "AirlightTestIntervals.h"
+
 #include "vtkAirlight.h"
 #include "vtkLight.h"
 #include "vtkParticipatingMedium.h"
@@ -19,14 +21,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace airlighttest
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 struct Triangle
 {
   glm::dvec3 A, B, C;
@@ -41,18 +40,6 @@ struct Ray
   glm::dvec3 Origin;
   glm::dvec3 Direction; // of unit length
   double Nearest = 0.0; // where the camera's near plane lets surfaces be seen
-};
-
-struct Interval
-{
-  double From, To;
-};
-
-// A part of the ray, and the share of the light that reaches it.
-struct LitPart
-{
-  Interval Where;
-  glm::dvec3 Passes;
 };
 
 struct Answer
@@ -123,62 +110,6 @@ inline double Hit(const Triangle& t, const Ray& ray)
     !t.Stops || (t.FrontCulled && glm::dot(glm::cross(e1, e2), ray.Direction) < 0.0);
   return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > ray.Nearest && !culled ? distance
                                                                                    : Infinity;
-}
-
-//------------------------------------------------------------------------------
-// The complement of the union of intervals on [0, end].
-inline std::vector<Interval> Complement(std::vector<Interval> parts, double end)
-{
-  std::sort(parts.begin(), parts.end(),
-    [](const Interval& a, const Interval& b) { return a.From < b.From; });
-  std::vector<Interval> result;
-  double from = 0.0;
-  for (const Interval& part : parts)
-  {
-    if (part.From > from && from < end)
-    {
-      result.push_back({ from, std::min(part.From, end) });
-    }
-    from = std::max(from, part.To);
-  }
-  if (from < end)
-  {
-    result.push_back({ from, end });
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
-// Lit intervals, cut where the shadows of translucent triangles begin and end.
-inline std::vector<LitPart> Dim(
-  const std::vector<Interval>& lit, const std::vector<LitPart>& shadows)
-{
-  std::vector<LitPart> result;
-  for (const Interval& whole : lit)
-  {
-    std::vector<double> ends = { whole.From, whole.To };
-    for (const LitPart& shadow : shadows)
-    {
-      ends.push_back(std::clamp(shadow.Where.From, whole.From, whole.To));
-      ends.push_back(std::clamp(shadow.Where.To, whole.From, whole.To));
-    }
-    std::sort(ends.begin(), ends.end());
-    for (size_t i = 1; i < ends.size(); ++i)
-    {
-      LitPart part = { { ends[i - 1], ends[i] }, glm::dvec3(1.0) };
-      for (const LitPart& shadow : shadows)
-      {
-        const bool inside =
-          shadow.Where.From <= part.Where.From && shadow.Where.To >= part.Where.To;
-        part.Passes *= inside ? shadow.Passes : glm::dvec3(1.0);
-      }
-      if (part.Where.From < part.Where.To)
-      {
-        result.push_back(part);
-      }
-    }
-  }
-  return result;
 }
 
 //------------------------------------------------------------------------------

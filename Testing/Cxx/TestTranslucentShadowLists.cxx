@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Translucent casters in lists of boundaries that take several draws, in the light of the sun, and
-// the power law of layers.
+// Translucent casters in lists of boundaries that take several draws, in the light of the sun, as
+// blocks and in assemblies, and the power law of layers.
 
 #include "AirlightTestGlass.h"
 #include "AirlightTestTools.h"
+
+#include "vtkAssembly.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper2.h"
+#include "vtkMultiBlockDataSet.h"
 
 #include <cstdlib>
 
@@ -95,6 +100,69 @@ void TestSun()
   scene.Renderer->GetActiveCamera()->SetParallelScale(4.0);
   CompareScene("sun in a parallel projection", scene);
 }
+
+//------------------------------------------------------------------------------
+// To the reference only: triangles that rays go through.
+void AddShadow(
+  Scene& scene, vtkPolyData* data, const glm::dvec3& opacity, const glm::dvec3& shift, bool stops)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int i = 0; i < 3; ++i)
+  {
+    matrix->SetElement(i, 3, shift[i]);
+  }
+  for (Triangle t : GetTriangles(data, matrix))
+  {
+    t.Opacity = opacity;
+    t.Stops = stops;
+    scene.Triangles.push_back(t);
+  }
+}
+
+// An opaque block beside a translucent one.
+void TestBlocks(Scene& scene)
+{
+  Restart(scene);
+  scene.AddPointLight({ 1, 4.5, 2 });
+  const auto ball = MakeSphere(0.5);
+  const auto sheet = MakeSheet({ -1, 1.5, 0 }, { 2.5, 0, 0 }, { 0, 0.2, 2.5 });
+  vtkNew<vtkMultiBlockDataSet> root;
+  root->SetBlock(0, ball);
+  root->SetBlock(1, sheet);
+  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  mapper->SetInputDataObject(root);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  mapper->SetBlockOpacity(2, 0.3);
+  scene.Renderer->AddActor(Scene::MakeActor(mapper));
+  AddShadow(scene, ball, glm::dvec3(1.0), glm::dvec3(0.0), true);
+  AddShadow(scene, sheet, glm::dvec3(0.3), glm::dvec3(0.0), false);
+  CompareScene("blocks", scene);
+}
+
+// The key of an assembly is that of its parts; VTK hands it to them, in place of their own.
+void TestAssembly(Scene& scene)
+{
+  Restart(scene);
+  scene.AddPointLight({ 1, 4.5, 2 });
+  const auto ball = MakeSphere(0.5);
+  const glm::dvec3 places[2] = { { 0.8, 0.5, 1 }, { 0, 1.4, 1.5 } };
+  vtkNew<vtkAssembly> assembly;
+  for (const glm::dvec3& place : places)
+  {
+    const vtkSmartPointer<vtkActor> part = Scene::MakeActor(ball);
+    part->SetPosition(place.x, place.y, place.z);
+    part->GetProperty()->SetOpacity(0.5);
+    SetShadowOpacity(part, Blue);
+    assembly->AddPart(part);
+  }
+  SetShadowOpacity(assembly, Red);
+  scene.Renderer->AddViewProp(assembly);
+  AddShadow(scene, ball, Red, places[0], false);
+  AddShadow(scene, ball, Red, places[1], false);
+  CompareScene("assembly", scene);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -103,5 +171,8 @@ int TestTranslucentShadowLists(int, char*[])
   TestLongLists();
   TestPowerLaw();
   TestSun();
+  Scene scene;
+  TestBlocks(scene);
+  TestAssembly(scene);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
