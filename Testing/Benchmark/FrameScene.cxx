@@ -5,11 +5,14 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkAirlight.h"
+#include "vtkAirlightReference.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -20,6 +23,30 @@
 
 namespace benchmarks
 {
+namespace
+{
+constexpr int ErrorWidth = 160; // of the pictures that errors are measured in
+constexpr int ErrorHeight = 120;
+
+// The root of the mean squared difference over the mean of what is expected.
+double GetRelativeError(vtkDataArray* found, vtkDataArray* expected)
+{
+  double squares = 0.0;
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < expected->GetNumberOfTuples(); ++i)
+  {
+    for (int j = 0; j < expected->GetNumberOfComponents(); ++j)
+    {
+      const double difference = found->GetComponent(i, j) - expected->GetComponent(i, j);
+      squares += difference * difference;
+      sum += expected->GetComponent(i, j);
+    }
+  }
+  const auto count = static_cast<double>(expected->GetNumberOfValues());
+  return std::sqrt(squares / count) / (sum / count);
+}
+}
+
 //------------------------------------------------------------------------------
 Way MakePlain()
 {
@@ -160,5 +187,32 @@ vtkSmartPointer<vtkImageData> FrameScene::RecordAirlight(const Way& way)
   image->DeepCopy(this->Pass->GetBuffer("Airlight"));
   this->Pass->RecordBuffersOff();
   return image;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, double> FrameScene::MeasureErrors(const std::vector<Way>& ways)
+{
+  vtkNew<vtkAirlightReference> reference;
+  reference->SetRenderer(this->Renderer);
+  reference->SetMedium(this->Medium);
+  reference->SetSize(ErrorWidth, ErrorHeight);
+  reference->Update();
+  vtkDataArray* expected = reference->GetOutput()->GetPointData()->GetArray("Airlight");
+
+  const int* size = this->Window->GetSize();
+  const int width = size[0];
+  const int height = size[1];
+  this->Window->SetSize(ErrorWidth, ErrorHeight);
+  std::map<std::string, double> errors;
+  for (const Way& way : ways)
+  {
+    if (!way.Plain)
+    {
+      const vtkSmartPointer<vtkImageData> found = this->RecordAirlight(way);
+      errors[way.Name] = GetRelativeError(found->GetPointData()->GetScalars(), expected);
+    }
+  }
+  this->Window->SetSize(width, height);
+  return errors;
 }
 }
