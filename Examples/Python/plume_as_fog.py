@@ -10,7 +10,7 @@ of a box of homogeneous smoke with the plume's bounds. Of equal optical depth me
 that see the plume, the mean transmittance is the same. In a box in the sun airlight has a closed
 form, which vtkAirlightPass draws and vtkAirlightReference computes. Times and differences are
 printed side by side; the picture shows density, homogeneous box, and where the box is brighter
-(red) or darker (blue).
+(orange) or darker (blue).
 """
 
 import argparse
