@@ -169,7 +169,7 @@ class TestExamples(unittest.TestCase):
         r = np.linalg.norm(position - lamp, axis=-1)
         direct = np.where(shaded, 0, 2.5 / r**3 * np.exp(-0.2 * r))[..., None] * power
         np.testing.assert_allclose(arrays["DirectIrradiance"], direct, rtol=1e-6)
-        self.assertIn(f"direct irradiance: up to {direct.max():.4f}, mean {direct.mean():.4f}", text)
+        self.assertIn(f"up to {direct.max():.4f}, mean {direct.mean():.4f} W/m^2", text)
         distance = np.linalg.norm(position - eye, axis=-1)
         np.testing.assert_allclose(arrays["Transmittance"][..., 0], np.exp(-0.2 * distance), 1e-6)
 
