@@ -4,6 +4,7 @@
 
 #include "OptionText.h"
 #include "Picture.h"
+#include "ReferencePicture.h"
 #include "SceneOptions.h"
 #include "UserError.h"
 
@@ -21,6 +22,7 @@ struct RenderOptions
   PictureSettings Picture;
   std::string Output;
   std::string Exposure;
+  bool Reference = false;
 };
 
 void Render(const RenderOptions& options)
@@ -30,6 +32,11 @@ void Render(const RenderOptions& options)
   {
     picture.Exposure =
       ParseNumber("--exposure", options.Exposure, 0.0, std::numeric_limits<double>::max());
+  }
+  if (options.Reference)
+  {
+    ComputeToFile(options.Scene.Load(), picture, options.Output);
+    return;
   }
   RenderSettings settings = options.Scene.GetSettings();
   settings.RecordBuffers = NeedsBuffers(picture, options.Output);
@@ -61,6 +68,13 @@ void AddRenderCommand(CLI::App& program)
   command->add_option(
     "--exposure", options->Exposure, "Multiply the linear values by this before they are written");
   command->get_option("--no-medium")->excludes(buffer);
+  CLI::Option* reference = command->add_flag("--reference", options->Reference,
+    "Compute the picture on the CPU in double precision, without a display; slower, and without "
+    "--ies and --glow");
+  for (const char* name : { "--no-medium", "--technique", "--steps", "--glow" })
+  {
+    reference->excludes(command->get_option(name));
+  }
   command->callback([options] { Render(*options); });
 }
 

@@ -10,8 +10,6 @@
 #include <vtkCamera.h>
 #include <vtkMath.h>
 
-#include <iostream>
-
 namespace airlight
 {
 
@@ -76,27 +74,10 @@ void SetCamera(vtkRenderer* renderer, const Scene& scene)
     camera->SetClippingRange(0.01 * distance, 10.0 * distance);
   }
 }
-}
 
-//------------------------------------------------------------------------------
-void RenderedScene::Render()
+// All but the camera, whose depth range the window's depth buffer decides on.
+RenderedScene MakeRenderer(const Scene& scene)
 {
-  const VTKMessages messages;
-  this->Window->Render();
-  if (!messages.GetFirstError().empty())
-  {
-    throw UserError("rendering failed: " + messages.GetFirstError());
-  }
-  if (!messages.GetFirstWarning().empty())
-  {
-    std::cerr << "warning: " << messages.GetFirstWarning() << std::endl;
-  }
-}
-
-//------------------------------------------------------------------------------
-RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
-{
-  CheckDisplay();
   RenderedScene built;
   built.Renderer = vtkSmartPointer<vtkRenderer>::New();
   built.Renderer->SetBackground(0.0, 0.0, 0.0);
@@ -111,6 +92,23 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
   {
     built.Renderer->AddActor(surface.Actor);
   }
+  return built;
+}
+}
+
+//------------------------------------------------------------------------------
+void RenderedScene::Render()
+{
+  const VTKMessages messages;
+  this->Window->Render();
+  ReportMessages(messages, "rendering failed");
+}
+
+//------------------------------------------------------------------------------
+RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
+{
+  CheckDisplay();
+  RenderedScene built = MakeRenderer(scene);
   if (settings.UseMedium)
   {
     built.Pass = vtkSmartPointer<vtkAirlightPass>::New();
@@ -131,6 +129,14 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
   built.Window->SetSize(scene.Width, scene.Height);
   built.Window->SetWindowName("Airlight");
   built.Window->AddRenderer(built.Renderer);
+  SetCamera(built.Renderer, scene);
+  return built;
+}
+
+//------------------------------------------------------------------------------
+RenderedScene BuildSceneWithoutWindow(const Scene& scene)
+{
+  RenderedScene built = MakeRenderer(scene);
   SetCamera(built.Renderer, scene);
   return built;
 }

@@ -48,6 +48,11 @@ struct RenderedScene
  */
 RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings);
 
+/**
+ * The same scene without a window and a pass, for vtkAirlightReference.
+ */
+RenderedScene BuildSceneWithoutWindow(const Scene& scene);
+
 }
 
 #endif

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTKMessages.h"
 
+#include "UserError.h"
+
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
 #include <cctype>
+#include <iostream>
 
 namespace airlight
 {
@@ -92,5 +95,18 @@ std::string VTKMessages::GetFirstError() const { return this->Current->Error; }
 
 //------------------------------------------------------------------------------
 std::string VTKMessages::GetFirstWarning() const { return this->Current->Warning; }
+
+//------------------------------------------------------------------------------
+void ReportMessages(const VTKMessages& messages, const std::string& meaning)
+{
+  if (!messages.GetFirstError().empty())
+  {
+    throw UserError(meaning + ": " + messages.GetFirstError());
+  }
+  if (!messages.GetFirstWarning().empty())
+  {
+    std::cerr << "warning: " << messages.GetFirstWarning() << std::endl;
+  }
+}
 
 }

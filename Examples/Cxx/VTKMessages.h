@@ -41,6 +41,12 @@ private:
   int Verbosity; // of VTK's log before
 };
 
+/**
+ * Throws UserError with the first error, after what it means to the user, if there was one, and
+ * prints the first warning.
+ */
+void ReportMessages(const VTKMessages& messages, const std::string& meaning);
+
 }
 
 #endif

@@ -8,13 +8,13 @@
 #include "FrameScene.h"
 #include "RatioReporter.h"
 
-#include "vtkImageData.h"
-
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <memory>
 
 namespace
@@ -30,13 +30,18 @@ struct Options
   std::string Markdown;
   std::string Csv;
   bool List = false;
+  bool Errors = false;
 };
 
-void Register(const SceneRecipe& recipe, const std::shared_ptr<FrameScene>& scene, int frames)
+void Register(const SceneRecipe& recipe, const std::shared_ptr<FrameScene>& scene, int frames,
+  const std::map<std::string, double>& errors)
 {
   const auto triangles = static_cast<double>(scene->CountTriangles());
   for (const Way& way : recipe.Ways)
   {
+    const auto error = errors.find(way.Name);
+    const bool hasError = error != errors.end();
+    const double errorValue = hasError ? error->second : 0.0;
     benchmark::RegisterBenchmark((recipe.Name + "|" + way.Name).c_str(),
       [=](benchmark::State& state) {
         for (auto iteration : state)
@@ -49,6 +54,10 @@ void Register(const SceneRecipe& recipe, const std::shared_ptr<FrameScene>& scen
         state.counters["triangles"] = triangles;
         state.counters["width"] = recipe.Width;
         state.counters["height"] = recipe.Height;
+        if (hasError)
+        {
+          state.counters["error"] = errorValue;
+        }
       })
       ->UseManualTime()
       ->Iterations(1)
@@ -97,7 +106,12 @@ int Run(const Options& options)
       std::cerr << recipe.Name << " ...\n";
       const auto scene = std::make_shared<FrameScene>(recipe.Width, recipe.Height);
       recipe.Fill(*scene);
-      Register(recipe, scene, options.Frames);
+      std::map<std::string, double> errors;
+      if (options.Errors)
+      {
+        errors = scene->MeasureErrors(recipe.Ways); // before the camera turns
+      }
+      Register(recipe, scene, options.Frames, errors);
       benchmark::RunSpecifiedBenchmarks(&reporter);
       benchmark::ClearRegisteredBenchmarks();
     }
@@ -127,6 +141,8 @@ int main(int argc, char* argv[])
   app.add_option("--frames", options.Frames, "Frames of each kind")->check(CLI::Range(1, 1000));
   app.add_option("--markdown", options.Markdown, "File to write the tables to");
   app.add_option("--csv", options.Csv, "File to write the figures to");
+  app.add_flag("--errors", options.Errors,
+    "Measure the error of the airlight, too, against vtkAirlightReference at 160 x 120 pixels");
   app.add_flag("--list", options.List, "Name the scenes and stop");
   CLI11_PARSE(app, argc, argv);
 

@@ -11,6 +11,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 
 #include <cmath>

@@ -5,11 +5,14 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkAirlight.h"
+#include "vtkAirlightReference.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -20,6 +23,20 @@
 
 namespace benchmarks
 {
+namespace
+{
+constexpr int ErrorWidth = 160; // of the pictures that errors are measured in
+constexpr int ErrorHeight = 120;
+
+constexpr double SameDepth = 1e-3;
+
+// Whether both see the same surface, or none: -1 stands for none.
+bool IsSame(double depth, double expected)
+{
+  return std::abs(depth - expected) <= SameDepth * std::abs(expected);
+}
+}
+
 //------------------------------------------------------------------------------
 Way MakePlain()
 {
@@ -151,14 +168,53 @@ FrameTime FrameScene::Time(const Way& way)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> FrameScene::RecordAirlight(const Way& way)
+double FrameScene::MeasureError(const Way& way, vtkPointData* expected)
 {
   this->Set(way);
   this->Pass->RecordBuffersOn();
   this->Draw();
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->DeepCopy(this->Pass->GetBuffer("Airlight"));
+  vtkDataArray* airlight = this->Pass->GetBuffer("Airlight")->GetPointData()->GetScalars();
+  vtkDataArray* depth = this->Pass->GetBuffer("Depth")->GetPointData()->GetScalars();
+  vtkDataArray* expectedAirlight = expected->GetArray("Airlight");
+  vtkDataArray* expectedDepth = expected->GetArray("Depth");
+  double squares = 0.0;
+  double sum = 0.0;
+  double count = 0.0;
+  for (vtkIdType i = 0; i < expectedAirlight->GetNumberOfTuples(); ++i)
+  {
+    for (int j = 0; j < 3 && IsSame(depth->GetTuple1(i), expectedDepth->GetTuple1(i)); ++j)
+    {
+      const double value = expectedAirlight->GetComponent(i, j);
+      squares += std::pow(airlight->GetComponent(i, j) - value, 2);
+      sum += value;
+      ++count;
+    }
+  }
   this->Pass->RecordBuffersOff();
-  return image;
+  return std::sqrt(squares / count) / (sum / count);
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, double> FrameScene::MeasureErrors(const std::vector<Way>& ways)
+{
+  vtkNew<vtkAirlightReference> reference;
+  reference->SetRenderer(this->Renderer);
+  reference->SetMedium(this->Medium);
+  reference->SetSize(ErrorWidth, ErrorHeight);
+  reference->Update();
+  const int* size = this->Window->GetSize();
+  const int width = size[0];
+  const int height = size[1];
+  this->Window->SetSize(ErrorWidth, ErrorHeight);
+  std::map<std::string, double> errors;
+  for (const Way& way : ways)
+  {
+    if (!way.Plain)
+    {
+      errors[way.Name] = this->MeasureError(way, reference->GetOutput()->GetPointData());
+    }
+  }
+  this->Window->SetSize(width, height);
+  return errors;
 }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestOpenVDB.h"
 
+#include "AirlightTestPlume.h"
+
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetSphere.h>
@@ -197,6 +199,30 @@ FloatGrid::Ptr MakeTiles()
   return grid;
 }
 
+// Smoke; where there is next to none, the background stays.
+FloatGrid::Ptr MakePlume()
+{
+  const FloatGrid::Ptr grid = MakeGrid("density");
+  const Transform::Ptr transform = Transform::createLinearTransform(PlumeVoxel);
+  const Vec3d axis(0.5 * PlumeSize[0], 0.0, 0.5 * PlumeSize[2]);
+  transform->postTranslate(PlumeVoxel * (Vec3d(0.5) - axis));
+  grid->setTransform(transform);
+  const openvdb::CoordBBox box(
+    Coord(0), Coord(PlumeSize[0] - 1, PlumeSize[1] - 1, PlumeSize[2] - 1));
+  FloatGrid::Accessor accessor = grid->getAccessor();
+  for (auto voxel = box.begin(); voxel != box.end(); ++voxel)
+  {
+    const Vec3d place = (*voxel).asVec3d() + Vec3d(0.5) - axis;
+    const double value =
+      Plume(place[0] / PlumeSize[0], place[1] / PlumeSize[1], place[2] / PlumeSize[2]);
+    if (value > 0.002)
+    {
+      accessor.setValue(*voxel, static_cast<float>(value));
+    }
+  }
+  return grid;
+}
+
 FloatGrid::Ptr MakeSparse()
 {
   constexpr int far = 2000000000;
@@ -261,5 +287,6 @@ void WriteOpenVDBFiles(const std::string& folder)
   writer.Write("nogrids.vdb", {});
   writer.Write("vectors.vdb", { MakeVectors() });
   writer.Write("onlypoints.vdb", { MakePoints() });
+  writer.Write("plume.vdb", { MakePlume() });
 }
 }

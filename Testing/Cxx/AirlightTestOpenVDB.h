@@ -59,6 +59,7 @@ constexpr double CloudWidth = 0.8;
 //   nogrids.vdb    no grids
 //   vectors.vdb    "velocity" (vec3s)
 //   onlypoints.vdb "points" (ptdataidx32)
+//   plume.vdb      "density": smoke that rises along y, see AirlightTestPlume.h
 void WriteOpenVDBFiles(const std::string& folder);
 }
 

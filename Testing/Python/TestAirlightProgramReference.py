@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""`airlight render --reference`: pictures computed on the CPU, without a display."""
+
+import json
+import os
+import unittest
+
+import numpy as np
+
+from programtest import (PROGRAM, SOURCE, ProgramTest, metrics, read_pfm, read_png, reference_file,
+                         scene_file)
+
+SCENE = scene_file("S3_ground_occluders")
+LAMP = os.path.join(SOURCE, "Testing", "Data", "Photometry", "streetlight.ies")
+
+
+class TestReference(ProgramTest):
+    def compute(self, name, *options):
+        """As render(), on a machine without a display."""
+        self.succeed("-u", "DISPLAY", PROGRAM, "render", SCENE, "--reference", "-o",
+                     self.path(name), *options, program="env")
+        return read_png(self.path(name)) if name.endswith(".png") else read_pfm(self.path(name))
+
+    def test_agrees_with_the_pass(self):
+        size = ("--size", "64x48")
+        for buffer in ("Radiance", "Airlight", "Surface", "Transmittance"):
+            computed = self.compute("computed.pfm", *size, "--buffer", buffer)
+            drawn = self.render(SCENE, "drawn.pfm", *size, "--buffer", buffer)
+            self.assertEqual(computed.shape, (48, 64, 3))
+            scores = metrics(drawn, computed)
+            with self.subTest(buffer=buffer):
+                self.assertLessEqual(scores["median"], 1e-5, scores)
+        for buffer in ("Depth", "LitLength"):
+            computed = self.compute("computed.pfm", *size, "--buffer", buffer)
+            drawn = self.render(SCENE, "drawn.pfm", *size, "--buffer", buffer)
+            self.assertEqual(computed.shape, (48, 64, 1))
+            self.assertLessEqual(np.median(np.abs(computed - drawn)), 1e-4, buffer)
+
+    def test_agrees_with_the_reference_scene(self):
+        """At the scene's own size; the files hold single precision."""
+        scores = metrics(self.compute("total.pfm"),
+                         read_pfm(reference_file("S3_ground_occluders", "total")),
+                         read_pfm(reference_file("S3_ground_occluders", "mask")))
+        self.assertLessEqual(scores["median"], 1e-7, scores)
+        self.assertLessEqual(scores["p99"], 1e-6, scores)
+
+    def test_options(self):
+        size = ("--size", "16x12")
+        linear = self.compute("a.pfm", *size)
+        np.testing.assert_allclose(self.compute("b.pfm", *size, "--exposure", "4"), 4 * linear,
+                                   1e-6)
+        exposed = self.compute("b.png", *size, "--exposure", "4")
+        self.assertLessEqual(np.abs(exposed - (4 * linear).clip(0, 1)).max(), 0.5001 / 255)
+        # Without a medium there is no airlight, and with more of it more.
+        for coefficient in ("0", "0.2"):
+            changed = self.compute("c.pfm", *size, "--buffer", "Airlight", "--absorption", "0,0,0",
+                                   "--scattering", ",".join(3 * [coefficient]))
+            self.assertEqual(changed.max() > 0, coefficient != "0")
+
+    def test_errors(self):
+        with open(SCENE) as file:
+            scene = json.load(file)
+        scene.update(surfaces=[], scattered_surface_light=True)
+        glowing = self.write("glowing.json", json.dumps(scene))
+        for scene, options, words in (
+                (SCENE, ["--glow"], ["--reference", "--glow"]),
+                (SCENE, ["--steps", "16"], ["--reference", "--steps"]),
+                (SCENE, ["--technique", "None"], ["--reference", "--technique"]),
+                (SCENE, ["--no-medium"], ["--reference", "--no-medium"]),
+                (SCENE, ["--buffer", "ErrorBound"], ["--reference", "ErrorBound"]),
+                (SCENE, ["--buffer", "BoundaryCount"], ["--reference", "BoundaryCount"]),
+                (SCENE, ["--point", "0,3,0:50", "--ies", LAMP], ["--reference", LAMP]),
+                (glowing, [], [glowing, "--reference", "scattered_surface_light"])):
+            with self.subTest(options=options):
+                self.fail_with(words, "render", scene, "--reference", *options, "-o",
+                               self.path("a.pfm"))
+                self.assertFalse(os.path.exists(self.path("a.pfm")))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[__file__])
