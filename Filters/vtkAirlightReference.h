@@ -7,8 +7,8 @@
  * What vtkAirlightPass draws, as numbers to measure it by: one ray through the middle of each pixel,
  * the exact lit parts of it from the triangles themselves, and on each of them the closed form in
  * double precision or adaptive quadrature (see vtkAirlight for their errors). Densities from images
- * (vtkParticipatingMedium::SetDensityToImage()), which the pass does not draw, are integrated
- * cell by cell. No window and no graphics card are needed:
+ * (vtkParticipatingMedium::SetDensityToImage()) are integrated cell by cell, with the exact depth on
+ * the way to the light. No window and no graphics card are needed:
  * @code
  *   reference->SetRenderer(renderer);
  *   reference->SetMedium(fog);

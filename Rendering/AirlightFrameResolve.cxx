@@ -186,8 +186,9 @@ void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists
   if (this->Settings.Record)
   {
     program->SetUniformf("phaseError", static_cast<float>(this->Settings.PhaseErrorBound));
-    program->SetUniformf(
-      "error", IsQuadrature(this->Lamps[index].Values) ? QuadratureError : ClosedFormError);
+    const Lamp& lamp = this->Lamps[index];
+    const float rule = IsQuadrature(lamp.Values) ? QuadratureError : ClosedFormError;
+    program->SetUniformf("error", rule + static_cast<float>(lamp.GridError));
   }
   if (this->Settings.LayerRecords)
   {

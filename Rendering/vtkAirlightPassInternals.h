@@ -119,6 +119,7 @@ public:
   bool WarnedLightCount = false;
   bool WarnedPhotometry = false;
   bool WarnedGlowCount = false;
+  bool WarnedGlowInImage = false;
   bool WarnedOcclusion = false;
   bool WarnedAntialiasing = false;
   std::string ReportedError;
@@ -126,6 +127,8 @@ public:
 private:
   bool RenderOnce(const vtkRenderState* s, int x, int y, int width, int height);
   bool RenderSteps(const vtkRenderState* s);
+  // Whether surfaces are lit by what the medium scatters.
+  bool IsGlowing(const airlight::f64::AirlightMedia& media) const;
   bool CollectLayers(const vtkRenderState& inner);
   void RenderDistances(const vtkRenderState& inner);
   void RenderColours(const vtkRenderState& inner);

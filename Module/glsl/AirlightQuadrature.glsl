@@ -69,6 +69,22 @@ AIRLIGHT_FN real airlightShare(AIRLIGHT_IN(AirlightLight) light, real3 point)
   return real(1.0);
 }
 
+#ifdef AIRLIGHT_GRID_STEPS
+real airlightToLight(AirlightMedium medium, AirlightLight light, real3 point); // AirlightGridRay.glsl
+#endif
+
+// Optical depth on the way to the light.
+AIRLIGHT_FN real3 airlightLightDepth(
+  AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light, real3 point)
+{
+#ifdef AIRLIGHT_GRID_STEPS
+  return media.item[0].sigmaT * airlightToLight(media.item[0], light, point);
+#else
+  return airlightIsDirectional(light) ? airlightSunDepths(media, point, light.position)
+                                      : airlightDepthBetween(media, point, light.position);
+#endif
+}
+
 // The integrand for a light at a place, but for that share: x from the light's foot, r from the
 // light.
 AIRLIGHT_FN real3 airlightPointIntegrand(AIRLIGHT_IN(AirlightMedia) media,
@@ -78,7 +94,7 @@ AIRLIGHT_FN real3 airlightPointIntegrand(AIRLIGHT_IN(AirlightMedia) media,
   real t = ray.range.x + ray.foot.tL + x;
   real3 point = ray.origin + t * ray.direction;
   real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
-    airlightDepthBetween(media, point, light.position);
+    airlightLightDepth(media, light, point);
   return airlightScattered(media, piece, point, -x / r) * exp(-depth) *
     airlightFalloff(light, point, r);
 }
@@ -90,7 +106,7 @@ AIRLIGHT_FN real3 airlightSunIntegrand(AIRLIGHT_IN(AirlightMedia) media,
 {
   real3 point = ray.origin + t * ray.direction;
   real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
-    airlightSunDepths(media, point, light.position);
+    airlightLightDepth(media, light, point);
   return airlightScattered(media, piece, point, dot(light.position, ray.direction)) * exp(-depth);
 }
 
