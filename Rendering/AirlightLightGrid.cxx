@@ -22,6 +22,11 @@ constexpr int TestPoints = 500;
 // Where less light than this is left, errors do not matter.
 constexpr double Dark = 5.0; // optical depth
 
+constexpr int MostAge = 4;
+
+// Samples that are looked at before a way is followed: it has hundreds itself.
+constexpr double MostSearched = 5000.0;
+
 // Inside by so much, in samples: ways along the image's faces are inside it.
 constexpr double Inset = 1e-6;
 
@@ -54,9 +59,10 @@ public:
     glm::dvec2 range = f64::airlightRegionRange(this->Medium.region, point, way, length);
     range = this->Grid.GetRange(point, way, range.x, range.y);
     length = std::max(range.y - range.x, 0.0);
-    const double depth = length > 0.0 ? this->Grid.Integrate(point, way, range.x, range.y) : 0.0;
     const bool any = length * glm::length(this->Grid.GetAxes() * way) > 10.0 * Inset;
-    return glm::dvec2(any ? depth / length : this->Grid.GetDensityAt(inside), length);
+    return { any ? this->Grid.Integrate(point, way, range.x, range.y) / length
+                 : this->Grid.GetDensityAt(inside),
+      length };
   }
 
   // Whether something is scattered there.
@@ -79,19 +85,43 @@ private:
 glm::ivec3 GetSize(const DensityGrid& grid, int longest)
 {
   const glm::dmat3 steps = glm::inverse(grid.GetAxes());
-  glm::dvec3 sides;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    sides[axis] = glm::length(steps[axis]) * grid.GetLast()[axis];
-  }
+  const glm::dvec3 sides = grid.GetLast() *
+    glm::dvec3(glm::length(steps[0]), glm::length(steps[1]), glm::length(steps[2]));
   const double most = std::max({ sides.x, sides.y, sides.z });
   return glm::max(glm::ivec3(glm::ceil(sides / most * (longest - 1.0))), 1) + 1;
 }
 
+// Whether the medium is in a cell that a point of the light's grid belongs to. `scale` is from points
+// to samples.
+bool IsNeeded(const DensityGrid& grid, const glm::dvec3& node, const glm::dvec3& scale)
+{
+  const glm::ivec3 size = glm::ivec3(grid.GetLast()) + 1;
+  const glm::ivec3 low = glm::max(glm::ivec3(glm::floor((node - 1.0) * scale)), 0);
+  const glm::ivec3 high = glm::min(glm::ivec3(glm::ceil((node + 1.0) * scale)), size - 1);
+  const glm::ivec3 count = high - low + 1;
+  if (static_cast<double>(count.x) * count.y * count.z > MostSearched)
+  {
+    return true;
+  }
+  for (int k = low.z; k <= high.z; ++k)
+  {
+    for (int j = low.y; j <= high.y; ++j)
+    {
+      const double* row = &grid.GetSamples()[(static_cast<size_t>(k) * size.y + j) * size.x];
+      if (std::any_of(row + low.x, row + high.x + 1, [](double value) { return value > 0.0; }))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// 0 where nothing is scattered.
 std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size)
 {
   std::vector<double> means(static_cast<size_t>(size.x) * size.y * size.z);
-  const glm::dvec3 step = ways.GetGrid().GetLast() / glm::dvec3(size - 1);
+  const glm::dvec3 step = ways.GetGrid().GetLast() / glm::dvec3(size - 1); // samples
   vtkSMPTools::For(0, static_cast<vtkIdType>(size.y) * size.z, 1, [&](vtkIdType a, vtkIdType b) {
     for (vtkIdType row = a; row < b; ++row)
     {
@@ -99,7 +129,11 @@ std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size)
         0.0, static_cast<double>(row % size.y), static_cast<double>(row / size.y));
       for (int i = 0; i < size.x; ++i)
       {
-        means[row * size.x + i] = ways.Measure(step * (first + glm::dvec3(i, 0.0, 0.0))).x;
+        const glm::dvec3 node = first + glm::dvec3(i, 0.0, 0.0);
+        if (IsNeeded(ways.GetGrid(), node, step))
+        {
+          means[row * size.x + i] = ways.Measure(step * node).x;
+        }
       }
     }
   });
@@ -248,12 +282,12 @@ const LightGrid& LightGrids::GetLight(
       same(region.boxMin, there.region.boxMin) && same(region.boxMax, there.region.boxMax) &&
       same(region.centre, there.region.centre) && region.radius == there.region.radius)
     {
-      entry->Used = true;
+      entry->Age = 0;
       return entry->Values;
     }
   }
-  this->Entries.push_back(std::make_unique<Entry>(Entry{ there.region, medium.sigmaT, lamp.position,
-    directional, true, LightGrid::Build(there, lamp) }));
+  this->Entries.push_back(std::make_unique<Entry>(Entry{
+    there.region, medium.sigmaT, lamp.position, directional, 0, LightGrid::Build(there, lamp) }));
   return this->Entries.back()->Values;
 }
 
@@ -261,11 +295,7 @@ const LightGrid& LightGrids::GetLight(
 void LightGrids::Forget()
 {
   this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
-                        [](const std::unique_ptr<Entry>& entry) { return !entry->Used; }),
+                        [](const std::unique_ptr<Entry>& entry) { return ++entry->Age > MostAge; }),
     this->Entries.end());
-  for (const std::unique_ptr<Entry>& entry : this->Entries)
-  {
-    entry->Used = false;
-  }
 }
 }

@@ -42,7 +42,7 @@ public:
   const LightGrid& GetLight(
     const f64::AirlightMedium& medium, const f64::AirlightLight& light, const glm::dvec3& eye);
 
-  // Forgets what has not been asked for since the last call.
+  // Forgets what has not been asked for in the last few frames: renderers may share a pass.
   void Forget();
 
 private:
@@ -52,7 +52,7 @@ private:
     glm::dvec3 SigmaT;
     glm::dvec3 Position;
     bool Directional;
-    bool Used;
+    int Age; // calls of Forget() since it was asked for
     LightGrid Values;
   };
 

@@ -9,6 +9,9 @@
 #define AIRLIGHT_PART_TURN 0.8
 #define AIRLIGHT_MOST_PARTS 40.0
 
+// No ray has more: twelve edges of the region and of the image.
+#define AIRLIGHT_MOST_KINKS 24
+
 // Beyond this optical depth nothing counts.
 #define AIRLIGHT_GRID_DARK 20.0
 
@@ -103,18 +106,44 @@ real3 airlightInterval3InCell(AirlightMedium medium, AirlightLight light, Airlig
   return width * sum;
 }
 
+// Where after t the way to the light begins to leave region or image through another face, else t1. An
+// image is a box in its own coordinates, in which straight ways stay straight.
+real airlightNextGridKink(
+  AirlightMedia media, AirlightLight light, AirlightRay ray, real t, real t1)
+{
+  AirlightGrid grid = media.item[0].grid;
+  AirlightRegion box = media.item[0].region;
+  bool directional = airlightIsDirectional(light);
+  real3 there = grid.axes * light.position + (directional ? real3(0.0) : grid.start);
+  if (!directional && airlightHolds(box, light.position) &&
+    all(greaterThanEqual(there, real3(0.0))) && all(lessThanEqual(there, grid.last)))
+  {
+    return t1;
+  }
+  AirlightWay way = airlightWay(light, ray);
+  t1 = airlightNextKink(media, way, t, t1);
+  way.origin = grid.axes * way.origin + (directional ? grid.start : real3(0.0));
+  way.direction = grid.axes * way.direction;
+  way.light = there;
+  box.boxMin = real3(0.0);
+  box.boxMax = grid.last;
+  return airlightBoxKink(box, way, t + 1e-6 * (t1 - t), t1);
+}
+
 // The integral over [t0, t1], sigmaS included; `before` is the density's integral up to t0.
 real3 airlightGridInterval(
-  AirlightMedium medium, AirlightLight light, AirlightRay ray, real t0, real before, real t1)
+  AirlightMedia media, AirlightLight light, AirlightRay ray, real t0, real before, real t1)
 {
+  AirlightMedium medium = media.item[0];
   AirlightWalk walk = airlightWalk(medium.grid, ray.origin, ray.direction, t0, t1);
   real3 sum = real3(0.0);
   real most = max(medium.sigmaT.x, max(medium.sigmaT.y, medium.sigmaT.z));
   real dark = AIRLIGHT_GRID_DARK / airlightLeastExtinction(medium);
-  int cells = airlightMostCells(walk);
+  int cells = airlightMostCells(walk) + AIRLIGHT_MOST_KINKS;
+  real kink = airlightNextGridKink(media, light, ray, walk.t, walk.end);
   for (int i = 0; i < cells && walk.t < walk.end && before < dark; i++)
   {
-    real end = airlightCellEnd(walk);
+    real end = min(airlightCellEnd(walk), kink);
     AirlightCell cell = airlightCell(medium.grid.first, walk.size, walk.cell);
     real4 larger = max(cell.low, cell.high);
     real largest = max(max(larger.x, larger.y), max(larger.z, larger.w));
@@ -129,6 +158,10 @@ real3 airlightGridInterval(
         (cubic.x + 0.5 * cubic.y + cubic.z / 3.0 + 0.25 * cubic.w);
     }
     airlightEnterNext(walk, end);
+    if (walk.t >= kink)
+    {
+      kink = airlightNextGridKink(media, light, ray, walk.t, walk.end);
+    }
   }
   return medium.sigmaS * sum;
 }

@@ -118,7 +118,7 @@ AIRLIGHT_FN real3 airlightInterval3(AIRLIGHT_IN(AirlightMedia) media,
 {
   real3 integral;
 #ifdef AIRLIGHT_GRID_STEPS
-  integral = airlightGridInterval(media.item[0], light, ray, t0, tail0.x, t1);
+  integral = airlightGridInterval(media, light, ray, t0, tail0.x, t1);
 #else
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED)
   {

@@ -106,8 +106,8 @@ void TestUpdates()
   FillCloud(image, 5);
   DensityScene scene(image);
   vtkLight* lamp = scene.AddPointLight({ 0.5, 2.2, -1.5 });
-  const double median = 1e-3;
-  const double p99 = 1e-2;
+  const double median = 5e-4;
+  const double p99 = 5e-3;
   scene.Compare("a cloud", median, p99);
   FillCloud(image, 6);
   scene.Compare("another cloud", median, p99);
@@ -123,7 +123,7 @@ void TestUpdates()
   scene.Compare("cut by a sphere", median, p99);
   scene.Pass->SetShadowTechniqueToRayMarch();
   scene.Pass->SetNumberOfSteps(256);
-  scene.Compare("marched", 5e-3, 5e-2);
+  scene.Compare("marched", median, p99);
 }
 }
 
