@@ -21,12 +21,12 @@ constexpr int Largest = 65;
 constexpr int TestPoints = 500;
 // Where less light than this is left, errors do not matter.
 constexpr double Dark = 5.0; // optical depth
-
 constexpr int MostAge = 4;
+// Density that single precision can reckon with, and through which nothing is seen.
+constexpr double Opaque = 1e25;
 
 // Samples that are looked at before a way is followed: it has hundreds itself.
 constexpr double MostSearched = 5000.0;
-
 // Inside by so much, in samples: ways along the image's faces are inside it.
 constexpr double Inset = 1e-6;
 
@@ -160,10 +160,8 @@ double Interpolate(const std::vector<double>& means, const glm::ivec3& size, con
 double Spread(int i, int base)
 {
   double value = 0.0;
-  double place = 1.0;
-  for (; i > 0; i /= base)
+  for (double place = 1.0 / base; i > 0; i /= base, place /= base)
   {
-    place /= base;
     value += place * (i % base);
   }
   return value;
@@ -227,7 +225,7 @@ LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::Airligh
 Texels PackSamples(const std::vector<double>& samples, const glm::ivec3& size)
 {
   const auto at = [&](int i, int j, int k) {
-    return samples[(static_cast<size_t>(k) * size.y + j) * size.x + i];
+    return std::min(samples[(static_cast<size_t>(k) * size.y + j) * size.x + i], Opaque);
   };
   auto texels = std::make_shared<std::vector<glm::dvec4>>();
   texels->reserve(static_cast<size_t>(size.x - 1) * (size.y - 1) * size.z);

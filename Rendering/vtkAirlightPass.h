@@ -73,13 +73,13 @@
  *  - At most eight media; where they overlap, their coefficients add.
  *  - A medium whose density is an image (vtkParticipatingMedium::SetDensityToImage()) must be the only
  *    one and its region no closed surface, or an error says so. Rays are followed from cell to cell,
- *    between the same boundaries of shadows as in other media, with steps as short as density and light
- *    ask for. What a light loses on its way comes from a grid of its own, of at most 65 points along
- *    the image's longest side, refined until it is good for 1e-3, and computed on the CPU whenever the
- *    light, the image or the medium changes: some milliseconds where the image is smooth, a second
- *    where it is not. On surfaces what arrives is exact. A frame takes several times as long as in
- *    a uniform box, in proportion to the image's points along a ray. SetScatteredSurfaceLight() has
- *    no effect there, and one warning says so.
+ *    between the same boundaries of shadows as in other media, in steps as short as density and light
+ *    ask for; cells of an optical depth above 20 look darker than they are. What a light loses on its
+ *    way comes from a grid of its own, of at most 65 points along the image's longest side, refined
+ *    until it is good for 1e-3, and computed on the CPU whenever light, image or medium change: some
+ *    milliseconds for smooth images, a second for others. What arrives on surfaces is exact. A frame
+ *    takes up to some times as long as in a uniform box, in proportion to the image's points on a ray.
+ *    SetScatteredSurfaceLight() has no effect there, and one warning says so.
  *  - A layer that keeps the depth of those below (vtkRenderer::SetPreserveDepthBuffer()) is drawn
  *    over them. Over other layers the medium is as opaque as the mean of its colours.
  *  - Exact volumetric shadows need OpenGL 4.3, polygons that cast and not too many of them; else

@@ -87,6 +87,10 @@ void TestClouds()
   vtkLight* lamp = scene.AddPointLight({ 0.5, 2.2, -1.5 });
   scene.AddBodies();
   scene.Compare("cloud, lamp inside", Median, P99);
+  scene.Pass->SetShadowTechniqueToShadowMap();
+  // What maps of shadows miss is not in the bound: airlight only.
+  scene.Compare("cloud, shadow map", 1e-3, 5e-2, false);
+  scene.Pass->SetShadowTechniqueToShadowPlanes();
   scene.Look({ 0.3, 0.5, 1.5 }, { 0, 0, -4 });
   scene.Compare("cloud, camera inside", Median, P99);
   scene.Look({ 0, 1, 10 }, { 0, 0, 0 });

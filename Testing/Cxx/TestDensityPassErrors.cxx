@@ -87,6 +87,18 @@ void CheckValues(DensityScene& scene)
     Check(GetTransmittance(scene) == 1.0, name + ": the medium is nowhere");
     CheckText(errors, name, name);
   }
+  values->SetComponent(4, 0, 1e100);
+  scene.Image->Modified();
+  scene.Window->Render();
+  for (int pixel = 0; pixel < scene.Width * scene.Height; ++pixel)
+  {
+    const glm::dvec3 colour =
+      GetColour(scene.GetBuffer("Radiance"), pixel % scene.Width, pixel / scene.Width);
+    if (!Check(std::isfinite(colour.x + colour.y + colour.z), "huge values: radiance is finite"))
+    {
+      break;
+    }
+  }
   values->SetComponent(4, 0, 1.0);
   scene.Image->Modified();
   Check(GetTransmittance(scene) < 0.9, "a mended image is drawn");

@@ -115,6 +115,17 @@ void TestUpdates()
   scene.Compare("a moved cloud", median, p99);
   lamp->SetPosition(-1.0, 0.5, 2.0);
   scene.Compare("a moved lamp", median, p99);
+  // A pane before half of the cloud that fills the picture: no pixels at edges.
+  vtkNew<vtkPlaneSource> pane;
+  pane->SetOrigin(-20, -20, 0.5);
+  pane->SetPoint1(20, -20, -0.5);
+  pane->SetPoint2(-20, 20, 0.5);
+  vtkActor* glass = scene.Add(pane);
+  glass->GetProperty()->SetOpacity(0.4);
+  scene.Compare("with a pane", median, p99);
+  CheckErrors("pane in a cloud, Radiance", scene.GetBuffer("Radiance"),
+    scene.Reference->GetOutput()->GetPointData()->GetArray("Radiance"), median, p99);
+  scene.Renderer->RemoveActor(glass);
   scene.Medium->SetRegionToBox();
   scene.Medium->SetBounds(-2, 1.5, -2, 1.0, -1, 3);
   scene.Compare("cut by a box", median, p99);
