@@ -12,8 +12,8 @@ namespace airlight
 {
 namespace
 {
-// Grids are refined until optical depths between their points are no more wrong than this, up to the
-// largest grid: points along the image's longest side.
+// Grids are refined until optical depths between their points are no more wrong than this, up to
+// the largest grid: points along the image's longest side.
 constexpr double Tolerance = 1e-3;
 constexpr int Smallest = 5;
 constexpr int Largest = 65;
@@ -91,8 +91,8 @@ glm::ivec3 GetSize(const DensityGrid& grid, int longest)
   return glm::max(glm::ivec3(glm::ceil(sides / most * (longest - 1.0))), 1) + 1;
 }
 
-// Whether the medium is in a cell that a point of the light's grid belongs to. `scale` is from points
-// to samples.
+// Whether the medium is in a cell that a point of the light's grid belongs to. `scale` is from
+// points to samples.
 bool IsNeeded(const DensityGrid& grid, const glm::dvec3& node, const glm::dvec3& scale)
 {
   const glm::ivec3 size = glm::ivec3(grid.GetLast()) + 1;

@@ -3,10 +3,11 @@
 /**
  * What light loses on its way through a medium whose density is an image, for the shaders.
  *
- * On a regular grid in the image: the mean density of the way from each point to the light, as far as
- * it is in the medium. Unlike the optical depth, which is that times the way's length, the mean is
- * constant where the density is, and has no singularity at the light and no kinks where ways begin to
- * leave through another face; so a grid coarser than the image will do, and linear interpolation.
+ * On a regular grid in the image: the mean density of the way from each point to the light, as far
+ * as it is in the medium. Unlike the optical depth, which is that times the way's length, the mean
+ * is constant where the density is, and has no singularity at the light and no kinks where ways
+ * begin to leave through another face; so a grid coarser than the image will do, and linear
+ * interpolation.
  */
 
 #ifndef AirlightLightGrid_h

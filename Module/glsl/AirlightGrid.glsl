@@ -1,6 +1,6 @@
 // Density from the samples of an image, in shaders: trilinear between them, 0 outside. By hand:
-// textures interpolate with 8 bits of fraction. AirlightDensityGrid.h is the same in double precision
-// for the CPU.
+// textures interpolate with 8 bits of fraction. AirlightDensityGrid.h is the same in double
+// precision for the CPU.
 
 struct AirlightGrid
 {

@@ -1,9 +1,10 @@
-// Airlight in one medium whose density is an image, in shaders: cell by cell, with Gauss and Legendre's
-// three nodes on parts of a cell so short that they are good for 1e-5. What a light loses on its way is
-// the mean density between, interpolated from a coarser grid (AirlightLightGrid.h), times the length.
+// Airlight in one medium whose density is an image, in shaders: cell by cell, with Gauss and
+// Legendre's three nodes on parts of a cell so short that they are good for 1e-5. What a light
+// loses on its way is the mean density between, interpolated from a coarser grid
+// (AirlightLightGrid.h), times the length.
 
-// Of a part: of what it changes the optical depth by, of its length over the distance from the light,
-// and of v = asinh(x/h) near the light.
+// Of a part: of what it changes the optical depth by, of its length over the distance from the
+// light, and of v = asinh(x/h) near the light.
 #define AIRLIGHT_PART_DEPTH 1.0
 #define AIRLIGHT_PART_SLANT 0.3
 #define AIRLIGHT_PART_TURN 0.8
@@ -106,8 +107,8 @@ real3 airlightInterval3InCell(AirlightMedium medium, AirlightLight light, Airlig
   return width * sum;
 }
 
-// Where after t the way to the light begins to leave region or image through another face, else t1. An
-// image is a box in its own coordinates, in which straight ways stay straight.
+// Where after t the way to the light begins to leave region or image through another face, else t1.
+// An image is a box in its own coordinates, in which straight ways stay straight.
 real airlightNextGridKink(
   AirlightMedia media, AirlightLight light, AirlightRay ray, real t, real t1)
 {

@@ -70,7 +70,7 @@ AIRLIGHT_FN real airlightShare(AIRLIGHT_IN(AirlightLight) light, real3 point)
 }
 
 #ifdef AIRLIGHT_GRID_STEPS
-real airlightToLight(AirlightMedium medium, AirlightLight light, real3 point); // AirlightGridRay.glsl
+real airlightToLight(AirlightMedium medium, AirlightLight light, real3 point); // AirlightGridRay
 #endif
 
 // Optical depth on the way to the light.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Images of density in a scene, and the comparison of what the pass draws with vtkAirlightReference.
+ * Images of density in a scene, and the comparison of what the pass draws with
+ * vtkAirlightReference.
  */
 
 #ifndef AirlightTestDensity_h
@@ -113,8 +114,8 @@ struct Quantiles
   double P99;
 };
 
-// Relative errors of a buffer's pixels, those of less than a thousandth of the brightest against that.
-// Where nothing is expected there must be nothing, and that does not count.
+// Relative errors of a buffer's pixels, those of less than a thousandth of the brightest against
+// that. Where nothing is expected there must be nothing, and that does not count.
 inline Quantiles GetErrors(vtkImageData* drawn, vtkDataArray* expected)
 {
   Quantiles result{ Infinity, Infinity };

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A cloud from an image, lit from behind and above through a row of boards: their shadows run through
-// the cloud, and its own falls on the floor, brown where blue has been scattered out. A small picture
-// of it is compared with vtkAirlightReference, the large one with its baseline.
+// A cloud from an image, lit from behind and above through a row of boards: their shadows run
+// through the cloud, and its own falls on the floor, brown where blue has been scattered out. A
+// small picture of it is compared with vtkAirlightReference, the large one with its baseline.
 
 #include "AirlightTestDensity.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Images of density in vtkAirlightPass: an image of ones against the uniform box by its closed form and
-// against vtkAirlightReference, clouds against vtkAirlightReference.
+// Images of density in vtkAirlightPass: an image of ones against the uniform box by its closed form
+// and against vtkAirlightReference, clouds against vtkAirlightReference.
 
 #include "AirlightTestDensity.h"
 

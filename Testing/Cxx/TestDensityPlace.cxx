@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Images of density in vtkAirlightPass are where VTK draws a volume of the same image, are clipped by
-// the medium's region, and follow what becomes of image, light and medium.
+// Images of density in vtkAirlightPass are where VTK draws a volume of the same image, are clipped
+// by the medium's region, and follow what becomes of image, light and medium.
 
 #include "AirlightTestDensity.h"
 
