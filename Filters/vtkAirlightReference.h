@@ -7,8 +7,8 @@
  * What vtkAirlightPass draws, as numbers to measure it by: one ray through the middle of each pixel,
  * the exact lit parts of it from the triangles themselves, and on each of them the closed form in
  * double precision or adaptive quadrature (see vtkAirlight for their errors). Densities from images
- * (vtkParticipatingMedium::SetDensityToImage()), which the pass does not draw, are integrated
- * cell by cell. No window and no graphics card are needed:
+ * (vtkParticipatingMedium::SetDensityToImage()) are integrated cell by cell, with the exact depth on
+ * the way to the light. No window and no graphics card are needed:
  * @code
  *   reference->SetRenderer(renderer);
  *   reference->SetMedium(fog);
@@ -31,7 +31,7 @@
  * are shaded as VTK's mappers shade them, from Phong's properties, normals of points or cells, scalars
  * mapped before interpolation, and lights with their attenuation; culling and clipping planes hide
  * them. Translucent surfaces are blended in order, each behind the medium before it; they cast no
- * shadows, and of two at the same distance one is seen. Textures, physically based shading, wireframes,
+ * shadows (as in a pass after SetTranslucentShadows(false)), and of two at the same distance one is seen. Textures, physically based shading, wireframes,
  * points and lines, glyphs, volumes and other props, and what vtkCompositePolyDataMapper2 says of
  * single blocks are left out or shaded plainly: one warning each time names them. The pass's
  * photometric files, scattered surface light, and encoded input are not known here. The colours of a

@@ -152,6 +152,22 @@ double DensityGrid::GetDensity(const glm::dvec3& point) const
 }
 
 //------------------------------------------------------------------------------
+double DensityGrid::GetDensityAt(const glm::dvec3& samples) const
+{
+  const glm::dvec3 p = glm::clamp(samples, glm::dvec3(0.0), this->GetLast());
+  return this->Interpolate(glm::min(glm::ivec3(p), this->Size - 2), p);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec2 DensityGrid::GetRange(
+  const glm::dvec3& origin, const glm::dvec3& direction, double from, double to) const
+{
+  Line line;
+  return this->Clip(origin, direction, from, to, line) ? glm::dvec2(line.From, line.To)
+                                                       : glm::dvec2(from, from);
+}
+
+//------------------------------------------------------------------------------
 bool DensityGrid::Clip(
   const glm::dvec3& origin, const glm::dvec3& direction, double from, double to, Line& line) const
 {

@@ -32,6 +32,12 @@ public:
   static std::shared_ptr<const DensityGrid> Build(vtkImageData* image, std::string& error);
 
   double GetDensity(const glm::dvec3& point) const;
+  // The same at a place in samples, moved into the image.
+  double GetDensityAt(const glm::dvec3& samples) const;
+
+  // The part of [from, to] of a ray that is inside the image; x >= y: none.
+  glm::dvec2 GetRange(
+    const glm::dvec3& origin, const glm::dvec3& direction, double from, double to) const;
 
   // Integral of the density on the part [from, to] of a ray of unit direction.
   double Integrate(
@@ -48,9 +54,15 @@ public:
 
   // Coordinates in units of samples, counted from the first one.
   glm::dvec3 ToSamples(const glm::dvec3& point) const { return this->Axes * (point - this->First); }
+  glm::dvec3 ToWorld(const glm::dvec3& samples) const
+  {
+    return this->First + glm::inverse(this->Axes) * samples;
+  }
   const glm::dmat3& GetAxes() const { return this->Axes; }
   // Of the last sample.
   glm::dvec3 GetLast() const { return glm::dvec3(this->Size - 1); }
+  // x fastest.
+  const std::vector<double>& GetSamples() const { return this->Samples; }
 
 private:
   // A ray in units of samples, counted from the first one, cut to the image.

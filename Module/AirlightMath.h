@@ -32,9 +32,10 @@
 #define AIRLIGHT_HAS_PHOTOMETRY 1
 // So do images of density, in world coordinates.
 #define AIRLIGHT_HAS_GRID 1
-#define AIRLIGHT_GRID_MEMBER \
-  const DensityGrid* grid;   \
-  glm::dvec3 gridOrigin; /* the origin of coordinates in the world */
+#define AIRLIGHT_GRID_MEMBER                                          \
+  const DensityGrid* grid;                                            \
+  glm::dvec3 gridOrigin; /* the origin of coordinates in the world */ \
+  int gridFirst;         /* texel of the samples on a graphics card */
 #define AIRLIGHT_GRID_DENSITY(medium, point) \
   real((medium).grid->GetDensity((medium).gridOrigin + glm::dvec3(point)))
 #define AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to) \

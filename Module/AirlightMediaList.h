@@ -70,7 +70,30 @@ public:
         " are drawn: the first ones are. Call RemoveMedium() for those not needed.";
   }
 
-  // Empty, or why graphics cards cannot draw them.
+  // Empty, or why the pass cannot draw them.
+  std::string CheckImages() const
+  {
+    const char* remedy = "; choose another density, or compute the picture with "
+                         "vtkAirlightReference";
+    for (int i = 0; i < this->GetSize(); ++i)
+    {
+      const bool image = this->Get(i)->GetDensity() == vtkParticipatingMedium::IMAGE;
+      if (image && this->GetSize() > 1)
+      {
+        return "medium " + std::to_string(i) + " of " + std::to_string(this->GetSize()) +
+          " has its density from an image, and such a medium must be the only one" + remedy;
+      }
+      if (image && this->Get(i)->GetRegion() == vtkParticipatingMedium::SURFACE)
+      {
+        return "medium " + std::to_string(i) +
+          " has its density from an image inside a closed surface, which is not drawn" + remedy +
+          ", or make the image 0 outside the surface and the region another one";
+      }
+    }
+    return "";
+  }
+
+  // Empty, or why vtkAirlightPolyDataMapper cannot draw them.
   std::string CheckDensities() const
   {
     for (int i = 0; i < this->GetSize(); ++i)
@@ -78,9 +101,9 @@ public:
       if (this->Get(i)->GetDensity() == vtkParticipatingMedium::IMAGE)
       {
         return "medium " + std::to_string(i) +
-          " has its density from an image, which is not drawn yet; choose another density, or "
-          "compute "
-          "the picture with vtkAirlightReference";
+          " has its density from an image, which this mapper does not draw; choose another "
+          "density, "
+          "or use vtkAirlightPass";
       }
     }
     return "";

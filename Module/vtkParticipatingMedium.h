@@ -349,8 +349,9 @@ public:
    * or there is none, an error is reported when the medium is used, which then is nowhere. Call
    * Modified() of the image after a change of its scalars. Default: none.
    *
-   * For vtkAirlight and vtkAirlightReference; vtkAirlightPass and vtkAirlightPolyDataMapper do not draw
-   * such media yet and say so.
+   * vtkAirlight and vtkAirlightReference take any number of such media. vtkAirlightPass draws one, alone
+   * and not inside a closed surface (see its limits and its "ErrorBound"), with 16 bytes for each point
+   * on the graphics card; vtkAirlightPolyDataMapper none. What they do not draw they say.
    */
   void SetDensityImage(vtkImageData* image);
   vtkImageData* GetDensityImage();

@@ -38,7 +38,7 @@ bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipa
 {
   this->OverBudget = false;
   this->TakesReference = false;
-  return UploadData(this->Data, window, media, converted, lamps) ||
+  return UploadData(this->Data, &this->Grids, window, media, converted, lamps) ||
     this->Fail(this->Data.GetError());
 }
 

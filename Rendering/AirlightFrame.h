@@ -201,6 +201,7 @@ private:
 
   Targets Textures;
   SceneData Data;
+  LightGrids Grids;
   ShadowLists Boundaries;
   LayerRecords LayerLists;
   CasterCache Casters;

@@ -171,7 +171,8 @@ std::string Frame::GetResolveSource(int index, Lists lists) const
 // Of a light's airlight, relative to that without shadows.
 double Frame::GetIntegralError(int index) const
 {
-  double error = IsQuadrature(this->Lamps[index].Values) ? QuadratureError : ClosedFormError;
+  const Lamp& lamp = this->Lamps[index];
+  double error = lamp.GridError + (IsQuadrature(lamp.Values) ? QuadratureError : ClosedFormError);
   if (this->Dimmed && this->Lamps[index].CastsShadows)
   {
     double thickness = 0.0;

@@ -132,7 +132,7 @@ int CommonKind(const std::vector<Lamp>& lamps)
 }
 
 //------------------------------------------------------------------------------
-bool UploadData(SceneData& data, vtkOpenGLRenderWindow* window,
+bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* window,
   const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
   std::vector<Lamp>& lamps)
 {
@@ -155,6 +155,22 @@ bool UploadData(SceneData& data, vtkOpenGLRenderWindow* window,
       const std::shared_ptr<const PhaseShape> shape = media[i]->GetPhaseShape();
       add(Texels(shape, &shape->Rows), medium.phase.first);
     }
+  }
+  if (grids && converted.count == 1 && converted.item[0].density == AIRLIGHT_DENSITY_GRID)
+  {
+    f64::AirlightMedium& medium = converted.item[0];
+    add(grids->GetSamples(media[0]->GetDensityGrid()), medium.gridFirst);
+    for (Lamp& lamp : lamps)
+    {
+      if (lamp.Scatters())
+      {
+        const LightGrid& grid = grids->GetLight(medium, lamp.Values, medium.gridOrigin);
+        lamp.Values.gridSize = grid.Cells;
+        lamp.GridError = grid.Error;
+        add(grid.Means, lamp.Values.gridFirst);
+      }
+    }
+    grids->Forget();
   }
   for (Lamp& lamp : lamps)
   {

@@ -8,6 +8,7 @@
 #define AirlightLamps_h
 
 #include "AirlightConvert.h"
+#include "AirlightLightGrid.h"
 #include "AirlightPhotometry.h"
 #include "AirlightSceneData.h"
 #include "vtkWeakPointer.h"
@@ -45,7 +46,8 @@ struct Lamp
   f64::AirlightLight Values; // relative to the eye
   glm::dvec4 World{ 0.0 };   // homogeneous position
   bool CastsShadows = false;
-  Texels Table; // of a light that shines by a photometric file, else null
+  Texels Table;           // of a light that shines by a photometric file, else null
+  double GridError = 0.0; // of the optical depth on the way to it, where an image is the density
 
   bool Scatters() const { return this->Support == LightSupport::Scatters; }
   bool Glows() const { return this->Scatters() && this->Values.intensity != glm::dvec3(0.0); }
@@ -59,9 +61,9 @@ int CommonKind(const std::vector<Lamp>& lamps);
 std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
   const View& view, double radius, const std::vector<LightOptions>& options);
 
-// Puts on the graphics card the surfaces and tables of media and lamps, and their places there into
-// `converted` and `lamps`. False with a reason in data.GetError() where the card has no room.
-bool UploadData(SceneData& data, vtkOpenGLRenderWindow* window,
+// Puts on the graphics card the surfaces, images and tables of media and lamps, and their places there
+// into `converted` and `lamps`. `grids` may be null where there are no images. False with a reason in data.GetError() where the card has no room.
+bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* window,
   const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
   std::vector<Lamp>& lamps);
 }

@@ -10,6 +10,9 @@
 #include "AirlightGlowRay.h"
 #include "AirlightGoniometric.h"
 #include "AirlightGoniometricRay.h"
+#include "AirlightGrid.h"
+#include "AirlightGridRay.h"
+#include "AirlightIntegrate.h"
 #include "AirlightKinks.h"
 #include "AirlightLight.h"
 #include "AirlightMath.h"
@@ -53,6 +56,17 @@ void SetRegionUniforms(
   program->SetUniformi((name + ".nodes").c_str(), region.nodes);
 }
 
+void SetGridUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightMedium& medium)
+{
+  glm::mat3 axes(medium.grid->GetAxes());
+  program->SetUniformMatrix3x3((name + ".axes").c_str(), &axes[0].x);
+  program->SetUniform3f(
+    (name + ".start").c_str(), &glm::vec3(medium.grid->ToSamples(medium.gridOrigin))[0]);
+  program->SetUniform3f((name + ".last").c_str(), &glm::vec3(medium.grid->GetLast())[0]);
+  program->SetUniformi((name + ".first").c_str(), medium.gridFirst);
+}
+
 void SetMediumUniforms(
   vtkShaderProgram* program, const std::string& name, const f64::AirlightMedium& medium)
 {
@@ -65,6 +79,10 @@ void SetMediumUniforms(
     (name + ".inverseScaleHeight").c_str(), static_cast<float>(medium.inverseScaleHeight));
   program->SetUniformf((name + ".originHeight").c_str(), static_cast<float>(medium.originHeight));
   SetRegionUniforms(program, name + ".region", medium.region);
+  if (medium.density == AIRLIGHT_DENSITY_GRID)
+  {
+    SetGridUniforms(program, name + ".grid", medium);
+  }
   glm::vec4 poles[AIRLIGHT_MAX_POLES];
   for (int k = 0; k < medium.phase.poleCount; ++k)
   {
@@ -85,10 +103,10 @@ std::string DefineCommon(const f64::AirlightMedia& media)
 {
   const auto* first = media.item;
   const auto* end = media.item + media.count;
-  const bool sameRegion = std::all_of(first, end,
-    [first](const auto& medium) { return medium.region.kind == first->region.kind; });
-  const bool sameDensity =
-    std::all_of(first, end, [first](const auto& medium) { return medium.density == first->density; });
+  const bool sameRegion = std::all_of(
+    first, end, [first](const auto& medium) { return medium.region.kind == first->region.kind; });
+  const bool sameDensity = std::all_of(
+    first, end, [first](const auto& medium) { return medium.density == first->density; });
   const bool power =
     std::any_of(first, end, [](const auto& medium) { return medium.phase.power.x > 0.0; });
   const bool grey =
@@ -106,19 +124,20 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
   const bool table =
     std::any_of(media.item, end, [](const auto& medium) { return medium.phase.rows > 0; });
-  return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_TABLE", table) +
-    Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
-    Define("AIRLIGHT_HAS_DATA", surface || table || photometry) + AirlightPrelude +
+  const bool grid = HasGrid(media);
+  return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_GRID", grid) +
+    Define("AIRLIGHT_HAS_TABLE", table) + Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
+    Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
     Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", media.count) +
     Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
     (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
           Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)
                       : "") +
-    DefineCommon(media) +
-    (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") + AirlightExponentialIntegral +
-    AirlightGauss + AirlightGoniometric + AirlightPhase + AirlightPointLight + AirlightRegion +
-    AirlightMedium + AirlightClosedSurface + AirlightPath + AirlightMedia + AirlightLight +
-    AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces +
+    DefineCommon(media) + (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") +
+    AirlightExponentialIntegral + AirlightGauss + AirlightGoniometric + AirlightPhase +
+    AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + AirlightMedium +
+    AirlightClosedSurface + AirlightPath + AirlightMedia + AirlightLight + AirlightKinks +
+    AirlightQuadrature + AirlightGoniometricRay + AirlightPieces + (grid ? AirlightGridRay : "") +
     AirlightScattering;
 }
 
@@ -158,6 +177,8 @@ void SetLightUniforms(
   program->SetUniformf((name + ".exponent").c_str(), static_cast<float>(light.exponent));
   program->SetUniformi((name + ".goniometric").c_str(), light.goniometric);
   SetPhotometryUniforms(program, name + ".photometry", light.photometry);
+  program->SetUniformi((name + ".gridFirst").c_str(), light.gridFirst);
+  program->SetUniform3f((name + ".gridSize").c_str(), &light.gridSize.x);
 }
 
 //------------------------------------------------------------------------------

@@ -36,9 +36,9 @@ bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<Texels>&
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   if (texels.size() > static_cast<size_t>(most))
   {
-    this->Error = "surfaces and tables take " + std::to_string(texels.size()) +
+    this->Error = "surfaces, images and tables take " + std::to_string(texels.size()) +
       " texels and the graphics card has room for " + std::to_string(most) +
-      "; use coarser surfaces";
+      "; use coarser ones";
     return false;
   }
   std::vector<float> numbers(&texels[0].x, &texels[0].x + 4 * texels.size());
@@ -48,7 +48,7 @@ bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<Texels>&
     !this->Texture->CreateTextureBuffer(
       static_cast<unsigned int>(texels.size()), 4, VTK_FLOAT, this->Buffer))
   {
-    this->Error = "the graphics card has no room for the media's surfaces and tables";
+    this->Error = "the graphics card has no room for the media's surfaces, images and tables";
     return false;
   }
   this->Arrays = arrays;

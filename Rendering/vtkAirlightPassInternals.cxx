@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlightPassInternals.h"
 
+#include "AirlightIntegrate.h"
 #include "AirlightOpenGL.h"
 #include "AirlightVolumeShader.h"
 
@@ -86,6 +87,12 @@ void vtkAirlightPass::Internals::RenderPlain(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::IsGlowing(const f64::AirlightMedia& media) const
+{
+  return this->Self->ScatteredSurfaceLight && !HasGrid(media);
+}
+
+//------------------------------------------------------------------------------
 // What was there once stays: surfaces that become translucent for a moment shall not make all
 // shaders anew each time.
 void vtkAirlightPass::Internals::UpdateSurfaceShader(
@@ -95,8 +102,7 @@ void vtkAirlightPass::Internals::UpdateSurfaceShader(
   const bool hides = this->MapperText.Hides || this->Self->DelegatePass;
   const bool other = hides != this->MapperText.Hides;
   this->MapperText.Hides = hides;
-  if (UpdateSurfaceText(
-        this->MapperText, media, lamps, this->Self->ScatteredSurfaceLight, translucent) ||
+  if (UpdateSurfaceText(this->MapperText, media, lamps, this->IsGlowing(media), translucent) ||
     other)
   {
     this->ShaderTime.Modified();
@@ -144,7 +150,7 @@ bool vtkAirlightPass::Internals::RenderOnce(
     this->Error = "the camera's matrices are not finite or cannot be inverted";
     return false;
   }
-  this->Error = this->Media.CheckDensities();
+  this->Error = this->Media.CheckImages();
   if (!this->Error.empty())
   {
     return false;
@@ -173,6 +179,12 @@ bool vtkAirlightPass::Internals::RenderOnce(
   const bool layers = this->ShownView == SHADED && AirlightScenePass::HasTransparent(s);
   this->MapperText.LayerRecords = ShadowLists::IsSupported(window);
   this->UpdateSurfaceShader(converted, lamps, layers);
+  if (this->Self->ScatteredSurfaceLight && !this->IsGlowing(converted))
+  {
+    this->WarnOnce(this->WarnedGlowInImage,
+      "ScatteredSurfaceLight has no effect: the medium's density comes from an image. Surfaces are "
+      "lit directly only.");
+  }
 
   FrameSettings settings;
   settings.Shadows = GetMethod(this->EffectiveTechnique);
@@ -182,7 +194,7 @@ bool vtkAirlightPass::Internals::RenderOnce(
                     int side) { this->DrawInMap(s, actors, camera, x, y, side); };
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.TranslucentShadows = this->Self->TranslucentShadows;
-  settings.SurfaceGlow = this->Self->ScatteredSurfaceLight;
+  settings.SurfaceGlow = this->IsGlowing(converted);
   settings.Layers = layers;
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
   settings.VolumeNodes =

@@ -124,6 +124,7 @@ public:
   bool WarnedLightCount = false;
   bool WarnedPhotometry = false;
   bool WarnedGlowCount = false;
+  bool WarnedGlowInImage = false;
   bool WarnedOcclusion = false;
   bool WarnedAntialiasing = false;
   bool WarnedTranslucent = false;
@@ -134,6 +135,8 @@ private:
   bool RenderOnce(const vtkRenderState* s, int x, int y, int width, int height);
   bool RenderSteps(const vtkRenderState* s);
   bool CollectCasters();
+  // Whether surfaces are lit by what the medium scatters.
+  bool IsGlowing(const airlight::f64::AirlightMedia& media) const;
   bool CollectLayers(const vtkRenderState& inner);
   void RenderDistances(const vtkRenderState& inner);
   void RenderColours(const vtkRenderState& inner);

@@ -57,7 +57,7 @@ bool vtkAirlightPolyDataMapper::Internals::Prepare(vtkRenderer* renderer, double
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   this->Converted = ConvertMedia(media, this->Rays->GetEye());
   this->Lamps = CollectLamps(renderer, this->Converted, *this->Rays, radius, {});
-  if (!UploadData(this->Data, window, media, this->Converted, this->Lamps))
+  if (!UploadData(this->Data, nullptr, window, media, this->Converted, this->Lamps))
   {
     this->Error = this->Data.GetError();
     return false;

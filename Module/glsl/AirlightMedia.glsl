@@ -112,7 +112,8 @@ AIRLIGHT_FN real airlightFadedAt(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(A
   real least = real(AIRLIGHT_FAR);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (airlightPieceHolds(piece, i) && media.item[i].density == AIRLIGHT_DENSITY_GRID)
+    if (airlightPieceHolds(piece, i) &&
+      AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_GRID)
     {
       // It may be clear here and dense further on.
       return piece.to;

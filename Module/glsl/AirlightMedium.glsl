@@ -2,7 +2,7 @@
 
 #define AIRLIGHT_DENSITY_UNIFORM 0
 #define AIRLIGHT_DENSITY_HEIGHT 1 // exp(-height/scaleHeight)
-#define AIRLIGHT_DENSITY_GRID 2   // an image's samples (AirlightDensityGrid.h); not in shaders yet
+#define AIRLIGHT_DENSITY_GRID 2   // an image's samples (AirlightDensityGrid.h, AirlightGrid.glsl)
 
 struct AirlightMedium
 {
@@ -68,7 +68,7 @@ AIRLIGHT_FN real airlightDensity(AIRLIGHT_IN(AirlightMedium) medium, real3 point
     return real(1.0);
   }
 #if AIRLIGHT_HAS_GRID
-  if (medium.density == AIRLIGHT_DENSITY_GRID)
+  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_GRID)
   {
     return AIRLIGHT_GRID_DENSITY(medium, point);
   }
@@ -86,7 +86,7 @@ AIRLIGHT_FN real airlightInsideDepth(
     return to - from;
   }
 #if AIRLIGHT_HAS_GRID
-  if (medium.density == AIRLIGHT_DENSITY_GRID)
+  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_GRID)
   {
     return AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to);
   }

@@ -14,9 +14,16 @@
 #else
 #define AIRLIGHT_PRECISE
 #endif
-// Images are not there yet.
-#define AIRLIGHT_HAS_GRID 0
+// Images of density, see AirlightGrid.glsl.
+#if AIRLIGHT_HAS_GRID
+#define AIRLIGHT_GRID_STEPS
+#define AIRLIGHT_GRID_MEMBER AirlightGrid grid;
+#define AIRLIGHT_GRID_DENSITY(medium, point) airlightGridDensity((medium).grid, point)
+#define AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to) \
+  airlightGridDepth((medium).grid, origin, direction, from, to)
+#else
 #define AIRLIGHT_GRID_MEMBER
+#endif
 // Triangles, tables: what does not fit into uniforms.
 #define AIRLIGHT_DATA_MEMBER
 #define AIRLIGHT_FETCH(owner, i) texelFetch(airlightData, i)

@@ -69,6 +69,18 @@ AIRLIGHT_FN real airlightShare(AIRLIGHT_IN(AirlightLight) light, real3 point)
   return real(1.0);
 }
 
+// Optical depth on the way to a light at a place, and to one at infinity.
+#ifdef AIRLIGHT_GRID_STEPS
+real airlightToLight(AirlightMedium medium, AirlightLight light, real3 point); // AirlightGridRay
+#define AIRLIGHT_LAMP_DEPTH(media, light, point) \
+  ((media).item[0].sigmaT * airlightToLight((media).item[0], light, point))
+#define AIRLIGHT_SUN_DEPTH(media, light, point) AIRLIGHT_LAMP_DEPTH(media, light, point)
+#else
+#define AIRLIGHT_LAMP_DEPTH(media, light, point) \
+  airlightDepthBetween(media, point, (light).position)
+#define AIRLIGHT_SUN_DEPTH(media, light, point) airlightSunDepths(media, point, (light).position)
+#endif
+
 // The integrand for a light at a place, but for that share: x from the light's foot, r from the
 // light.
 AIRLIGHT_FN real3 airlightPointIntegrand(AIRLIGHT_IN(AirlightMedia) media,
@@ -78,7 +90,7 @@ AIRLIGHT_FN real3 airlightPointIntegrand(AIRLIGHT_IN(AirlightMedia) media,
   real t = ray.range.x + ray.foot.tL + x;
   real3 point = ray.origin + t * ray.direction;
   real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
-    airlightDepthBetween(media, point, light.position);
+    AIRLIGHT_LAMP_DEPTH(media, light, point);
   return airlightScattered(media, piece, point, -x / r) * exp(-depth) *
     airlightFalloff(light, point, r);
 }
@@ -90,7 +102,7 @@ AIRLIGHT_FN real3 airlightSunIntegrand(AIRLIGHT_IN(AirlightMedia) media,
 {
   real3 point = ray.origin + t * ray.direction;
   real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
-    airlightSunDepths(media, point, light.position);
+    AIRLIGHT_SUN_DEPTH(media, light, point);
   return airlightScattered(media, piece, point, dot(light.position, ray.direction)) * exp(-depth);
 }
 

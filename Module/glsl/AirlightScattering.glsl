@@ -8,6 +8,10 @@
 AIRLIGHT_FN real3 airlightTail3(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t)
 {
+#ifdef AIRLIGHT_GRID_STEPS
+  // There it is the density's integral before t.
+  return real3(airlightGridBefore(media.item[0], ray, t));
+#else
   if (AIRLIGHT_LIGHT_KIND != AIRLIGHT_POINT_CLOSED)
   {
     return real3(real(0.0));
@@ -20,6 +24,7 @@ AIRLIGHT_FN real3 airlightTail3(AIRLIGHT_IN(AirlightMedia) media,
   }
   return real3(red, airlightTail(media.item[0].phase, media.item[0].sigmaT.y, ray.foot, x),
     airlightTail(media.item[0].phase, media.item[0].sigmaT.z, ray.foot, x));
+#endif
 }
 
 // The light's way inside the box from a point of the ray, as a function of t: the least of three
@@ -112,6 +117,9 @@ AIRLIGHT_FN real3 airlightInterval3(AIRLIGHT_IN(AirlightMedia) media,
   real3 tail1)
 {
   real3 integral;
+#ifdef AIRLIGHT_GRID_STEPS
+  integral = airlightGridInterval(media, light, ray, t0, tail0.x, t1);
+#else
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED)
   {
     integral = media.item[0].sigmaS *
@@ -130,5 +138,6 @@ AIRLIGHT_FN real3 airlightInterval3(AIRLIGHT_IN(AirlightMedia) media,
   {
     integral = airlightQuadrature(media, light, ray, t0, t1);
   }
+#endif
   return light.intensity * integral;
 }

@@ -79,7 +79,7 @@ void TestRebuilds(Comparison& comparison)
         s.Medium->SetAnisotropy(0.5);
       } },
     { "anisotropy", false, [](MapperScene& s) { s.Medium->SetAnisotropy(0.4); } },
-    { "box around the lights", false,
+    { "box around the lights: another kind of region", true,
       [](MapperScene& s) {
         s.Medium->SetBounds(-6, 6, -6, 6, -6, 6);
         s.Medium->SetRegionToBox();

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Images of density in a scene, and the comparison of what the pass draws with
+ * vtkAirlightReference.
+ */
+
+#ifndef AirlightTestDensity_h
+#define AirlightTestDensity_h
+
+#include "AirlightTestScene.h"
+#include "AirlightTestTools.h"
+
+#include "vtkAirlightReference.h"
+#include "vtkDataArray.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace airlighttest
+{
+//------------------------------------------------------------------------------
+// An image of so many points that fills the box.
+inline vtkSmartPointer<vtkImageData> MakeDensity(
+  const glm::ivec3& size, const glm::dvec3& low, const glm::dvec3& high)
+{
+  const glm::dvec3 spacing = (high - low) / glm::dvec3(size - 1);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size.x, size.y, size.z);
+  image->SetOrigin(&low.x);
+  image->SetSpacing(&spacing.x);
+  image->AllocateScalars(VTK_DOUBLE, 1);
+  image->GetPointData()->GetScalars()->Fill(1.0);
+  return image;
+}
+
+// Turned about y, then about x, about the middle of its box.
+inline void Turn(vtkImageData* image, double aboutY, double aboutX)
+{
+  const double c = std::cos(aboutY);
+  const double s = std::sin(aboutY);
+  const double d = std::cos(aboutX);
+  const double e = std::sin(aboutX);
+  const double rows[3][3] = { { c, 0.0, s }, { e * s, d, -e * c }, { -d * s, e, d * c } };
+  double middle[3];
+  double moved[3];
+  image->GetCenter(middle);
+  for (int i = 0; i < 9; ++i)
+  {
+    image->GetDirectionMatrix()->SetElement(i / 3, i % 3, rows[i / 3][i % 3]);
+  }
+  double origin[3];
+  image->GetOrigin(origin);
+  image->GetCenter(moved);
+  for (int i = 0; i < 3; ++i)
+  {
+    origin[i] += middle[i] - moved[i];
+  }
+  image->SetOrigin(origin);
+}
+
+// Puffs: random Gaussians, so that the image is smooth and falls to nothing at its rim.
+inline void FillCloud(vtkImageData* image, std::uint64_t seed)
+{
+  airlight_test::Random random(seed);
+  struct Puff
+  {
+    glm::dvec3 Place; // as a share of the sides
+    double Width;
+    double Height;
+  };
+  std::vector<Puff> puffs;
+  for (int i = 0; i < 12; ++i)
+  {
+    puffs.push_back(
+      { { random.Uniform(0.25, 0.75), random.Uniform(0.3, 0.7), random.Uniform(0.25, 0.75) },
+        random.Uniform(0.06, 0.14), random.Uniform(0.4, 1.6) });
+  }
+  int size[3];
+  image->GetDimensions(size);
+  auto* value = static_cast<double*>(image->GetScalarPointer());
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i)
+      {
+        const glm::dvec3 share =
+          glm::dvec3(i, j, k) / glm::dvec3(size[0] - 1, size[1] - 1, size[2] - 1);
+        double sum = 0.0;
+        for (const Puff& puff : puffs)
+        {
+          const double r = glm::length(share - puff.Place) / puff.Width;
+          sum += puff.Height * std::exp(-0.5 * r * r);
+        }
+        const glm::dvec3 off = 2.0 * share - 1.0; // from the middle
+        const glm::dvec3 rim = 1.0 - off * off * off * off * off * off;
+        *value++ = std::max(rim.x * rim.y * rim.z * sum - 0.01, 0.0);
+      }
+    }
+  }
+  image->Modified();
+}
+
+//------------------------------------------------------------------------------
+struct Quantiles
+{
+  double Median;
+  double P99;
+};
+
+// Relative errors of a buffer's pixels, those of less than a thousandth of the brightest against
+// that. Where nothing is expected there must be nothing, and that does not count.
+inline Quantiles GetErrors(vtkImageData* drawn, vtkDataArray* expected)
+{
+  Quantiles result{ Infinity, Infinity };
+  if (!Check(drawn && expected && drawn->GetNumberOfPoints() == expected->GetNumberOfTuples(),
+        "both pictures are there"))
+  {
+    return result;
+  }
+  vtkDataArray* values = drawn->GetPointData()->GetScalars();
+  const int components = expected->GetNumberOfComponents();
+  double brightest = 0.0;
+  for (vtkIdType i = 0; i < expected->GetNumberOfTuples(); ++i)
+  {
+    brightest = std::max(brightest, expected->GetComponent(i, 0));
+  }
+  std::vector<double> errors;
+  for (vtkIdType i = 0; i < expected->GetNumberOfTuples(); ++i)
+  {
+    double error = 0.0;
+    bool any = false;
+    for (int c = 0; c < components; ++c)
+    {
+      any = any || expected->GetComponent(i, c) > 0.0 || !(values->GetComponent(i, c) < 1e-9);
+      const double right = expected->GetComponent(i, c);
+      const double off = std::abs(values->GetComponent(i, c) - right);
+      error = std::max(error, off / std::max(right, 1e-3 * brightest));
+      error = std::isnan(off) ? Infinity : error;
+    }
+    if (any)
+    {
+      errors.push_back(error);
+    }
+  }
+  if (!Check(errors.size() > 100, "something is seen"))
+  {
+    return result;
+  }
+  std::sort(errors.begin(), errors.end());
+  result.Median = errors[errors.size() / 2];
+  result.P99 = errors[errors.size() * 99 / 100];
+  return result;
+}
+
+inline void CheckErrors(
+  const std::string& name, vtkImageData* drawn, vtkDataArray* expected, double median, double p99)
+{
+  const Quantiles errors = GetErrors(drawn, expected);
+  std::cout << "  " << name << ": median " << errors.Median << ", 99 % below " << errors.P99
+            << std::endl;
+  Check(errors.Median <= median, name + ": median error");
+  Check(errors.P99 <= p99, name + ": 99 % of the errors");
+}
+
+// Airlight is as close to what is expected as its bound says, but for pixels at edges of shadows.
+inline void CheckBound(
+  const std::string& name, vtkImageData* drawn, vtkImageData* bound, vtkDataArray* expected)
+{
+  vtkDataArray* values = drawn->GetPointData()->GetScalars();
+  std::vector<double> shares;
+  for (vtkIdType i = 0; i < expected->GetNumberOfTuples(); ++i)
+  {
+    double off = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      off = std::max(off, std::abs(values->GetComponent(i, c) - expected->GetComponent(i, c)));
+    }
+    const double limit = bound->GetPointData()->GetScalars()->GetComponent(i, 0);
+    if (off > 0.0)
+    {
+      shares.push_back(off / limit);
+    }
+  }
+  std::sort(shares.begin(), shares.end());
+  const double p99 = shares.empty() ? Infinity : shares[shares.size() * 99 / 100];
+  std::cout << "  " << name << ": 99 % of the errors are below " << p99 << " of their bound"
+            << std::endl;
+  Check(p99 <= 1.0, name + ": errors are within their bound");
+  Check(p99 > 1e-3, name + ": the bound is not idly large");
+}
+
+// A scene whose medium is an image of density.
+class DensityScene : public Scene
+{
+public:
+  explicit DensityScene(vtkImageData* image, int width = 80, int height = 60)
+    : Scene(width, height)
+    , Image(image)
+  {
+    this->Medium->SetDensityImage(image);
+    this->Medium->SetDensityToImage();
+    this->Pass->SetShadowTechniqueToShadowPlanes();
+    this->Reference->SetRenderer(this->Renderer);
+    this->Reference->SetMedium(this->Medium);
+  }
+
+  // A ground and two balls.
+  void AddBodies()
+  {
+    vtkNew<vtkPlaneSource> ground;
+    ground->SetOrigin(-8, -2.5, 8);
+    ground->SetPoint1(8, -2.5, 8);
+    ground->SetPoint2(-8, -2.5, -8);
+    this->Add(ground);
+    this->Add(MakeSphere(0.6), [](vtkActor* ball) { ball->SetPosition(-1.2, 1.0, 0.3); });
+    this->Add(MakeSphere(0.4), [](vtkActor* ball) { ball->SetPosition(1.4, 0.2, 0.8); });
+  }
+
+  // Draws, and compares with the reference.
+  void Compare(const std::string& name, double median, double p99, bool bound = true)
+  {
+    std::cout << name << "\n";
+    this->Window->Render();
+    this->Reference->SetSize(this->Width, this->Height);
+    this->Reference->Modified();
+    this->Reference->Update();
+    const auto expected = [this](const char* array) {
+      return this->Reference->GetOutput()->GetPointData()->GetArray(array);
+    };
+    CheckErrors(
+      name + ", Airlight", this->GetBuffer("Airlight"), expected("Airlight"), median, p99);
+    if (bound)
+    {
+      CheckBound(
+        name, this->GetBuffer("Airlight"), this->GetBuffer("ErrorBound"), expected("Airlight"));
+    }
+    CheckErrors(name + ", Transmittance", this->GetBuffer("Transmittance"),
+      expected("Transmittance"), 1e-5, 1e-3);
+  }
+
+  vtkSmartPointer<vtkImageData> Image;
+  vtkNew<vtkAirlightReference> Reference;
+};
+}
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Images of density in vtkAirlightPass are where VTK draws a volume of the same image, are clipped
+// by the medium's region, and follow what becomes of image, light and medium.
+
+#include "AirlightTestDensity.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <cstdlib>
+
+using namespace airlighttest;
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Which pixels a white volume of the image covers, drawn by VTK alone.
+std::vector<bool> GetVolumePixels(DensityScene& scene)
+{
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  mapper->SetInputData(scene.Image);
+  mapper->SetAutoAdjustSampleDistances(0);
+  mapper->SetSampleDistance(0.02f);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  vtkNew<vtkColorTransferFunction> white;
+  white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.9);
+  opacity->AddPoint(2.0, 0.9);
+  volume->GetProperty()->SetColor(white);
+  volume->GetProperty()->SetScalarOpacity(opacity);
+  scene.Renderer->AddVolume(volume);
+  scene.Renderer->SetPass(nullptr);
+  scene.Window->Render();
+  vtkNew<vtkUnsignedCharArray> colours;
+  scene.Window->GetPixelData(0, 0, scene.Width - 1, scene.Height - 1, 0, colours);
+  std::vector<bool> covered;
+  for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
+  {
+    covered.push_back(colours->GetComponent(i, 0) > 0);
+  }
+  scene.Renderer->RemoveVolume(volume);
+  scene.Renderer->SetPass(scene.Pass);
+  return covered;
+}
+
+std::vector<bool> GetMediumPixels(DensityScene& scene)
+{
+  scene.Window->Render();
+  vtkDataArray* passes = scene.GetBuffer("Transmittance")->GetPointData()->GetScalars();
+  std::vector<bool> covered;
+  for (vtkIdType i = 0; i < passes->GetNumberOfTuples(); ++i)
+  {
+    covered.push_back(passes->GetComponent(i, 0) < 1.0 - 1e-5);
+  }
+  return covered;
+}
+
+// The two differ along the outline at most, where VTK's samples miss what is thinner than they are
+// apart: by fewer pixels than half of those on it.
+void ComparePlace(const std::string& name, DensityScene& scene)
+{
+  const std::vector<bool> volume = GetVolumePixels(scene);
+  const std::vector<bool> medium = GetMediumPixels(scene);
+  int both = 0;
+  int one = 0;
+  int outline = 0;
+  for (size_t i = 0; i + scene.Width < volume.size(); ++i)
+  {
+    both += volume[i] && medium[i] ? 1 : 0;
+    one += volume[i] != medium[i] ? 1 : 0;
+    outline += medium[i] != medium[i + 1] || medium[i] != medium[i + scene.Width] ? 1 : 0;
+  }
+  std::cout << name << ": " << both << " pixels in both, " << one << " in one, " << outline
+            << " at the outline\n";
+  Check(both > 300, name + ": the image is seen");
+  Check(2 * one < outline, name + ": medium and volume cover the same pixels");
+}
+
+//------------------------------------------------------------------------------
+void TestPlace()
+{
+  const vtkSmartPointer<vtkImageData> image = MakeDensity({ 5, 7, 4 }, { -3, -1, -2 }, { 1, 3, 1 });
+  DensityScene scene(image);
+  scene.Medium->SetAbsorption(1, 1, 1);
+  ComparePlace("along the axes", scene);
+  image->SetExtent(3, 7, -2, 4, 1, 4); // moves it
+  image->AllocateScalars(VTK_FLOAT, 1);
+  image->GetPointData()->GetScalars()->Fill(1.0);
+  image->SetOrigin(-6, 0, -3);
+  ComparePlace("an extent that begins elsewhere", scene);
+}
+
+//------------------------------------------------------------------------------
+// Whatever changes, the next picture is the reference's.
+void TestUpdates()
+{
+  const vtkSmartPointer<vtkImageData> image =
+    MakeDensity({ 12, 14, 10 }, glm::dvec3(-3), glm::dvec3(3));
+  FillCloud(image, 5);
+  DensityScene scene(image);
+  vtkLight* lamp = scene.AddPointLight({ 0.5, 2.2, -1.5 });
+  const double median = 5e-4;
+  const double p99 = 5e-3;
+  scene.Compare("a cloud", median, p99);
+  FillCloud(image, 6);
+  scene.Compare("another cloud", median, p99);
+  image->SetOrigin(-2.5, -3.5, -3);
+  scene.Compare("a moved cloud", median, p99);
+  lamp->SetPosition(-1.0, 0.5, 2.0);
+  scene.Compare("a moved lamp", median, p99);
+  // A pane before half of the cloud that fills the picture: no pixels at edges.
+  vtkNew<vtkPlaneSource> pane;
+  pane->SetOrigin(-20, -20, 0.5);
+  pane->SetPoint1(20, -20, -0.5);
+  pane->SetPoint2(-20, 20, 0.5);
+  vtkActor* glass = scene.Add(pane);
+  glass->GetProperty()->SetOpacity(0.4);
+  scene.Compare("with a pane", median, p99);
+  CheckErrors("pane in a cloud, Radiance", scene.GetBuffer("Radiance"),
+    scene.Reference->GetOutput()->GetPointData()->GetArray("Radiance"), median, p99);
+  scene.Renderer->RemoveActor(glass);
+  scene.Medium->SetRegionToBox();
+  scene.Medium->SetBounds(-2, 1.5, -2, 1.0, -1, 3);
+  scene.Compare("cut by a box", median, p99);
+  scene.Medium->SetRegionToSphere();
+  scene.Medium->SetRadius(2.0);
+  scene.Compare("cut by a sphere", median, p99);
+  scene.Pass->SetShadowTechniqueToRayMarch();
+  scene.Pass->SetNumberOfSteps(256);
+  scene.Compare("marched", median, p99);
+}
+}
+
+//------------------------------------------------------------------------------
+int TestDensityPlace(int, char*[])
+{
+  TestPlace();
+  TestUpdates();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
