@@ -35,6 +35,11 @@ real airlightToLight(AirlightMedium medium, AirlightLight light, real3 point)
   return max(mean, 0.0) * max(range.y - range.x, 0.0);
 }
 
+real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point)
+{
+  return media.item[0].sigmaT * airlightToLight(media.item[0], light, point);
+}
+
 // The next boundary often lies a little further on the same ray: what is known of it is kept.
 real3 airlightKnownOrigin = real3(0.0);
 real3 airlightKnownDirection = real3(0.0);

@@ -19,8 +19,7 @@
 #define AIRLIGHT_GRID_STEPS
 #define AIRLIGHT_GRID_MEMBER AirlightGrid grid;
 #define AIRLIGHT_GRID_DENSITY(medium, point) airlightGridDensity((medium).grid, point)
-#define AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to) \
-  airlightGridDepth((medium).grid, origin, direction, from, to)
+#define AIRLIGHT_GRID_DEPTH(medium, o, d, from, to) airlightGridDepth((medium).grid, o, d, from, to)
 #else
 #define AIRLIGHT_GRID_MEMBER
 #endif

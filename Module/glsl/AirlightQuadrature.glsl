@@ -71,13 +71,11 @@ AIRLIGHT_FN real airlightShare(AIRLIGHT_IN(AirlightLight) light, real3 point)
 
 // Optical depth on the way to a light at a place, and to one at infinity.
 #ifdef AIRLIGHT_GRID_STEPS
-real airlightToLight(AirlightMedium medium, AirlightLight light, real3 point); // AirlightGridRay
-#define AIRLIGHT_LAMP_DEPTH(media, light, point) \
-  ((media).item[0].sigmaT * airlightToLight((media).item[0], light, point))
-#define AIRLIGHT_SUN_DEPTH(media, light, point) AIRLIGHT_LAMP_DEPTH(media, light, point)
+real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point); // AirlightGridRay
+#define AIRLIGHT_LAMP_DEPTH airlightLightDepth
+#define AIRLIGHT_SUN_DEPTH airlightLightDepth
 #else
-#define AIRLIGHT_LAMP_DEPTH(media, light, point) \
-  airlightDepthBetween(media, point, (light).position)
+#define AIRLIGHT_LAMP_DEPTH(media, light, point) airlightDepthBetween(media, point, (light).position)
 #define AIRLIGHT_SUN_DEPTH(media, light, point) airlightSunDepths(media, point, (light).position)
 #endif
 
