@@ -192,8 +192,8 @@ bool vtkAirlight::Ambient(vtkParticipatingMedium* medium, const double origin[3]
     return false;
   }
   const f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(origin));
-  const glm::dvec3 ambient = IntegrateAmbient(
-    converted, glm::dvec3(0.0), unit, std::min(std::max(t1, 0.0), AIRLIGHT_FAR));
+  const glm::dvec3 ambient =
+    IntegrateAmbient(converted, glm::dvec3(0.0), unit, std::min(std::max(t1, 0.0), AIRLIGHT_FAR));
   Store(converted, ambient, rgb);
   return true;
 }

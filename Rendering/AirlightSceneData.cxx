@@ -37,8 +37,7 @@ bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<Texels>&
   if (texels.size() > static_cast<size_t>(most))
   {
     this->Error = "surfaces, images and tables take " + std::to_string(texels.size()) +
-      " texels and the graphics card has room for " + std::to_string(most) +
-      "; use coarser ones";
+      " texels and the graphics card has room for " + std::to_string(most) + "; use coarser ones";
     return false;
   }
   std::vector<float> numbers(&texels[0].x, &texels[0].x + 4 * texels.size());

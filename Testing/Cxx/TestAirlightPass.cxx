@@ -217,7 +217,8 @@ void TestOddScenes()
     ->SetOpacity(0.4);
   const Buffers after = scene.Render();
   CheckFinite(after, "translucent actor");
-  Check(AreSame(before.at("Airlight"), after.at("Airlight")), "translucent actors cast nothing where they shall not");
+  Check(AreSame(before.at("Airlight"), after.at("Airlight")),
+    "translucent actors cast nothing where they shall not");
   Check(!AreSame(before.at("Radiance"), after.at("Radiance")), "translucent actors are drawn");
 }
 
