@@ -114,7 +114,7 @@ def textured(renderer):
     texture = vtkTexture()
     texture.SetInputConnection(canvas.GetOutputPort())
     texture.InterpolateOn()
-    actor = add(renderer, square((-1.2, 0.3, 0.4), (1.0, 0.3, -0.4), (-1.2, 2.3, 0.0)), (1, 1, 1))
+    actor = add(renderer, square((-1.2, 0.3, -1.0), (1.0, 0.3, -1.8), (-1.2, 2.3, -1.4)), (1, 1, 1))
     actor.SetTexture(texture)
 
 
@@ -290,6 +290,9 @@ def annotations(renderer):
     bar.SetTitle("K")
     bar.SetNumberOfLabels(3)
     bar.SetMaximumWidthInPixels(60)
+    bar.UnconstrainedFontSizeOn()
+    bar.GetTitleTextProperty().SetFontSize(18)
+    bar.GetLabelTextProperty().SetFontSize(12)
     renderer.AddActor(bar)
     text = vtkTextActor()
     text.SetInput("Annotation")
