@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlightReference.h"
 
+#include "AirlightMediaMethods.h"
 #include "vtkAirlightReferenceInternals.h"
 #include "vtkCamera.h"
 #include "vtkLightCollection.h"
@@ -9,7 +10,6 @@
 #include "vtkPropCollection.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -40,50 +40,7 @@ void vtkAirlightReference::SetRenderer(vtkRenderer* renderer)
 vtkRenderer* vtkAirlightReference::GetRenderer() { return this->Impl->Renderer; }
 
 //------------------------------------------------------------------------------
-void vtkAirlightReference::AddMedium(vtkParticipatingMedium* medium)
-{
-  if (this->Impl->Media.Add(medium))
-  {
-    this->Modified();
-  }
-}
-
-void vtkAirlightReference::RemoveMedium(vtkParticipatingMedium* medium)
-{
-  if (this->Impl->Media.Remove(medium))
-  {
-    this->Modified();
-  }
-}
-
-void vtkAirlightReference::RemoveAllMedia()
-{
-  if (this->Impl->Media.Clear())
-  {
-    this->Modified();
-  }
-}
-
-void vtkAirlightReference::SetMedium(vtkParticipatingMedium* medium)
-{
-  if (this->Impl->Media.Set(medium))
-  {
-    this->Modified();
-  }
-}
-
-int vtkAirlightReference::GetNumberOfMedia() { return this->Impl->Media.GetSize(); }
-
-vtkParticipatingMedium* vtkAirlightReference::GetMedium(int index)
-{
-  if (!this->Impl->Media.Has(index))
-  {
-    vtkErrorMacro(<< "Medium " << index << " does not exist: there are " << this->GetNumberOfMedia()
-                  << ".");
-    return nullptr;
-  }
-  return this->Impl->Media.Get(index);
-}
+AirlightMediaMethodsMacro(vtkAirlightReference);
 
 //------------------------------------------------------------------------------
 void vtkAirlightReference::SetSize(int width, int height)
@@ -100,22 +57,6 @@ void vtkAirlightReference::SetSize(int width, int height)
   {
     this->Size[0] = width;
     this->Size[1] = height;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkAirlightReference::SetLightRadius(double radius)
-{
-  if (!std::isfinite(radius) || radius < 0.0)
-  {
-    vtkErrorMacro(<< "LightRadius " << radius << " must be finite and at least 0; it stays "
-                  << this->LightRadius << ".");
-    return;
-  }
-  if (this->LightRadius != radius)
-  {
-    this->LightRadius = radius;
     this->Modified();
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlightPass.h"
 
+#include "AirlightMediaMethods.h"
 #include "vtkAirlightPassInternals.h"
 
 #include "vtkFrameBufferObjectBase.h"
@@ -16,7 +17,6 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <cmath>
 
 using namespace airlight;
 
@@ -35,50 +35,7 @@ vtkAirlightPass::vtkAirlightPass()
 vtkAirlightPass::~vtkAirlightPass() = default;
 
 //------------------------------------------------------------------------------
-void vtkAirlightPass::AddMedium(vtkParticipatingMedium* medium)
-{
-  if (this->Impl->Media.Add(medium))
-  {
-    this->Modified();
-  }
-}
-
-void vtkAirlightPass::RemoveMedium(vtkParticipatingMedium* medium)
-{
-  if (this->Impl->Media.Remove(medium))
-  {
-    this->Modified();
-  }
-}
-
-void vtkAirlightPass::RemoveAllMedia()
-{
-  if (this->Impl->Media.Clear())
-  {
-    this->Modified();
-  }
-}
-
-void vtkAirlightPass::SetMedium(vtkParticipatingMedium* medium)
-{
-  if (this->Impl->Media.Set(medium))
-  {
-    this->Modified();
-  }
-}
-
-int vtkAirlightPass::GetNumberOfMedia() { return this->Impl->Media.GetSize(); }
-
-vtkParticipatingMedium* vtkAirlightPass::GetMedium(int index)
-{
-  if (!this->Impl->Media.Has(index))
-  {
-    vtkErrorMacro(<< "Medium " << index << " does not exist: there are " << this->GetNumberOfMedia()
-                  << ".");
-    return nullptr;
-  }
-  return this->Impl->Media.Get(index);
-}
+AirlightMediaMethodsMacro(vtkAirlightPass);
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetShadowTechnique(int technique)
@@ -148,22 +105,6 @@ void vtkAirlightPass::SetNumberOfSteps(int steps)
 
 //------------------------------------------------------------------------------
 int vtkAirlightPass::GetEffectiveShadowTechnique() { return this->Impl->EffectiveTechnique; }
-
-//------------------------------------------------------------------------------
-void vtkAirlightPass::SetLightRadius(double radius)
-{
-  if (!std::isfinite(radius) || radius < 0.0)
-  {
-    vtkErrorMacro(<< "LightRadius " << radius << " must be finite and at least 0; it stays "
-                  << this->LightRadius << ".");
-    return;
-  }
-  if (this->LightRadius != radius)
-  {
-    this->LightRadius = radius;
-    this->Modified();
-  }
-}
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkAirlightPass::GetBuffer(const char* name)

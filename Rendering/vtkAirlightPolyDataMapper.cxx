@@ -3,6 +3,7 @@
 #include "vtkAirlightPolyDataMapper.h"
 
 #include "AirlightMatrix.h"
+#include "AirlightMediaMethods.h"
 #include "vtkAirlightPass.h"
 #include "vtkAirlightPolyDataMapperInternals.h"
 
@@ -20,7 +21,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include <cmath>
 #include <string>
 
 using namespace airlight;
@@ -54,50 +54,7 @@ vtkAirlightPolyDataMapper::vtkAirlightPolyDataMapper()
 vtkAirlightPolyDataMapper::~vtkAirlightPolyDataMapper() { this->Impl->SetWindow(nullptr); }
 
 //------------------------------------------------------------------------------
-void vtkAirlightPolyDataMapper::AddMedium(vtkParticipatingMedium* medium)
-{
-  if (this->Impl->Media.Add(medium))
-  {
-    this->Modified();
-  }
-}
-
-void vtkAirlightPolyDataMapper::RemoveMedium(vtkParticipatingMedium* medium)
-{
-  if (this->Impl->Media.Remove(medium))
-  {
-    this->Modified();
-  }
-}
-
-void vtkAirlightPolyDataMapper::RemoveAllMedia()
-{
-  if (this->Impl->Media.Clear())
-  {
-    this->Modified();
-  }
-}
-
-void vtkAirlightPolyDataMapper::SetMedium(vtkParticipatingMedium* medium)
-{
-  if (this->Impl->Media.Set(medium))
-  {
-    this->Modified();
-  }
-}
-
-int vtkAirlightPolyDataMapper::GetNumberOfMedia() { return this->Impl->Media.GetSize(); }
-
-vtkParticipatingMedium* vtkAirlightPolyDataMapper::GetMedium(int index)
-{
-  if (!this->Impl->Media.Has(index))
-  {
-    vtkErrorMacro(<< "Medium " << index << " does not exist: there are " << this->GetNumberOfMedia()
-                  << ".");
-    return nullptr;
-  }
-  return this->Impl->Media.Get(index);
-}
+AirlightMediaMethodsMacro(vtkAirlightPolyDataMapper);
 
 //------------------------------------------------------------------------------
 void vtkAirlightPolyDataMapper::SetEvaluation(int evaluation)
@@ -110,22 +67,6 @@ void vtkAirlightPolyDataMapper::SetEvaluation(int evaluation)
   if (this->Evaluation != evaluation)
   {
     this->Evaluation = evaluation;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkAirlightPolyDataMapper::SetLightRadius(double radius)
-{
-  if (!std::isfinite(radius) || radius < 0.0)
-  {
-    vtkErrorMacro(<< "LightRadius " << radius << " must be finite and at least 0; it stays "
-                  << this->LightRadius << ".");
-    return;
-  }
-  if (this->LightRadius != radius)
-  {
-    this->LightRadius = radius;
     this->Modified();
   }
 }
