@@ -35,6 +35,7 @@
 #undef AIRLIGHT_GLOW_MANY
 #undef AIRLIGHT_GLOW_MANY_STEP
 #undef AIRLIGHT_PI
+#undef AIRLIGHT_TURN_FADED
 
 #include "AirlightExponentialIntegral.glsl"
 #include "AirlightGauss.glsl"
@@ -52,5 +53,6 @@
 #include "AirlightGoniometricRay.glsl"
 #include "AirlightPieces.glsl"
 #include "AirlightScattering.glsl"
+#include "AirlightTurn.glsl"
 #include "AirlightGlowRay.glsl"
 #include "AirlightGlow.glsl"

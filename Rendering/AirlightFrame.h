@@ -185,6 +185,7 @@ private:
     Map       // all, shadows from a map
   };
   bool Resolve(int index, Lists lists, int row, int rows);
+  bool IsTurned(int index, Lists lists) const;
   std::string GetResolveSource(int index, Lists lists) const;
   void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists);
   void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);

@@ -15,6 +15,7 @@
 #include "AirlightResolveFS.h"
 #include "AirlightResolveLayers.h"
 #include "AirlightShadowCounts.h"
+#include "AirlightTurnedRay.h"
 #include "AirlightViewShader.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -139,6 +140,17 @@ bool Frame::ScatterWithLists(int index)
 }
 
 //------------------------------------------------------------------------------
+// Whether AirlightTurnedRay.glsl takes the light: one that has the closed form, and whose integrand
+// is as smooth as its phase function's poles make it.
+bool Frame::IsTurned(int index, Lists lists) const
+{
+  const f64::AirlightPhase& phase = this->Media.item[0].phase;
+  return this->Lamps[index].Values.kind == AIRLIGHT_POINT_CLOSED && phase.rows == 0 &&
+    phase.power.x <= 0.0 && !this->Settings.LayerRecords && !this->Dimmed &&
+    (lists == Lists::None || (lists == Lists::Short && this->Boundaries.HasSlots()));
+}
+
+//------------------------------------------------------------------------------
 std::string Frame::GetResolveSource(int index, Lists lists) const
 {
   const bool planes = lists != Lists::None && lists != Lists::Map;
@@ -157,14 +169,17 @@ std::string Frame::GetResolveSource(int index, Lists lists) const
       (march ? AirlightNoBoundaries + layers + AirlightRayMarch : AirlightMapBoundaries + layers);
   }
   const bool storage = planes || records || this->Dimmed;
+  const bool turned = this->IsTurned(index, lists);
   return std::string(storage ? "#version 430\n" : "#version 330\n") +
-    ShadowLists::DefineNodes(this->Dimmed) + (this->Settings.Record ? RecordDefinition : "") +
+    BoundaryStore::DefineNodes(this->Dimmed) + (this->Settings.Record ? RecordDefinition : "") +
     (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
-    (march ? "#define AIRLIGHT_RAY_MARCH\n" : "") +
+    (march ? "#define AIRLIGHT_RAY_MARCH\n" : "") + "#define AIRLIGHT_TURNED " +
+    std::to_string(turned) + "\n" +
     GetScatteringSource(
       this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
     AirlightViewShader + "uniform AirlightMedia media;\nuniform AirlightLight light;\n" +
-    (this->Dimmed ? AirlightDimmed : "") + AirlightShadowCounts + boundaries + AirlightResolveFS;
+    (this->Dimmed ? AirlightDimmed : "") + AirlightShadowCounts + boundaries +
+    (turned ? AirlightTurnedRay : "") + AirlightResolveFS;
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,8 @@
 #include "AirlightPlanesFS.h"
 #include "AirlightPlanesVS.h"
 #include "AirlightSortFS.h"
+#include "AirlightSortedSlots.h"
+#include "AirlightSpillFS.h"
 #include "AirlightView.h"
 #include "AirlightViewShader.h"
 
@@ -23,21 +25,13 @@ namespace airlight
 {
 namespace
 {
-constexpr std::uint64_t PlainNodeWords = 3;
-constexpr std::uint64_t DimmedNodeWords = 6;
-// Room for a few boundaries on each pixel of a usual window.
-constexpr std::uint64_t InitialCapacity = 1u << 21;
 // Lists up to this length are sorted where they are read.
 constexpr std::uint32_t ShortList = 64;
 // Boundaries of a longer list that one draw reads.
 constexpr std::uint32_t Chunk = 128;
-// The heads begin with the counter of boundaries and the longest list's length.
-constexpr int HeadOffset = 2;
 
 // Bindings of the shaders' buffers.
 constexpr GLuint EdgeBinding = 0;
-constexpr GLuint NodeBinding = 1;
-constexpr GLuint HeadBinding = 2;
 constexpr GLuint LayerBinding = 6;
 
 std::string DefineLengths()
@@ -62,51 +56,10 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t ShadowLists::GetNodeSize() const
-{
-  return 4 * (this->Dimmed ? DimmedNodeWords : PlainNodeWords);
-}
-
-//------------------------------------------------------------------------------
-std::string ShadowLists::DefineNodes(bool dimmed)
-{
-  return "#define AIRLIGHT_DIMMED " + std::to_string(dimmed) + "\n#define AIRLIGHT_NODE_WORDS " +
-    std::to_string(dimmed ? DimmedNodeWords : PlainNodeWords) + "u\n";
-}
-
-//------------------------------------------------------------------------------
-// The buffer keeps its bytes.
-void ShadowLists::SetDimmed(bool dimmed)
-{
-  const std::uint64_t bytes = this->Capacity * this->GetNodeSize();
-  this->Dimmed = dimmed;
-  this->Capacity = static_cast<std::uint32_t>(bytes / this->GetNodeSize());
-}
-
-//------------------------------------------------------------------------------
 std::string ShadowLists::GetBoundariesSource(bool sorted) const
 {
-  return DefineLengths() + (sorted ? "#define AIRLIGHT_SORTED\n" : "") + AirlightBoundaries;
-}
-
-//------------------------------------------------------------------------------
-bool ShadowLists::Reserve(std::uint64_t boundaries)
-{
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Nodes);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(boundaries * this->GetNodeSize()),
-    nullptr, GL_DYNAMIC_COPY);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-  if (glGetError() != GL_NO_ERROR)
-  {
-    this->Capacity = 0;
-    this->Error = "no memory for the lists of " + std::to_string(boundaries) + " boundaries";
-    return false;
-  }
-  this->Capacity = static_cast<std::uint32_t>(boundaries);
-  return true;
+  return this->Store.GetSource() + DefineLengths() + (sorted ? "#define AIRLIGHT_SORTED\n" : "") +
+    (!sorted && this->Store.GetSlots() > 0 ? AirlightSortedSlots : "") + AirlightBoundaries;
 }
 
 //------------------------------------------------------------------------------
@@ -116,26 +69,18 @@ bool ShadowLists::Prepare(
   this->Window = window;
   this->Width = width;
   this->Height = height;
-  this->MemoryLimit = memoryLimit;
   this->Budgeted = budgeted;
   this->OverBudget = false;
   if (this->VertexArray == 0)
   {
     glGenVertexArrays(1, &this->VertexArray);
-    glGenBuffers(1, &this->Nodes);
-    glGenBuffers(1, &this->Heads);
   }
-  const int heads = width * height + HeadOffset;
-  if (this->HeadCount != heads)
+  if (!this->Store.Prepare(window, width, height, memoryLimit))
   {
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
-    glBufferData(
-      GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(heads) * 4, nullptr, GL_DYNAMIC_COPY);
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-    this->HeadCount = heads;
+    this->Error = this->Store.GetError();
+    return false;
   }
-  const bool fits = this->Capacity > 0 && this->Capacity * this->GetNodeSize() <= memoryLimit;
-  return fits || this->Reserve(std::min(InitialCapacity, memoryLimit / this->GetNodeSize()));
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -207,28 +152,27 @@ vtkShaderProgram* ShadowLists::ReadyPlanes(const std::string& fragment,
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t ShadowLists::ReadHead(int index)
+// The fragments of planes, or of those that the eye lies on.
+std::string ShadowLists::GetPlanesSource(bool near) const
 {
-  GLuint value = 0;
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
-  glGetBufferSubData(
-    GL_SHADER_STORAGE_BUFFER, index * static_cast<GLintptr>(sizeof(value)), sizeof(value), &value);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-  return value;
+  return BoundaryStore::DefineNodes(this->Store.IsDimmed()) + this->Store.GetSource() +
+    "#define AIRLIGHT_NEAR_PLANES " + std::to_string(near) + "\n" + AirlightViewShader +
+    AirlightPlanesFS;
 }
 
 //------------------------------------------------------------------------------
-// Draws all planes and caps, clipped to some rows, and returns how many boundaries there were, the
-// unused one included.
-std::uint64_t ShadowLists::DrawOnce(vtkShaderProgram* program, int slot, int row, int rows)
+bool ShadowLists::DrawFragments(const Source& source, bool near, int row, int rows)
 {
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
-  glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  vtkShaderProgram* program =
+    this->ReadyPlanes(this->GetPlanesSource(near), source.Volumes, source.Light, source.Rays);
+  if (!program)
+  {
+    return false;
+  }
+  program->SetUniformi("distances", source.Distances->GetTextureUnit());
   this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
-  this->Use(program);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LayerBinding, this->Layers[slot].Handle);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  this->Store.Use(program);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LayerBinding, this->Layers[source.Slot].Handle);
   glBindVertexArray(this->VertexArray);
   const auto draw = [program](const Buffer& buffer, int kind, float nearer, int vertices) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, buffer.Handle);
@@ -236,41 +180,66 @@ std::uint64_t ShadowLists::DrawOnce(vtkShaderProgram* program, int slot, int row
     program->SetUniformf("nearer", nearer);
     glDrawArrays(GL_TRIANGLES, 0, vertices * buffer.Count);
   };
-  draw(this->Edges[slot], 0, 1.0f, 6);
-  // The surface that the ray ends on is none that it goes through.
-  draw(this->Caps[slot], 1, 1.0f - 1e-5f, 3);
-  draw(this->NearEdges[slot], 2, 1.0f, 3);
+  if (near)
+  {
+    draw(this->NearEdges[source.Slot], 2, 1.0f, 3);
+  }
+  else
+  {
+    draw(this->Edges[source.Slot], 0, 1.0f, 6);
+    // The surface that the ray ends on is none that it goes through.
+    draw(this->Caps[source.Slot], 1, 1.0f - 1e-5f, 3);
+  }
   glBindVertexArray(0);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  return static_cast<std::uint64_t>(this->ReadHead(0)) + 1;
+  return true;
 }
 
 //------------------------------------------------------------------------------
-int ShadowLists::DrawRows(vtkShaderProgram* program, int slot, int row, int rows)
+// Draws all planes and caps, clipped to some rows.
+bool ShadowLists::DrawOnce(
+  const Source& source, int row, int rows, BoundaryStore::Counts& counts)
 {
-  const std::uint64_t most = std::min<std::uint64_t>(
-    this->MemoryLimit / this->GetNodeSize(), 0x7fffffffu / (this->GetNodeSize() / 4));
+  this->Store.Clear(row);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  const bool ok = this->DrawFragments(source, false, row, rows) &&
+    (this->NearEdges[source.Slot].Count == 0 || this->DrawFragments(source, true, row, rows));
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  counts = this->Store.ReadCounts();
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+int ShadowLists::DrawRows(const Source& source, int row, int rows)
+{
+  const std::uint64_t most = this->Store.GetMost();
+  const std::uint64_t all = rows;
+  rows = this->Store.LimitRows(rows);
   while (rows > 0)
   {
-    const std::uint64_t needed = this->DrawOnce(program, slot, row, rows);
-    if (needed <= this->Capacity)
+    BoundaryStore::Counts counts;
+    if (!this->DrawOnce(source, row, rows, counts))
     {
-      return rows;
+      return 0;
     }
-    if (this->Budgeted && needed > MostBands * most)
+    const std::uint64_t needed = counts.Boundaries;
+    if (needed <= this->Store.GetCapacity())
+    {
+      return counts.Spilled == 0 || this->Spill(row, rows) ? rows : 0;
+    }
+    if (this->Budgeted && needed * all / rows > MostBands * most)
     {
       break;
     }
     // A quarter more than asked for, so that a scene in motion does not grow it each frame.
-    if (needed <= most && this->Reserve(std::min(needed + needed / 4, most)))
+    if (needed <= most && this->Store.Reserve(std::min(needed + needed / 4, most)))
     {
       continue;
     }
-    if (this->Capacity == 0)
+    if (this->Store.GetCapacity() == 0)
     {
-      this->Reserve(std::min(InitialCapacity, most));
+      this->Store.ReserveSome();
     }
-    rows = this->Capacity > 0 ? rows / 2 : 0;
+    rows = this->Store.GetCapacity() > 0 ? rows / 2 : 0;
   }
   this->OverBudget = true;
   this->Error = "one row of pixels crosses more shadow boundaries than the memory limit allows";
@@ -278,34 +247,50 @@ int ShadowLists::DrawRows(vtkShaderProgram* program, int slot, int row, int rows
 }
 
 //------------------------------------------------------------------------------
+// Where a pixel has more boundaries than slots, those in the slots join the others in its list.
+bool ShadowLists::Spill(int row, int rows)
+{
+  vtkShaderProgram* program = this->SpillQuad.Ready(this->Window,
+    "#version 430\n" + BoundaryStore::DefineNodes(false) + this->Store.GetSource() +
+      AirlightSpillFS);
+  if (!program)
+  {
+    this->Error = "the shader of long lists did not compile: " + this->SpillQuad.GetError();
+    return false;
+  }
+  this->Store.Use(program);
+  vtkOpenGLState* state = this->Window->GetState();
+  vtkOpenGLState::ScopedglColorMask maskSaver(state);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglScissor(0, row, this->Width, rows);
+  this->SpillQuad.Draw({});
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& light,
   const View& view, vtkTextureObject* distances, int row, int rows)
 {
   distances->Activate();
-  vtkShaderProgram* program = this->ReadyPlanes(
-    DefineNodes(this->Dimmed) + AirlightViewShader + AirlightPlanesFS, volumes, light, view);
-  int done = 0;
-  if (program)
-  {
-    program->SetUniformi("distances", distances->GetTextureUnit());
-    vtkOpenGLState* state = this->Window->GetState();
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDepthFunc(GL_LEQUAL);
-    state->vtkglDepthMask(GL_FALSE);
-    state->vtkglDisable(GL_BLEND);
-    state->vtkglDisable(GL_CULL_FACE);
-    state->vtkglEnable(GL_SCISSOR_TEST);
-    glEnable(GL_DEPTH_CLAMP);
-    // Lenient: what the depth buffer's rounding leaves open, the shader's own test decides.
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(-2.0f, -8.0f);
-    done = this->DrawRows(program, slot, row, rows);
-    glPolygonOffset(0.0f, 0.0f);
-    glDisable(GL_POLYGON_OFFSET_FILL);
-    glDisable(GL_DEPTH_CLAMP);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
-    state->vtkglDepthMask(GL_TRUE);
-  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  glEnable(GL_DEPTH_CLAMP);
+  // Lenient: what the depth buffer's rounding leaves open, the shader's own test decides.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(-2.0f, -8.0f);
+  const int done = this->DrawRows({ slot, volumes, light, view, distances }, row, rows);
+  glPolygonOffset(0.0f, 0.0f);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_CLAMP);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
+  state->vtkglDepthMask(GL_TRUE);
   distances->Deactivate();
   return done;
 }
@@ -338,35 +323,27 @@ bool ShadowLists::DrawWireframe(
 }
 
 //------------------------------------------------------------------------------
-void ShadowLists::Use(vtkShaderProgram* program)
-{
-  program->SetUniformi("width", this->Width);
-  // An unsigned integer, which vtkShaderProgram cannot set.
-  glUniform1ui(glGetUniformLocation(program->GetHandle(), "capacity"), this->Capacity);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
-}
-
-//------------------------------------------------------------------------------
 int ShadowLists::GetLongDraws()
 {
   // One more, for lists whose length is a multiple of the chunk.
-  const std::uint32_t longest = this->ReadHead(1);
+  const std::uint32_t longest = this->Store.ReadLongest();
   return longest > 0 ? static_cast<int>(longest / Chunk) + 1 : 0;
 }
 
 //------------------------------------------------------------------------------
 bool ShadowLists::Sort()
 {
-  const std::uint32_t longest = this->ReadHead(1);
+  const std::uint32_t longest = this->Store.ReadLongest();
   vtkShaderProgram* program = this->SortQuad.Ready(
-    this->Window, "#version 430\n" + DefineNodes(this->Dimmed) + AirlightSortFS);
+    this->Window,
+    "#version 430\n" + BoundaryStore::DefineNodes(this->Store.IsDimmed()) +
+      this->Store.GetSource() + AirlightSortFS);
   if (!program)
   {
     this->Error = "the sort shader did not compile: " + this->SortQuad.GetError();
     return false;
   }
-  this->Use(program);
+  this->Store.Use(program);
   vtkOpenGLState* state = this->Window->GetState();
   vtkOpenGLState::ScopedglColorMask maskSaver(state);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -389,8 +366,7 @@ void ShadowLists::Release()
     return;
   }
   glDeleteVertexArrays(1, &this->VertexArray);
-  glDeleteBuffers(1, &this->Nodes);
-  glDeleteBuffers(1, &this->Heads);
+  this->Store.Release();
   for (size_t slot = 0; slot < this->Edges.size(); ++slot)
   {
     glDeleteBuffers(1, &this->Edges[slot].Handle);
@@ -403,8 +379,7 @@ void ShadowLists::Release()
   this->Caps.clear();
   this->Layers.clear();
   this->SortQuad.Release();
-  this->VertexArray = this->Nodes = this->Heads = 0;
-  this->Capacity = 0;
-  this->HeadCount = 0;
+  this->SpillQuad.Release();
+  this->VertexArray = 0;
 }
 }

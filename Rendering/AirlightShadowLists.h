@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws a light's shadow planes and collects, for each pixel, the list of boundaries that its ray
- * crosses before the surface.
- *
- * Memory: 12 bytes a boundary, 24 where casters let light through, and 4 a pixel. Lists are never cut short: where the boundaries do
- * not fit, the buffer grows; where it may not grow, fewer rows are drawn at a time.
+ * Draws a light's shadow planes and collects, for each pixel, the boundaries that its ray crosses
+ * before the surface (AirlightBoundaryStore.h). None is left out: where they do not fit, the buffer
+ * grows; where it may not grow, fewer rows are drawn at a time.
  */
 
 #ifndef AirlightShadowLists_h
 #define AirlightShadowLists_h
 
+#include "AirlightBoundaryStore.h"
 #include "AirlightQuad.h"
 #include "AirlightShadowVolumes.h"
 
@@ -36,17 +35,14 @@ public:
   // Whether the window's OpenGL has what this needs: 4.3.
   static bool IsSupported(vtkOpenGLRenderWindow* window);
 
-  // Fragment source that reads the lists, after a "#version 430". A first draw does the pixels
-  // with short lists. Where GetLongDraws() is above 0 afterwards, there are others: Sort() puts
+  // Fragment source that reads the boundaries, after a "#version 430" and
+  // BoundaryStore::DefineNodes(). A first draw does the pixels with few. Where GetLongDraws() is above 0 afterwards, there are others: Sort() puts
   // them in order and that many draws of the source for sorted lists do them, all but the first
   // with the uniform "resume" set.
   std::string GetBoundariesSource(bool sorted) const;
 
   // Whether boundaries tell how much light their casters let through, after Prepare().
-  void SetDimmed(bool dimmed);
-
-  // The words of a boundary, for shaders that read or write them.
-  static std::string DefineNodes(bool dimmed);
+  void SetDimmed(bool dimmed) { this->Store.SetDimmed(dimmed); }
 
   // `memoryLimit` in bytes; with `budgeted`, Fill() gives up where all rows at once would need more
   // than MostBands times that. False with a reason in GetError() where a buffer cannot be had.
@@ -72,8 +68,11 @@ public:
   // Whether Fill() failed since there are too many boundaries.
   bool IsOverBudget() const { return this->OverBudget; }
 
-  // For a program with the source above: binds the lists and sets its uniforms.
-  void Use(vtkShaderProgram* program);
+  // For a program with the source above: binds the boundaries and sets its uniforms.
+  void Use(vtkShaderProgram* program) { this->Store.Use(program); }
+
+  // Whether the first draw reads boundaries from slots.
+  bool HasSlots() const { return this->Store.GetSlots() > 0; }
 
   // Number of draws for the lists that the first draw left out; 0 where it left out none.
   int GetLongDraws();
@@ -91,33 +90,39 @@ private:
     int Count = 0;
   };
 
+  // What a light's planes are drawn from.
+  struct Source
+  {
+    int Slot;
+    const ShadowVolumes& Volumes;
+    const glm::dvec4& Light;
+    const View& Rays;
+    vtkTextureObject* Distances;
+  };
+
   void Upload(Buffer& buffer, const void* data, size_t count, size_t size);
-  bool Reserve(std::uint64_t boundaries);
-  std::uint64_t GetNodeSize() const;
   void UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers);
   vtkShaderProgram* ReadyPlanes(const std::string& fragment, const ShadowVolumes& volumes,
     const glm::dvec4& light, const View& view);
-  std::uint64_t DrawOnce(vtkShaderProgram* program, int slot, int row, int rows);
-  int DrawRows(vtkShaderProgram* program, int slot, int row, int rows);
-  std::uint32_t ReadHead(int index);
+  std::string GetPlanesSource(bool near) const;
+  bool DrawFragments(const Source& source, bool near, int row, int rows);
+  bool DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts);
+  int DrawRows(const Source& source, int row, int rows);
+  bool Spill(int row, int rows);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   int Width = 0;
   int Height = 0;
-  std::uint64_t MemoryLimit = 0;
   bool Budgeted = false;
   bool OverBudget = false;
-  std::uint32_t Capacity = 0; // boundaries, the unused one at index 0 included
-  unsigned int Nodes = 0;
-  unsigned int Heads = 0;
-  int HeadCount = 0;
   unsigned int VertexArray = 0;
   std::vector<Buffer> Edges; // by slot
   std::vector<Buffer> NearEdges;
   std::vector<Buffer> Caps;
   std::vector<Buffer> Layers;
-  bool Dimmed = false;
+  BoundaryStore Store;
   Quad SortQuad;
+  Quad SpillQuad;
   std::string Error;
 };
 }

@@ -27,6 +27,8 @@ struct AirlightPhase
 #define AIRLIGHT_POLE_ORDER phase.order
 #endif
 
+// Where all are isotropic, AIRLIGHT_ISOTROPIC is defined.
+
 #ifndef AIRLIGHT_HAS_POWER
 #define AIRLIGHT_HAS_POWER 1
 #endif
@@ -61,6 +63,9 @@ AIRLIGHT_FN real airlightPhaseTable(AIRLIGHT_IN(AirlightPhase) phase, real cosTh
 // p(cosTheta) in 1/sr; cosTheta = 1 is forward.
 AIRLIGHT_FN real airlightPhase(AIRLIGHT_IN(AirlightPhase) phase, real cosTheta)
 {
+#ifdef AIRLIGHT_ISOTROPIC
+  return phase.pole[0].y;
+#endif
   if (AIRLIGHT_HAS_TABLE != 0 && phase.rows > 0)
   {
     return airlightPhaseTable(phase, cosTheta);

@@ -1,7 +1,8 @@
-// The boundaries of a pixel in order of distance. Short lists are sorted here, in a local array.
-// Longer ones are left out in a first draw, which notes that they are there; AirlightSortFS.glsl
-// sorts them in place, and further draws with AIRLIGHT_SORTED read them as they are, some boundaries
-// a draw, because some software renderers bound the iterations of one shader run.
+// The boundaries of a pixel in order of distance. A first draw takes the pixels whose boundaries
+// have slots, or where there are none (AIRLIGHT_SLOTS 0), those with short lists, which are sorted
+// here in a local array. It leaves out the others; AirlightSortFS.glsl sorts their lists in place, and
+// further draws with AIRLIGHT_SORTED read them as they are, some boundaries a draw, because some
+// software renderers bound the iterations of one shader run.
 //
 // A boundary has AIRLIGHT_NODE_WORDS: t, weight, index of the next; with AIRLIGHT_DIMMED the weight
 // is eight times the number of layers and a bit for each channel that they block, and the optical
@@ -11,22 +12,11 @@ layout(std430, binding = 1) buffer AirlightNodes
 {
   uint nodes[];
 };
-layout(std430, binding = 2) buffer AirlightHeads
-{
-  uint heads[]; // counter of boundaries, length of the longest list, one head a pixel
-};
-
-uniform int width;
 uniform uint capacity;
 
 const int AIRLIGHT_MORE = 0;  // a boundary
 const int AIRLIGHT_PAUSE = 1; // the rest is the next draw's
 const int AIRLIGHT_END = 2;   // none is left
-
-uint airlightHeadIndex(ivec2 pixel)
-{
-  return uint(2 + pixel.y * width + pixel.x);
-}
 
 AirlightCounts airlightWeight(uint node)
 {
@@ -143,6 +133,24 @@ void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts 
     airlightLeave(from, shadows);
   }
 }
+
+#elif AIRLIGHT_SLOTS > 0
+
+bool airlightOpenBoundaries(
+  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout AirlightCounts shadows)
+{
+  return airlightReadSlots(pixel);
+}
+
+int airlightNextBoundary(out float t, out AirlightCounts weight)
+{
+  uint key = airlightNextKey();
+  t = airlightKeyDistance(key);
+  weight = airlightKeyWeight(key);
+  return slotCount >= 0 ? AIRLIGHT_MORE : AIRLIGHT_END;
+}
+
+void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts shadows) {}
 
 #else
 

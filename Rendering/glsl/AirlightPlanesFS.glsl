@@ -1,4 +1,5 @@
-// Each fragment of a shadow plane is a boundary (t, +-weight) in its pixel's list.
+// Each fragment of a shadow plane is a boundary (t, +-weight) in one of its pixel's slots, or where
+// there is none left, in the pixel's list.
 
 layout(early_fragment_tests) in;
 
@@ -6,10 +7,6 @@ layout(early_fragment_tests) in;
 layout(std430, binding = 1) writeonly buffer AirlightNodes
 {
   uint nodes[];
-};
-layout(std430, binding = 2) buffer AirlightHeads
-{
-  uint heads[]; // counter of boundaries, length of the longest list, one head a pixel
 };
 
 #if AIRLIGHT_DIMMED
@@ -24,17 +21,20 @@ flat in int planeLayer;
 uniform sampler2D distances;
 uniform float nearer; // a boundary counts where t < nearer * surface
 uniform uint capacity; // boundaries that fit
-uniform int width;
-uniform int kind;       // as in AirlightPlanesVS.glsl
+#if AIRLIGHT_NEAR_PLANES
 uniform vec3 anchor;    // from the eye
 uniform vec4 fromLight; // directional: the light's direction and w 0; point: w 1
+#endif
 
 flat in vec3 planeNormal;
 flat in float planeOffset;
 flat in int planeWeight;
+#if AIRLIGHT_NEAR_PLANES
 flat in vec3 planeA;
 flat in vec3 planeB;
+#endif
 
+#if AIRLIGHT_NEAR_PLANES
 // Whether a point of the plane, from the anchor, lies beyond the edge and between its two sides.
 bool isBehindEdge(vec3 point)
 {
@@ -47,6 +47,56 @@ bool isBehindEdge(vec3 point)
     dot(cross(point - apexB, sideB), planeNormal) >= 0.0 &&
     dot(cross(point - planeA, planeB - planeA), planeNormal) >= 0.0;
 }
+#endif
+
+// A boundary of the pixel's list.
+void addToList(ivec2 pixel, float t, int weight)
+{
+  uint index = atomicAdd(heads[0], 1u) + 1u;
+  if (index < capacity)
+  {
+    uint word = AIRLIGHT_NODE_WORDS * index;
+    nodes[word] = floatBitsToUint(t);
+    nodes[word + 2u] = atomicExchange(heads[airlightHeadIndex(pixel)], index);
+#if AIRLIGHT_DIMMED
+    ivec4 layer = shadowLayers[planeLayer];
+    nodes[word + 1u] = uint(8 * weight + layer.w);
+    for (uint i = 0u; i < 3u; i++)
+    {
+      nodes[word + 3u + i] = uint(weight * layer[i]);
+    }
+#else
+    nodes[word + 1u] = uint(weight);
+#endif
+  }
+}
+
+#if AIRLIGHT_SLOTS > 0
+// Weights beyond 2, where many triangles have one edge, take several slots.
+void addToSlots(ivec2 pixel, float t, int weight)
+{
+  uint first = airlightFirstSlot(pixel);
+  for (int left = weight; left != 0;)
+  {
+    int part = clamp(left, -2, 2);
+    left -= part;
+    uint slot = atomicAdd(heads[airlightCountIndex(pixel)], 1u);
+    if (slot < uint(AIRLIGHT_SLOTS))
+    {
+      slots[first + 64u * slot] = airlightKey(t, part);
+    }
+    else
+    {
+      addToList(pixel, t, part);
+      if (slot == uint(AIRLIGHT_SLOTS))
+      {
+        atomicAdd(heads[2], 1u);
+      }
+      atomicMax(heads[1], slot + 1u);
+    }
+  }
+}
+#endif
 
 void main()
 {
@@ -55,14 +105,13 @@ void main()
   vec3 direction = normalize(airlightDirection(p));
   float t = (planeOffset - dot(planeNormal, origin)) / dot(planeNormal, direction);
   bool enters = gl_FrontFacing;
-  if (kind == 2)
+#if AIRLIGHT_NEAR_PLANES
+  enters = planeOffset < 0.0;
+  if (!(t > 0.0) || !isBehindEdge(t * direction - anchor))
   {
-    enters = planeOffset < 0.0;
-    if (!(t > 0.0) || !isBehindEdge(t * direction - anchor))
-    {
-      return;
-    }
+    return;
   }
+#endif
   ivec2 pixel = ivec2(p);
   float surface = texelFetch(distances, pixel, 0).r;
   // The depth test, made lenient, rejects most of what the surface hides; this is the exact one.
@@ -75,23 +124,10 @@ void main()
   {
     t = 1e18;
   }
-  uint index = atomicAdd(heads[0], 1u) + 1u;
-  if (index < capacity)
-  {
-    uint next = atomicExchange(heads[2 + pixel.y * width + pixel.x], index);
-    uint word = AIRLIGHT_NODE_WORDS * index;
-    int weight = enters ? planeWeight : -planeWeight;
-    nodes[word] = floatBitsToUint(t);
-    nodes[word + 2u] = next;
-#if AIRLIGHT_DIMMED
-    ivec4 layer = shadowLayers[planeLayer];
-    nodes[word + 1u] = uint(8 * weight + layer.w);
-    for (uint i = 0u; i < 3u; i++)
-    {
-      nodes[word + 3u + i] = uint(weight * layer[i]);
-    }
+  int weight = enters ? planeWeight : -planeWeight;
+#if AIRLIGHT_SLOTS > 0
+  addToSlots(pixel, t, weight);
 #else
-    nodes[word + 1u] = uint(weight);
+  addToList(pixel, t, weight);
 #endif
-  }
 }

@@ -67,6 +67,20 @@ void main()
   int state = AIRLIGHT_END;
   int shadows = surfaceLit ? 0 : 1;
   bool shadowless = false;
+#elif AIRLIGHT_TURNED
+#ifdef AIRLIGHT_SLOTS
+  if (!airlightReadSlots(pixel))
+  {
+    discard;
+  }
+#endif
+  vec3 whole;
+  float litLength;
+  int boundaries;
+  bool surfaceLit;
+  vec3 sum = airlightTurnedRay(pixel, ray, whole, litLength, boundaries, surfaceLit);
+  int state = AIRLIGHT_END;
+  int shadows = surfaceLit ? 0 : 1;
 #else
   float from = ray.lit.x;
   float runStart = -1.0; // of what is lit, or not, as a whole
@@ -158,7 +172,9 @@ void main()
   lit = state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)) ? litBit : vec4(0.0);
 #ifdef AIRLIGHT_RECORD
   single = airlight;
+#if !AIRLIGHT_TURNED
   vec3 whole = shadowless ? sum : unshadowed(ray);
+#endif
   whole = mix(vec3(0.0), whole, greaterThan(sigmaS, vec3(0.0)));
   // A ray that takes several draws has this error once.
   float bound = phaseError * brightest(airlight.rgb) +

@@ -8,12 +8,7 @@ layout(std430, binding = 1) buffer AirlightNodes
 {
   uint nodes[];
 };
-layout(std430, binding = 2) buffer AirlightHeads
-{
-  uint heads[];
-};
 
-uniform int width;
 uniform uint run;
 
 // By distance; at one distance entries before exits.
@@ -27,7 +22,7 @@ bool airlightBefore(uint a, uint b)
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  int headIndex = 2 + pixel.y * width + pixel.x;
+  int headIndex = airlightHeadIndex(pixel);
   uint left = heads[headIndex];
   if (left == 0u)
   {

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightBoundaryStore.h"
+
+#include "AirlightHeads.h"
+#include "AirlightOpenGL.h"
+#include "AirlightSlots.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+namespace
+{
+constexpr std::uint64_t PlainNodeWords = 3;
+constexpr std::uint64_t DimmedNodeWords = 6;
+// For the few pixels whose slots do not suffice, and where there are none.
+constexpr std::uint64_t InitialCapacity = 1u << 18;
+// AirlightSlots.glsl: slots lie in tiles of so many pixels each way.
+constexpr std::uint64_t Tile = 8;
+// What AirlightHeads.glsl begins with.
+constexpr int HeadOffset = 4;
+
+// Bindings of the shaders' buffers.
+constexpr GLuint NodeBinding = 1;
+constexpr GLuint HeadBinding = 2;
+constexpr GLuint SlotBinding = 7;
+
+std::uint64_t CountTiles(int pixels) { return (static_cast<std::uint64_t>(pixels) + Tile - 1) / Tile; }
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t BoundaryStore::GetNodeSize() const
+{
+  return 4 * (this->Dimmed ? DimmedNodeWords : PlainNodeWords);
+}
+
+//------------------------------------------------------------------------------
+// Of one row of tiles.
+std::uint64_t BoundaryStore::GetSlotBytes() const
+{
+  return CountTiles(this->Width) * Tile * Tile * SlotsPerPixel * 4;
+}
+
+//------------------------------------------------------------------------------
+bool BoundaryStore::Allocate(unsigned int buffer, std::uint64_t bytes, const std::string& what)
+{
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+  glBufferData(
+    GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  if (glGetError() != GL_NO_ERROR)
+  {
+    this->Error = "no memory for " + what;
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool BoundaryStore::Reserve(std::uint64_t boundaries)
+{
+  const bool ok = this->Allocate(this->Nodes, boundaries * this->GetNodeSize(),
+    "the lists of " + std::to_string(boundaries) + " boundaries");
+  this->Capacity = ok ? static_cast<std::uint32_t>(boundaries) : 0;
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+bool BoundaryStore::ReserveSome()
+{
+  return this->Reserve(std::min(InitialCapacity, this->GetMost()));
+}
+
+//------------------------------------------------------------------------------
+// A quarter of the limit is left to lists.
+bool BoundaryStore::ReserveSlots()
+{
+  const std::uint64_t most = std::min(this->Limit - this->Limit / 4, this->MostBytes);
+  const std::uint64_t tiles =
+    std::min(CountTiles(this->Height), most / std::max<std::uint64_t>(this->GetSlotBytes(), 1));
+  this->SlotRows = static_cast<int>(tiles * Tile);
+  const std::uint64_t bytes = tiles * this->GetSlotBytes();
+  if (bytes == this->SlotSize)
+  {
+    return true;
+  }
+  this->SlotSize = bytes;
+  return this->Allocate(
+    this->Slots, bytes, "the boundaries of " + std::to_string(this->SlotRows) + " rows of pixels");
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t BoundaryStore::GetMost() const
+{
+  const std::uint64_t left = this->Limit - std::min(this->SlotSize, this->Limit);
+  return std::min(left, this->MostBytes) / this->GetNodeSize();
+}
+
+//------------------------------------------------------------------------------
+bool BoundaryStore::Prepare(
+  vtkOpenGLRenderWindow*, int width, int height, std::uint64_t limit)
+{
+  this->Width = width;
+  this->Height = height;
+  this->Limit = limit;
+  if (this->Nodes == 0)
+  {
+    glGenBuffers(1, &this->Nodes);
+    glGenBuffers(1, &this->Heads);
+    glGenBuffers(1, &this->Slots);
+    GLint64 most = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    // Indices of words are 32 bits wide.
+    this->MostBytes = std::clamp<std::uint64_t>(most, 1u << 24, 0x7fffffff);
+  }
+  const std::uint64_t heads = 2 * static_cast<std::uint64_t>(width) * height + HeadOffset;
+  if (this->HeadCount != heads &&
+    !this->Allocate(this->Heads, 4 * heads, "a viewport of " + std::to_string(width) + " x " +
+        std::to_string(height) + " pixels"))
+  {
+    return false;
+  }
+  this->HeadCount = heads;
+  if (!this->ReserveSlots())
+  {
+    return false;
+  }
+  const bool fits = this->Capacity > 0 && this->Capacity <= this->GetMost();
+  return fits || this->ReserveSome();
+}
+
+//------------------------------------------------------------------------------
+void BoundaryStore::SetDimmed(bool dimmed)
+{
+  const std::uint64_t bytes = this->Capacity * this->GetNodeSize();
+  this->Dimmed = dimmed;
+  this->Capacity = static_cast<std::uint32_t>(bytes / this->GetNodeSize());
+}
+
+//------------------------------------------------------------------------------
+int BoundaryStore::LimitRows(int rows) const
+{
+  return this->GetSlots() > 0 ? std::min(rows, this->SlotRows) : rows;
+}
+
+//------------------------------------------------------------------------------
+void BoundaryStore::Clear(int row)
+{
+  this->SlotRow = row;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+std::string BoundaryStore::DefineNodes(bool dimmed)
+{
+  return "#define AIRLIGHT_DIMMED " + std::to_string(dimmed) + "\n#define AIRLIGHT_NODE_WORDS " +
+    std::to_string(dimmed ? DimmedNodeWords : PlainNodeWords) + "u\n";
+}
+
+//------------------------------------------------------------------------------
+std::string BoundaryStore::GetSource() const
+{
+  return "#define AIRLIGHT_SLOTS " + std::to_string(this->GetSlots()) + "\n" + AirlightHeads +
+    (this->GetSlots() > 0 ? AirlightSlots : "");
+}
+
+//------------------------------------------------------------------------------
+void BoundaryStore::Use(vtkShaderProgram* program)
+{
+  program->SetUniformi("width", this->Width);
+  program->SetUniformi("height", this->Height);
+  program->SetUniformi("slotRow", this->SlotRow);
+  program->SetUniformi("slotTiles", static_cast<int>(CountTiles(this->Width)));
+  // An unsigned integer, which vtkShaderProgram cannot set.
+  glUniform1ui(glGetUniformLocation(program->GetHandle(), "capacity"), this->Capacity);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SlotBinding, this->Slots);
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t BoundaryStore::ReadHead(int index)
+{
+  GLuint value = 0;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glGetBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, index * static_cast<GLintptr>(sizeof(value)), sizeof(value), &value);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  return value;
+}
+
+//------------------------------------------------------------------------------
+BoundaryStore::Counts BoundaryStore::ReadCounts()
+{
+  GLuint values[HeadOffset] = {};
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(values), values);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  Counts counts;
+  counts.Longest = values[1];
+  counts.Spilled = values[2];
+  counts.Boundaries = static_cast<std::uint64_t>(values[0]) + 1 +
+    static_cast<std::uint64_t>(this->GetSlots()) * counts.Spilled;
+  return counts;
+}
+
+//------------------------------------------------------------------------------
+void BoundaryStore::Release()
+{
+  if (this->Nodes == 0)
+  {
+    return;
+  }
+  glDeleteBuffers(1, &this->Nodes);
+  glDeleteBuffers(1, &this->Heads);
+  glDeleteBuffers(1, &this->Slots);
+  this->Nodes = this->Heads = this->Slots = 0;
+  this->Capacity = 0;
+  this->HeadCount = 0;
+  this->SlotSize = 0;
+  this->SlotRows = 0;
+}
+}

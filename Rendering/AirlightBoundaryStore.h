@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The boundaries of a light's shadows on each pixel, in the memory of the graphics card.
+ *
+ * Most pixels have few. So each has SlotsPerPixel slots of 4 bytes; what finds no slot goes into a
+ * linked list of the pixel (glsl/AirlightSlots.glsl, glsl/AirlightPlanesFS.glsl). Where casters let
+ * light through, boundaries take more than a slot holds: there all are in lists. Bytes:
+ *
+ *   a pixel: 4 SlotsPerPixel for the slots, 8 for the list's head and the number of boundaries
+ *   a boundary beyond the slots: 12, or 24 where casters let light through
+ *
+ * Where the memory limit has no room for the slots of all rows of pixels, it is used again for one
+ * band of rows after another.
+ */
+
+#ifndef AirlightBoundaryStore_h
+#define AirlightBoundaryStore_h
+
+#include <cstdint>
+#include <string>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace airlight
+{
+class BoundaryStore
+{
+public:
+  static constexpr int SlotsPerPixel = 16;
+
+  // `limit` in bytes. False with a reason in GetError() where a buffer cannot be had.
+  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t limit);
+  const std::string& GetError() const { return this->Error; }
+
+  // Whether boundaries tell how much light their casters let through, after Prepare(). The lists
+  // keep their bytes.
+  void SetDimmed(bool dimmed);
+  bool IsDimmed() const { return this->Dimmed; }
+
+  // Of each pixel; 0 where all boundaries are in lists.
+  int GetSlots() const { return this->Dimmed || this->SlotRows == 0 ? 0 : SlotsPerPixel; }
+
+  // The most rows that have slots at once.
+  int LimitRows(int rows) const;
+
+  // Empties all for the rows from this one on.
+  void Clear(int row);
+
+  // What shaders that write or read boundaries begin with, after "#version 430". The lists' words
+  // alone for others that have the lists' kinds of light, not their boundaries.
+  std::string GetSource() const;
+  static std::string DefineNodes(bool dimmed);
+
+  // Binds all and sets the uniforms of that source.
+  void Use(vtkShaderProgram* program);
+
+  // After a draw: what the lists must hold, the slots that they take over included; the most
+  // boundaries of a pixel with a list, 0 where there is none; the pixels whose slots are to join
+  // their list.
+  struct Counts
+  {
+    std::uint64_t Boundaries = 0;
+    std::uint32_t Longest = 0;
+    std::uint32_t Spilled = 0;
+  };
+  Counts ReadCounts();
+  // Of lists sorted where they are read.
+  std::uint32_t ReadLongest() { return this->ReadHead(1); }
+
+  // In boundaries of lists: what there is room for, and what the limit allows.
+  std::uint64_t GetCapacity() const { return this->Capacity; }
+  std::uint64_t GetMost() const;
+
+  // False with a reason in GetError() where there is no such memory; the capacity may be 0 then.
+  bool Reserve(std::uint64_t boundaries);
+  bool ReserveSome();
+
+  void Release();
+
+private:
+  std::uint64_t GetNodeSize() const;
+  std::uint64_t GetSlotBytes() const;
+  bool ReserveSlots();
+  bool Allocate(unsigned int buffer, std::uint64_t bytes, const std::string& what);
+  std::uint32_t ReadHead(int index);
+
+  int Width = 0;
+  int Height = 0;
+  std::uint64_t Limit = 0;
+  std::uint64_t MostBytes = 0; // of a buffer
+  std::uint32_t Capacity = 0;  // boundaries, the unused one at index 0 included
+  unsigned int Nodes = 0;
+  unsigned int Heads = 0;
+  unsigned int Slots = 0;
+  int SlotRows = 0;
+  int SlotRow = 0;
+  std::uint64_t HeadCount = 0;
+  std::uint64_t SlotSize = 0; // bytes allocated
+  bool Dimmed = false;
+  std::string Error;
+};
+}
+
+#endif
