@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightProfile.h"
 #include "AirlightFrame.h"
 
 #include "AirlightDistancesFS.h"
@@ -113,6 +114,7 @@ bool Frame::BindCollect()
 //------------------------------------------------------------------------------
 bool Frame::FinishDistances()
 {
+  Prof prof("finish");
   if (!this->Textures.Bind({ this->Textures.Distances }, nullptr))
   {
     return this->Fail(this->Textures.GetError());

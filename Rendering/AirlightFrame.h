@@ -190,6 +190,7 @@ private:
   void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists);
   void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);
   double GetIntegralError(int index) const;
+  void SetTurnedConstants(vtkShaderProgram* program, const f64::AirlightLight& light);
   void SetMapUniforms(vtkShaderProgram* program, int index);
   ShadowMap* GetMap(int index) const;
 

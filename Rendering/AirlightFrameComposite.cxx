@@ -4,6 +4,7 @@
 // The last steps of a frame: the medium before the scene, the recorded buffers, and the picture into
 // the caller's framebuffer.
 
+#include "AirlightProfile.h"
 #include "AirlightFrame.h"
 
 #include "AirlightCompositeFS.h"
@@ -157,6 +158,7 @@ vtkImageData* Frame::GetBuffer(const std::string& name)
 //------------------------------------------------------------------------------
 bool Frame::Composite(int x, int y, bool blend)
 {
+  Prof prof("composite");
   const bool copy = this->Settings.Layers;
   vtkShaderProgram* program = copy ? this->ReadyCopy(x, y) : this->ReadyComposite(false, x, y);
   if (!program)

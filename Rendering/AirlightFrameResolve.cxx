@@ -3,6 +3,7 @@
 //
 // Step 2 of a frame: one light's shadows, from planes or from a map, and its airlight.
 
+#include "AirlightProfile.h"
 #include "AirlightFrame.h"
 
 #include "AirlightDimmed.h"
@@ -33,6 +34,11 @@ bool IsQuadrature(const airlight::f64::AirlightLight& light)
 {
   return light.kind == AIRLIGHT_POINT_QUADRATURE || light.kind == AIRLIGHT_DIRECTIONAL_QUADRATURE;
 }
+
+const char* GivenUniforms = "uniform AirlightMedia media;\nuniform AirlightLight light;\n";
+// AirlightTurnedRay.glsl takes some of it from elsewhere.
+const char* GivenGlobals = "uniform AirlightMedia givenMedia;\nuniform AirlightLight givenLight;\n"
+                           "AirlightMedia media;\nAirlightLight light;\n";
 
 // The longest way on which light of any channel falls to 1/e; 1 where none does.
 double GetFadingLength(const airlight::f64::AirlightMedia& media)
@@ -174,10 +180,12 @@ std::string Frame::GetResolveSource(int index, Lists lists) const
     BoundaryStore::DefineNodes(this->Dimmed) + (this->Settings.Record ? RecordDefinition : "") +
     (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
     (march ? "#define AIRLIGHT_RAY_MARCH\n" : "") + "#define AIRLIGHT_TURNED " +
-    std::to_string(turned) + "\n" +
+    std::to_string(turned) + "\n#define AIRLIGHT_WHOLE_TARGET\n#define AIRLIGHT_PARALLEL " +
+    std::to_string(this->Rays->IsParallel()) + "\n" +
+    (this->Lamps[index].Values.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +
     GetScatteringSource(
       this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
-    AirlightViewShader + "uniform AirlightMedia media;\nuniform AirlightLight light;\n" +
+    AirlightViewShader + (turned ? GivenGlobals : GivenUniforms) +
     (this->Dimmed ? AirlightDimmed : "") + AirlightShadowCounts + boundaries +
     (turned ? AirlightTurnedRay : "") + AirlightResolveFS;
 }
@@ -204,8 +212,17 @@ double Frame::GetIntegralError(int index) const
 void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists)
 {
   this->Rays->SetUniforms(program, 0, 0);
-  SetMediaUniforms(program, "media", this->Media);
-  SetLightUniforms(program, "light", this->Lamps[index].Values);
+  if (this->IsTurned(index, lists))
+  {
+    SetMediaUniforms(program, "givenMedia", this->Media);
+    SetLightUniforms(program, "givenLight", this->Lamps[index].Values);
+    this->SetTurnedConstants(program, this->Lamps[index].Values);
+  }
+  else
+  {
+    SetMediaUniforms(program, "media", this->Media);
+    SetLightUniforms(program, "light", this->Lamps[index].Values);
+  }
   if (f64::airlightIsDirectional(this->Lamps[index].Values))
   {
     program->SetUniformi("lightHasPixel", 0);
@@ -246,6 +263,19 @@ void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists
 }
 
 //------------------------------------------------------------------------------
+// As AirlightTurnedRay.glsl takes them.
+void Frame::SetTurnedConstants(vtkShaderProgram* program, const f64::AirlightLight& light)
+{
+  const f64::AirlightMedium& medium = this->Media.item[0];
+  const View::LightPixel pixel = this->Rays->GetLightPixel(light.position);
+  const glm::vec4 constants[6] = { glm::vec4(light.position, light.radius),
+    glm::vec4(light.intensity * medium.sigmaS, medium.phase.pole[0].y),
+    glm::vec4(medium.sigmaT, pixel.IsNear ? 1.0 : 0.0), glm::vec4(pixel.Whole, pixel.Rest),
+    glm::vec4(pixel.PerX, 0.0f), glm::vec4(pixel.PerY, 0.0f) };
+  program->SetUniform4fv("airlightConstants", 6, &constants[0].x);
+}
+
+//------------------------------------------------------------------------------
 void Frame::SetMapUniforms(vtkShaderProgram* program, int index)
 {
   const ShadowMap* map = this->GetMap(index);
@@ -270,6 +300,7 @@ void Frame::SetMapUniforms(vtkShaderProgram* program, int index)
 //------------------------------------------------------------------------------
 bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
+  Prof prof(lists == Lists::None ? "resolve none" : "resolve");
   Quad& quad = this->ResolveQuads[lists == Lists::Map
       ? this->ResolveQuads.size() - 1
       : std::min<size_t>(static_cast<size_t>(lists), static_cast<size_t>(Lists::Long))];
@@ -286,8 +317,7 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
 
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  state->vtkglDisable(GL_BLEND);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(0, row, this->Width, rows);
   ShadowMap* map = lists == Lists::Map ? this->GetMap(index) : nullptr;

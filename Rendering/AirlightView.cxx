@@ -74,7 +74,7 @@ void View::SetUniforms(vtkShaderProgram* program, int x, int y, const glm::vec4&
 }
 
 //------------------------------------------------------------------------------
-void View::SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position) const
+View::LightPixel View::GetLightPixel(const glm::dvec3& position) const
 {
   // In a perspective the light is a multiple of one pixel's direction; in parallel projection it is
   // one pixel's origin plus a multiple of the common direction.
@@ -85,19 +85,27 @@ void View::SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position
     glm::inverse(basis) * (this->Parallel ? position - this->Affine[0] : position);
   const glm::dvec2 pixel =
     this->Parallel ? glm::dvec2(solution) : glm::dvec2(solution) / solution.z;
+  LightPixel result;
   // A light far outside the view passes no ray closely.
-  const bool isNear = std::abs(pixel.x) < 1e5 && std::abs(pixel.y) < 1e5;
-  const glm::vec2 whole(glm::floor(pixel));
-  const glm::vec2 rest(pixel - glm::floor(pixel));
-  const glm::vec3 crossX(glm::cross(along, this->Affine[1]));
-  const glm::vec3 crossY(glm::cross(along, this->Affine[2]));
-  program->SetUniformi("lightHasPixel", isNear ? 1 : 0);
-  if (isNear)
+  result.IsNear = std::abs(pixel.x) < 1e5 && std::abs(pixel.y) < 1e5;
+  if (result.IsNear)
   {
-    program->SetUniform2f("lightPixel", &whole.x);
-    program->SetUniform2f("lightPixelRest", &rest.x);
-    program->SetUniform3f("lightPerX", &crossX.x);
-    program->SetUniform3f("lightPerY", &crossY.x);
+    result.Whole = glm::vec2(glm::floor(pixel));
+    result.Rest = glm::vec2(pixel - glm::floor(pixel));
+    result.PerX = glm::vec3(glm::cross(along, this->Affine[1]));
+    result.PerY = glm::vec3(glm::cross(along, this->Affine[2]));
   }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void View::SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position) const
+{
+  const LightPixel pixel = this->GetLightPixel(position);
+  program->SetUniformi("lightHasPixel", pixel.IsNear ? 1 : 0);
+  program->SetUniform2f("lightPixel", &pixel.Whole.x);
+  program->SetUniform2f("lightPixelRest", &pixel.Rest.x);
+  program->SetUniform3f("lightPerX", &pixel.PerX.x);
+  program->SetUniform3f("lightPerY", &pixel.PerY.x);
 }
 }

@@ -34,9 +34,21 @@ public:
   // From positions relative to `origin` [world] to clip coordinates.
   glm::mat4 GetClipMatrix(const glm::dvec3& origin) const;
 
-  // For glsl/AirlightResolveFS.glsl: what the distance of a pixel's ray from a light at `position`
-  // [from the eye] is made of. It vanishes, linearly, at the light's own pixel, and is taken from
-  // there: as a cross product of long vectors it would be lost in single precision near the light.
+  // Where a light at `position` [from the eye] is in the picture: the pixel, its whole part and the
+  // rest, and what the distance of a pixel's ray from the light grows by per pixel away from it. It
+  // vanishes, linearly, at the light's own pixel, and is taken from there: as a cross product of
+  // long vectors it would be lost in single precision near the light.
+  struct LightPixel
+  {
+    bool IsNear = false; // in or somewhere around the view; else the rest is not set
+    glm::vec2 Whole = glm::vec2(0.0f);
+    glm::vec2 Rest = glm::vec2(0.0f);
+    glm::vec3 PerX = glm::vec3(0.0f);
+    glm::vec3 PerY = glm::vec3(0.0f);
+  };
+  LightPixel GetLightPixel(const glm::dvec3& position) const;
+
+  // The same for glsl/AirlightResolveFS.glsl.
   void SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position) const;
 
   // Scale (x, y) and shift (z, w) from the pixels of another view from the same place to those of

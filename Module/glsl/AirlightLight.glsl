@@ -112,9 +112,11 @@ AIRLIGHT_FN AirlightRay airlightRay(AIRLIGHT_IN(AirlightMedia) media,
   ray.foot.tL = dot(toLight, direction) - ray.range.x;
   ray.foot.h = max(length(cross(toLight, direction)), light.radius);
   ray.lit = ray.range;
+#ifndef AIRLIGHT_NO_CONE
   if (light.cosCone > real(0.0))
   {
     ray.lit = airlightConeRange(light, ray);
   }
+#endif
   return ray;
 }

@@ -23,29 +23,36 @@
 #ifdef AIRLIGHT_DOUBLE
 #define AIRLIGHT_TURN_FADED 24.0
 #else
-#define AIRLIGHT_TURN_FADED 17.0
+#define AIRLIGHT_TURN_FADED 14.0
 #endif
 // More parts than any ray has that matters.
 #define AIRLIGHT_TURN_PARTS 64
 
 struct AirlightTurn
 {
-  real from;  // where the ray begins, from its origin
-  real depth; // of that in the medium
-  real x;     // of that from the light's foot
-  real r;     // from the light
+  real from; // where the ray begins, from its origin
+  real x;    // and from the light's foot
   real h;
   real left; // the angle at the light between the ray's beginning and its direction
   real end;  // psi where the ray ends, or the light is gone
+  // sigmaT (t + r) in powers of two, negative: at the foot's s = 0, and per unit of s.
+  AirlightShade start;
+  AirlightShade slope;
 };
 
 struct AirlightTurnPart
 {
   real middle;
-  real reach;
+  real inverseReach;
   AirlightShade whole; // half of the integral over the part
-  AirlightShade even[4];
-  AirlightShade odd[4];
+  AirlightShade even0;
+  AirlightShade even1;
+  AirlightShade even2;
+  AirlightShade even3;
+  AirlightShade odd0;
+  AirlightShade odd1;
+  AirlightShade odd2;
+  AirlightShade odd3;
 };
 
 // Sine and cosine in [0, pi/2], errors 4e-9 and 2e-10.
@@ -76,28 +83,33 @@ AIRLIGHT_FN real airlightTurned(
   return airlightAngle(turn.h * l, turn.h * turn.h + turn.x * x);
 }
 
-// Twice the arctangent.
-AIRLIGHT_FN real airlightTwiceAngle(real y, real x)
+// Twice the arctangent to some percent, of what is not below 0.
+AIRLIGHT_FN real airlightTwiceAngle(real tangent)
 {
-  return real(2.0) * airlightAngle(y, x);
+  real q = tangent > real(1.0) ? real(1.0) / tangent : tangent;
+  real a = real(2.0) * q / (real(1.0) + real(0.28) * q * q);
+  return tangent > real(1.0) ? real(3.1415926535897932) - a : a;
 }
 
-// A ray's part [t0, t1] in which the light is not cut off.
+// A ray's part [t0, t1] in which the light is not cut off. In s = tan(theta/2)
+// (AirlightPointLight.glsl), which is the cotangent of half the angle that is left, t + r is
+// tL + h s.
 AIRLIGHT_FN AirlightTurn airlightTurn(
   AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
 {
+  const real log2e = real(1.4426950408889634);
   AirlightTurn turn;
   turn.from = t0;
-  turn.depth = t0 - ray.range.x;
-  turn.x = turn.depth - ray.foot.tL;
+  turn.x = (t0 - ray.range.x) - ray.foot.tL;
   turn.h = ray.foot.h;
-  turn.r = sqrt(turn.h * turn.h + turn.x * turn.x);
   turn.left = airlightAngle(turn.h, turn.x);
-  // In s = tan(theta/2) (AirlightPointLight.glsl) the optical depth grows by sigmaT h per unit.
-  real s = turn.x >= real(0.0) ? (turn.x + turn.r) / turn.h : turn.h / (turn.r - turn.x);
-  real faded = real(AIRLIGHT_TURN_FADED) / (airlightLeastExtinction(medium) * turn.h);
+  turn.start = AIRLIGHT_SHADE(medium.sigmaT) * (-log2e * ray.foot.tL);
+  turn.slope = AIRLIGHT_SHADE(medium.sigmaT) * (-log2e * turn.h);
+  real2 half1 = airlightSineCosine(real(0.5) * turn.left);
+  real tau = airlightLeastExtinction(medium) * turn.h;
   turn.end = min(airlightTurned(turn, ray, t1),
-    airlightTwiceAngle(faded, real(1.0) + s * (s + faded)));
+    turn.left -
+      airlightTwiceAngle(half1.x * tau / (half1.y * tau + half1.x * real(AIRLIGHT_TURN_FADED))));
   return turn;
 }
 
@@ -120,36 +132,43 @@ AIRLIGHT_FN real airlightSmoothTurn(AIRLIGHT_IN(AirlightPhase) phase, real left)
   return length;
 }
 
-// How long a part may be that begins at psi. What limits it is where the integrand is not smooth:
-// the asymptote, which it nears as exp(-2 tau/angle), and a phase function's peaks.
+// Where the part may end that begins at psi and is the ray's i-th, from 0. What limits it is where the
+// integrand is not smooth: the asymptote, which it nears as exp(-2 tau/angle), and a phase function's
+// peaks. Of the later parts less is asked, since less light is left there.
 AIRLIGHT_FN real airlightTurnPartEnd(
-  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi)
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi, int i)
 {
   real tau = turn.h * max(medium.sigmaT.x, max(medium.sigmaT.y, medium.sigmaT.z));
   real left = max(turn.left - psi, real(1e-6));
   // Fitted to where eight nodes give 1e-6.
-  real ratio = sqrt(tau / left);
-  ratio = real(0.3) * ratio / (ratio + real(0.045));
-  // Four optical depths at first, more where less is left.
-  real many = psi > real(0.0) ? real(6.0) : real(4.0);
+  real root = sqrt(tau / left);
+  real ratio = (i == 0 ? real(0.3) : i == 1 ? real(0.2) : real(0.08)) * root / (root + real(0.045));
+  // In optical depths.
+  real most = i == 0 ? real(4.0) : i == 1 ? real(8.0) : real(12.0);
   real2 half1 = airlightSineCosine(real(0.5) * left);
-  real faded = airlightTwiceAngle(half1.x, half1.y + half1.x * many / tau);
-  real length = left - max(ratio * left, faded);
-  length = min(length, airlightSmoothTurn(medium.phase, left));
+  real faded = airlightTwiceAngle(half1.x * tau / (half1.y * tau + half1.x * most));
+  real length = min(left - max(ratio * left, faded), airlightSmoothTurn(medium.phase, left));
   return min(psi + max(length, real(1e-3) * left), turn.end);
 }
 
 AIRLIGHT_FN AirlightShade airlightTurnSample(
   AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi)
 {
-  real2 half1 = airlightSineCosine(real(0.5) * psi);
-  real s = real(2.0) * half1.x * half1.y;
-  real c = real(1.0) - real(2.0) * half1.x * half1.x;
-  real d = max(turn.h * c - turn.x * s, real(1e-30));
-  // t + r at the angle psi.
-  real way = turn.depth + turn.r * (turn.r * s + turn.h) / d;
-  return airlightPhase(medium.phase, -(turn.x * c + turn.h * s) / turn.r) *
-    exp(-AIRLIGHT_SHADE(medium.sigmaT) * way);
+  real2 half1 = airlightSineCosine(real(0.5) * (turn.left - psi));
+  half1.x = max(half1.x, real(1e-15));
+  return airlightPhase(medium.phase, real(2.0) * half1.x * half1.x - real(1.0)) *
+    exp2(turn.start + turn.slope * (half1.y / half1.x));
+}
+
+// The sum and the difference of two nodes' values. No arrays: software renderers keep none in registers.
+AIRLIGHT_FN void airlightTurnPair(AIRLIGHT_IN(AirlightMedium) medium,
+  AIRLIGHT_IN(AirlightTurn) turn, real middle, real off, AIRLIGHT_OUT(AirlightShade) sum,
+  AIRLIGHT_OUT(AirlightShade) gap)
+{
+  AirlightShade after = airlightTurnSample(medium, turn, middle + off);
+  AirlightShade before = airlightTurnSample(medium, turn, middle - off);
+  sum = after + before;
+  gap = after - before;
 }
 
 // The part from psi0 to psi1. With y in [-1, 1] along it and z = y^2, what is before y is
@@ -162,62 +181,55 @@ AIRLIGHT_FN AirlightTurnPart airlightTurnPart(
 {
   AirlightTurnPart part;
   part.middle = real(0.5) * (psi0 + psi1);
-  part.reach = real(0.5) * (psi1 - psi0);
-  AirlightShade sum[4];
-  AirlightShade gap[4];
-  for (int k = 0; k < 4; k++)
-  {
-    real node = part.reach *
-      (k < 2 ? (k == 0 ? real(0.18343464249564978) : real(0.52553240991632899))
-             : (k == 2 ? real(0.79666647741362673) : real(0.96028985649753618)));
-    AirlightShade after = airlightTurnSample(medium, turn, part.middle + node);
-    AirlightShade before = airlightTurnSample(medium, turn, part.middle - node);
-    sum[k] = part.reach * (after + before);
-    gap[k] = part.reach * (after - before);
-  }
-  part.even[0] = real(0.255673747222) * sum[0] +
-    real(0.221805968253) * sum[1] +
-    real(0.0253799423589) * sum[2] +
-    real(-0.00285965783329) * sum[3];
-  part.even[1] = real(-0.152398985846) * sum[0] +
-    real(0.00711579102774) * sum[1] +
-    real(0.165152275338) * sum[2] +
-    real(-0.0198690805204) * sum[3];
-  part.even[2] = real(0.147003529978) * sum[0] +
-    real(-0.231036877713) * sum[1] +
-    real(0.064803171746) * sum[2] +
-    real(0.0192301759894) * sum[3];
-  part.even[3] = real(-0.0689363996646) * sum[0] +
-    real(0.158968441372) * sum[1] +
-    real(-0.144144872217) * sum[2] +
-    real(0.0541128305095) * sum[3];
-  part.odd[0] = real(0.00757419981627) * gap[0] +
-    real(-0.0040837883702) * gap[1] +
-    real(0.18858661277) * gap[2] +
-    real(0.104672729119) * gap[3];
-  part.odd[1] = real(0.141475364289) * gap[0] +
-    real(-0.228653715794) * gap[1] +
-    real(-0.0346463856799) * gap[2] +
-    real(0.126852396324) * gap[3];
-  part.odd[2] = real(-0.0368131538904) * gap[0] +
-    real(0.200815580834) * gap[1] +
-    real(-0.271467418821) * gap[2] +
-    real(0.122345043081) * gap[3];
-  part.odd[3] = real(-0.328832923192) * gap[0] +
-    real(0.264678987586) * gap[1] +
-    real(-0.1583181504) * gap[2] +
-    real(0.0493067029454) * gap[3];
-  part.whole = ((part.even[3] + part.even[2]) + part.even[1]) + part.even[0];
+  real reach = real(0.5) * (psi1 - psi0);
+  part.inverseReach = real(1.0) / reach;
+  AirlightShade s0;
+  AirlightShade s1;
+  AirlightShade s2;
+  AirlightShade s3;
+  AirlightShade d0;
+  AirlightShade d1;
+  AirlightShade d2;
+  AirlightShade d3;
+  airlightTurnPair(medium, turn, part.middle, reach * real(0.18343464249564978), s0, d0);
+  airlightTurnPair(medium, turn, part.middle, reach * real(0.52553240991632899), s1, d1);
+  airlightTurnPair(medium, turn, part.middle, reach * real(0.79666647741362673), s2, d2);
+  airlightTurnPair(medium, turn, part.middle, reach * real(0.96028985649753618), s3, d3);
+  part.even0 = reach *
+    (real(0.255673747222) * s0 + real(0.221805968253) * s1 +
+      real(0.0253799423589) * s2 + real(-0.00285965783329) * s3);
+  part.even1 = reach *
+    (real(-0.152398985846) * s0 + real(0.00711579102774) * s1 +
+      real(0.165152275338) * s2 + real(-0.0198690805204) * s3);
+  part.even2 = reach *
+    (real(0.147003529978) * s0 + real(-0.231036877713) * s1 +
+      real(0.064803171746) * s2 + real(0.0192301759894) * s3);
+  part.even3 = reach *
+    (real(-0.0689363996646) * s0 + real(0.158968441372) * s1 +
+      real(-0.144144872217) * s2 + real(0.0541128305095) * s3);
+  part.odd0 = reach *
+    (real(0.00757419981627) * d0 + real(-0.0040837883702) * d1 +
+      real(0.18858661277) * d2 + real(0.104672729119) * d3);
+  part.odd1 = reach *
+    (real(0.141475364289) * d0 + real(-0.228653715794) * d1 +
+      real(-0.0346463856799) * d2 + real(0.126852396324) * d3);
+  part.odd2 = reach *
+    (real(-0.0368131538904) * d0 + real(0.200815580834) * d1 +
+      real(-0.271467418821) * d2 + real(0.122345043081) * d3);
+  part.odd3 = reach *
+    (real(-0.328832923192) * d0 + real(0.264678987586) * d1 +
+      real(-0.1583181504) * d2 + real(0.0493067029454) * d3);
+  part.whole = ((part.even3 + part.even2) + part.even1) + part.even0;
   return part;
 }
 
 // The integral from the part's beginning to psi, or to its nearer end.
 AIRLIGHT_FN AirlightShade airlightTurnBefore(AIRLIGHT_IN(AirlightTurnPart) part, real psi)
 {
-  real y = clamp((psi - part.middle) / part.reach, real(-1.0), real(1.0));
+  real y = clamp((psi - part.middle) * part.inverseReach, real(-1.0), real(1.0));
   real z = y * y;
   real w = z + z - real(1.0);
-  AirlightShade even = ((part.even[3] * w + part.even[2]) * w + part.even[1]) * w + part.even[0];
-  AirlightShade odd = ((part.odd[3] * w + part.odd[2]) * w + part.odd[1]) * w + part.odd[0];
+  AirlightShade even = ((part.even3 * w + part.even2) * w + part.even1) * w + part.even0;
+  AirlightShade odd = ((part.odd3 * w + part.odd2) * w + part.odd1) * w + part.odd0;
   return (part.whole + y * even) - (real(1.0) - z) * odd;
 }

@@ -48,16 +48,23 @@ vec3 unshadowed(AirlightRay ray)
 
 void main()
 {
+#if AIRLIGHT_TURNED
+  airlightTakeConstants();
+#endif
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
   float surface = texelFetch(distances, pixel, 0).r;
   AirlightRay ray = airlightRay(media, light, airlightOrigin(p),
     normalize(airlightDirection(p)), surface >= 0.0 ? surface : AIRLIGHT_FAR);
 
+#if AIRLIGHT_TURNED
+  ray.foot.h = airlightTurnedFoot(p, ray.foot.h);
+#else
   if (lightHasPixel != 0)
   {
     ray.foot.h = max(lightDistance(p), light.radius);
   }
+#endif
 
 #ifdef AIRLIGHT_RAY_MARCH
   float litLength;
@@ -163,19 +170,25 @@ void main()
 #endif
 
   // A channel that does not scatter is dark, whatever the limit of its integral.
+#if AIRLIGHT_TURNED
+  airlight = vec4(mix(vec3(0.0), sum, greaterThan(light.intensity, vec3(0.0))), litLength);
+#else
   vec3 sigmaS = vec3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     sigmaS += media.item[i].sigmaS;
   }
   airlight = vec4(mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0))), litLength);
+#endif
   lit = state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)) ? litBit : vec4(0.0);
 #ifdef AIRLIGHT_RECORD
   single = airlight;
-#if !AIRLIGHT_TURNED
+#if AIRLIGHT_TURNED
+  whole = mix(vec3(0.0), whole, greaterThan(light.intensity, vec3(0.0)));
+#else
   vec3 whole = shadowless ? sum : unshadowed(ray);
-#endif
   whole = mix(vec3(0.0), whole, greaterThan(sigmaS, vec3(0.0)));
+#endif
   // A ray that takes several draws has this error once.
   float bound = phaseError * brightest(airlight.rgb) +
     (state == AIRLIGHT_PAUSE ? 0.0 : error * brightest(whole));

@@ -2,28 +2,37 @@
 
 const uint AIRLIGHT_NO_KEY = 0xffffffffu;
 
-// Compilers keep it in registers: all its indices are known to them.
-uint slotKeys[AIRLIGHT_SLOTS];
+// Sixteen of them, the nearest first: AIRLIGHT_SLOTS. Not an array, which some drivers do not keep in
+// registers.
+uvec4 slotKeysA;
+uvec4 slotKeysB;
+uvec4 slotKeysC;
+uvec4 slotKeysD;
 int slotCount;  // of boundaries that are left
 int slotsTotal; // sum of all weights
 
-void airlightInsertKey(uint key)
+// Keys that do not decrease, and another one: `key` becomes what is left over.
+void airlightInsertKey(inout uvec4 keys, inout uint key)
 {
-  for (int i = 0; i < AIRLIGHT_SLOTS; i++)
-  {
-    uint less = min(slotKeys[i], key);
-    key = max(slotKeys[i], key);
-    slotKeys[i] = less;
-  }
+  uvec4 less;
+  less.x = min(keys.x, key);
+  key = max(keys.x, key);
+  less.y = min(keys.y, key);
+  key = max(keys.y, key);
+  less.z = min(keys.z, key);
+  key = max(keys.z, key);
+  less.w = min(keys.w, key);
+  key = max(keys.w, key);
+  keys = less;
 }
 
 // False where there are more boundaries than slots.
 bool airlightReadSlots(ivec2 pixel)
 {
-  for (int i = 0; i < AIRLIGHT_SLOTS; i++)
-  {
-    slotKeys[i] = AIRLIGHT_NO_KEY;
-  }
+  slotKeysA = uvec4(AIRLIGHT_NO_KEY);
+  slotKeysB = slotKeysA;
+  slotKeysC = slotKeysA;
+  slotKeysD = slotKeysA;
   slotsTotal = 0;
   slotCount = int(heads[airlightCountIndex(pixel)]);
   if (slotCount > AIRLIGHT_SLOTS)
@@ -35,7 +44,10 @@ bool airlightReadSlots(ivec2 pixel)
   {
     uint key = slots[first + uint(64 * i)];
     slotsTotal += airlightKeyWeight(key);
-    airlightInsertKey(key);
+    airlightInsertKey(slotKeysA, key);
+    airlightInsertKey(slotKeysB, key);
+    airlightInsertKey(slotKeysC, key);
+    airlightInsertKey(slotKeysD, key);
   }
   return true;
 }
@@ -43,12 +55,11 @@ bool airlightReadSlots(ivec2 pixel)
 // The nearest one; AIRLIGHT_NO_KEY where none is left.
 uint airlightNextKey()
 {
-  uint key = slotKeys[0];
-  for (int i = 0; i + 1 < AIRLIGHT_SLOTS; i++)
-  {
-    slotKeys[i] = slotKeys[i + 1];
-  }
-  slotKeys[AIRLIGHT_SLOTS - 1] = AIRLIGHT_NO_KEY;
+  uint key = slotKeysA.x;
+  slotKeysA = uvec4(slotKeysA.yzw, slotKeysB.x);
+  slotKeysB = uvec4(slotKeysB.yzw, slotKeysC.x);
+  slotKeysC = uvec4(slotKeysC.yzw, slotKeysD.x);
+  slotKeysD = uvec4(slotKeysD.yzw, AIRLIGHT_NO_KEY);
   slotCount--;
   return key;
 }

@@ -1,5 +1,29 @@
 // A point light's airlight along a ray by AirlightTurn.glsl: part by part of the ray, and in each its
-// boundaries. Returns what is lit; `whole` what would be without shadows, both per unit sigmaS I.
+// boundaries. Returns what is lit; `whole` what would be without shadows, both as radiance.
+
+flat in vec4 airlightFlatConstants[6]; // AirlightFullScreenVS.glsl
+
+// What of the medium and the light is the same for all pixels, and much used.
+void airlightTakeConstants()
+{
+  media = givenMedia;
+  light = givenLight;
+  light.position = airlightFlatConstants[0].xyz;
+  light.radius = airlightFlatConstants[0].w;
+  light.intensity = airlightFlatConstants[1].xyz;
+  media.item[0].sigmaT = airlightFlatConstants[2].xyz;
+  media.item[0].phase.pole[0].y = airlightFlatConstants[1].w;
+  media.item[0].sigmaS = vec3(1.0); // the intensity has it
+}
+
+// The light's distance from the pixel's ray.
+float airlightTurnedFoot(vec2 p, float known)
+{
+  vec2 q = (p - airlightFlatConstants[3].xy) - airlightFlatConstants[3].zw;
+  float l = length(q.x * airlightFlatConstants[4].xyz + q.y * airlightFlatConstants[5].xyz);
+  l = max(airlightParallel != 0 ? l : l / length(airlightDirection(p)), light.radius);
+  return airlightFlatConstants[2].w != 0.0 ? l : known;
+}
 
 vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, out vec3 whole, out float litLength,
   out int boundaries, out bool surfaceLit)
@@ -18,7 +42,7 @@ vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, out vec3 whole, out float l
   float at = airlightTurned(turn, ray, t);
   for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
   {
-    float end = airlightTurnPartEnd(media.item[0], turn, psi);
+    float end = airlightTurnPartEnd(media.item[0], turn, psi, i);
     AirlightTurnPart part = airlightTurnPart(media.item[0], turn, psi, end);
     psi = end;
     // The last part takes what lies beyond the ray's end, too.
@@ -41,7 +65,7 @@ vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, out vec3 whole, out float l
     sum += lit ? full : AirlightShade(0.0);
   }
   litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
-  vec3 factor = media.item[0].sigmaS * light.intensity / turn.h;
+  vec3 factor = light.intensity / turn.h;
   whole = factor * all;
   return factor * max(sum, AirlightShade(0.0));
 }
