@@ -176,12 +176,13 @@ std::string BoundaryStore::GetSource() const
 //------------------------------------------------------------------------------
 void BoundaryStore::Use(vtkShaderProgram* program)
 {
-  program->SetUniformi("width", this->Width);
-  program->SetUniformi("height", this->Height);
-  program->SetUniformi("slotRow", this->SlotRow);
-  program->SetUniformi("slotTiles", static_cast<int>(CountTiles(this->Width)));
-  // An unsigned integer, which vtkShaderProgram cannot set.
-  glUniform1ui(glGetUniformLocation(program->GetHandle(), "capacity"), this->Capacity);
+  // A shadow plane's shader hands them on under its own name.
+  for (const char* name : { "places", "given" })
+  {
+    // Four integers, which vtkShaderProgram cannot set.
+    glUniform4i(glGetUniformLocation(program->GetHandle(), name), this->SlotRow,
+      static_cast<int>(CountTiles(this->Width)), this->Width, this->Height);
+  }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SlotBinding, this->Slots);

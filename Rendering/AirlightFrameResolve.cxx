@@ -317,7 +317,8 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
 
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(0, row, this->Width, rows);
   ShadowMap* map = lists == Lists::Map ? this->GetMap(index) : nullptr;

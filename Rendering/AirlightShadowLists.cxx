@@ -153,44 +153,42 @@ vtkShaderProgram* ShadowLists::ReadyPlanes(const std::string& fragment,
 }
 
 //------------------------------------------------------------------------------
-// The fragments of planes, or of those that the eye lies on.
-std::string ShadowLists::GetPlanesSource(bool near) const
+std::string ShadowLists::GetPlanesSource(PlaneKind kind, const View& view) const
 {
-  return BoundaryStore::DefineNodes(this->Store.IsDimmed()) + this->Store.GetSource() +
-    "#define AIRLIGHT_NEAR_PLANES " + std::to_string(near) + "\n" + AirlightViewShader +
-    AirlightPlanesFS;
+  const bool near = kind == PlaneKind::Near;
+  // The near planes' fragments need all of the view, the others little.
+  return BoundaryStore::DefineNodes(this->Store.IsDimmed()) + "#define AIRLIGHT_PLACES_IN\n" +
+    this->Store.GetSource() + "#define AIRLIGHT_NEAR_PLANES " + std::to_string(near) +
+    "\n#define AIRLIGHT_CAPS " + std::to_string(kind == PlaneKind::Cap) +
+    "\n#define AIRLIGHT_PARALLEL " + std::to_string(view.IsParallel()) +
+    "\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n" + AirlightViewShader + AirlightPlanesFS;
 }
 
 //------------------------------------------------------------------------------
-bool ShadowLists::DrawFragments(const Source& source, bool near, int row, int rows)
+bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, int rows)
 {
-  vtkShaderProgram* program =
-    this->ReadyPlanes(this->GetPlanesSource(near), source.Volumes, source.Light, source.Rays);
+  const Buffer* const buffers[3] = { &this->Edges[source.Slot], &this->Caps[source.Slot],
+    &this->NearEdges[source.Slot] };
+  const Buffer& buffer = *buffers[static_cast<int>(kind)];
+  if (buffer.Count == 0)
+  {
+    return true;
+  }
+  vtkShaderProgram* program = this->ReadyPlanes(
+    this->GetPlanesSource(kind, source.Rays), source.Volumes, source.Light, source.Rays);
   if (!program)
   {
     return false;
   }
   program->SetUniformi("distances", source.Distances->GetTextureUnit());
+  program->SetUniformi("kind", static_cast<int>(kind));
+  program->SetUniformi("inParallel", source.Rays.IsParallel() ? 1 : 0);
   this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
   this->Store.Use(program);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LayerBinding, this->Layers[source.Slot].Handle);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, buffer.Handle);
   glBindVertexArray(this->VertexArray);
-  const auto draw = [program](const Buffer& buffer, int kind, float nearer, int vertices) {
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, buffer.Handle);
-    program->SetUniformi("kind", kind);
-    program->SetUniformf("nearer", nearer);
-    glDrawArrays(GL_TRIANGLES, 0, vertices * buffer.Count);
-  };
-  if (near)
-  {
-    draw(this->NearEdges[source.Slot], 2, 1.0f, 3);
-  }
-  else
-  {
-    draw(this->Edges[source.Slot], 0, 1.0f, 6);
-    // The surface that the ray ends on is none that it goes through.
-    draw(this->Caps[source.Slot], 1, 1.0f - 1e-5f, 3);
-  }
+  glDrawArrays(GL_TRIANGLES, 0, (kind == PlaneKind::Plane ? 6 : 3) * buffer.Count);
   glBindVertexArray(0);
   return true;
 }
@@ -202,8 +200,9 @@ bool ShadowLists::DrawOnce(
 {
   this->Store.Clear(row);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  const bool ok = this->DrawFragments(source, false, row, rows) &&
-    (this->NearEdges[source.Slot].Count == 0 || this->DrawFragments(source, true, row, rows));
+  const bool ok = this->DrawFragments(source, PlaneKind::Plane, row, rows) &&
+    this->DrawFragments(source, PlaneKind::Cap, row, rows) &&
+    this->DrawFragments(source, PlaneKind::Near, row, rows);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   counts = this->Store.ReadCounts();
   return ok;
@@ -314,7 +313,7 @@ bool ShadowLists::DrawWireframe(
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glBindVertexArray(this->VertexArray);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, this->Edges[slot].Handle);
-  program->SetUniformi("kind", 0);
+  program->SetUniformi("kind", static_cast<int>(PlaneKind::Plane));
   glDrawArrays(GL_TRIANGLES, 0, 6 * this->Edges[slot].Count);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
   glBindVertexArray(0);

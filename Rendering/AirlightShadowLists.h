@@ -104,8 +104,16 @@ private:
   void UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers);
   vtkShaderProgram* ReadyPlanes(const std::string& fragment, const ShadowVolumes& volumes,
     const glm::dvec4& light, const View& view);
-  std::string GetPlanesSource(bool near) const;
-  bool DrawFragments(const Source& source, bool near, int row, int rows);
+  // As in AirlightPlanesVS.glsl.
+  enum class PlaneKind
+  {
+    Plane,
+    Cap,
+    Near
+  };
+
+  std::string GetPlanesSource(PlaneKind kind, const View& view) const;
+  bool DrawFragments(const Source& source, PlaneKind kind, int row, int rows);
   bool DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts);
   int DrawRows(const Source& source, int row, int rows);
   bool Spill(int row, int rows);

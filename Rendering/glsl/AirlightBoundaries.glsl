@@ -4,7 +4,7 @@
 // further draws with AIRLIGHT_SORTED read them as they are, some boundaries a draw, because some
 // software renderers bound the iterations of one shader run.
 //
-// A boundary has AIRLIGHT_NODE_WORDS: t, weight, index of the next; with AIRLIGHT_DIMMED the weight
+// A boundary has AIRLIGHT_NODE_WORDS: distance on the unit of airlightDirection(), weight, index of the next; with AIRLIGHT_DIMMED the weight
 // is eight times the number of layers and a bit for each channel that they block, and the optical
 // thickness of the layers follows.
 
@@ -12,7 +12,15 @@ layout(std430, binding = 1) buffer AirlightNodes
 {
   uint nodes[];
 };
-uniform uint capacity;
+float boundaryUnit; // of their distances
+float boundaryEnd;  // where those that count end, on that unit
+
+// For a ray that ends at `surface`, where that is not below 0.
+void airlightEndBoundaries(float surface, float unit)
+{
+  boundaryUnit = unit;
+  boundaryEnd = surface >= 0.0 ? surface / unit : 1e37;
+}
 
 const int AIRLIGHT_MORE = 0;  // a boundary
 const int AIRLIGHT_PAUSE = 1; // the rest is the next draw's
@@ -107,9 +115,11 @@ int airlightNextBoundary(out float t, out AirlightCounts weight)
 {
   t = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * boundaryNode]);
   weight = airlightWeight(boundaryNode);
-  if (boundaryNode == 0u || boundariesLeft == 0)
+  bool last = boundaryNode == 0u || !(t < boundaryEnd);
+  t *= boundaryUnit;
+  if (last || boundariesLeft == 0)
   {
-    return boundaryNode == 0u ? AIRLIGHT_END : AIRLIGHT_PAUSE;
+    return last ? AIRLIGHT_END : AIRLIGHT_PAUSE;
   }
   boundariesLeft--;
 #if AIRLIGHT_DIMMED
@@ -139,13 +149,13 @@ void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts 
 bool airlightOpenBoundaries(
   ivec2 pixel, AirlightRay ray, float surface, inout float from, inout AirlightCounts shadows)
 {
-  return airlightReadSlots(pixel);
+  return airlightReadSlots(pixel, boundaryEnd);
 }
 
 int airlightNextBoundary(out float t, out AirlightCounts weight)
 {
   uint key = airlightNextKey();
-  t = airlightKeyDistance(key);
+  t = boundaryUnit * airlightKeyDistance(key);
   weight = airlightKeyWeight(key);
   return slotCount >= 0 ? AIRLIGHT_MORE : AIRLIGHT_END;
 }
@@ -170,11 +180,11 @@ bool airlightOpenBoundaries(
   listNext = 0;
   uint node = heads[airlightHeadIndex(pixel)];
   int length = 0;
-  for (uint guard = 0u; node != 0u && guard < capacity; guard++)
+  for (uint guard = 0u; node != 0u && guard < uint(nodes.length()); guard++)
   {
-    if (listSize < AIRLIGHT_SHORT_LIST)
+    float t = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * node]);
+    if (listSize < AIRLIGHT_SHORT_LIST && t < boundaryEnd)
     {
-      float t = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * node]);
       int weight = int(nodes[AIRLIGHT_NODE_WORDS * node + 1u]);
       int k = listSize;
       // By distance; at one distance entries before exits, so that volumes that touch stay joined.
@@ -206,7 +216,7 @@ bool airlightOpenBoundaries(
 int airlightNextBoundary(out float t, out AirlightCounts weight)
 {
   int k = min(listNext, AIRLIGHT_SHORT_LIST - 1);
-  t = listT[k];
+  t = boundaryUnit * listT[k];
 #if AIRLIGHT_DIMMED
   weight = airlightWeight(listNode[k]);
 #else

@@ -1,10 +1,11 @@
 // Each fragment of a shadow plane is a boundary (t, +-weight) in one of its pixel's slots, or where
-// there is none left, in the pixel's list.
+// there is none left, in the pixel's list. The depth test, made lenient, rejects most of what the
+// surface hides; who reads the boundaries leaves out the rest.
 
 layout(early_fragment_tests) in;
 
 // The words of a boundary are those of AirlightBoundaries.glsl; index 0 ends a list.
-layout(std430, binding = 1) writeonly buffer AirlightNodes
+layout(std430, binding = 1) buffer AirlightNodes
 {
   uint nodes[];
 };
@@ -18,18 +19,21 @@ layout(std430, binding = 6) readonly buffer AirlightShadowLayers
 flat in int planeLayer;
 #endif
 
+#if AIRLIGHT_CAPS
+// The surface that the ray ends on is none that it goes through.
 uniform sampler2D distances;
-uniform float nearer; // a boundary counts where t < nearer * surface
-uniform uint capacity; // boundaries that fit
+const float NEARER = 1.0 - 1e-5;
+#endif
 #if AIRLIGHT_NEAR_PLANES
 uniform vec3 anchor;    // from the eye
 uniform vec4 fromLight; // directional: the light's direction and w 0; point: w 1
 #endif
 
-flat in vec3 planeNormal;
-flat in float planeOffset;
+flat in vec4 planeRay; // AirlightPlanesVS.glsl
 flat in int planeWeight;
 #if AIRLIGHT_NEAR_PLANES
+flat in vec3 planeNormal;
+flat in float planeOffset;
 flat in vec3 planeA;
 flat in vec3 planeB;
 #endif
@@ -53,7 +57,7 @@ bool isBehindEdge(vec3 point)
 void addToList(ivec2 pixel, float t, int weight)
 {
   uint index = atomicAdd(heads[0], 1u) + 1u;
-  if (index < capacity)
+  if (index < uint(nodes.length()) / AIRLIGHT_NODE_WORDS)
   {
     uint word = AIRLIGHT_NODE_WORDS * index;
     nodes[word] = floatBitsToUint(t);
@@ -98,27 +102,38 @@ void addToSlots(ivec2 pixel, float t, int weight)
 }
 #endif
 
+// Where the pixel's ray meets the plane, on the unit of airlightDirection().
+float meetPlane(vec2 p)
+{
+#if AIRLIGHT_NEAR_PLANES
+  vec3 direction = airlightDirection(p);
+  return (planeOffset - dot(planeNormal, airlightOrigin(p))) / dot(planeNormal, direction);
+#else
+  float q = planeRay.x + p.x * planeRay.y + p.y * planeRay.z;
+  return airlightParallel != 0 ? q / planeRay.w : planeRay.w / q;
+#endif
+}
+
 void main()
 {
   vec2 p = airlightPixel();
-  vec3 origin = airlightOrigin(p);
-  vec3 direction = normalize(airlightDirection(p));
-  float t = (planeOffset - dot(planeNormal, origin)) / dot(planeNormal, direction);
+  float t = meetPlane(p);
   bool enters = gl_FrontFacing;
 #if AIRLIGHT_NEAR_PLANES
   enters = planeOffset < 0.0;
-  if (!(t > 0.0) || !isBehindEdge(t * direction - anchor))
+  if (!(t > 0.0) || !isBehindEdge(t * airlightDirection(p) - anchor))
   {
     return;
   }
 #endif
   ivec2 pixel = ivec2(p);
+#if AIRLIGHT_CAPS
   float surface = texelFetch(distances, pixel, 0).r;
-  // The depth test, made lenient, rejects most of what the surface hides; this is the exact one.
-  if (surface >= 0.0 && !(t < nearer * surface))
+  if (surface >= 0.0 && !(t * airlightRayUnit(p) < NEARER * surface))
   {
     return;
   }
+#endif
   // A plane seen edge-on can give no finite t; it is then as good as behind everything.
   if (!(abs(t) < 1e18))
   {

@@ -17,13 +17,33 @@ uniform mat4 anchorToClip;
 uniform vec3 anchor;     // from the eye
 uniform vec4 fromLight;  // directional: the light's direction and w 0; point: w 1
 uniform int kind; // 0: planes, 1: caps, 2: near planes
+uniform int inParallel; // 1: the projection is parallel
+uniform ivec4 given;    // what all fragments need, see AirlightSlots.glsl and AirlightHeads.glsl
+// As in AirlightViewShader.glsl.
+uniform vec3 airlightRayOrigin[3];
+uniform vec3 airlightRayDirection[3];
 
-flat out vec3 planeNormal;
-flat out float planeOffset; // dot(normal, x) = offset on the plane, x from the eye
+// The plane met by the ray of pixel p: with q = x + p.x y + p.y z, at w/q on the unit of
+// airlightDirection(), in parallel projection at q/w.
+flat out vec4 planeRay;
+flat out ivec4 places;
 flat out int planeWeight;
 flat out int planeLayer;
+flat out vec3 planeNormal; // the near planes' own: dot(normal, x) = offset, x from the eye
+flat out float planeOffset;
 flat out vec3 planeA; // the edge, from the anchor
 flat out vec3 planeB;
+
+// Sets planeRay.
+void meetRays()
+{
+  vec3 first = inParallel != 0 ? -airlightRayOrigin[0] : airlightRayDirection[0];
+  vec3 perX = inParallel != 0 ? -airlightRayOrigin[1] : airlightRayDirection[1];
+  vec3 perY = inParallel != 0 ? -airlightRayOrigin[2] : airlightRayDirection[2];
+  planeRay = vec4(dot(planeNormal, first), dot(planeNormal, perX), dot(planeNormal, perY),
+    inParallel != 0 ? dot(planeNormal, airlightRayDirection[0]) : planeOffset);
+  planeRay.x += inParallel != 0 ? planeOffset : 0.0;
+}
 
 void drawCap()
 {
@@ -69,6 +89,7 @@ void main()
 {
   planeA = vec3(0.0);
   planeB = vec3(0.0);
+  places = given;
   planeLayer = int(edges[3 * (gl_VertexID / (kind == 0 ? 6 : 3)) + 2].w);
   if (kind == 0)
   {
@@ -82,4 +103,5 @@ void main()
   {
     drawNearPlane();
   }
+  meetRays();
 }

@@ -23,11 +23,10 @@ layout(location = 2) out vec4 counts; // boundaries; error bound
 layout(location = 3) out vec4 single; // this light's own
 #endif
 
-float lightDistance(vec2 p)
+float lightDistance(vec2 p, float unit)
 {
   vec2 q = (p - lightPixel) - lightPixelRest;
-  float l = length(q.x * lightPerX + q.y * lightPerY);
-  return airlightParallel != 0 ? l : l / length(airlightDirection(p));
+  return length(q.x * lightPerX + q.y * lightPerY) / unit;
 }
 
 #ifdef AIRLIGHT_RECORD
@@ -54,15 +53,16 @@ void main()
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
   float surface = texelFetch(distances, pixel, 0).r;
-  AirlightRay ray = airlightRay(media, light, airlightOrigin(p),
-    normalize(airlightDirection(p)), surface >= 0.0 ? surface : AIRLIGHT_FAR);
+  float unit = airlightRayUnit(p);
+  AirlightRay ray = airlightRay(media, light, airlightOrigin(p), airlightDirection(p) / unit,
+    surface >= 0.0 ? surface : AIRLIGHT_FAR);
 
 #if AIRLIGHT_TURNED
-  ray.foot.h = airlightTurnedFoot(p, ray.foot.h);
+  ray.foot.h = airlightTurnedFoot(p, unit, ray.foot.h);
 #else
   if (lightHasPixel != 0)
   {
-    ray.foot.h = max(lightDistance(p), light.radius);
+    ray.foot.h = max(lightDistance(p, unit), light.radius);
   }
 #endif
 
@@ -76,7 +76,8 @@ void main()
   bool shadowless = false;
 #elif AIRLIGHT_TURNED
 #ifdef AIRLIGHT_SLOTS
-  if (!airlightReadSlots(pixel))
+  airlightEndBoundaries(surface, unit);
+  if (!airlightReadSlots(pixel, boundaryEnd))
   {
     discard;
   }
@@ -85,13 +86,16 @@ void main()
   float litLength;
   int boundaries;
   bool surfaceLit;
-  vec3 sum = airlightTurnedRay(pixel, ray, whole, litLength, boundaries, surfaceLit);
+  vec3 sum = airlightTurnedRay(pixel, ray, unit, whole, litLength, boundaries, surfaceLit);
   int state = AIRLIGHT_END;
   int shadows = surfaceLit ? 0 : 1;
 #else
   float from = ray.lit.x;
   float runStart = -1.0; // of what is lit, or not, as a whole
   AirlightCounts shadows = airlightStartCounts();
+#ifdef AIRLIGHT_SLOTS
+  airlightEndBoundaries(surface, unit);
+#endif
   if (!airlightOpenBoundaries(pixel, ray, surface, from, shadows))
   {
     discard;

@@ -26,24 +26,29 @@ void airlightInsertKey(inout uvec4 keys, inout uint key)
   keys = less;
 }
 
-// False where there are more boundaries than slots.
-bool airlightReadSlots(ivec2 pixel)
+// False where there are more boundaries than slots. What lies beyond `end`, on the unit of
+// airlightDirection(), is left out.
+bool airlightReadSlots(ivec2 pixel, float end)
 {
   slotKeysA = uvec4(AIRLIGHT_NO_KEY);
   slotKeysB = slotKeysA;
   slotKeysC = slotKeysA;
   slotKeysD = slotKeysA;
   slotsTotal = 0;
-  slotCount = int(heads[airlightCountIndex(pixel)]);
-  if (slotCount > AIRLIGHT_SLOTS)
+  slotCount = 0;
+  int count = int(heads[airlightCountIndex(pixel)]);
+  if (count > AIRLIGHT_SLOTS)
   {
     return false;
   }
   uint first = airlightFirstSlot(pixel);
-  for (int i = 0; i < slotCount; i++)
+  for (int i = 0; i < count; i++)
   {
     uint key = slots[first + uint(64 * i)];
-    slotsTotal += airlightKeyWeight(key);
+    bool before = airlightKeyDistance(key) < end;
+    slotsTotal += before ? airlightKeyWeight(key) : 0;
+    slotCount += before ? 1 : 0;
+    key = before ? key : AIRLIGHT_NO_KEY;
     airlightInsertKey(slotKeysA, key);
     airlightInsertKey(slotKeysB, key);
     airlightInsertKey(slotKeysC, key);

@@ -17,15 +17,16 @@ void airlightTakeConstants()
 }
 
 // The light's distance from the pixel's ray.
-float airlightTurnedFoot(vec2 p, float known)
+float airlightTurnedFoot(vec2 p, float unit, float known)
 {
   vec2 q = (p - airlightFlatConstants[3].xy) - airlightFlatConstants[3].zw;
   float l = length(q.x * airlightFlatConstants[4].xyz + q.y * airlightFlatConstants[5].xyz);
-  l = max(airlightParallel != 0 ? l : l / length(airlightDirection(p)), light.radius);
+  l = max(l / unit, light.radius);
   return airlightFlatConstants[2].w != 0.0 ? l : known;
 }
 
-vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, out vec3 whole, out float litLength,
+// The boundaries' distances have this unit.
+vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, float unit, out vec3 whole, out float litLength,
   out int boundaries, out bool surfaceLit)
 {
   AirlightTurn turn = airlightTurn(media.item[0], ray, ray.lit.x, ray.lit.y);
@@ -38,7 +39,7 @@ vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, out vec3 whole, out float l
   AirlightShade sum = AirlightShade(0.0);
   float psi = 0.0;
   uint key = airlightNextKey();
-  float t = airlightKeyDistance(key);
+  float t = unit * airlightKeyDistance(key);
   float at = airlightTurned(turn, ray, t);
   for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
   {
@@ -57,7 +58,7 @@ vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, out vec3 whole, out float l
       litLength += turns * place;
       lit = next;
       key = airlightNextKey();
-      t = airlightKeyDistance(key);
+      t = unit * airlightKeyDistance(key);
       at = airlightTurned(turn, ray, t);
     }
     AirlightShade full = part.whole + part.whole;

@@ -1,8 +1,8 @@
 // The ray of a pixel. Positions and directions have the world's axes; their origin is the eye.
 // Each is an affine function of the pixel's centre, counted from the viewport's lower left corner.
 
-// With AIRLIGHT_WHOLE_TARGET a full-screen triangle is drawn over a target that is the viewport; with
-// AIRLIGHT_PARALLEL it is known whether the projection is parallel.
+// With AIRLIGHT_FRAGMENT_IS_PIXEL the target is the viewport; with AIRLIGHT_WHOLE_TARGET a full-screen
+// triangle is drawn over such a target; with AIRLIGHT_PARALLEL it is known whether the projection is parallel.
 
 #ifdef AIRLIGHT_WHOLE_TARGET
 flat in vec3 airlightFlatDirection[3]; // AirlightFullScreenVS.glsl
@@ -24,7 +24,7 @@ uniform int airlightParallel;
 
 vec2 airlightPixel()
 {
-#ifdef AIRLIGHT_WHOLE_TARGET
+#if defined(AIRLIGHT_WHOLE_TARGET) || defined(AIRLIGHT_FRAGMENT_IS_PIXEL)
   return gl_FragCoord.xy;
 #else
   vec2 p = gl_FragCoord.xy - vec2(airlightViewport);
@@ -47,4 +47,10 @@ vec3 airlightOrigin(vec2 p)
 vec3 airlightDirection(vec2 p)
 {
   return airlightRayDirection[0] + p.x * airlightRayDirection[1] + p.y * airlightRayDirection[2];
+}
+
+// The unit of airlightDirection().
+float airlightRayUnit(vec2 p)
+{
+  return airlightParallel != 0 ? 1.0 : length(airlightDirection(p));
 }
