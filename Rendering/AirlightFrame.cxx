@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AirlightProfile.h"
 #include "AirlightFrame.h"
 
 #include "AirlightDistancesFS.h"
@@ -114,7 +113,6 @@ bool Frame::BindCollect()
 //------------------------------------------------------------------------------
 bool Frame::FinishDistances()
 {
-  Prof prof("finish");
   if (!this->Textures.Bind({ this->Textures.Distances }, nullptr))
   {
     return this->Fail(this->Textures.GetError());

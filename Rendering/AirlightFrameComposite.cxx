@@ -4,7 +4,6 @@
 // The last steps of a frame: the medium before the scene, the recorded buffers, and the picture into
 // the caller's framebuffer.
 
-#include "AirlightProfile.h"
 #include "AirlightFrame.h"
 
 #include "AirlightCompositeFS.h"
@@ -158,7 +157,6 @@ vtkImageData* Frame::GetBuffer(const std::string& name)
 //------------------------------------------------------------------------------
 bool Frame::Composite(int x, int y, bool blend)
 {
-  Prof prof("composite");
   const bool copy = this->Settings.Layers;
   vtkShaderProgram* program = copy ? this->ReadyCopy(x, y) : this->ReadyComposite(false, x, y);
   if (!program)

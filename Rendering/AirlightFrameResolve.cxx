@@ -3,7 +3,6 @@
 //
 // Step 2 of a frame: one light's shadows, from planes or from a map, and its airlight.
 
-#include "AirlightProfile.h"
 #include "AirlightFrame.h"
 
 #include "AirlightDimmed.h"
@@ -300,7 +299,6 @@ void Frame::SetMapUniforms(vtkShaderProgram* program, int index)
 //------------------------------------------------------------------------------
 bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
-  Prof prof(lists == Lists::None ? "resolve none" : "resolve");
   Quad& quad = this->ResolveQuads[lists == Lists::Map
       ? this->ResolveQuads.size() - 1
       : std::min<size_t>(static_cast<size_t>(lists), static_cast<size_t>(Lists::Long))];

@@ -197,7 +197,6 @@ vtkShaderProgram* Quad::Ready(vtkOpenGLRenderWindow* window, const std::string& 
   if (!this->Program || this->Source != fragmentSource)
   {
     this->Source = fragmentSource;
-    if (getenv("AIRDUMP")) { static int n = 0; FILE* f = fopen((std::string(getenv("AIRDUMP")) + std::to_string(n++) + ".frag").c_str(), "w"); fputs(fragmentSource.c_str(), f); fclose(f); }
     this->Program = cache->ReadyShaderProgram(AirlightFullScreenVS, this->Source.c_str(), "");
   }
   else

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AirlightProfile.h"
 #include "AirlightShadowLists.h"
 
 #include "AirlightBoundaries.h"
@@ -273,7 +272,6 @@ bool ShadowLists::Spill(int row, int rows)
 int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& light,
   const View& view, vtkTextureObject* distances, int row, int rows)
 {
-  Prof prof("fill");
   distances->Activate();
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);

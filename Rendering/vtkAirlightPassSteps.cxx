@@ -3,7 +3,6 @@
 //
 // What vtkAirlightPass draws of the scene between the steps of a frame, and which props in which.
 
-#include "AirlightProfile.h"
 #include "vtkAirlightPassInternals.h"
 
 #include "vtkActor.h"
@@ -74,7 +73,6 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
 // Of what the stage of colours draws: hidden lines are neither drawn nor fogged there.
 void vtkAirlightPass::Internals::RenderDistances(const vtkRenderState& inner)
 {
-  Prof prof("distances");
   if (inner.GetRenderer()->GetUseHiddenLineRemoval() && !HasOpaquePass(this->Self->DelegatePass) &&
     vtkHiddenLineRemovalPass::WireframePropsExist(inner.GetPropArray(), inner.GetPropArrayCount()))
   {
@@ -89,7 +87,6 @@ void vtkAirlightPass::Internals::RenderDistances(const vtkRenderState& inner)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::Internals::RenderColours(const vtkRenderState& inner)
 {
-  Prof prof("colours");
   this->Hidden.clear();
   vtkRenderPass* delegate = this->GetDelegate(true);
   if (this->Self->DelegatePass)
