@@ -74,7 +74,8 @@ void View::SetUniforms(vtkShaderProgram* program, int x, int y, const glm::vec4&
 }
 
 //------------------------------------------------------------------------------
-void View::SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position) const
+void View::SetFootUniforms(
+  vtkShaderProgram* program, const glm::dvec3& position, const std::string& prefix) const
 {
   // In a perspective the light is a multiple of one pixel's direction; in parallel projection it is
   // one pixel's origin plus a multiple of the common direction.
@@ -91,13 +92,13 @@ void View::SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position
   const glm::vec2 rest(pixel - glm::floor(pixel));
   const glm::vec3 crossX(glm::cross(along, this->Affine[1]));
   const glm::vec3 crossY(glm::cross(along, this->Affine[2]));
-  program->SetUniformi("lightHasPixel", isNear ? 1 : 0);
+  program->SetUniformi((prefix + "HasPixel").c_str(), isNear ? 1 : 0);
   if (isNear)
   {
-    program->SetUniform2f("lightPixel", &whole.x);
-    program->SetUniform2f("lightPixelRest", &rest.x);
-    program->SetUniform3f("lightPerX", &crossX.x);
-    program->SetUniform3f("lightPerY", &crossY.x);
+    program->SetUniform2f((prefix + "Pixel").c_str(), &whole.x);
+    program->SetUniform2f((prefix + "PixelRest").c_str(), &rest.x);
+    program->SetUniform3f((prefix + "PerX").c_str(), &crossX.x);
+    program->SetUniform3f((prefix + "PerY").c_str(), &crossY.x);
   }
 }
 }

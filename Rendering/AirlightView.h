@@ -13,6 +13,8 @@
 
 #include <glm/glm.hpp>
 
+#include <string>
+
 class vtkRenderer;
 class vtkShaderProgram;
 
@@ -37,7 +39,9 @@ public:
   // For glsl/AirlightResolveFS.glsl: what the distance of a pixel's ray from a light at `position`
   // [from the eye] is made of. It vanishes, linearly, at the light's own pixel, and is taken from
   // there: as a cross product of long vectors it would be lost in single precision near the light.
-  void SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position) const;
+  // The uniforms' names begin with `prefix`.
+  void SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position,
+    const std::string& prefix = "light") const;
 
   // Scale (x, y) and shift (z, w) from the pixels of another view from the same place to those of
   // this one with the same rays.

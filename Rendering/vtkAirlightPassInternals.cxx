@@ -44,6 +44,8 @@ vtkAirlightPass::Internals::Internals(vtkAirlightPass* self)
     this->CurrentFrame.Release(window);
     this->ScenePass->ReleaseGraphicsResources(window);
   });
+  this->ScenePass->SetAroundOpaque(
+    [this] { this->CurrentFrame.BeginSurfaces(); }, [this] { this->CurrentFrame.EndSurfaces(); });
 }
 
 vtkAirlightPass::Internals::~Internals() { this->Context->SetContext(nullptr); }
@@ -95,13 +97,18 @@ bool vtkAirlightPass::Internals::IsGlowing(const f64::AirlightMedia& media) cons
 //------------------------------------------------------------------------------
 // What was there once stays: surfaces that become translucent for a moment shall not make all
 // shaders anew each time.
-void vtkAirlightPass::Internals::UpdateSurfaceShader(
-  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps, bool translucent)
+void vtkAirlightPass::Internals::UpdateSurfaceShader(const f64::AirlightMedia& media,
+  const std::vector<Lamp>& lamps, bool translucent, bool once, int apart)
 {
   translucent = translucent || this->MapperText.Translucent;
   const bool hides = this->MapperText.Hides || this->Self->DelegatePass;
-  const bool other = hides != this->MapperText.Hides;
+  const bool reads = !once && this->EffectiveTechnique != NONE && this->Self->SurfaceShadows;
+  const bool other = hides != this->MapperText.Hides || reads != this->MapperText.ReadsLit ||
+    once != this->MapperText.Once || apart != this->MapperText.Apart;
   this->MapperText.Hides = hides;
+  this->MapperText.ReadsLit = reads;
+  this->MapperText.Once = once;
+  this->MapperText.Apart = apart;
   if (UpdateSurfaceText(this->MapperText, media, lamps, this->IsGlowing(media), translucent) ||
     other)
   {
@@ -178,7 +185,9 @@ bool vtkAirlightPass::Internals::RenderOnce(
   }
   const bool layers = this->ShownView == SHADED && AirlightScenePass::HasTransparent(s);
   this->MapperText.LayerRecords = ShadowLists::IsSupported(window);
-  this->UpdateSurfaceShader(converted, lamps, layers);
+  int apart = -1;
+  const bool once = this->MayDrawOnce(s, lamps, apart);
+  this->UpdateSurfaceShader(converted, lamps, layers, once, apart);
   if (this->Self->ScatteredSurfaceLight && !this->IsGlowing(converted))
   {
     this->WarnOnce(this->WarnedGlowInImage,
@@ -197,6 +206,9 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.SurfaceGlow = this->IsGlowing(converted);
   settings.Layers = layers;
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
+  settings.Once = once;
+  settings.Apart = apart;
+  settings.Solid = this->IsSolid(s);
   settings.VolumeNodes =
     GetVolumeNodeCount(GetVolumes(s->GetPropArray(), s->GetPropArrayCount()).size(), width, height,
       static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20);
