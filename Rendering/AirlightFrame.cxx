@@ -55,7 +55,6 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   this->Settings = settings;
   this->Width = width;
   this->Height = height;
-  this->Fused = this->MayFuse();
   Targets::Needs needs;
   needs.Lamps = lamps.size();
   needs.Drawn = !settings.Once;
@@ -177,7 +176,7 @@ std::vector<vtkTextureObject*> Frame::GetScatterTargets()
 //------------------------------------------------------------------------------
 bool Frame::ScatterLights()
 {
-  if (this->Fused)
+  if (this->Settings.Whole)
   {
     this->Buffers.clear();
     this->ReleaseMaps(this->Window);

@@ -82,8 +82,11 @@ struct FrameSettings
   bool LayerRecords = false;       // and their fragments have records
   bool Once = false;               // opaque surfaces are drawn once: steps 1 and 3 are one
   int Apart = -1;                  // then: the light whose shadows fall on them; none below 0
+  bool Whole = false;              // no light's airlight has shadows: steps 2 and 4 are one
   bool Solid = false;              // each fragment of opaque surfaces hides all behind it
-  int VolumeNodes = 2;             // on the rays through volumes
+  // Distances then are in the place of the opacities of surfaces, which are 1.
+  bool IsPacked() const { return this->Once && this->Whole && this->Solid; }
+  int VolumeNodes = 2; // on the rays through volumes
   bool Record = false;
   bool EncodedInput = false;     // the scene's colours are encoded for display
   bool EncodedOutput = false;    // the picture is
@@ -94,6 +97,13 @@ struct FrameSettings
   bool PlaneBudget = false;      // too many shadow boundaries are an error: IsOverBudget()
   DrawActors Draw;               // for casters that are not polygons
 };
+
+// The numbers of the lights that the medium scatters.
+std::vector<int> FindScattering(const std::vector<Lamp>& lamps);
+
+// Whether FrameSettings::Whole may be true, with the others as they are.
+bool MayBeWhole(
+  const FrameSettings& settings, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps);
 
 class Frame
 {
@@ -209,8 +219,6 @@ private:
   void SetMapUniforms(vtkShaderProgram* program, int index);
   ShadowMap* GetMap(int index) const;
 
-  bool MayFuse() const;
-  std::vector<int> FindScattering() const;
   std::string GetWholeRaysSource(const std::vector<int>& lights) const;
   void SetWholeRaysUniforms(vtkShaderProgram* program, const std::vector<int>& lights);
 
@@ -250,7 +258,6 @@ private:
   const std::vector<Caster>* FoundCasters = nullptr; // null: without shadows
   std::vector<Caster> OpaqueCasters;                 // those for maps
   bool Dimmed = false;
-  bool Fused = false; // steps 2 and 4 are one
   int MapX = 0;
   int MapY = 0;
   FrameSettings Settings;

@@ -42,7 +42,7 @@ std::vector<std::pair<const char*, vtkTextureObject*>> Frame::GetCompositeTextur
   std::vector<std::pair<const char*, vtkTextureObject*>> textures = { { "distances",
                                                                         this->Textures.Distances },
     { "scene", this->Textures.Scene }, { "airlightData", this->Data.GetTexture() } };
-  if (!this->Fused)
+  if (!this->Settings.Whole)
   {
     textures.emplace_back("scattered", this->Textures.Scattered);
   }
@@ -57,14 +57,15 @@ std::vector<std::pair<const char*, vtkTextureObject*>> Frame::GetCompositeTextur
 //------------------------------------------------------------------------------
 vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
 {
-  const std::vector<int> whole = this->Fused ? this->FindScattering() : std::vector<int>();
+  const std::vector<int> whole =
+    this->Settings.Whole ? FindScattering(this->Lamps) : std::vector<int>();
   const int kind = whole.empty() ? AIRLIGHT_POINT_CLOSED : this->Lamps[whole[0]].Values.kind;
   const std::string source = std::string("#version 330\n") +
     (layers ? "#define AIRLIGHT_LAYERS\n" : "") +
     (layers && this->Settings.Record ? RecordDefinition : "") +
     Define("DEBUG_VIEW", layers ? 0 : this->Settings.DebugView) +
-    Define("APART", this->Settings.Apart) + Define("BITS", BitsPerChannel) +
-    Define("AMBIENT", HasAmbient(this->Media)) +
+    Define("PACKED", this->Settings.IsPacked()) + Define("APART", this->Settings.Apart) +
+    Define("BITS", BitsPerChannel) + Define("AMBIENT", HasAmbient(this->Media)) +
     Define("ENCODED_INPUT", this->Settings.EncodedInput) +
     Define("ENCODED_OUTPUT", this->Settings.EncodedOutput) +
     GetScatteringSource(this->Media, kind, false) + AirlightViewShader +

@@ -9,6 +9,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
 namespace airlight
@@ -39,7 +40,11 @@ void Frame::BlendColours()
 //------------------------------------------------------------------------------
 bool Frame::BindOnce()
 {
-  std::vector<vtkTextureObject*> targets = { this->Textures.Scene, this->Textures.Distances };
+  std::vector<vtkTextureObject*> targets = { this->Textures.Scene };
+  if (!this->Settings.IsPacked())
+  {
+    targets.push_back(this->Textures.Distances);
+  }
   if (this->Settings.Apart >= 0)
   {
     targets.push_back(this->Textures.Dark);
@@ -48,12 +53,23 @@ bool Frame::BindOnce()
   {
     return this->Fail(this->Textures.GetError());
   }
-  this->Window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const float none[4] = { -1.0f, 0.0f, 0.0f, 0.0f };
-  glClearBufferfv(GL_COLOR, 1, none);
+  if (!this->Settings.IsPacked())
+  {
+    this->Window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    const float none[4] = { -1.0f, 0.0f, 0.0f, 0.0f };
+    glClearBufferfv(GL_COLOR, 1, none);
+  }
   this->Textures.DrawInto(1);
-  this->ClearTarget(0.0f);
-  this->ClearDepth();
+  // What the background does not clear.
+  const bool erases = this->Renderer->GetErase() && this->Window->GetErase();
+  if (!erases || this->Renderer->Transparent())
+  {
+    this->ClearTarget(0.0f);
+  }
+  if (!erases || this->Renderer->GetPreserveDepthBuffer())
+  {
+    this->ClearDepth();
+  }
   this->BlendColours();
   this->Window->GetState()->vtkglDepthFunc(GL_LEQUAL);
   return true;
@@ -66,7 +82,7 @@ void Frame::BeginSurfaces()
 {
   if (this->Settings.Once)
   {
-    this->Textures.DrawInto(this->Settings.Apart >= 0 ? 3 : 2);
+    this->Textures.DrawInto(this->Settings.Apart >= 0 ? 3 : this->Settings.IsPacked() ? 1 : 2);
   }
   if (this->Settings.Solid)
   {

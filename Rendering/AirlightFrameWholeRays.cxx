@@ -26,12 +26,12 @@ bool IsClosed(int kind)
 namespace airlight
 {
 //------------------------------------------------------------------------------
-std::vector<int> Frame::FindScattering() const
+std::vector<int> FindScattering(const std::vector<Lamp>& lamps)
 {
   std::vector<int> found;
-  for (size_t k = 0; k < this->Lamps.size(); ++k)
+  for (size_t k = 0; k < lamps.size(); ++k)
   {
-    if (this->Lamps[k].Scatters())
+    if (lamps[k].Scatters())
     {
       found.push_back(static_cast<int>(k));
     }
@@ -41,28 +41,27 @@ std::vector<int> Frame::FindScattering() const
 
 //------------------------------------------------------------------------------
 // The shader is compiled for one kind of light without photometry.
-bool Frame::MayFuse() const
+bool MayBeWhole(
+  const FrameSettings& settings, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps)
 {
-  const FrameSettings& settings = this->Settings;
   if (settings.Record || settings.Layers || settings.DebugView != 0 || settings.Difference ||
-    settings.Shadows == ShadowMethod::March || HasGrid(this->Media))
+    settings.Shadows == ShadowMethod::March || HasGrid(media))
   {
     return false;
   }
-  const std::vector<int> lights = this->FindScattering();
+  const std::vector<int> lights = FindScattering(lamps);
   return std::all_of(lights.begin(), lights.end(), [&](int k) {
-    const Lamp& lamp = this->Lamps[k];
-    const f64::AirlightLight& first = this->Lamps[lights[0]].Values;
-    const size_t most = IsClosed(first.kind) ? MostWholeLights : 1;
-    return (settings.Shadows == ShadowMethod::None || !lamp.CastsShadows) &&
-      lamp.Values.kind == first.kind && lamp.Values.goniometric == 0 && lights.size() <= most;
+    const int kind = lamps[lights[0]].Values.kind;
+    return (settings.Shadows == ShadowMethod::None || !lamps[k].CastsShadows) &&
+      lamps[k].Values.kind == kind && lamps[k].Values.goniometric == 0 &&
+      lights.size() <= (IsClosed(kind) ? MostWholeLights : 1);
   });
 }
 
 //------------------------------------------------------------------------------
 std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
 {
-  if (!this->Fused)
+  if (!this->Settings.Whole)
   {
     return "";
   }

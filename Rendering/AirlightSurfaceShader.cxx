@@ -124,7 +124,8 @@ bool MayLeaveEarly(const std::string& commented)
     body.find("texture(") == std::string::npos && body.find("gl_FragDepth") == std::string::npos;
 }
 
-// VTK's own text knows the number of lights, too, and is made anew where another number shines.
+// In the pass, that is. VTK's own text knows the number of lights, too, and is made anew where
+// another number shines; a mapper without the pass is to stay as it is.
 std::vector<bool> FindSuns(const std::vector<Lamp>& lamps)
 {
   std::vector<bool> suns;
@@ -158,10 +159,12 @@ std::string DrawOnce(const SurfaceText& text)
                      "    airlightShade();\n"
                      "    gl_FragData[2] = gl_FragData[0];\n"
                      "    gl_FragData[0] = colour;\n";
+  const char* packed = "    gl_FragData[0].a = distance < 0.0 ? 1.0 : -max(distance, 1e-30);\n";
+  const char* apart = "    gl_FragData[1] = vec4(distance, 0.0, 0.0, 1.0);\n";
   return std::string("\nvoid main()\n{\n  airlightShade();\n"
                      "  if (airlightStage == AIRLIGHT_STAGE_COLOUR)\n  {\n"
-                     "    gl_FragData[1] = vec4(airlightFragmentDistance(), 0.0, 0.0, 1.0);\n") +
-    (text.Apart >= 0 ? dark : "") + "  }\n}\n";
+                     "    float distance = airlightFragmentDistance();\n") +
+    (text.Packed ? packed : apart) + (text.Apart >= 0 ? dark : "") + "  }\n}\n";
 }
 }
 
@@ -250,7 +253,7 @@ bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
     lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
   const std::string source =
     GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
-  const std::vector<bool> suns = FindSuns(lamps);
+  const std::vector<bool> suns = text.InPass ? FindSuns(lamps) : std::vector<bool>();
   if (lampCount <= text.LampCount && source == text.Mathematics &&
     translucent == text.Translucent && suns == text.Suns)
   {

@@ -97,18 +97,22 @@ bool vtkAirlightPass::Internals::IsGlowing(const f64::AirlightMedia& media) cons
 //------------------------------------------------------------------------------
 // What was there once stays: surfaces that become translucent for a moment shall not make all
 // shaders anew each time.
-void vtkAirlightPass::Internals::UpdateSurfaceShader(const f64::AirlightMedia& media,
-  const std::vector<Lamp>& lamps, bool translucent, bool once, int apart)
+void vtkAirlightPass::Internals::UpdateSurfaceShader(
+  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps, const FrameSettings& settings)
 {
-  translucent = translucent || this->MapperText.Translucent;
+  const bool translucent = settings.Layers || this->MapperText.Translucent;
   const bool hides = this->MapperText.Hides || this->Self->DelegatePass;
-  const bool reads = !once && this->EffectiveTechnique != NONE && this->Self->SurfaceShadows;
+  const bool reads =
+    !settings.Once && settings.Shadows != ShadowMethod::None && settings.SurfaceShadows;
+  const bool packed = settings.IsPacked();
   const bool other = hides != this->MapperText.Hides || reads != this->MapperText.ReadsLit ||
-    once != this->MapperText.Once || apart != this->MapperText.Apart;
+    settings.Once != this->MapperText.Once || packed != this->MapperText.Packed ||
+    settings.Apart != this->MapperText.Apart;
   this->MapperText.Hides = hides;
   this->MapperText.ReadsLit = reads;
-  this->MapperText.Once = once;
-  this->MapperText.Apart = apart;
+  this->MapperText.Once = settings.Once;
+  this->MapperText.Packed = packed;
+  this->MapperText.Apart = settings.Apart;
   if (UpdateSurfaceText(this->MapperText, media, lamps, this->IsGlowing(media), translucent) ||
     other)
   {
@@ -185,9 +189,6 @@ bool vtkAirlightPass::Internals::RenderOnce(
   }
   const bool layers = this->ShownView == SHADED && AirlightScenePass::HasTransparent(s);
   this->MapperText.LayerRecords = ShadowLists::IsSupported(window);
-  int apart = -1;
-  const bool once = this->MayDrawOnce(s, lamps, apart);
-  this->UpdateSurfaceShader(converted, lamps, layers, once, apart);
   if (this->Self->ScatteredSurfaceLight && !this->IsGlowing(converted))
   {
     this->WarnOnce(this->WarnedGlowInImage,
@@ -206,8 +207,7 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.SurfaceGlow = this->IsGlowing(converted);
   settings.Layers = layers;
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
-  settings.Once = once;
-  settings.Apart = apart;
+  settings.Once = this->MayDrawOnce(s, lamps, settings.Apart);
   settings.Solid = this->IsSolid(s);
   settings.VolumeNodes =
     GetVolumeNodeCount(GetVolumes(s->GetPropArray(), s->GetPropArrayCount()).size(), width, height,
@@ -222,6 +222,8 @@ bool vtkAirlightPass::Internals::RenderOnce(
   {
     settings.PhaseErrorBound = std::max(settings.PhaseErrorBound, medium->GetPhaseErrorBound());
   }
+  settings.Whole = MayBeWhole(settings, converted, lamps);
+  this->UpdateSurfaceShader(converted, lamps, settings);
   settings.MemoryLimit = static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20;
 
   vtkOpenGLState* state = window->GetState();

@@ -150,7 +150,7 @@ private:
   void RenderLayers(const vtkRenderState& inner);
   void RenderStage(airlight::SurfaceStage stage, const std::function<void()>& render);
   void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media,
-    const std::vector<airlight::Lamp>& lamps, bool translucent, bool once, int apart);
+    const std::vector<airlight::Lamp>& lamps, const airlight::FrameSettings& settings);
   bool DrawDistances(const vtkRenderState& inner);
   bool DrawColours(const vtkRenderState& inner);
   vtkRenderPass* GetDelegate(bool opaqueOnly);
