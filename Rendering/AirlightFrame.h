@@ -84,9 +84,7 @@ struct FrameSettings
   int Apart = -1;                  // then: the light whose shadows fall on them; none below 0
   bool Whole = false;              // no light's airlight has shadows: steps 2 and 4 are one
   bool Solid = false;              // each fragment of opaque surfaces hides all behind it
-  // Distances then are in the place of the opacities of surfaces, which are 1.
-  bool IsPacked() const { return this->Once && this->Whole && this->Solid; }
-  int VolumeNodes = 2; // on the rays through volumes
+  int VolumeNodes = 2;             // on the rays through volumes
   bool Record = false;
   bool EncodedInput = false;     // the scene's colours are encoded for display
   bool EncodedOutput = false;    // the picture is

@@ -64,8 +64,8 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     (layers ? "#define AIRLIGHT_LAYERS\n" : "") +
     (layers && this->Settings.Record ? RecordDefinition : "") +
     Define("DEBUG_VIEW", layers ? 0 : this->Settings.DebugView) +
-    Define("PACKED", this->Settings.IsPacked()) + Define("APART", this->Settings.Apart) +
-    Define("BITS", BitsPerChannel) + Define("AMBIENT", HasAmbient(this->Media)) +
+    Define("APART", this->Settings.Apart) + Define("BITS", BitsPerChannel) +
+    Define("AMBIENT", HasAmbient(this->Media)) +
     Define("ENCODED_INPUT", this->Settings.EncodedInput) +
     Define("ENCODED_OUTPUT", this->Settings.EncodedOutput) +
     GetScatteringSource(this->Media, kind, false) + AirlightViewShader +

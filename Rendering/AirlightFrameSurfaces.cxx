@@ -40,11 +40,7 @@ void Frame::BlendColours()
 //------------------------------------------------------------------------------
 bool Frame::BindOnce()
 {
-  std::vector<vtkTextureObject*> targets = { this->Textures.Scene };
-  if (!this->Settings.IsPacked())
-  {
-    targets.push_back(this->Textures.Distances);
-  }
+  std::vector<vtkTextureObject*> targets = { this->Textures.Scene, this->Textures.Distances };
   if (this->Settings.Apart >= 0)
   {
     targets.push_back(this->Textures.Dark);
@@ -53,12 +49,9 @@ bool Frame::BindOnce()
   {
     return this->Fail(this->Textures.GetError());
   }
-  if (!this->Settings.IsPacked())
-  {
-    this->Window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    const float none[4] = { -1.0f, 0.0f, 0.0f, 0.0f };
-    glClearBufferfv(GL_COLOR, 1, none);
-  }
+  this->Window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const float none[4] = { -1.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 1, none);
   this->Textures.DrawInto(1);
   // What the background does not clear.
   const bool erases = this->Renderer->GetErase() && this->Window->GetErase();
@@ -82,7 +75,7 @@ void Frame::BeginSurfaces()
 {
   if (this->Settings.Once)
   {
-    this->Textures.DrawInto(this->Settings.Apart >= 0 ? 3 : this->Settings.IsPacked() ? 1 : 2);
+    this->Textures.DrawInto(this->Settings.Apart >= 0 ? 3 : 2);
   }
   if (this->Settings.Solid)
   {

@@ -159,12 +159,10 @@ std::string DrawOnce(const SurfaceText& text)
                      "    airlightShade();\n"
                      "    gl_FragData[2] = gl_FragData[0];\n"
                      "    gl_FragData[0] = colour;\n";
-  const char* packed = "    gl_FragData[0].a = distance < 0.0 ? 1.0 : -max(distance, 1e-30);\n";
-  const char* apart = "    gl_FragData[1] = vec4(distance, 0.0, 0.0, 1.0);\n";
   return std::string("\nvoid main()\n{\n  airlightShade();\n"
                      "  if (airlightStage == AIRLIGHT_STAGE_COLOUR)\n  {\n"
-                     "    float distance = airlightFragmentDistance();\n") +
-    (text.Packed ? packed : apart) + (text.Apart >= 0 ? dark : "") + "  }\n}\n";
+                     "    gl_FragData[1] = vec4(airlightFragmentDistance(), 0.0, 0.0, 1.0);\n") +
+    (text.Apart >= 0 ? dark : "") + "  }\n}\n";
 }
 }
 

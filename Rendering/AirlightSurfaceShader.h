@@ -54,7 +54,6 @@ struct SurfaceText
   bool Dimmed = false;       // casters may let light through (AirlightDimming.h)
   bool ReadsLit = true;      // on opaque surfaces, by bits of a texture
   bool Once = false;         // colours and distances of opaque surfaces are drawn at once
-  bool Packed = false;       // then: distances in the place of opacities, below 0
   int Apart = -1;            // then: the light without which colours are drawn, too
   bool InPass = true;        // there are the pass's stages and its shadows on surfaces
   bool AtVertices = false;   // the medium before fragments is interpolated between vertices

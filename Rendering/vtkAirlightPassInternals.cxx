@@ -104,14 +104,11 @@ void vtkAirlightPass::Internals::UpdateSurfaceShader(
   const bool hides = this->MapperText.Hides || this->Self->DelegatePass;
   const bool reads =
     !settings.Once && settings.Shadows != ShadowMethod::None && settings.SurfaceShadows;
-  const bool packed = settings.IsPacked();
   const bool other = hides != this->MapperText.Hides || reads != this->MapperText.ReadsLit ||
-    settings.Once != this->MapperText.Once || packed != this->MapperText.Packed ||
-    settings.Apart != this->MapperText.Apart;
+    settings.Once != this->MapperText.Once || settings.Apart != this->MapperText.Apart;
   this->MapperText.Hides = hides;
   this->MapperText.ReadsLit = reads;
   this->MapperText.Once = settings.Once;
-  this->MapperText.Packed = packed;
   this->MapperText.Apart = settings.Apart;
   if (UpdateSurfaceText(this->MapperText, media, lamps, this->IsGlowing(media), translucent) ||
     other)

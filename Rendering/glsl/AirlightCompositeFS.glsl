@@ -2,9 +2,7 @@
 // not need is left out when this is compiled: software renderers run both sides of every branch.
 // AIRLIGHT_DEBUG_VIEW is a vtkAirlightPass::DebugViewType.
 
-#if !AIRLIGHT_PACKED
 uniform sampler2D distances;
-#endif
 uniform sampler2D scene;
 #ifndef AIRLIGHT_LAYERS
 uniform sampler2D sceneDepth;
@@ -37,14 +35,8 @@ void main()
 {
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
-  vec4 colour = texelFetch(scene, pixel, 0);
-#if AIRLIGHT_PACKED
-  // In the place of opacities, below 0.
-  float t = colour.a < 0.0 ? -colour.a : -1.0;
-  colour.a = t >= 0.0 ? 1.0 : colour.a;
-#else
   float t = texelFetch(distances, pixel, 0).r;
-#endif
+  vec4 colour = texelFetch(scene, pixel, 0);
 #if AIRLIGHT_APART >= 0
   float bits = texelFetch(lit, pixel, 0)[AIRLIGHT_APART / AIRLIGHT_BITS];
   bool shadowed = mod(floor(bits * exp2(-float(AIRLIGHT_APART % AIRLIGHT_BITS))), 2.0) < 0.5;
