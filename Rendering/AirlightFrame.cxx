@@ -55,8 +55,14 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   this->Settings = settings;
   this->Width = width;
   this->Height = height;
-  if (!this->Textures.Prepare(
-        this->Window, width, height, settings.Record, settings.Layers, settings.Difference))
+  Targets::Needs needs;
+  needs.Lamps = lamps.size();
+  needs.Drawn = !settings.Once;
+  needs.Dark = settings.Apart >= 0;
+  needs.Record = settings.Record;
+  needs.Layers = settings.Layers;
+  needs.Reference = settings.Difference;
+  if (!this->Textures.Prepare(this->Window, width, height, needs))
   {
     return this->Fail(this->Textures.GetError());
   }
@@ -86,14 +92,21 @@ bool Frame::BindDistances()
     return this->Fail(this->Textures.GetError());
   }
   this->ClearTarget(-1.0f);
+  this->ClearDepth();
   vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglClearDepth(1.0);
-  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_BLEND);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void Frame::ClearDepth()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
 }
 
 //------------------------------------------------------------------------------
@@ -145,23 +158,6 @@ LayerRecords::Outcome Frame::CheckCollected()
 }
 
 //------------------------------------------------------------------------------
-bool Frame::BindScene()
-{
-  if (!this->Textures.Bind({ this->Textures.Scene }, this->Textures.Depth))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  // What a layer above others does not draw stays transparent.
-  this->ClearTarget(0.0f);
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(
-    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  return true;
-}
-
-//------------------------------------------------------------------------------
 std::vector<vtkTextureObject*> Frame::GetScatterTargets()
 {
   if (this->TakesReference)
@@ -180,6 +176,12 @@ std::vector<vtkTextureObject*> Frame::GetScatterTargets()
 //------------------------------------------------------------------------------
 bool Frame::ScatterLights()
 {
+  if (this->Settings.Whole)
+  {
+    this->Buffers.clear();
+    this->ReleaseMaps(this->Window);
+    return true;
+  }
   if (!this->Textures.Bind(this->GetScatterTargets(), nullptr))
   {
     return this->Fail(this->Textures.GetError());

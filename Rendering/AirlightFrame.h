@@ -10,6 +10,9 @@
  *   4. airlight + transmittance * colours, and what is drawn over it, translucent surfaces and
  *      volumes;
  *   5. into the caller's framebuffer.
+ *
+ * Most scenes are drawn once: steps 1 and 3 are one, in place of the first (vtkAirlightPassOnce.cxx).
+ * Where no light's airlight has shadows, step 2 is done with step 4 (AirlightFrameWholeRays.cxx).
  */
 
 #ifndef AirlightFrame_h
@@ -77,6 +80,10 @@ struct FrameSettings
   bool SurfaceGlow = false;        // surfaces are lit by scattered light, too
   bool Layers = false;             // translucent surfaces or volumes are drawn over the medium
   bool LayerRecords = false;       // and their fragments have records
+  bool Once = false;               // opaque surfaces are drawn once: steps 1 and 3 are one
+  int Apart = -1;                  // then: the light whose shadows fall on them; none below 0
+  bool Whole = false;              // no light's airlight has shadows: steps 2 and 4 are one
+  bool Solid = false;              // each fragment of opaque surfaces hides all behind it
   int VolumeNodes = 2;             // on the rays through volumes
   bool Record = false;
   bool EncodedInput = false;     // the scene's colours are encoded for display
@@ -88,6 +95,13 @@ struct FrameSettings
   bool PlaneBudget = false;      // too many shadow boundaries are an error: IsOverBudget()
   DrawActors Draw;               // for casters that are not polygons
 };
+
+// The numbers of the lights that the medium scatters.
+std::vector<int> FindScattering(const std::vector<Lamp>& lamps);
+
+// Whether FrameSettings::Whole may be true, with the others as they are.
+bool MayBeWhole(
+  const FrameSettings& settings, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps);
 
 class Frame
 {
@@ -102,6 +116,8 @@ public:
   {
     this->Casters.Collect(renderer, translucent);
   }
+  // Whether there was something that lets light through.
+  bool MetTranslucent() const { return this->Casters.MetTranslucent(); }
   const std::vector<vtkActor*>& GetOtherCasters() const { return this->Casters.GetOthers(); }
 
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
@@ -130,6 +146,14 @@ public:
   // Step 3: binds the target that the scene is to be drawn into.
   bool BindScene();
 
+  // Steps 1 and 3 in one, in place of them: binds the targets of colours and distances, of which the
+  // background is drawn into the first alone.
+  bool BindOnce();
+
+  // In either case, before the opaque surfaces and after them.
+  void BeginSurfaces();
+  void EndSurfaces();
+
   // Step 4 where something is to be drawn over the medium, or buffers to be recorded: into a texture,
   // which stays bound.
   bool CompositeLayers();
@@ -154,6 +178,7 @@ public:
   bool IsOverBudget() const { return this->OverBudget; }
   bool IsReferenceMissing() const { return this->TakesReference; }
 
+  bool IsOnce() const { return this->Settings.Once; }
   bool HasLayers() const { return this->Settings.Layers; }
   bool HasLayerRecords() const { return this->Settings.LayerRecords; }
 
@@ -194,11 +219,16 @@ private:
   void SetMapUniforms(vtkShaderProgram* program, int index);
   ShadowMap* GetMap(int index) const;
 
+  std::string GetWholeRaysSource(const std::vector<int>& lights) const;
+  void SetWholeRaysUniforms(vtkShaderProgram* program, const std::vector<int>& lights);
+
   vtkShaderProgram* ReadyComposite(bool layers, int x, int y);
   vtkShaderProgram* ReadyCopy(int x, int y);
   std::vector<std::pair<const char*, vtkTextureObject*>> GetCompositeTextures();
   std::vector<vtkTextureObject*> GetScatterTargets();
   void ClearTarget(float value);
+  void ClearDepth();
+  void BlendColours();
   void ReleaseMaps(vtkWindow* window);
 
   Targets Textures;

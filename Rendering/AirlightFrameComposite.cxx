@@ -18,23 +18,59 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+
 namespace airlight
 {
+namespace
+{
+std::string Define(const char* name, int value)
+{
+  return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
+}
+
+bool HasAmbient(const f64::AirlightMedia& media)
+{
+  return std::any_of(media.item, media.item + media.count,
+    [](const f64::AirlightMedium& medium) { return medium.ambient != glm::dvec3(0.0); });
+}
+}
+
 //------------------------------------------------------------------------------
 std::vector<std::pair<const char*, vtkTextureObject*>> Frame::GetCompositeTextures()
 {
-  return { { "distances", this->Textures.Distances }, { "scene", this->Textures.Scene },
-    { "scattered", this->Textures.Scattered }, { "airlightData", this->Data.GetTexture() } };
+  std::vector<std::pair<const char*, vtkTextureObject*>> textures = { { "distances",
+                                                                        this->Textures.Distances },
+    { "scene", this->Textures.Scene }, { "airlightData", this->Data.GetTexture() } };
+  if (!this->Settings.Whole)
+  {
+    textures.emplace_back("scattered", this->Textures.Scattered);
+  }
+  if (this->Settings.Apart >= 0)
+  {
+    textures.emplace_back("dark", this->Textures.Dark);
+    textures.emplace_back("lit", this->Textures.Lit);
+  }
+  return textures;
 }
 
 //------------------------------------------------------------------------------
 vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
 {
+  const std::vector<int> whole =
+    this->Settings.Whole ? FindScattering(this->Lamps) : std::vector<int>();
+  const int kind = whole.empty() ? AIRLIGHT_POINT_CLOSED : this->Lamps[whole[0]].Values.kind;
   const std::string source = std::string("#version 330\n") +
     (layers ? "#define AIRLIGHT_LAYERS\n" : "") +
     (layers && this->Settings.Record ? RecordDefinition : "") +
-    GetScatteringSource(this->Media, AIRLIGHT_POINT_CLOSED, false) + AirlightViewShader +
-    AirlightDisplay + AirlightCompositeFS;
+    Define("DEBUG_VIEW", layers ? 0 : this->Settings.DebugView) +
+    Define("APART", this->Settings.Apart) + Define("BITS", BitsPerChannel) +
+    Define("AMBIENT", HasAmbient(this->Media)) +
+    Define("ENCODED_INPUT", this->Settings.EncodedInput) +
+    Define("ENCODED_OUTPUT", this->Settings.EncodedOutput) +
+    GetScatteringSource(this->Media, kind, false) + AirlightViewShader +
+    "uniform AirlightMedia media;\n" + this->GetWholeRaysSource(whole) + AirlightDisplay +
+    AirlightCompositeFS;
   Quad& quad = layers ? this->LayersQuad : this->CompositeQuad;
   vtkShaderProgram* program = quad.Ready(this->Window, source);
   if (!program)
@@ -43,14 +79,9 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     return nullptr;
   }
   SetMediaUniforms(program, "media", this->Media);
+  this->SetWholeRaysUniforms(program, whole);
   // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
   this->Rays->SetUniforms(program, x, y);
-  program->SetUniformi("encodedInput", this->Settings.EncodedInput ? 1 : 0);
-  if (!layers)
-  {
-    program->SetUniformi("encodedOutput", this->Settings.EncodedOutput ? 1 : 0);
-    program->SetUniformi("debugView", this->Settings.DebugView);
-  }
   if (layers && this->Settings.Record)
   {
     program->SetUniformf("error", ClosedFormError);

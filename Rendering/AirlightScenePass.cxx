@@ -74,7 +74,9 @@ void AirlightScenePass::Render(const vtkRenderState* s)
   this->PrepareLights(renderer);
   if (this->OpaqueOnly)
   {
+    this->BeforeOpaque();
     renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer());
+    this->AfterOpaque();
   }
   else
   {

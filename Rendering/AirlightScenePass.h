@@ -11,6 +11,8 @@
 #include "vtkNew.h"
 #include "vtkRenderPass.h"
 
+#include <functional>
+
 class vtkDualDepthPeelingPass;
 class vtkFrameBufferObjectBase;
 class vtkOpenGLFXAAFilter;
@@ -28,6 +30,13 @@ public:
   // All of the scene, or its opaque geometry alone; for a vtkCameraPass.
   void Render(const vtkRenderState* s) override;
   void SetOpaqueOnly(bool only) { this->OpaqueOnly = only; }
+
+  // Called before and after the opaque geometry, where it is drawn alone.
+  void SetAroundOpaque(const std::function<void()>& before, const std::function<void()>& after)
+  {
+    this->BeforeOpaque = before;
+    this->AfterOpaque = after;
+  }
 
   // Brings the lights of the renderer into place (headlights and camera lights follow the camera)
   // and into its mappers.
@@ -67,6 +76,8 @@ private:
   void operator=(const AirlightScenePass&) = delete;
 
   bool OpaqueOnly = false;
+  std::function<void()> BeforeOpaque;
+  std::function<void()> AfterOpaque;
   vtkNew<vtkOpenGLFXAAFilter> Antialiasing;
   vtkNew<vtkTranslucentPass> Blending;
   vtkNew<vtkOrderIndependentTranslucentPass> Unordered;

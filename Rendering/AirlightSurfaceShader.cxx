@@ -43,6 +43,21 @@ bool HasRecords(const SurfaceText& text)
 
 bool IsDimmed(const SurfaceText& text) { return text.InPass && text.Dimmed; }
 
+// The lines for each lamp where they are few. A loop of a length that the compiler does not know, and
+// arrays in it, cost several times as much.
+std::string DefineLamps(const SurfaceText& text)
+{
+  std::string lines;
+  for (size_t k = 0; k < text.Suns.size(); ++k)
+  {
+    const std::string index = std::to_string(k);
+    const bool apart = static_cast<int>(k) == text.Apart;
+    lines += " airlightArrived[" + index + "] = " + (apart ? "airlightApart * " : "") +
+      "airlightShare(" + index + ", " + (text.Suns[k] ? "true" : "false") + ", point);";
+  }
+  return lines.empty() ? "" : "#define AIRLIGHT_EACH_LAMP(point)" + lines + "\n";
+}
+
 // What both shaders begin with.
 std::string CommonDeclarations(const SurfaceText& text)
 {
@@ -52,7 +67,8 @@ std::string CommonDeclarations(const SurfaceText& text)
   return text.Mathematics + DefineStages() + define("LAYER_RECORDS", HasRecords(text)) +
     define("DIMMED", IsDimmed(text)) + define("LAMPS", text.LampCount) +
     define("BITS", BitsPerChannel) + define("IN_PASS", text.InPass) +
-    define("AT_VERTICES", text.AtVertices) + AirlightSurfaceLights;
+    define("READS_LIT", text.InPass && text.ReadsLit) + define("AT_VERTICES", text.AtVertices) +
+    DefineLamps(text) + AirlightSurfaceLights;
 }
 
 std::string StorageDeclarations(const SurfaceText& text)
@@ -108,6 +124,18 @@ bool MayLeaveEarly(const std::string& commented)
     body.find("texture(") == std::string::npos && body.find("gl_FragDepth") == std::string::npos;
 }
 
+// In the pass, that is. VTK's own text knows the number of lights, too, and is made anew where
+// another number shines; a mapper without the pass is to stay as it is.
+std::vector<bool> FindSuns(const std::vector<Lamp>& lamps)
+{
+  std::vector<bool> suns;
+  for (size_t k = 0; k < lamps.size() && lamps.size() <= MaximumKnownLamps; ++k)
+  {
+    suns.push_back(f64::airlightIsDirectional(lamps[k].Values));
+  }
+  return suns;
+}
+
 // What is drawn where no colours are.
 std::string OtherStages(bool records, bool leave)
 {
@@ -121,21 +149,36 @@ std::string OtherStages(bool records, bool leave)
                "    discard;\n  }\n"
              : "");
 }
+
+// main() where all that is known of a fragment is drawn at once. Shades in a function, which may have
+// returned from anywhere.
+std::string DrawOnce(const SurfaceText& text)
+{
+  const char* dark = "    vec4 colour = gl_FragData[0];\n"
+                     "    airlightApart = 0.0;\n"
+                     "    airlightShade();\n"
+                     "    gl_FragData[2] = gl_FragData[0];\n"
+                     "    gl_FragData[0] = colour;\n";
+  return std::string("\nvoid main()\n{\n  airlightShade();\n"
+                     "  if (airlightStage == AIRLIGHT_STAGE_COLOUR)\n  {\n"
+                     "    gl_FragData[1] = vec4(airlightFragmentDistance(), 0.0, 0.0, 1.0);\n") +
+    (text.Apart >= 0 ? dark : "") + "  }\n}\n";
+}
 }
 
 //------------------------------------------------------------------------------
-void AddRecordExtensions(std::string& fragmentShader, const SurfaceText& text)
+void AddExtensions(std::string& fragmentShader, const SurfaceText& text)
 {
-  if (HasRecords(text) || IsDimmed(text))
-  {
-    // After VTK's line for the version, which is as old as can be.
-    const std::string version = "//VTK::System::Dec";
-    const size_t line = fragmentShader.find(version);
-    fragmentShader.insert(line == std::string::npos ? 0 : line + version.size(),
-      "\n#extension GL_ARB_shader_storage_buffer_object : require\n"
-      "#extension GL_ARB_shading_language_420pack : require\n"
-      "#extension GL_ARB_shader_bit_encoding : require\n");
-  }
+  const bool storage = HasRecords(text) || IsDimmed(text);
+  // After VTK's line for the version, which is as old as can be.
+  const std::string version = "//VTK::System::Dec";
+  const size_t line = fragmentShader.find(version);
+  fragmentShader.insert(line == std::string::npos ? 0 : line + version.size(),
+    std::string("\n#extension GL_ARB_gpu_shader5 : enable\n") +
+      (storage ? "#extension GL_ARB_shader_storage_buffer_object : require\n"
+                 "#extension GL_ARB_shading_language_420pack : require\n"
+                 "#extension GL_ARB_shader_bit_encoding : require\n"
+               : ""));
 }
 
 //------------------------------------------------------------------------------
@@ -174,12 +217,12 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
     : "";
   const bool early = MayLeaveEarly(body);
   const std::string others = text.InPass ? OtherStages(records, early) : "";
-  fragmentShader.replace(bodyStart + 1, bodyEnd - bodyStart - 1,
-    "\n" + hide + (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
-      (early ? "" : others));
-  fragmentShader.insert(
-    mainStart, Declarations(text) + (hides ? "uniform int airlightHidden;\n" : ""));
-  AddRecordExtensions(fragmentShader, text);
+  fragmentShader.replace(mainStart, fragmentShader.size(),
+    Declarations(text) + (hides ? "uniform int airlightHidden;\n" : "") +
+      (text.Once ? "void airlightShade()\n{\n" : "void main()\n{\n") + hide +
+      (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
+      (early ? "" : others) + fragmentShader.substr(bodyEnd) + (text.Once ? DrawOnce(text) : ""));
+  AddExtensions(fragmentShader, text);
 }
 
 //------------------------------------------------------------------------------
@@ -208,10 +251,13 @@ bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
     lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
   const std::string source =
     GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
-  if (lampCount <= text.LampCount && source == text.Mathematics && translucent == text.Translucent)
+  const std::vector<bool> suns = text.InPass ? FindSuns(lamps) : std::vector<bool>();
+  if (lampCount <= text.LampCount && source == text.Mathematics &&
+    translucent == text.Translucent && suns == text.Suns)
   {
     return false;
   }
+  text.Suns = suns;
   text.Translucent = translucent;
   // Some more, so that another lamp does not make other shaders.
   text.LampCount = std::max(text.LampCount, (lampCount + 7) / 8 * 8);

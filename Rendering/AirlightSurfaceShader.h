@@ -39,15 +39,22 @@ constexpr int MaximumShadowingLights = 4 * BitsPerChannel;
 // Lights whose scattered light lights surfaces: uniforms are few.
 constexpr int MaximumGlowLights = 32;
 
+// So many lamps have lines of their own in the shaders; more share a loop.
+constexpr size_t MaximumKnownLamps = 4;
+
 // What a mapper's shaders are rewritten for.
 struct SurfaceText
 {
   int LampCount = 4;         // at most
+  std::vector<bool> Suns;    // of each lamp: at infinity; empty where there are many
   int GlowLightCount = 0;    // at most; 0: surfaces get no scattered light
   bool Translucent = false;  // fragments may be put behind the medium before them
   bool LayerRecords = false; // and have records (AirlightLayerRecords.h)
   bool Hides = false;        // all fragments may be left out of a stage, as those of splats
   bool Dimmed = false;       // casters may let light through (AirlightDimming.h)
+  bool ReadsLit = true;      // on opaque surfaces, by bits of a texture
+  bool Once = false;         // colours and distances of opaque surfaces are drawn at once
+  int Apart = -1;            // then: the light without which colours are drawn, too
   bool InPass = true;        // there are the pass's stages and its shadows on surfaces
   bool AtVertices = false;   // the medium before fragments is interpolated between vertices
   std::string Mathematics;   // GetScatteringSource() and, for scattered light, GetGlowSource()
@@ -63,8 +70,8 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
 // The declarations for a volume's fragment shader that come before `volume`, and that.
 std::string GetVolumeDeclarations(const SurfaceText& text, const std::string& volume);
 
-// Asks for what records of fragments need, where the text has them.
-void AddRecordExtensions(std::string& fragmentShader, const SurfaceText& text);
+// Asks for what the text needs, and for what it uses where there is such a thing.
+void AddExtensions(std::string& fragmentShader, const SurfaceText& text);
 
 // Rewrites a mapper's vertex shader for SurfaceText::AtVertices.
 void InjectVertexShader(std::string& vertexShader, const SurfaceText& text);

@@ -3,6 +3,7 @@
 #include "AirlightTargets.h"
 
 #include "AirlightOpenGL.h"
+#include "AirlightSurfaceShader.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -22,6 +23,10 @@ Targets::~Targets() = default;
 //------------------------------------------------------------------------------
 bool Targets::Allocate(vtkTextureObject* texture, int components)
 {
+  if (texture->GetHandle() != 0 && texture->GetComponents() != components)
+  {
+    texture->ReleaseGraphicsResources(this->Window);
+  }
   if (texture->GetHandle() == 0)
   {
     texture->SetContext(this->Window);
@@ -39,8 +44,7 @@ bool Targets::Allocate(vtkTextureObject* texture, int components)
 }
 
 //------------------------------------------------------------------------------
-bool Targets::Prepare(
-  vtkOpenGLRenderWindow* window, int width, int height, bool record, bool layers, bool reference)
+bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, const Needs& needs)
 {
   const int most = vtkTextureObject::GetMaximumTextureSize(window);
   if (width > most || height > most)
@@ -53,9 +57,11 @@ bool Targets::Prepare(
   this->Width = width;
   this->Height = height;
   this->Framebuffer->SetContext(window);
-  bool ok = this->Allocate(this->Distances, 1) && this->Allocate(this->Drawn, 2) &&
-    this->Allocate(this->Scene, 4) && this->Allocate(this->Scattered, 4) &&
-    this->Allocate(this->Lit, 4);
+  bool ok = this->Allocate(this->Distances, 1) && this->Allocate(this->Scene, 4) &&
+    this->Allocate(this->Scattered, 4) &&
+    this->Allocate(this->Lit, needs.Lamps > BitsPerChannel ? 4 : 1) &&
+    (!needs.Drawn || this->Allocate(this->Drawn, 2)) &&
+    (!needs.Dark || this->Allocate(this->Dark, 4));
   if (this->Depth->GetHandle() == 0)
   {
     this->Depth->SetContext(window);
@@ -65,15 +71,15 @@ bool Targets::Prepare(
           : this->Depth->AllocateDepth(width, height, vtkTextureObject::Fixed32));
   }
   this->Depth->Resize(width, height);
-  if (record || layers)
+  if (needs.Record || needs.Layers)
   {
     ok = ok && this->Allocate(this->Radiance, 4);
   }
-  if (reference)
+  if (needs.Reference)
   {
     ok = ok && this->Allocate(this->Reference, 4);
   }
-  if (record)
+  if (needs.Record)
   {
     ok = ok && this->Allocate(this->Counts, 2) && this->Allocate(this->Single, 4) &&
       this->Allocate(this->Airlight, 4) && this->Allocate(this->Surface, 4) &&
@@ -122,14 +128,7 @@ bool Targets::Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObje
   const int height = count > 0 ? static_cast<int>(colours[0]->GetHeight()) : this->Height;
   this->Framebuffer->StartNonOrtho(width, height);
   vtkOpenGLState* state = this->Window->GetState();
-  // VTK's record of the draw buffers outlives the framebuffer that had them, and the next one that
-  // asks for as many would not get them.
-  unsigned int buffers[8] = { GL_NONE };
-  for (int i = 0; i < count && i < 8; ++i)
-  {
-    buffers[i] = GL_COLOR_ATTACHMENT0 + i;
-  }
-  state->vtkglDrawBuffers(8, buffers);
+  this->DrawInto(count);
   state->vtkglViewport(0, 0, width, height);
   state->vtkglScissor(0, 0, width, height);
   const char* description = "";
@@ -139,6 +138,19 @@ bool Targets::Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObje
     return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+// VTK's record of the draw buffers outlives the framebuffer that had them, and the next one that asks
+// for as many would not get them.
+void Targets::DrawInto(int count)
+{
+  unsigned int buffers[8] = { GL_NONE };
+  for (int i = 0; i < count && i < 8; ++i)
+  {
+    buffers[i] = GL_COLOR_ATTACHMENT0 + i;
+  }
+  this->Window->GetState()->vtkglDrawBuffers(8, buffers);
 }
 
 //------------------------------------------------------------------------------
@@ -170,9 +182,9 @@ vtkSmartPointer<vtkImageData> Targets::Read(
 void Targets::Release(vtkWindow* window)
 {
   for (vtkTextureObject* texture : { this->Distances.Get(), this->Drawn.Get(), this->Depth.Get(),
-         this->Scene.Get(), this->Scattered.Get(), this->Lit.Get(), this->Counts.Get(),
-         this->Single.Get(), this->Radiance.Get(), this->Airlight.Get(), this->Surface.Get(),
-         this->Transmittance.Get(), this->Reference.Get() })
+         this->Scene.Get(), this->Dark.Get(), this->Scattered.Get(), this->Lit.Get(),
+         this->Counts.Get(), this->Single.Get(), this->Radiance.Get(), this->Airlight.Get(),
+         this->Surface.Get(), this->Transmittance.Get(), this->Reference.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

@@ -29,14 +29,25 @@ public:
 
   // Makes or resizes what the next frame needs. False with a reason in GetError() where the size
   // is beyond the graphics card.
-  bool Prepare(
-    vtkOpenGLRenderWindow* window, int width, int height, bool record, bool layers, bool reference);
+  struct Needs
+  {
+    size_t Lamps = 0;
+    bool Drawn = false;
+    bool Dark = false;
+    bool Record = false;
+    bool Layers = false;
+    bool Reference = false;
+  };
+  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, const Needs& needs);
   const std::string& GetError() const { return this->Error; }
   void Release(vtkWindow* window);
 
   // Binds a framebuffer over these textures and sets viewport and scissor to all of it. False with
   // a reason in GetError() where the framebuffer is incomplete. Restore the bindings afterwards.
   bool Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObject* depth);
+
+  // Draws into the first so many of the colours that the last Bind() bound.
+  void DrawInto(int count);
 
   // The framebuffer that the last Bind() made current.
   vtkOpenGLFramebufferObject* GetFramebuffer();
@@ -48,8 +59,9 @@ public:
   vtkNew<vtkTextureObject> Drawn; // R: the same as the mappers drew it; G: below 0 where they did
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkTextureObject> Scene;
+  vtkNew<vtkTextureObject> Dark;      // the scene without the light that casts shadows on it
   vtkNew<vtkTextureObject> Scattered; // RGB: airlight, A: lit length
-  vtkNew<vtkTextureObject> Lit;       // bits of lights, 24 a channel
+  vtkNew<vtkTextureObject> Lit;       // bits of lights, 24 a channel; one channel for so few
   vtkNew<vtkTextureObject> Counts;    // R: boundaries; G: error bound, recorded only
   vtkNew<vtkTextureObject> Single;    // recorded: one light's airlight
   vtkNew<vtkTextureObject> Radiance;  // recorded, or to draw translucent surfaces into

@@ -99,13 +99,14 @@ View::LightPixel View::GetLightPixel(const glm::dvec3& position) const
 }
 
 //------------------------------------------------------------------------------
-void View::SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position) const
+void View::SetFootUniforms(
+  vtkShaderProgram* program, const glm::dvec3& position, const std::string& prefix) const
 {
   const LightPixel pixel = this->GetLightPixel(position);
-  program->SetUniformi("lightHasPixel", pixel.IsNear ? 1 : 0);
-  program->SetUniform2f("lightPixel", &pixel.Whole.x);
-  program->SetUniform2f("lightPixelRest", &pixel.Rest.x);
-  program->SetUniform3f("lightPerX", &pixel.PerX.x);
-  program->SetUniform3f("lightPerY", &pixel.PerY.x);
+  program->SetUniformi((prefix + "HasPixel").c_str(), pixel.IsNear ? 1 : 0);
+  program->SetUniform2f((prefix + "Pixel").c_str(), &pixel.Whole.x);
+  program->SetUniform2f((prefix + "PixelRest").c_str(), &pixel.Rest.x);
+  program->SetUniform3f((prefix + "PerX").c_str(), &pixel.PerX.x);
+  program->SetUniform3f((prefix + "PerY").c_str(), &pixel.PerY.x);
 }
 }

@@ -13,6 +13,8 @@
 
 #include <glm/glm.hpp>
 
+#include <string>
+
 class vtkRenderer;
 class vtkShaderProgram;
 
@@ -48,8 +50,9 @@ public:
   };
   LightPixel GetLightPixel(const glm::dvec3& position) const;
 
-  // The same for glsl/AirlightResolveFS.glsl.
-  void SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position) const;
+  // The same for glsl/AirlightResolveFS.glsl. The uniforms' names begin with `prefix`.
+  void SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position,
+    const std::string& prefix = "light") const;
 
   // Scale (x, y) and shift (z, w) from the pixels of another view from the same place to those of
   // this one with the same rays.

@@ -102,7 +102,7 @@ void InjectVolumeShader(std::string& fragmentShader, const SurfaceText& text)
     return;
   }
   AddLights(shader);
-  AddRecordExtensions(shader, text);
+  AddExtensions(shader, text);
   fragmentShader = shader;
 }
 

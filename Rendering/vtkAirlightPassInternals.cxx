@@ -44,6 +44,8 @@ vtkAirlightPass::Internals::Internals(vtkAirlightPass* self)
     this->CurrentFrame.Release(window);
     this->ScenePass->ReleaseGraphicsResources(window);
   });
+  this->ScenePass->SetAroundOpaque(
+    [this] { this->CurrentFrame.BeginSurfaces(); }, [this] { this->CurrentFrame.EndSurfaces(); });
 }
 
 vtkAirlightPass::Internals::~Internals() { this->Context->SetContext(nullptr); }
@@ -96,12 +98,18 @@ bool vtkAirlightPass::Internals::IsGlowing(const f64::AirlightMedia& media) cons
 // What was there once stays: surfaces that become translucent for a moment shall not make all
 // shaders anew each time.
 void vtkAirlightPass::Internals::UpdateSurfaceShader(
-  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps, bool translucent)
+  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps, const FrameSettings& settings)
 {
-  translucent = translucent || this->MapperText.Translucent;
+  const bool translucent = settings.Layers || this->MapperText.Translucent;
   const bool hides = this->MapperText.Hides || this->Self->DelegatePass;
-  const bool other = hides != this->MapperText.Hides;
+  const bool reads =
+    !settings.Once && settings.Shadows != ShadowMethod::None && settings.SurfaceShadows;
+  const bool other = hides != this->MapperText.Hides || reads != this->MapperText.ReadsLit ||
+    settings.Once != this->MapperText.Once || settings.Apart != this->MapperText.Apart;
   this->MapperText.Hides = hides;
+  this->MapperText.ReadsLit = reads;
+  this->MapperText.Once = settings.Once;
+  this->MapperText.Apart = settings.Apart;
   if (UpdateSurfaceText(this->MapperText, media, lamps, this->IsGlowing(media), translucent) ||
     other)
   {
@@ -178,7 +186,6 @@ bool vtkAirlightPass::Internals::RenderOnce(
   }
   const bool layers = this->ShownView == SHADED && AirlightScenePass::HasTransparent(s);
   this->MapperText.LayerRecords = ShadowLists::IsSupported(window);
-  this->UpdateSurfaceShader(converted, lamps, layers);
   if (this->Self->ScatteredSurfaceLight && !this->IsGlowing(converted))
   {
     this->WarnOnce(this->WarnedGlowInImage,
@@ -197,6 +204,8 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.SurfaceGlow = this->IsGlowing(converted);
   settings.Layers = layers;
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
+  settings.Once = this->MayDrawOnce(s, lamps, settings.Apart);
+  settings.Solid = this->IsSolid(s);
   settings.VolumeNodes =
     GetVolumeNodeCount(GetVolumes(s->GetPropArray(), s->GetPropArrayCount()).size(), width, height,
       static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20);
@@ -210,6 +219,8 @@ bool vtkAirlightPass::Internals::RenderOnce(
   {
     settings.PhaseErrorBound = std::max(settings.PhaseErrorBound, medium->GetPhaseErrorBound());
   }
+  settings.Whole = MayBeWhole(settings, converted, lamps);
+  this->UpdateSurfaceShader(converted, lamps, settings);
   settings.MemoryLimit = static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20;
 
   vtkOpenGLState* state = window->GetState();

@@ -87,6 +87,13 @@ public:
   bool MayAntialias(const vtkRenderState* s);
   void CheckCasters();
 
+  // Whether each fragment of the opaque surfaces hides all that is behind it, as far as is known;
+  // whether steps 1 and 3 of the frame may be one, of which Apart is the light whose shadows fall on
+  // surfaces, if there is one.
+  bool IsSolid(const vtkRenderState* s) const;
+  bool MayDrawOnce(
+    const vtkRenderState* s, const std::vector<airlight::Lamp>& lamps, int& apart) const;
+
   vtkAirlightPass* Self;
   airlight::MediaList Media;
   std::vector<airlight::LightOptions> Lights; // those of which the pass says something
@@ -143,7 +150,9 @@ private:
   void RenderLayers(const vtkRenderState& inner);
   void RenderStage(airlight::SurfaceStage stage, const std::function<void()>& render);
   void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media,
-    const std::vector<airlight::Lamp>& lamps, bool translucent);
+    const std::vector<airlight::Lamp>& lamps, const airlight::FrameSettings& settings);
+  bool DrawDistances(const vtkRenderState& inner);
+  bool DrawColours(const vtkRenderState& inner);
   vtkRenderPass* GetDelegate(bool opaqueOnly);
   void DrawInMap(const vtkRenderState* s, const std::vector<vtkActor*>& actors, vtkCamera* camera,
     int x, int y, int side);

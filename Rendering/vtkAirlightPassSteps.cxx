@@ -44,18 +44,12 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   this->FrameProps.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
   this->CheckOutside(s);
   this->Self->PreRender(s);
-  bool ok = this->CurrentFrame.BindDistances();
-  if (ok)
-  {
-    this->RenderStage(SurfaceStage::Distance, [&] { this->RenderDistances(inner); });
-  }
-  ok = ok && this->CurrentFrame.FinishDistances() && this->CollectCasters() &&
+  const bool once = this->CurrentFrame.IsOnce();
+  bool ok = once ? this->DrawColours(inner) : this->DrawDistances(inner);
+  ok = ok && this->CollectCasters() &&
     (!this->CurrentFrame.HasLayerRecords() || this->CollectLayers(inner)) &&
-    this->CurrentFrame.ScatterLights() && this->CurrentFrame.BindScene();
-  if (ok)
-  {
-    this->RenderStage(SurfaceStage::Colour, [&] { this->RenderColours(inner); });
-  }
+    this->CurrentFrame.ScatterLights();
+  ok = ok && (once || this->DrawColours(inner));
   const bool layers = this->CurrentFrame.HasLayers();
   ok = ok && (!(layers || this->Self->RecordBuffers) || this->CurrentFrame.CompositeLayers());
   if (ok && layers)
@@ -67,6 +61,30 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   this->Shown.Clear();
   this->Self->PostRender(s);
   return ok && (!this->Self->RecordBuffers || this->CurrentFrame.Record());
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::DrawDistances(const vtkRenderState& inner)
+{
+  if (!this->CurrentFrame.BindDistances())
+  {
+    return false;
+  }
+  this->RenderStage(SurfaceStage::Distance, [&] { this->RenderDistances(inner); });
+  return this->CurrentFrame.FinishDistances();
+}
+
+//------------------------------------------------------------------------------
+// Where the scene is drawn once, with distances.
+bool vtkAirlightPass::Internals::DrawColours(const vtkRenderState& inner)
+{
+  if (!(this->CurrentFrame.IsOnce() ? this->CurrentFrame.BindOnce()
+                                    : this->CurrentFrame.BindScene()))
+  {
+    return false;
+  }
+  this->RenderStage(SurfaceStage::Colour, [&] { this->RenderColours(inner); });
+  return true;
 }
 
 //------------------------------------------------------------------------------

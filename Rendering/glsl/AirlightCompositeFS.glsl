@@ -1,20 +1,27 @@
-// Puts the medium before the scene: radiance = airlight + transmittance * scene.
+// Puts the medium before the scene: radiance = airlight + transmittance * scene. What a frame does
+// not need is left out when this is compiled: software renderers run both sides of every branch.
+// AIRLIGHT_DEBUG_VIEW is a vtkAirlightPass::DebugViewType.
 
-uniform AirlightMedia media;
 uniform sampler2D distances;
 uniform sampler2D scene;
-uniform int encodedInput; // 1: the scene's colours are encoded for display
 #ifndef AIRLIGHT_LAYERS
 uniform sampler2D sceneDepth;
-uniform int encodedOutput; // 1: the picture is encoded for display
-uniform int blended;   // over what the framebuffer holds
-uniform int debugView; // vtkAirlightPass::DebugViewType
+uniform int blended; // over what the framebuffer holds
+#if AIRLIGHT_DEBUG_VIEW == 4
 uniform sampler2D reference; // airlight by the ray march
 #endif
+#endif
+#ifndef AIRLIGHT_WHOLE_LIGHTS
 uniform sampler2D scattered;
+#endif
+#if AIRLIGHT_APART >= 0
+// The scene without the one light that casts shadows on it, and where that light reaches surfaces.
+uniform sampler2D dark;
+uniform sampler2D lit;
+#endif
 
 layout(location = 0) out vec4 radiance;
-#if defined(AIRLIGHT_RECORD) || !defined(AIRLIGHT_LAYERS)
+#if defined(AIRLIGHT_RECORD) || AIRLIGHT_DEBUG_VIEW == 2
 uniform sampler2D counts;
 #endif
 #ifdef AIRLIGHT_RECORD
@@ -30,15 +37,34 @@ void main()
   ivec2 pixel = ivec2(p);
   float t = texelFetch(distances, pixel, 0).r;
   vec4 colour = texelFetch(scene, pixel, 0);
+#if AIRLIGHT_APART >= 0
+  float bits = texelFetch(lit, pixel, 0)[AIRLIGHT_APART / AIRLIGHT_BITS];
+  bool shadowed = mod(floor(bits * exp2(-float(AIRLIGHT_APART % AIRLIGHT_BITS))), 2.0) < 0.5;
+  colour = t >= 0.0 && shadowed ? texelFetch(dark, pixel, 0) : colour;
+#endif
   // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
   colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
-  colour.rgb = encodedInput != 0 ? airlightDecode(colour.rgb) : colour.rgb;
+#if AIRLIGHT_ENCODED_INPUT
+  colour.rgb = airlightDecode(colour.rgb);
+#endif
   vec3 origin = airlightOrigin(p);
   vec3 direction = normalize(airlightDirection(p));
   float end = t >= 0.0 ? t : AIRLIGHT_FAR;
+#if AIRLIGHT_GREY
+  vec3 passes = vec3(exp(-airlightDepth(media, origin, direction, end).x));
+#else
   vec3 passes = exp(-airlightDepth(media, origin, direction, end));
+#endif
+#if AIRLIGHT_AMBIENT
   vec3 ambient = airlightAmbient(media, origin, direction, end);
+#else
+  const vec3 ambient = vec3(0.0);
+#endif
+#ifdef AIRLIGHT_WHOLE_LIGHTS
+  vec3 added = airlightWholeRays(p, origin, direction, end) + ambient;
+#else
   vec3 added = texelFetch(scattered, pixel, 0).rgb + ambient;
+#endif
   // A picture with a transparent background becomes as opaque as the medium is.
   float opacity = 1.0 - (1.0 - colour.a) * dot(passes, vec3(1.0 / 3.0));
   radiance = vec4(added + passes * colour.rgb, opacity);
@@ -49,29 +75,24 @@ void main()
   transmittance = vec4(passes, 1.0);
 #endif
 #ifndef AIRLIGHT_LAYERS
-  if (debugView == 1)
-  {
-    radiance = vec4(added, 1.0);
-  }
+#if AIRLIGHT_DEBUG_VIEW == 1
+  radiance = vec4(added, 1.0);
+#endif
   vec3 linear = radiance.rgb;
-  if (encodedOutput != 0)
-  {
-    radiance = airlightEncode(radiance, blended != 0);
-  }
-  if (debugView == 2)
-  {
-    // Black, red, yellow, white: 0, 5, 39, 255 and more boundaries.
-    float heat = 3.0 * log2(1.0 + texelFetch(counts, pixel, 0).r) / 8.0;
-    radiance = vec4(clamp(vec3(heat, heat - 1.0, heat - 2.0), 0.0, 1.0), 1.0);
-  }
-  if (debugView == 4)
-  {
-    // Blue, white, red: 1 % less than the ray march, the same, 1 % more.
-    float more =
-      dot(texelFetch(scattered, pixel, 0).rgb - texelFetch(reference, pixel, 0).rgb, vec3(1.0));
-    float share = clamp(100.0 * more / max(dot(linear, vec3(1.0)), 1e-30), -1.0, 1.0);
-    radiance = vec4(1.0 + vec3(min(share, 0.0), -abs(share), min(-share, 0.0)), 1.0);
-  }
+#if AIRLIGHT_ENCODED_OUTPUT
+  radiance = airlightEncode(radiance, blended != 0);
+#endif
+#if AIRLIGHT_DEBUG_VIEW == 2
+  // Black, red, yellow, white: 0, 5, 39, 255 and more boundaries.
+  float heat = 3.0 * log2(1.0 + texelFetch(counts, pixel, 0).r) / 8.0;
+  radiance = vec4(clamp(vec3(heat, heat - 1.0, heat - 2.0), 0.0, 1.0), 1.0);
+#elif AIRLIGHT_DEBUG_VIEW == 4
+  // Blue, white, red: 1 % less than the ray march, the same, 1 % more.
+  float more =
+    dot(texelFetch(scattered, pixel, 0).rgb - texelFetch(reference, pixel, 0).rgb, vec3(1.0));
+  float share = clamp(100.0 * more / max(dot(linear, vec3(1.0)), 1e-30), -1.0, 1.0);
+  radiance = vec4(1.0 + vec3(min(share, 0.0), -abs(share), min(-share, 0.0)), 1.0);
+#endif
   gl_FragDepth = texelFetch(sceneDepth, pixel, 0).r;
 #endif
 }

@@ -1,9 +1,24 @@
 // Distance of this fragment along its pixel's unit ray. gl_FragCoord.w is the reciprocal of the
 // depth along the camera's axis in full single precision, at any ratio of the clipping range,
 // where a depth buffer keeps 24 bits of a hyperbola.
+//
+// To the last bit the same in all shaders, where drivers can be told so: what is drawn with one shader
+// is compared with what another drew.
+#ifdef GL_ARB_gpu_shader5
+#define AIRLIGHT_SAME_EVERYWHERE precise
+#else
+#define AIRLIGHT_SAME_EVERYWHERE
+#endif
+
+// Written out: some compilers do not see through functions.
 float airlightFragmentDistance()
 {
-  return airlightParallel != 0
+  vec2 p = airlightPixel();
+  AIRLIGHT_SAME_EVERYWHERE vec3 d =
+    airlightRayDirection[0] + p.x * airlightRayDirection[1] + p.y * airlightRayDirection[2];
+  AIRLIGHT_SAME_EVERYWHERE float square = d.x * d.x + d.y * d.y + d.z * d.z;
+  AIRLIGHT_SAME_EVERYWHERE float t = airlightParallel != 0
     ? airlightDepthToDistance.x + airlightDepthToDistance.y * gl_FragCoord.z
-    : length(airlightDirection(airlightPixel())) / gl_FragCoord.w;
+    : sqrt(square) / gl_FragCoord.w;
+  return t;
 }

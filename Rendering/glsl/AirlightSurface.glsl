@@ -19,13 +19,15 @@ uint airlightLayer = 0u; // this fragment's record, 0: none
 
 // The share of each light that arrives; see airlightReceive().
 vec3 airlightArrived[AIRLIGHT_LAMPS];
+float airlightApart = 1.0; // of one of them; see SurfaceText::Apart
 
-// The share of light k that the medium leaves of it on its way to a point.
-vec3 airlightPassed(int k, vec3 point)
+// The share of light k that the medium leaves of it on its way to a point; `sun`: the light is at
+// infinity.
+vec3 airlightPassed(int k, bool sun, vec3 point)
 {
-  vec3 share = exp(-(airlightLamps[k].w == 0.0
+  vec3 share = airlightFade(sun
       ? airlightSunDepths(airlightMedia, point, airlightLamps[k].xyz)
-      : airlightDepthBetween(airlightMedia, point, airlightLamps[k].xyz)));
+      : airlightDepthBetween(airlightMedia, point, airlightLamps[k].xyz));
 #if AIRLIGHT_HAS_PHOTOMETRY
   if (airlightGoniometric[k] != 0)
   {
@@ -68,7 +70,7 @@ vec3 airlightDimmed(int k)
 #endif
 
 // The share of light k that arrives at a point: transmittance, 0 in shadow.
-vec3 airlightShare(int k, vec3 point)
+vec3 airlightShare(int k, bool sun, vec3 point)
 {
   if (airlightLamps[k].w < 0.0)
   {
@@ -84,7 +86,7 @@ vec3 airlightShare(int k, vec3 point)
     }
   }
 #endif
-#if AIRLIGHT_IN_PASS
+#if AIRLIGHT_READS_LIT
   if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_COLOUR && k < 4 * AIRLIGHT_BITS)
   {
     // A delegate may draw some pixels beyond the viewport.
@@ -98,24 +100,27 @@ vec3 airlightShare(int k, vec3 point)
     }
   }
 #endif
-  vec3 share = airlightPassed(k, point);
+  vec3 share = airlightPassed(k, sun, point);
 #if AIRLIGHT_DIMMED
   share *= airlightDimmed(k);
 #endif
   return share;
 }
 
-// In a loop and before the mapper's own lines of every light: compilers take time for what is there
-// several times.
+// Before the mapper's own lines of every light: compilers take time for what is there several times.
 void airlightReceive()
 {
   vec2 p = airlightPixel();
   vec3 point =
     airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
+#ifdef AIRLIGHT_EACH_LAMP
+  AIRLIGHT_EACH_LAMP(point)
+#else
   bool shades = airlightStage == AIRLIGHT_STAGE_COLOUR || airlightStage == AIRLIGHT_STAGE_LAYER;
   int count = shades ? airlightLampCount : 0;
   for (int k = 0; k < count; k++)
   {
-    airlightArrived[k] = airlightShare(k, point);
+    airlightArrived[k] = airlightShare(k, airlightLamps[k].w == 0.0, point);
   }
+#endif
 }

@@ -4,3 +4,13 @@ uniform AirlightMedia airlightMedia;
 // w 1: position; 0: direction towards a light at infinity; -1: left as VTK shades it
 uniform vec4 airlightLamps[AIRLIGHT_LAMPS];
 uniform int airlightLampCount;
+
+// What optical depths leave of light.
+vec3 airlightFade(vec3 depth)
+{
+#if AIRLIGHT_GREY
+  return vec3(exp(-depth.x));
+#else
+  return exp(-depth);
+#endif
+}

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which scenes vtkAirlightPass draws once: distances and colours of opaque surfaces together. Shadows on
+// surfaces are known only after the distances; where one light casts them, colours are drawn with and
+// without it.
+
+#include "vtkAirlightPassInternals.h"
+
+#include "vtkActor.h"
+#include "vtkHiddenLineRemovalPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+
+#include <algorithm>
+#include <cstring>
+
+using namespace airlight;
+
+namespace
+{
+bool IsAnyOf(vtkObject* object, std::initializer_list<const char*> names)
+{
+  return object && std::any_of(names.begin(), names.end(), [object](const char* name) {
+    return std::strcmp(object->GetClassName(), name) == 0;
+  });
+}
+
+// Whether another pass takes part in a prop's shaders.
+bool HasForeignPass(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
+}
+
+// Whether all that a prop draws as opaque is drawn by mappers whose shaders the pass adds to. Props may
+// draw with actors of their own, and subclasses with anything.
+bool IsKnown(vtkProp* prop)
+{
+  if (!prop->HasOpaqueGeometry() || prop->IsA("vtkActor2D"))
+  {
+    return true;
+  }
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return IsAnyOf(actor, { "vtkOpenGLActor", "vtkActor" }) &&
+    IsAnyOf(actor->GetMapper(),
+      { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper", "vtkCompositePolyDataMapper2",
+        "vtkOpenGLGlyph3DMapper" });
+}
+
+// Whether each fragment of a known prop hides all that is behind it.
+bool IsSolidProp(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!actor || !prop->HasOpaqueGeometry())
+  {
+    return true;
+  }
+  vtkProperty* property = actor->GetProperty();
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  return !actor->GetForceOpaque() && !actor->GetTexture() && property->GetNumberOfTextures() == 0 &&
+    !shader->HasFragmentShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::IsSolid(const vtkRenderState* s) const
+{
+  vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
+  vtkProp** first = s->GetPropArray();
+  return !this->Self->DelegatePass && !window->GetLineSmoothing() && !window->GetPointSmoothing() &&
+    !window->GetPolygonSmoothing() &&
+    std::all_of(first, first + s->GetPropArrayCount(), [](vtkProp* prop) {
+      return IsKnown(prop) && IsSolidProp(prop) && !AirlightScenePass::IsSplats(prop);
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::MayDrawOnce(
+  const vtkRenderState* s, const std::vector<Lamp>& lamps, int& apart) const
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkProp** first = s->GetPropArray();
+  vtkProp** end = first + s->GetPropArrayCount();
+  if (this->Self->DelegatePass || renderer->GetUseSSAO() ||
+    (renderer->GetUseHiddenLineRemoval() &&
+      vtkHiddenLineRemovalPass::WireframePropsExist(first, s->GetPropArrayCount())) ||
+    !std::all_of(first, end, [](vtkProp* prop) {
+      return IsKnown(prop) && !HasForeignPass(prop) && !AirlightScenePass::IsSplats(prop);
+    }))
+  {
+    return false;
+  }
+  if (this->EffectiveTechnique == NONE || !this->Self->SurfaceShadows)
+  {
+    return true;
+  }
+  const auto casts = [](const Lamp& lamp) { return lamp.Scatters() && lamp.CastsShadows; };
+  const auto casting = std::count_if(lamps.begin(), lamps.end(), casts);
+  if (casting == 0)
+  {
+    return true;
+  }
+  const bool dims = this->EffectiveTechnique == SHADOW_PLANES && this->Self->TranslucentShadows &&
+    this->CurrentFrame.MetTranslucent();
+  if (casting > 1 || lamps.size() > MaximumKnownLamps || dims || !this->IsSolid(s))
+  {
+    return false;
+  }
+  apart = static_cast<int>(std::find_if(lamps.begin(), lamps.end(), casts) - lamps.begin());
+  return true;
+}
