@@ -215,11 +215,12 @@ private:
   void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists);
   void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);
   double GetIntegralError(int index) const;
-  void SetTurnedConstants(vtkShaderProgram* program, const f64::AirlightLight& light);
+  void SetTurnedConstants(vtkShaderProgram* program, const std::vector<int>& lights);
   void SetMapUniforms(vtkShaderProgram* program, int index);
   ShadowMap* GetMap(int index) const;
 
   std::string GetWholeRaysSource(const std::vector<int>& lights) const;
+  bool AreTurned(const std::vector<int>& lights) const;
   void SetWholeRaysUniforms(vtkShaderProgram* program, const std::vector<int>& lights);
 
   vtkShaderProgram* ReadyComposite(bool layers, int x, int y);

@@ -68,6 +68,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     Define("AMBIENT", HasAmbient(this->Media)) +
     Define("ENCODED_INPUT", this->Settings.EncodedInput) +
     Define("ENCODED_OUTPUT", this->Settings.EncodedOutput) +
+    Define("PARALLEL", this->Rays->IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
     GetScatteringSource(this->Media, kind, false) + AirlightViewShader +
     "uniform AirlightMedia media;\n" + this->GetWholeRaysSource(whole) + AirlightDisplay +
     AirlightCompositeFS;

@@ -5,6 +5,7 @@
 
 #include "AirlightFrame.h"
 
+#include "AirlightConstants.h"
 #include "AirlightDimmed.h"
 #include "AirlightLayers.h"
 #include "AirlightMapBoundaries.h"
@@ -35,7 +36,7 @@ bool IsQuadrature(const airlight::f64::AirlightLight& light)
 }
 
 const char* GivenUniforms = "uniform AirlightMedia media;\nuniform AirlightLight light;\n";
-// AirlightTurnedRay.glsl takes some of it from elsewhere.
+// AirlightConstants.glsl has some of it from elsewhere.
 const char* GivenGlobals = "uniform AirlightMedia givenMedia;\nuniform AirlightLight givenLight;\n"
                            "AirlightMedia media;\nAirlightLight light;\n";
 
@@ -179,14 +180,14 @@ std::string Frame::GetResolveSource(int index, Lists lists) const
     BoundaryStore::DefineNodes(this->Dimmed) + (this->Settings.Record ? RecordDefinition : "") +
     (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
     (march ? "#define AIRLIGHT_RAY_MARCH\n" : "") + "#define AIRLIGHT_TURNED " +
-    std::to_string(turned) + "\n#define AIRLIGHT_WHOLE_TARGET\n#define AIRLIGHT_PARALLEL " +
+    std::to_string(turned) + "\n#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define AIRLIGHT_PARALLEL " +
     std::to_string(this->Rays->IsParallel()) + "\n" +
     (this->Lamps[index].Values.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +
     GetScatteringSource(
       this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
     AirlightViewShader + (turned ? GivenGlobals : GivenUniforms) +
     (this->Dimmed ? AirlightDimmed : "") + AirlightShadowCounts + boundaries +
-    (turned ? AirlightTurnedRay : "") + AirlightResolveFS;
+    (turned ? std::string(AirlightConstants) + AirlightTurnedRay : "") + AirlightResolveFS;
 }
 
 //------------------------------------------------------------------------------
@@ -215,7 +216,7 @@ void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists
   {
     SetMediaUniforms(program, "givenMedia", this->Media);
     SetLightUniforms(program, "givenLight", this->Lamps[index].Values);
-    this->SetTurnedConstants(program, this->Lamps[index].Values);
+    this->SetTurnedConstants(program, { index });
   }
   else
   {
@@ -262,16 +263,23 @@ void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists
 }
 
 //------------------------------------------------------------------------------
-// As AirlightTurnedRay.glsl takes them.
-void Frame::SetTurnedConstants(vtkShaderProgram* program, const f64::AirlightLight& light)
+// As AirlightConstants.glsl takes them.
+void Frame::SetTurnedConstants(vtkShaderProgram* program, const std::vector<int>& lights)
 {
   const f64::AirlightMedium& medium = this->Media.item[0];
-  const View::LightPixel pixel = this->Rays->GetLightPixel(light.position);
-  const glm::vec4 constants[6] = { glm::vec4(light.position, light.radius),
-    glm::vec4(light.intensity * medium.sigmaS, medium.phase.pole[0].y),
-    glm::vec4(medium.sigmaT, pixel.IsNear ? 1.0 : 0.0), glm::vec4(pixel.Whole, pixel.Rest),
-    glm::vec4(pixel.PerX, 0.0f), glm::vec4(pixel.PerY, 0.0f) };
-  program->SetUniform4fv("airlightConstants", 6, &constants[0].x);
+  std::vector<glm::vec4> constants;
+  for (int k : lights)
+  {
+    const f64::AirlightLight& light = this->Lamps[k].Values;
+    const View::LightPixel pixel = this->Rays->GetLightPixel(light.position);
+    constants.insert(constants.end(),
+      { glm::vec4(light.position, light.radius),
+        glm::vec4(light.intensity * medium.sigmaS, medium.phase.pole[0].y),
+        glm::vec4(medium.sigmaT, pixel.IsNear ? 1.0 : 0.0), glm::vec4(pixel.Whole, pixel.Rest),
+        glm::vec4(pixel.PerX, 0.0f), glm::vec4(pixel.PerY, 0.0f) });
+  }
+  program->SetUniform4fv(
+    "airlightConstants", static_cast<int>(constants.size()), &constants[0].x);
 }
 
 //------------------------------------------------------------------------------

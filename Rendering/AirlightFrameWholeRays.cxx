@@ -5,6 +5,7 @@
 
 #include "AirlightFrame.h"
 
+#include "AirlightConstants.h"
 #include "AirlightIntegrate.h"
 #include "AirlightWholeRays.h"
 
@@ -68,20 +69,31 @@ std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
   std::string lines;
   for (size_t i = 0; i < lights.size(); ++i)
   {
-    const std::string index = "[" + std::to_string(i) + "]";
-    lines +=
-      " sum += airlightWholeRay(lights" + index + ", own" + index + ", p, origin, direction, end);";
+    lines += " sum += airlightWholeRay(" + std::to_string(i) + ", p, origin, direction, unit, end);";
   }
   const bool cones = std::any_of(
     lights.begin(), lights.end(), [this](int k) { return this->Lamps[k].Values.cosCone > 0.0; });
-  return "#define AIRLIGHT_CONES " + std::to_string(cones) + "\n#define AIRLIGHT_WHOLE_LIGHTS " +
+  const bool turned = this->AreTurned(lights);
+  return "#define AIRLIGHT_TURNED " + std::to_string(turned) + "\n" +
+    (turned ? AirlightConstants : "") + "#define AIRLIGHT_CONES " + std::to_string(cones) + "\n#define AIRLIGHT_WHOLE_LIGHTS " +
     std::to_string(std::max<size_t>(lights.size(), 1)) + "\n#define AIRLIGHT_EACH_LIGHT" + lines +
     "\n" + AirlightWholeRays;
 }
 
 //------------------------------------------------------------------------------
+bool Frame::AreTurned(const std::vector<int>& lights) const
+{
+  return !lights.empty() && std::all_of(lights.begin(), lights.end(),
+    [this](int k) { return this->IsTurned(k, Lists::None); });
+}
+
+//------------------------------------------------------------------------------
 void Frame::SetWholeRaysUniforms(vtkShaderProgram* program, const std::vector<int>& lights)
 {
+  if (this->AreTurned(lights))
+  {
+    this->SetTurnedConstants(program, lights);
+  }
   for (size_t i = 0; i < lights.size(); ++i)
   {
     const std::string index = "[" + std::to_string(i) + "]";

@@ -48,7 +48,8 @@ void main()
   colour.rgb = airlightDecode(colour.rgb);
 #endif
   vec3 origin = airlightOrigin(p);
-  vec3 direction = normalize(airlightDirection(p));
+  float unit = airlightRayUnit(p);
+  vec3 direction = airlightDirection(p) / unit;
   float end = t >= 0.0 ? t : AIRLIGHT_FAR;
 #if AIRLIGHT_GREY
   vec3 passes = vec3(exp(-airlightDepth(media, origin, direction, end).x));
@@ -61,7 +62,7 @@ void main()
   const vec3 ambient = vec3(0.0);
 #endif
 #ifdef AIRLIGHT_WHOLE_LIGHTS
-  vec3 added = airlightWholeRays(p, origin, direction, end) + ambient;
+  vec3 added = airlightWholeRays(p, origin, direction, unit, end) + ambient;
 #else
   vec3 added = texelFetch(scattered, pixel, 0).rgb + ambient;
 #endif

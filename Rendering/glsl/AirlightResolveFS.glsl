@@ -48,7 +48,9 @@ vec3 unshadowed(AirlightRay ray)
 void main()
 {
 #if AIRLIGHT_TURNED
-  airlightTakeConstants();
+  media = givenMedia;
+  light = givenLight;
+  airlightTakeConstants(0, media, light);
 #endif
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
@@ -58,7 +60,7 @@ void main()
     surface >= 0.0 ? surface : AIRLIGHT_FAR);
 
 #if AIRLIGHT_TURNED
-  ray.foot.h = airlightTurnedFoot(p, unit, ray.foot.h);
+  ray.foot.h = airlightOwnFoot(0, p, unit, light.radius, ray.foot.h);
 #else
   if (lightHasPixel != 0)
   {

@@ -1,30 +1,6 @@
 // A point light's airlight along a ray by AirlightTurn.glsl: part by part of the ray, and in each its
 // boundaries. Returns what is lit; `whole` what would be without shadows, both as radiance.
 
-flat in vec4 airlightFlatConstants[6]; // AirlightFullScreenVS.glsl
-
-// What of the medium and the light is the same for all pixels, and much used.
-void airlightTakeConstants()
-{
-  media = givenMedia;
-  light = givenLight;
-  light.position = airlightFlatConstants[0].xyz;
-  light.radius = airlightFlatConstants[0].w;
-  light.intensity = airlightFlatConstants[1].xyz;
-  media.item[0].sigmaT = airlightFlatConstants[2].xyz;
-  media.item[0].phase.pole[0].y = airlightFlatConstants[1].w;
-  media.item[0].sigmaS = vec3(1.0); // the intensity has it
-}
-
-// The light's distance from the pixel's ray.
-float airlightTurnedFoot(vec2 p, float unit, float known)
-{
-  vec2 q = (p - airlightFlatConstants[3].xy) - airlightFlatConstants[3].zw;
-  float l = length(q.x * airlightFlatConstants[4].xyz + q.y * airlightFlatConstants[5].xyz);
-  l = max(l / unit, light.radius);
-  return airlightFlatConstants[2].w != 0.0 ? l : known;
-}
-
 // The boundaries' distances have this unit.
 vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, float unit, out vec3 whole, out float litLength,
   out int boundaries, out bool surfaceLit)

@@ -1,11 +1,12 @@
 // The ray of a pixel. Positions and directions have the world's axes; their origin is the eye.
 // Each is an affine function of the pixel's centre, counted from the viewport's lower left corner.
 
-// With AIRLIGHT_FRAGMENT_IS_PIXEL the target is the viewport; with AIRLIGHT_WHOLE_TARGET a full-screen
-// triangle is drawn over such a target; with AIRLIGHT_PARALLEL it is known whether the projection is parallel.
+// With AIRLIGHT_FULL_SCREEN the vertex shader is AirlightFullScreenVS.glsl; with
+// AIRLIGHT_FRAGMENT_IS_PIXEL the target is the viewport; with AIRLIGHT_PARALLEL it is known whether the projection is parallel.
 
-#ifdef AIRLIGHT_WHOLE_TARGET
-flat in vec3 airlightFlatDirection[3]; // AirlightFullScreenVS.glsl
+#ifdef AIRLIGHT_FULL_SCREEN
+flat in vec4 airlightFlatPixels;
+flat in vec3 airlightFlatDirection[3];
 #define airlightRayDirection airlightFlatDirection
 #else
 uniform ivec2 airlightViewport; // lower left corner of the viewport in the target
@@ -24,8 +25,10 @@ uniform int airlightParallel;
 
 vec2 airlightPixel()
 {
-#if defined(AIRLIGHT_WHOLE_TARGET) || defined(AIRLIGHT_FRAGMENT_IS_PIXEL)
+#if defined(AIRLIGHT_FRAGMENT_IS_PIXEL)
   return gl_FragCoord.xy;
+#elif defined(AIRLIGHT_FULL_SCREEN)
+  return airlightFlatPixels.xy * gl_FragCoord.xy + airlightFlatPixels.zw;
 #else
   vec2 p = gl_FragCoord.xy - vec2(airlightViewport);
   return airlightTargetPixels.xy * p + airlightTargetPixels.zw;

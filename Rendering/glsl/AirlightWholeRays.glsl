@@ -1,6 +1,36 @@
 // The airlight of lights whose shadows are left out of account, along whole rays: the composition then
 // needs no picture of it.
 
+uniform AirlightLight lights[AIRLIGHT_WHOLE_LIGHTS];
+
+#if AIRLIGHT_TURNED
+
+// Of the k-th light.
+vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, float end)
+{
+  AirlightMedia medium = media;
+  AirlightLight light = lights[k];
+  airlightTakeConstants(k, medium, light);
+#if !AIRLIGHT_CONES
+  light.cosCone = 0.0;
+#endif
+  AirlightRay ray = airlightRay(medium, light, origin, direction, end);
+  ray.foot.h = airlightOwnFoot(k, p, unit, light.radius, ray.foot.h);
+  AirlightTurn turn = airlightTurn(medium.item[0], ray, ray.lit.x, ray.lit.y);
+  AirlightShade sum = AirlightShade(0.0);
+  float psi = 0.0;
+  for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
+  {
+    float next = airlightTurnPartEnd(medium.item[0], turn, psi, i);
+    sum += airlightTurnPart(medium.item[0], turn, psi, next).whole;
+    psi = next;
+  }
+  vec3 full = light.intensity / turn.h * (sum + sum);
+  return mix(vec3(0.0), full, greaterThan(light.intensity, vec3(0.0)));
+}
+
+#else
+
 // A light's own pixel, its whole part and the rest, and what the distance between light and ray grows
 // by per pixel away from it.
 struct AirlightOwnPixel
@@ -11,22 +41,19 @@ struct AirlightOwnPixel
   vec3 PerX;
   vec3 PerY;
 };
-uniform AirlightLight lights[AIRLIGHT_WHOLE_LIGHTS];
 uniform AirlightOwnPixel own[AIRLIGHT_WHOLE_LIGHTS];
 
-vec3 airlightWholeRay(
-  AirlightLight light, AirlightOwnPixel near, vec2 p, vec3 origin, vec3 direction, float end)
+vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, float end)
 {
+  AirlightLight light = lights[k];
 #if !AIRLIGHT_CONES
   light.cosCone = 0.0;
 #endif
   AirlightRay ray = airlightRay(media, light, origin, direction, end);
-  if (near.HasPixel != 0)
+  if (own[k].HasPixel != 0)
   {
-    vec2 q = (p - near.Pixel) - near.PixelRest;
-    float l = length(q.x * near.PerX + q.y * near.PerY);
-    ray.foot.h =
-      max(airlightParallel != 0 ? l : l / length(airlightDirection(p)), light.radius);
+    vec2 q = (p - own[k].Pixel) - own[k].PixelRest;
+    ray.foot.h = max(length(q.x * own[k].PerX + q.y * own[k].PerY) / unit, light.radius);
   }
   vec3 tail = airlightTail3(media, light, ray, ray.lit.x);
   vec3 sum = airlightInterval3(media, light, ray, ray.lit.x, tail, ray.lit.y,
@@ -34,7 +61,9 @@ vec3 airlightWholeRay(
   return ray.lit.y > ray.lit.x ? sum : vec3(0.0);
 }
 
-vec3 airlightWholeRays(vec2 p, vec3 origin, vec3 direction, float end)
+#endif
+
+vec3 airlightWholeRays(vec2 p, vec3 origin, vec3 direction, float unit, float end)
 {
   vec3 sum = vec3(0.0);
   AIRLIGHT_EACH_LIGHT

@@ -1,0 +1,23 @@
+// What is the same for all pixels, and much used, of point lights in the one medium: six vectors a
+// light, see SetTurnedConstants().
+
+flat in vec4 airlightFlatConstants[24]; // AirlightFullScreenVS.glsl
+
+// Puts in what the k-th light's constants say. Its intensity has the scattering coefficient in it.
+void airlightTakeConstants(int k, inout AirlightMedia media, inout AirlightLight light)
+{
+  light.position = airlightFlatConstants[6 * k].xyz;
+  light.radius = airlightFlatConstants[6 * k].w;
+  light.intensity = airlightFlatConstants[6 * k + 1].xyz;
+  media.item[0].phase.pole[0].y = airlightFlatConstants[6 * k + 1].w;
+  media.item[0].sigmaT = airlightFlatConstants[6 * k + 2].xyz;
+}
+
+// The k-th light's distance from the pixel's ray; `known` where the light is far outside the view.
+float airlightOwnFoot(int k, vec2 p, float unit, float radius, float known)
+{
+  vec2 q = (p - airlightFlatConstants[6 * k + 3].xy) - airlightFlatConstants[6 * k + 3].zw;
+  float l = length(
+    q.x * airlightFlatConstants[6 * k + 4].xyz + q.y * airlightFlatConstants[6 * k + 5].xyz);
+  return airlightFlatConstants[6 * k + 2].w != 0.0 ? max(l / unit, radius) : known;
+}
