@@ -1,8 +1,8 @@
-// The airlight of lights whose shadows are left out of account, along whole rays: the composition then
-// needs no picture of it.
+// The airlight of lights whose shadows are left out of account, along whole rays: the composition
+// then needs no picture of it.
 
-// A light's own pixel, its whole part and the rest, and what the distance between light and ray grows
-// by per pixel away from it.
+// A light's own pixel, its whole part and the rest, and what the distance between light and ray
+// grows by per pixel away from it.
 struct AirlightOwnPixel
 {
   int HasPixel;
