@@ -107,7 +107,8 @@ vec3 airlightShare(int k, bool sun, vec3 point)
   return share;
 }
 
-// Before the mapper's own lines of every light: compilers take time for what is there several times.
+// Before the mapper's own lines of every light: compilers take time for what is there several
+// times.
 void airlightReceive()
 {
   vec2 p = airlightPixel();

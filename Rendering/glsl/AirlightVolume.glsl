@@ -242,8 +242,8 @@ void airlightReceiveSample()
   int i = airlightSampleNode(t, share);
   for (int k = 0; k < airlightLampCount; k++)
   {
-    airlightArrived[k] = airlightLamps[k].w < 0.0 ? vec3(1.0)
-                                                 : airlightPassed(k, airlightLamps[k].w == 0.0, point);
+    float kind = airlightLamps[k].w;
+    airlightArrived[k] = kind < 0.0 ? vec3(1.0) : airlightPassed(k, kind == 0.0, point);
 #if AIRLIGHT_LAYER_RECORDS
     if (airlightUseLit != 0 && airlightLamps[k].w >= 0.0 && k < 4 * AIRLIGHT_BITS)
     {
