@@ -20,6 +20,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <thread>
 
 namespace
@@ -188,6 +189,15 @@ bool Write(const std::string& path, const std::string& text)
   return true;
 }
 
+// Before anything is measured, which may take an hour.
+void CheckWritable(const std::string& path)
+{
+  if (!path.empty() && !std::ofstream(path, std::ios::app))
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
 void PrintInfo(const benchmarks::OpenGLNames& names)
 {
   std::cout << "vendor: " << names.Vendor << "\nrenderer: " << names.Renderer
@@ -207,6 +217,10 @@ int Run(const Options& options)
   {
     PrintInfo(machine.OpenGL);
     return EXIT_SUCCESS;
+  }
+  for (const std::string& path : { options.Markdown, options.Csv, options.Json })
+  {
+    CheckWritable(path);
   }
   Rows rows;
   for (const SceneRecipe& recipe : Choose(options))

@@ -74,7 +74,10 @@ std::string FrameOutput::GetMarkdownHead() const
 //------------------------------------------------------------------------------
 std::string FrameOutput::GetMarkdownRow(const Row& row) const
 {
-  return "| " + row.Way + " | " + FormatMilliseconds(row.Clock) + " | " +
+  const double target = row.GetCounter("target"); // its way's name does not tell the steps
+  const std::string steps =
+    std::isfinite(target) ? Format(", %.0f steps", row.GetCounter("steps")) : std::string();
+  return "| " + row.Way + steps + " | " + FormatMilliseconds(row.Clock) + " | " +
     Format("%.2f", this->GetRatio(row, &Row::Clock)) + " | " + FormatMilliseconds(row.Processors) +
     " | " + Format("%.2f", this->GetRatio(row, &Row::Processors)) + " | " +
     Format("%.2g", row.GetCounter("error")) + " |\n";
