@@ -6,6 +6,7 @@
 // milliseconds are this machine's, and of what else it did meanwhile.
 
 #include "FrameErrors.h"
+#include "FrameOptions.h"
 #include "FrameOutput.h"
 #include "FrameRows.h"
 #include "FrameScene.h"
@@ -26,57 +27,11 @@
 namespace
 {
 using benchmarks::FrameScene;
+using benchmarks::Options;
 using benchmarks::Row;
 using benchmarks::Rows;
 using benchmarks::SceneRecipe;
 using benchmarks::Way;
-
-struct Options
-{
-  std::vector<std::string> Scenes;
-  int Frames = 9;
-  std::vector<int> Size; // none, or width and height
-  std::string Markdown;
-  std::string Csv;
-  std::string Json;
-  bool List = false;
-  bool Info = false;
-  bool Errors = false;
-  bool Egl = false;
-};
-
-//------------------------------------------------------------------------------
-// The recipes that were asked for.
-std::vector<SceneRecipe> Choose(const Options& options)
-{
-  std::vector<SceneRecipe> chosen = benchmarks::MakeRecipes();
-  const auto unwanted = [&](const SceneRecipe& recipe) {
-    return !options.Scenes.empty() &&
-      std::none_of(options.Scenes.begin(), options.Scenes.end(),
-        [&](const std::string& wanted) { return benchmarks::IsOneOf(recipe.Name, wanted); });
-  };
-  chosen.erase(std::remove_if(chosen.begin(), chosen.end(), unwanted), chosen.end());
-  for (SceneRecipe& recipe : chosen)
-  {
-    if (!options.Size.empty() && !benchmarks::IsOneOf(recipe.Name, "sizes"))
-    {
-      recipe.Width = options.Size[0];
-      recipe.Height = options.Size[1];
-    }
-  }
-  return chosen;
-}
-
-// The first name that is no scene's; empty if there is none.
-std::string FindUnknown(const std::vector<std::string>& names)
-{
-  const std::vector<SceneRecipe> recipes = benchmarks::MakeRecipes();
-  const auto unknown = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
-    return std::none_of(recipes.begin(), recipes.end(),
-      [&](const SceneRecipe& recipe) { return benchmarks::IsOneOf(recipe.Name, name); });
-  });
-  return unknown != names.end() ? *unknown : std::string();
-}
 
 //------------------------------------------------------------------------------
 // Finds the steps of ways that are to reach an error, which takes Errors; those that cannot are
@@ -137,6 +92,11 @@ void TimeFrames(const SceneRecipe& recipe, FrameScene& scene, int frames, Rows& 
           const benchmarks::FrameTime time = scene.Time(way);
           state.SetIterationTime(time.Clock);
           state.counters["processor"] = time.Processor;
+          if (!scene.IsDrawnAs(way))
+          {
+            state.SkipWithError("another technique was drawn"); // times of something else
+            break;
+          }
         }
       })
       ->UseManualTime()
@@ -173,20 +133,17 @@ double GetLoad()
   return getloadavg(&load, 1) == 1 ? load : 0.0;
 }
 
-bool Write(const std::string& path, const std::string& text)
+void Write(const std::string& path, const std::string& text)
 {
-  if (path.empty())
+  if (!path.empty())
   {
-    return true;
+    std::ofstream file(path);
+    file << text;
+    if (!file.flush())
+    {
+      throw std::runtime_error("cannot write " + path);
+    }
   }
-  std::ofstream file(path);
-  file << text;
-  if (!file.flush())
-  {
-    std::cerr << "error: cannot write " << path << "\n";
-    return false;
-  }
-  return true;
 }
 
 // Before anything is measured, which may take an hour.
@@ -223,37 +180,17 @@ int Run(const Options& options)
     CheckWritable(path);
   }
   Rows rows;
-  for (const SceneRecipe& recipe : Choose(options))
+  const benchmarks::FrameOutput output(machine, rows);
+  for (const SceneRecipe& recipe : benchmarks::ChooseRecipes(options))
   {
     RunScene(recipe, windows, options, rows);
+    machine.LoadAfter = GetLoad();
+    Write(options.Markdown, output.GetMarkdown()); // after each, lest all be lost with one
+    Write(options.Csv, output.GetCsv());
+    Write(options.Json, output.GetJson());
   }
-  machine.LoadAfter = GetLoad();
-  const benchmarks::FrameOutput output(machine, rows);
   std::cout << output.GetMarkdown();
-  const bool written = Write(options.Markdown, output.GetMarkdown()) &&
-    Write(options.Csv, output.GetCsv()) && Write(options.Json, output.GetJson());
-  return written ? EXIT_SUCCESS : EXIT_FAILURE;
-}
-
-//------------------------------------------------------------------------------
-void AddOptions(CLI::App& app, Options& options)
-{
-  app.add_option("scenes", options.Scenes, "Names, or their part before the slash; all if none");
-  app.add_option("--frames", options.Frames, "Frames of each kind")->check(CLI::Range(1, 1000));
-  app
-    .add_option("--size", options.Size,
-      "Width and height of the frames instead of each scene's own, for a quick look; not of sizes/")
-    ->expected(2)
-    ->check(CLI::Range(16, 8192));
-  app.add_option("--markdown", options.Markdown, "File to write the tables to");
-  app.add_option("--csv", options.Csv, "File to write the rows to");
-  app.add_option("--json", options.Json, "File to write rows, single frames and figures to");
-  app.add_flag("--errors", options.Errors,
-    "Measure the error of the airlight, too, against vtkAirlightReference at 160 x 120 pixels, and "
-    "find the march that reaches 2e-3");
-  app.add_flag("--egl", options.Egl, "Draw through EGL, without an X server");
-  app.add_flag("--info", options.Info, "Say who draws and stop");
-  app.add_flag("--list", options.List, "Name the scenes and stop");
+  return EXIT_SUCCESS;
 }
 }
 
@@ -262,7 +199,7 @@ int main(int argc, char* argv[])
 {
   Options options;
   CLI::App app("Times frames in a medium against plain VTK frames of the same scenes");
-  AddOptions(app, options);
+  benchmarks::AddOptions(app, options);
   CLI11_PARSE(app, argc, argv);
   if (options.List)
   {
@@ -272,7 +209,7 @@ int main(int argc, char* argv[])
     }
     return EXIT_SUCCESS;
   }
-  const std::string unknown = FindUnknown(options.Scenes);
+  const std::string unknown = benchmarks::FindUnknownScene(options);
   if (!unknown.empty())
   {
     std::cerr << "error: no scene is called '" << unknown << "'; --list names them\n";

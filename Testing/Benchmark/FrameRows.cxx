@@ -3,6 +3,7 @@
 #include "FrameRows.h"
 
 #include <algorithm>
+#include <iostream>
 #include <limits>
 
 namespace benchmarks
@@ -81,6 +82,10 @@ void RowReporter::ReportRuns(const std::vector<Run>& runs)
 {
   for (const Run& run : runs)
   {
+    if (run.error_occurred)
+    {
+      std::cerr << "warning: " << run.benchmark_name() << ": " << run.error_message << "\n";
+    }
     if (run.run_type != Run::RT_Iteration || run.error_occurred)
     {
       continue;

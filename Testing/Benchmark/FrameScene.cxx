@@ -200,6 +200,12 @@ FrameTime FrameScene::Time(const Way& way)
 }
 
 //------------------------------------------------------------------------------
+bool FrameScene::IsDrawnAs(const Way& way)
+{
+  return way.Plain || this->Pass->GetEffectiveShadowTechnique() == way.Technique;
+}
+
+//------------------------------------------------------------------------------
 vtkAirlightPass* FrameScene::Record(const Way& way)
 {
   this->Set(way);

@@ -69,6 +69,9 @@ public:
   // What one frame takes, after another that is not timed and makes shaders and buffers.
   FrameTime Time(const Way& way);
 
+  // Whether the last frame was drawn with the way's technique, and not with another in its place.
+  bool IsDrawnAs(const Way& way);
+
   // One frame, not timed, from where the camera is. The pass has its buffers where the way is not
   // plain.
   vtkAirlightPass* Record(const Way& way);

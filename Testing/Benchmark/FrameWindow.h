@@ -11,14 +11,14 @@
 namespace benchmarks
 {
 /**
- * Makes windows off screen, with an X server or, through EGL, without: VTK's own EGL windows are left
- * out of most builds of VTK 9.1.
+ * Makes windows off screen, with an X server or, through EGL, without: VTK's own EGL windows are
+ * left out of most builds of VTK 9.1.
  */
 class WindowMaker
 {
 public:
-  // Throws std::runtime_error that says what to do where the program was built without EGL, or where
-  // EGL has no device that draws with OpenGL; without `egl`, where no X server is named.
+  // Throws std::runtime_error that says what to do where the program was built without EGL, or
+  // where EGL has no device that draws with OpenGL; without `egl`, where no X server is named.
   explicit WindowMaker(bool egl);
 
   // With EGL all windows draw with the one context of this process, one window at a time.
