@@ -141,7 +141,7 @@ void AddSizes(const Rows& rows, std::vector<Figure>& figures)
           most = std::max(most, time);
           mean += time / static_cast<double>(sizes.size());
         }
-        return function(least, most, mean);
+        return std::isfinite(mean) ? function(least, most, mean) : NoValue;
       };
     };
     for (const Row* row : sizes)

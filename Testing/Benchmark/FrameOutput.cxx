@@ -26,9 +26,13 @@ std::string Format(const char* format, double value, const char* missing = "–"
   return std::isfinite(value) ? text : missing;
 }
 
-// Not every row was timed: an error of VTK's may have ended the frames.
+// Median and quartiles. Not every row has times: another technique may have been drawn.
 std::string FormatMilliseconds(const Times& times)
 {
+  if (times.Seconds.empty())
+  {
+    return "– | –";
+  }
   return Format("%.2f", 1e3 * times.GetMedian()) + " | " +
     Format("%.2f", 1e3 * times.GetQuantile(0.25)) + "–" +
     Format("%.2f", 1e3 * times.GetQuantile(0.75));

@@ -84,7 +84,7 @@ void RowReporter::ReportRuns(const std::vector<Run>& runs)
   {
     if (run.error_occurred)
     {
-      std::cerr << "warning: " << run.benchmark_name() << ": " << run.error_message << "\n";
+      std::cerr << "warning: " << run.run_name.function_name << ": " << run.error_message << "\n";
     }
     if (run.run_type != Run::RT_Iteration || run.error_occurred)
     {
