@@ -7,8 +7,8 @@
 #   --silhouettes   time silhouettes of a large mesh instead; options are Google Benchmark's
 #
 # Other options are those of AirlightBenchmarkFrames: see Utilities/benchmark.sh --help. Frames are
-# drawn by software under a virtual X server, or, with AIRLIGHT_DISPLAY=1, on the screen that DISPLAY
-# names, by whatever draws there.
+# drawn by software under a virtual X server; with --egl without any, by the graphics card if there
+# is one; and, with AIRLIGHT_DISPLAY=1, on the screen that DISPLAY names, by whatever draws there.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

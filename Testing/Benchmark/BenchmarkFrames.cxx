@@ -5,130 +5,192 @@
 // against the plain VTK frame of the same scene. Only ratios within one run mean anything: the
 // milliseconds are this machine's, and of what else it did meanwhile.
 
+#include "FrameErrors.h"
+#include "FrameOptions.h"
+#include "FrameOutput.h"
+#include "FrameRows.h"
 #include "FrameScene.h"
-#include "RatioReporter.h"
+#include "FrameWindow.h"
+#include "vtkVersion.h"
 
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <memory>
+#include <stdexcept>
+#include <thread>
 
 namespace
 {
 using benchmarks::FrameScene;
+using benchmarks::Options;
+using benchmarks::Row;
+using benchmarks::Rows;
 using benchmarks::SceneRecipe;
 using benchmarks::Way;
 
-struct Options
+//------------------------------------------------------------------------------
+// Finds the steps of ways that are to reach an error, which takes Errors; those that cannot are
+// dropped.
+void FindSteps(benchmarks::FrameErrors* errors, std::vector<Way>& ways)
 {
-  std::vector<std::string> Scenes;
-  int Frames = 9;
-  std::string Markdown;
-  std::string Csv;
-  bool List = false;
-  bool Errors = false;
-};
+  for (Way& way : ways)
+  {
+    if (way.Target > 0.0 && errors)
+    {
+      way.Steps = errors->FindSteps(way.Target);
+      if (way.Steps == 0)
+      {
+        std::cerr << "warning: " << way.Name << " takes more steps than there can be\n";
+      }
+    }
+  }
+  const auto lacksSteps = [](const Way& way) { return way.Target > 0.0 && way.Steps == 0; };
+  ways.erase(std::remove_if(ways.begin(), ways.end(), lacksSteps), ways.end());
+}
 
-void Register(const SceneRecipe& recipe, const std::shared_ptr<FrameScene>& scene, int frames,
-  const std::map<std::string, double>& errors)
+// Rows with what is known before the frames, errors included if there is a reference.
+void MakeRows(
+  const SceneRecipe& recipe, FrameScene& scene, benchmarks::FrameErrors* errors, Rows& rows)
 {
-  const auto triangles = static_cast<double>(scene->CountTriangles());
+  const auto triangles = static_cast<double>(scene.CountTriangles());
+  const auto edges = static_cast<double>(scene.CountSilhouetteEdges());
   for (const Way& way : recipe.Ways)
   {
-    const auto error = errors.find(way.Name);
-    const bool hasError = error != errors.end();
-    const double errorValue = hasError ? error->second : 0.0;
+    Row& row = rows.Get(recipe.Name, way.Name);
+    row.Counters = { { "width", recipe.Width }, { "height", recipe.Height },
+      { "triangles", triangles }, { "edges", edges } };
+    if (way.Steps > 0)
+    {
+      row.Counters["steps"] = way.Steps;
+    }
+    if (way.Target > 0.0)
+    {
+      row.Counters["target"] = way.Target;
+    }
+    if (errors && !way.Plain)
+    {
+      row.Counters["error"] = errors->Measure(way);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void TimeFrames(const SceneRecipe& recipe, FrameScene& scene, int frames, Rows& rows)
+{
+  for (const Way& way : recipe.Ways)
+  {
     benchmark::RegisterBenchmark((recipe.Name + "|" + way.Name).c_str(),
-      [=](benchmark::State& state) {
+      [&scene, way](benchmark::State& state) {
         for (auto iteration : state)
         {
           static_cast<void>(iteration);
-          const benchmarks::FrameTime time = scene->Time(way);
+          const benchmarks::FrameTime time = scene.Time(way);
           state.SetIterationTime(time.Clock);
           state.counters["processor"] = time.Processor;
-        }
-        state.counters["triangles"] = triangles;
-        state.counters["width"] = recipe.Width;
-        state.counters["height"] = recipe.Height;
-        if (hasError)
-        {
-          state.counters["error"] = errorValue;
+          if (!scene.IsDrawnAs(way))
+          {
+            state.SkipWithError("another technique was drawn"); // times of something else
+            break;
+          }
         }
       })
       ->UseManualTime()
       ->Iterations(1)
       ->Repetitions(frames);
   }
+  benchmarks::RowReporter reporter(rows);
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  benchmark::ClearRegisteredBenchmarks();
 }
 
-// Whether a scene was asked for: by its name, or by what is before the slash.
-bool IsWanted(const Options& options, const std::string& name)
+void RunScene(
+  SceneRecipe recipe, const benchmarks::WindowMaker& windows, const Options& options, Rows& rows)
 {
-  return options.Scenes.empty() ||
-    std::any_of(options.Scenes.begin(), options.Scenes.end(), [&](const std::string& wanted) {
-      return name == wanted || name.compare(0, wanted.size() + 1, wanted + "/") == 0;
-    });
+  std::cerr << recipe.Name << " ...\n";
+  FrameScene scene(windows.Make(recipe.Width, recipe.Height));
+  recipe.Fill(scene);
+  {
+    std::unique_ptr<benchmarks::FrameErrors> errors; // before the camera turns
+    if (options.Errors)
+    {
+      errors = std::make_unique<benchmarks::FrameErrors>(scene);
+    }
+    FindSteps(errors.get(), recipe.Ways);
+    MakeRows(recipe, scene, errors.get(), rows);
+  }
+  TimeFrames(recipe, scene, options.Frames, rows);
 }
 
-bool Write(const std::string& path, const std::string& text)
+//------------------------------------------------------------------------------
+double GetLoad()
 {
-  if (path.empty())
+  double load = 0.0;
+  return getloadavg(&load, 1) == 1 ? load : 0.0;
+}
+
+void Write(const std::string& path, const std::string& text)
+{
+  if (!path.empty())
   {
-    return true;
+    std::ofstream file(path);
+    file << text;
+    if (!file.flush())
+    {
+      throw std::runtime_error("cannot write " + path);
+    }
   }
-  std::ofstream file(path);
-  file << text;
-  if (!file.flush())
+}
+
+// Before anything is measured, which may take an hour.
+void CheckWritable(const std::string& path)
+{
+  if (!path.empty() && !std::ofstream(path, std::ios::app))
   {
-    std::cerr << "error: cannot write " << path << "\n";
-    return false;
+    throw std::runtime_error("cannot write " + path);
   }
-  return true;
+}
+
+void PrintInfo(const benchmarks::OpenGLNames& names)
+{
+  std::cout << "vendor: " << names.Vendor << "\nrenderer: " << names.Renderer
+            << "\nversion: " << names.Version << "\nsoftware: " << (names.IsSoftware ? "yes" : "no")
+            << "\n";
 }
 
 int Run(const Options& options)
 {
-  benchmarks::RatioReporter reporter;
-  int count = 0;
-  for (const SceneRecipe& recipe : benchmarks::MakeRecipes())
+  const benchmarks::WindowMaker windows(options.Egl);
+  benchmarks::Machine machine;
+  machine.OpenGL = benchmarks::GetOpenGLNames(windows.Make(64, 64));
+  machine.VTKVersion = vtkVersion::GetVTKVersion();
+  machine.Processors = std::thread::hardware_concurrency();
+  machine.LoadBefore = GetLoad();
+  if (options.Info)
   {
-    if (options.List)
-    {
-      std::cout << recipe.Name << "\n";
-    }
-    else if (IsWanted(options, recipe.Name))
-    {
-      ++count;
-      std::cerr << recipe.Name << " ...\n";
-      const auto scene = std::make_shared<FrameScene>(recipe.Width, recipe.Height);
-      recipe.Fill(*scene);
-      std::map<std::string, double> errors;
-      if (options.Errors)
-      {
-        errors = scene->MeasureErrors(recipe.Ways); // before the camera turns
-      }
-      Register(recipe, scene, options.Frames, errors);
-      benchmark::RunSpecifiedBenchmarks(&reporter);
-      benchmark::ClearRegisteredBenchmarks();
-    }
-  }
-  if (options.List)
-  {
+    PrintInfo(machine.OpenGL);
     return EXIT_SUCCESS;
   }
-  if (count == 0)
+  for (const std::string& path : { options.Markdown, options.Csv, options.Json })
   {
-    std::cerr << "error: no such scene; see --list\n";
-    return EXIT_FAILURE;
+    CheckWritable(path);
   }
-  std::cout << reporter.GetMarkdown();
-  return Write(options.Markdown, reporter.GetMarkdown()) && Write(options.Csv, reporter.GetCsv())
-    ? EXIT_SUCCESS
-    : EXIT_FAILURE;
+  Rows rows;
+  const benchmarks::FrameOutput output(machine, rows);
+  for (const SceneRecipe& recipe : benchmarks::ChooseRecipes(options))
+  {
+    RunScene(recipe, windows, options, rows);
+    machine.LoadAfter = GetLoad();
+    Write(options.Markdown, output.GetMarkdown()); // after each, lest all be lost with one
+    Write(options.Csv, output.GetCsv());
+    Write(options.Json, output.GetJson());
+  }
+  std::cout << output.GetMarkdown();
+  return EXIT_SUCCESS;
 }
 }
 
@@ -137,14 +199,22 @@ int main(int argc, char* argv[])
 {
   Options options;
   CLI::App app("Times frames in a medium against plain VTK frames of the same scenes");
-  app.add_option("scenes", options.Scenes, "Names, or their part before the slash; all if none");
-  app.add_option("--frames", options.Frames, "Frames of each kind")->check(CLI::Range(1, 1000));
-  app.add_option("--markdown", options.Markdown, "File to write the tables to");
-  app.add_option("--csv", options.Csv, "File to write the figures to");
-  app.add_flag("--errors", options.Errors,
-    "Measure the error of the airlight, too, against vtkAirlightReference at 160 x 120 pixels");
-  app.add_flag("--list", options.List, "Name the scenes and stop");
+  benchmarks::AddOptions(app, options);
   CLI11_PARSE(app, argc, argv);
+  if (options.List)
+  {
+    for (const SceneRecipe& recipe : benchmarks::MakeRecipes())
+    {
+      std::cout << recipe.Name << "\n";
+    }
+    return EXIT_SUCCESS;
+  }
+  const std::string unknown = benchmarks::FindUnknownScene(options);
+  if (!unknown.empty())
+  {
+    std::cerr << "error: no scene is called '" << unknown << "'; --list names them\n";
+    return EXIT_FAILURE;
+  }
 
   // One after another in random order, a frame each.
   std::string name = argv[0];
@@ -152,5 +222,13 @@ int main(int argc, char* argv[])
   char* flags[] = { &name[0], &interleave[0], nullptr };
   int count = 2;
   benchmark::Initialize(&count, flags);
-  return Run(options);
+  try
+  {
+    return Run(options);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "error: " << error.what() << "\n";
+    return EXIT_FAILURE;
+  }
 }

@@ -72,7 +72,7 @@ void FillSmall(FrameScene& scene)
   LookAtSquare(scene);
 }
 
-// 900 spheres in 25 actors: a million triangles, some 30 000 silhouette edges.
+// 900 spheres in 25 actors: a million triangles, 51 000 silhouette edges.
 void FillHeavy(FrameScene& scene)
 {
   for (int actor = 0; actor < 25; ++actor)
@@ -154,6 +154,49 @@ void FillMesh(FrameScene& scene, int triangles)
   LookAtSquare(scene);
 }
 
+//------------------------------------------------------------------------------
+// A flat disc, its border divided into `edges`, of as many rings as make about that many triangles.
+// Its silhouette is its border: edges and triangles can be chosen apart while the shadow stays.
+vtkSmartPointer<vtkPolyData> MakeDisc(int edges, int triangles, double radius, double height)
+{
+  const auto rings = static_cast<int>(std::lround((triangles / double(edges) + 1.0) / 2.0));
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polys;
+  points->InsertNextPoint(0.0, height, 0.0);
+  for (int i = 0; i < rings * edges; ++i)
+  {
+    const double turn = 2.0 * 3.14159265358979324 * (i % edges) / edges;
+    const double r = radius * (i / edges + 1) / rings;
+    points->InsertNextPoint(r * std::cos(turn), height, r * std::sin(turn));
+  }
+  for (int i = 0; i < rings * edges; ++i)
+  {
+    const vtkIdType a = 1 + i;
+    const vtkIdType b = 1 + i - i % edges + (i + 1) % edges;
+    const bool isFirst = i < edges; // around the centre
+    const vtkIdType outer[3] = { a, b, isFirst ? 0 : a - edges };
+    polys->InsertNextCell(3, outer);
+    if (!isFirst)
+    {
+      const vtkIdType inner[3] = { b, b - edges, a - edges };
+      polys->InsertNextCell(3, inner);
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(polys);
+  return data;
+}
+
+void FillDisc(FrameScene& scene, int edges, int triangles)
+{
+  scene.Add(MakeDisc(edges, triangles, 1.2, 1.6));
+  AddFloor(scene);
+  scene.AddLamp(0.6, 4.5, -0.8);
+  LookAtSquare(scene);
+}
+
+//------------------------------------------------------------------------------
 std::vector<Way> AllWays(std::vector<int> steps)
 {
   std::vector<Way> ways = { MakePlain(), MakeUnshadowed(), MakePlanes(), MakeShadowMap(64) };
@@ -171,7 +214,9 @@ std::vector<SceneRecipe> MakeRecipes()
   const std::vector<Way> brief = { MakePlain(), MakeUnshadowed(), MakePlanes() };
   const std::vector<Way> moving = { MakePlain(), MakePlanes(), MakePlanes(true) };
   std::vector<SceneRecipe> recipes;
-  recipes.push_back({ "small", FillSmall, 800, 600, AllWays({ 32, 64, 256, 1024, 2048 }) });
+  std::vector<Way> ways = AllWays({ 32, 64, 256, 1024, 2048 });
+  ways.push_back(MakeRayMarchTo(2e-3));
+  recipes.push_back({ "small", FillSmall, 800, 600, ways });
   recipes.push_back({ "heavy", FillHeavy, 800, 600, AllWays({ 64, 256 }) });
   recipes.push_back({ "shafts", FillShafts, 800, 600, AllWays({ 64, 256 }) });
   for (int count : { 1, 4, 16 })
@@ -189,6 +234,16 @@ std::vector<SceneRecipe> MakeRecipes()
   {
     recipes.push_back({ "mesh/" + std::to_string(triangles),
       [triangles](FrameScene& scene) { FillMesh(scene, triangles); }, 800, 600, brief });
+  }
+  for (int triangles : { 10000, 100000, 1000000, 3000000 })
+  {
+    recipes.push_back({ "triangles/" + std::to_string(triangles),
+      [triangles](FrameScene& scene) { FillDisc(scene, 256, triangles); }, 800, 600, brief });
+  }
+  for (int edges : { 256, 2048, 16384, 131072 })
+  {
+    recipes.push_back({ "edges/" + std::to_string(edges),
+      [edges](FrameScene& scene) { FillDisc(scene, edges, 1000000); }, 800, 600, brief });
   }
   recipes.push_back({ "moving", FillHeavy, 800, 600, moving });
   return recipes;

@@ -5,35 +5,37 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkAirlight.h"
-#include "vtkAirlightReference.h"
 #include "vtkCamera.h"
-#include "vtkDataArray.h"
-#include "vtkImageData.h"
+#include "vtkCellArray.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkSilhouetteEdgesFilter.h"
 
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <sstream>
 
 namespace benchmarks
 {
 namespace
 {
-constexpr int ErrorWidth = 160; // of the pictures that errors are measured in
-constexpr int ErrorHeight = 120;
-
-constexpr double SameDepth = 1e-3;
-
-// Whether both see the same surface, or none: -1 stands for none.
-bool IsSame(double depth, double expected)
+vtkPolyData* GetData(vtkActor* actor)
 {
-  return std::abs(depth - expected) <= SameDepth * std::abs(expected);
+  return vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+}
+
+// "2e-3" for 0.002.
+std::string FormatError(double error)
+{
+  const int power = static_cast<int>(std::floor(std::log10(error) + 1e-9));
+  std::ostringstream text;
+  text << error * std::pow(10.0, -power) << "e" << power;
+  return text.str();
 }
 }
 
@@ -46,7 +48,7 @@ Way MakePlain()
   return way;
 }
 
-Way MakeUnshadowed() { return { "no shadows", false, vtkAirlightPass::NONE, 0, false }; }
+Way MakeUnshadowed() { return { "no shadows", false, vtkAirlightPass::NONE }; }
 
 Way MakePlanes(bool moves)
 {
@@ -66,12 +68,16 @@ Way MakeRayMarch(int steps)
     vtkAirlightPass::RAY_MARCH, steps, false };
 }
 
-//------------------------------------------------------------------------------
-FrameScene::FrameScene(int width, int height)
+Way MakeRayMarchTo(double error)
 {
-  this->Window->SetOffScreenRendering(1);
-  this->Window->SetMultiSamples(0);
-  this->Window->SetSize(width, height);
+  return { "equiangular march to " + FormatError(error), false, vtkAirlightPass::RAY_MARCH, 0,
+    false, error };
+}
+
+//------------------------------------------------------------------------------
+FrameScene::FrameScene(vtkRenderWindow* window)
+  : Window(window)
+{
   this->Window->AddRenderer(this->Renderer);
   this->Renderer->AutomaticLightCreationOff();
   this->Medium->SetScattering(0.1, 0.1, 0.1);
@@ -105,6 +111,9 @@ vtkLight* FrameScene::AddLamp(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
+FrameScene::~FrameScene() { this->Window->RemoveRenderer(this->Renderer); }
+
+//------------------------------------------------------------------------------
 vtkIdType FrameScene::CountTriangles()
 {
   vtkIdType count = 0;
@@ -113,8 +122,31 @@ vtkIdType FrameScene::CountTriangles()
   actors->InitTraversal(it);
   while (vtkActor* actor = actors->GetNextActor(it))
   {
-    count +=
-      vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))->GetNumberOfPolys();
+    vtkCellArray* polys = GetData(actor)->GetPolys(); // of n corners n - 2 triangles
+    count += polys->GetNumberOfConnectivityIds() - 2 * polys->GetNumberOfCells();
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+// The actors have not been moved yet: their data are in world coordinates.
+vtkIdType FrameScene::CountSilhouetteEdges()
+{
+  vtkIdType count = 0;
+  vtkActorCollection* actors = this->Renderer->GetActors();
+  vtkCollectionSimpleIterator it = nullptr;
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    vtkNew<vtkSilhouetteEdgesFilter> filter;
+    filter->SetInputData(GetData(actor));
+    vtkLightCollection* lights = this->Renderer->GetLights();
+    for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+    {
+      filter->SetLight(vtkLight::SafeDownCast(lights->GetItemAsObject(i)));
+      filter->Update();
+      count += filter->GetOutput()->GetNumberOfLines();
+    }
   }
   return count;
 }
@@ -168,53 +200,18 @@ FrameTime FrameScene::Time(const Way& way)
 }
 
 //------------------------------------------------------------------------------
-double FrameScene::MeasureError(const Way& way, vtkPointData* expected)
+bool FrameScene::IsDrawnAs(const Way& way)
+{
+  return way.Plain || this->Pass->GetEffectiveShadowTechnique() == way.Technique;
+}
+
+//------------------------------------------------------------------------------
+vtkAirlightPass* FrameScene::Record(const Way& way)
 {
   this->Set(way);
   this->Pass->RecordBuffersOn();
   this->Draw();
-  vtkDataArray* airlight = this->Pass->GetBuffer("Airlight")->GetPointData()->GetScalars();
-  vtkDataArray* depth = this->Pass->GetBuffer("Depth")->GetPointData()->GetScalars();
-  vtkDataArray* expectedAirlight = expected->GetArray("Airlight");
-  vtkDataArray* expectedDepth = expected->GetArray("Depth");
-  double squares = 0.0;
-  double sum = 0.0;
-  double count = 0.0;
-  for (vtkIdType i = 0; i < expectedAirlight->GetNumberOfTuples(); ++i)
-  {
-    for (int j = 0; j < 3 && IsSame(depth->GetTuple1(i), expectedDepth->GetTuple1(i)); ++j)
-    {
-      const double value = expectedAirlight->GetComponent(i, j);
-      squares += std::pow(airlight->GetComponent(i, j) - value, 2);
-      sum += value;
-      ++count;
-    }
-  }
   this->Pass->RecordBuffersOff();
-  return std::sqrt(squares / count) / (sum / count);
-}
-
-//------------------------------------------------------------------------------
-std::map<std::string, double> FrameScene::MeasureErrors(const std::vector<Way>& ways)
-{
-  vtkNew<vtkAirlightReference> reference;
-  reference->SetRenderer(this->Renderer);
-  reference->SetMedium(this->Medium);
-  reference->SetSize(ErrorWidth, ErrorHeight);
-  reference->Update();
-  const int* size = this->Window->GetSize();
-  const int width = size[0];
-  const int height = size[1];
-  this->Window->SetSize(ErrorWidth, ErrorHeight);
-  std::map<std::string, double> errors;
-  for (const Way& way : ways)
-  {
-    if (!way.Plain)
-    {
-      errors[way.Name] = this->MeasureError(way, reference->GetOutput()->GetPointData());
-    }
-  }
-  this->Window->SetSize(width, height);
-  return errors;
+  return this->Pass;
 }
 }

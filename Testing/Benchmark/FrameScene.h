@@ -14,15 +14,14 @@
 #include "vtkParticipatingMedium.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 class vtkActor;
 class vtkLight;
-class vtkPointData;
 class vtkPolyData;
 
 namespace benchmarks
@@ -32,10 +31,11 @@ namespace benchmarks
 struct Way
 {
   std::string Name;
-  bool Plain = false; // by VTK alone
-  int Technique = 0;  // of vtkAirlightPass
-  int Steps = 0;      // where the technique takes any
-  bool Moves = false; // the first light and the first actor move before each frame
+  bool Plain = false;  // by VTK alone
+  int Technique = 0;   // of vtkAirlightPass
+  int Steps = 0;       // where the technique takes any
+  bool Moves = false;  // the first light and the first actor move before each frame
+  double Target = 0.0; // above 0: with the fewest steps whose error is not above this
 };
 
 Way MakePlain();
@@ -43,6 +43,9 @@ Way MakeUnshadowed();
 Way MakePlanes(bool moves = false);
 Way MakeShadowMap(int steps);
 Way MakeRayMarch(int steps);
+
+// The ray march of as many steps as FrameErrors finds for this error; it has no Steps yet.
+Way MakeRayMarchTo(double error);
 
 //------------------------------------------------------------------------------
 // Seconds. A software renderer works on all cores: its time on them counts other programs less than
@@ -57,34 +60,39 @@ struct FrameTime
 class FrameScene
 {
 public:
-  FrameScene(int width, int height);
+  // Draws into the window, which is its own alone.
+  explicit FrameScene(vtkRenderWindow* window);
+  ~FrameScene();
   FrameScene(const FrameScene&) = delete;
   void operator=(const FrameScene&) = delete;
 
   // What one frame takes, after another that is not timed and makes shaders and buffers.
   FrameTime Time(const Way& way);
 
-  // How far the airlight of each way is from vtkAirlightReference of the same view at 160 x 120
-  // pixels: the root of the mean squared error over the mean, by the names of the ways. Pixels on
-  // edges where the two see different surfaces do not count: that is not an error of the airlight.
-  // Plain frames have none and are left out. Takes seconds to minutes.
-  std::map<std::string, double> MeasureErrors(const std::vector<Way>& ways);
+  // Whether the last frame was drawn with the way's technique, and not with another in its place.
+  bool IsDrawnAs(const Way& way);
+
+  // One frame, not timed, from where the camera is. The pass has its buffers where the way is not
+  // plain.
+  vtkAirlightPass* Record(const Way& way);
 
   vtkActor* Add(vtkPolyData* data);
   vtkLight* AddLamp(double x, double y, double z);
 
   vtkIdType CountTriangles();
 
+  // Of all actors in all lights, as vtkSilhouetteEdgesFilter finds them.
+  vtkIdType CountSilhouetteEdges();
+
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkParticipatingMedium> Medium;
+  const vtkSmartPointer<vtkRenderWindow> Window;
 
 private:
   void Set(const Way& way);
   void Turn(const Way& way);
   void Draw();
-  double MeasureError(const Way& way, vtkPointData* expected);
 
-  vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkAirlightPass> Pass;
   int Frames = 0;
 };
