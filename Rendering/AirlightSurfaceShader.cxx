@@ -68,6 +68,7 @@ std::string CommonDeclarations(const SurfaceText& text)
     define("DIMMED", IsDimmed(text)) + define("LAMPS", text.LampCount) +
     define("BITS", BitsPerChannel) + define("IN_PASS", text.InPass) +
     define("READS_LIT", text.InPass && text.ReadsLit) + define("AT_VERTICES", text.AtVertices) +
+    (text.KnownView ? define("PARALLEL", text.Parallel) + define("FRAGMENT_IS_PIXEL", 1) : "") +
     DefineLamps(text) + AirlightSurfaceLights;
 }
 

@@ -55,6 +55,10 @@ struct SurfaceText
   bool ReadsLit = true;      // on opaque surfaces, by bits of a texture
   bool Once = false;         // colours and distances of opaque surfaces are drawn at once
   int Apart = -1;            // then: the light without which colours are drawn, too
+  // The viewport is the target, and whether the projection is parallel is known when the shaders are
+  // made.
+  bool KnownView = false;
+  bool Parallel = false;
   bool InPass = true;        // there are the pass's stages and its shadows on surfaces
   bool AtVertices = false;   // the medium before fragments is interpolated between vertices
   std::string Mathematics;   // GetScatteringSource() and, for scattered light, GetGlowSource()

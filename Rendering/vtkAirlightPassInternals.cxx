@@ -98,14 +98,21 @@ bool vtkAirlightPass::Internals::IsGlowing(const f64::AirlightMedia& media) cons
 // What was there once stays: surfaces that become translucent for a moment shall not make all
 // shaders anew each time.
 void vtkAirlightPass::Internals::UpdateSurfaceShader(
-  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps, const FrameSettings& settings)
+  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps, const FrameSettings& settings,
+  bool parallel)
 {
   const bool translucent = settings.Layers || this->MapperText.Translucent;
   const bool hides = this->MapperText.Hides || this->Self->DelegatePass;
   const bool reads =
     !settings.Once && settings.Shadows != ShadowMethod::None && settings.SurfaceShadows;
+  // Shadow maps may be drawn with the same shaders.
+  const bool known = settings.Once && !settings.Difference &&
+    (settings.Shadows == ShadowMethod::None || settings.Shadows == ShadowMethod::Planes);
   const bool other = hides != this->MapperText.Hides || reads != this->MapperText.ReadsLit ||
-    settings.Once != this->MapperText.Once || settings.Apart != this->MapperText.Apart;
+    settings.Once != this->MapperText.Once || settings.Apart != this->MapperText.Apart ||
+    known != this->MapperText.KnownView || (known && parallel != this->MapperText.Parallel);
+  this->MapperText.KnownView = known;
+  this->MapperText.Parallel = known && parallel;
   this->MapperText.Hides = hides;
   this->MapperText.ReadsLit = reads;
   this->MapperText.Once = settings.Once;
@@ -220,7 +227,7 @@ bool vtkAirlightPass::Internals::RenderOnce(
     settings.PhaseErrorBound = std::max(settings.PhaseErrorBound, medium->GetPhaseErrorBound());
   }
   settings.Whole = MayBeWhole(settings, converted, lamps);
-  this->UpdateSurfaceShader(converted, lamps, settings);
+  this->UpdateSurfaceShader(converted, lamps, settings, view.IsParallel());
   settings.MemoryLimit = static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20;
 
   vtkOpenGLState* state = window->GetState();

@@ -150,7 +150,8 @@ private:
   void RenderLayers(const vtkRenderState& inner);
   void RenderStage(airlight::SurfaceStage stage, const std::function<void()>& render);
   void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media,
-    const std::vector<airlight::Lamp>& lamps, const airlight::FrameSettings& settings);
+    const std::vector<airlight::Lamp>& lamps, const airlight::FrameSettings& settings,
+    bool parallel);
   bool DrawDistances(const vtkRenderState& inner);
   bool DrawColours(const vtkRenderState& inner);
   vtkRenderPass* GetDelegate(bool opaqueOnly);
