@@ -176,6 +176,8 @@ std::vector<vtkTextureObject*> Frame::GetScatterTargets()
 //------------------------------------------------------------------------------
 bool Frame::ScatterLights()
 {
+  this->Joined = -1;
+  this->LeftOver = false;
   if (this->Settings.Whole)
   {
     this->Buffers.clear();

@@ -103,6 +103,11 @@ std::vector<int> FindScattering(const std::vector<Lamp>& lamps);
 bool MayBeWhole(
   const FrameSettings& settings, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps);
 
+// For shaders with AirlightConstants.glsl, which has some of it from elsewhere.
+constexpr const char* TurnedGlobals = "uniform AirlightMedia givenMedia;\n"
+                                      "uniform AirlightLight givenLight;\n"
+                                      "AirlightMedia media;\nAirlightLight light;\n";
+
 class Frame
 {
 public:
@@ -220,6 +225,8 @@ private:
   ShadowMap* GetMap(int index) const;
 
   std::string GetWholeRaysSource(const std::vector<int>& lights) const;
+  bool MayJoin(int index) const;
+  std::string GetJoinedSource() const;
   bool AreTurned(const std::vector<int>& lights) const;
   void SetWholeRaysUniforms(vtkShaderProgram* program, const std::vector<int>& lights);
 
@@ -241,6 +248,10 @@ private:
   Dimming SurfaceDimming;
   std::vector<ShadowVolumes> Volumes;           // by light number
   std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise
+  // The light whose boundaries the composition resolves, -1: none; whether some pixels' were resolved
+  // before it.
+  int Joined = -1;
+  bool LeftOver = false;
   std::array<Quad, 4> ResolveQuads;             // none, short, long, map
   Quad DistancesQuad;
   Quad CompositeQuad;

@@ -42,14 +42,18 @@ std::vector<std::pair<const char*, vtkTextureObject*>> Frame::GetCompositeTextur
   std::vector<std::pair<const char*, vtkTextureObject*>> textures = { { "distances",
                                                                         this->Textures.Distances },
     { "scene", this->Textures.Scene }, { "airlightData", this->Data.GetTexture() } };
-  if (!this->Settings.Whole)
+  const bool leftOver = this->Joined < 0 || this->LeftOver;
+  if (!this->Settings.Whole && leftOver)
   {
     textures.emplace_back("scattered", this->Textures.Scattered);
   }
   if (this->Settings.Apart >= 0)
   {
     textures.emplace_back("dark", this->Textures.Dark);
-    textures.emplace_back("lit", this->Textures.Lit);
+    if (leftOver)
+    {
+      textures.emplace_back("lit", this->Textures.Lit);
+    }
   }
   return textures;
 }
@@ -60,7 +64,10 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   const std::vector<int> whole =
     this->Settings.Whole ? FindScattering(this->Lamps) : std::vector<int>();
   const int kind = whole.empty() ? AIRLIGHT_POINT_CLOSED : this->Lamps[whole[0]].Values.kind;
-  const std::string source = std::string("#version 330\n") +
+  const bool joined = this->Joined >= 0;
+  const std::string source = std::string(joined ? "#version 430\n" : "#version 330\n") +
+    Define("JOINED", joined) + (joined ? Define("LEFT_OVER", this->LeftOver) : "") +
+    (joined && this->Lamps[this->Joined].Values.cosCone <= 0.0 ? "#define AIRLIGHT_NO_CONE\n" : "") +
     (layers ? "#define AIRLIGHT_LAYERS\n" : "") +
     (layers && this->Settings.Record ? RecordDefinition : "") +
     Define("DEBUG_VIEW", layers ? 0 : this->Settings.DebugView) +
@@ -70,7 +77,9 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     Define("ENCODED_OUTPUT", this->Settings.EncodedOutput) +
     Define("PARALLEL", this->Rays->IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
     GetScatteringSource(this->Media, kind, false) + AirlightViewShader +
-    "uniform AirlightMedia media;\n" + this->GetWholeRaysSource(whole) + AirlightDisplay +
+    (joined ? this->GetJoinedSource()
+            : "uniform AirlightMedia media;\n" + this->GetWholeRaysSource(whole)) +
+    AirlightDisplay +
     AirlightCompositeFS;
   Quad& quad = layers ? this->LayersQuad : this->CompositeQuad;
   vtkShaderProgram* program = quad.Ready(this->Window, source);
@@ -79,8 +88,19 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     this->Fail("the composite shader did not compile: " + quad.GetError());
     return nullptr;
   }
-  SetMediaUniforms(program, "media", this->Media);
-  this->SetWholeRaysUniforms(program, whole);
+  if (joined)
+  {
+    SetMediaUniforms(program, "givenMedia", this->Media);
+    SetLightUniforms(program, "givenLight", this->Lamps[this->Joined].Values);
+    this->SetTurnedConstants(program, { this->Joined });
+    this->SetStartUniforms(program, this->Joined, true);
+    this->Boundaries.Use(program);
+  }
+  else
+  {
+    SetMediaUniforms(program, "media", this->Media);
+    this->SetWholeRaysUniforms(program, whole);
+  }
   // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
   this->Rays->SetUniforms(program, x, y);
   if (layers && this->Settings.Record)

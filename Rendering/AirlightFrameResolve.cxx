@@ -36,9 +36,6 @@ bool IsQuadrature(const airlight::f64::AirlightLight& light)
 }
 
 const char* GivenUniforms = "uniform AirlightMedia media;\nuniform AirlightLight light;\n";
-// AirlightConstants.glsl has some of it from elsewhere.
-const char* GivenGlobals = "uniform AirlightMedia givenMedia;\nuniform AirlightLight givenLight;\n"
-                           "AirlightMedia media;\nAirlightLight light;\n";
 
 // The longest way on which light of any channel falls to 1/e; 1 where none does.
 double GetFadingLength(const airlight::f64::AirlightMedia& media)
@@ -124,11 +121,14 @@ bool Frame::ScatterWithLists(int index)
       this->OverBudget = this->Boundaries.IsOverBudget();
       return this->Fail(this->Boundaries.GetError());
     }
-    if (!this->Resolve(index, Lists::Short, row, rows))
+    // The composition can resolve what lies in slots, where they hold all of the picture's.
+    this->Joined = rows == this->Height && this->MayJoin(index) ? index : -1;
+    if (this->Joined < 0 && !this->Resolve(index, Lists::Short, row, rows))
     {
       return false;
     }
     const int draws = this->Boundaries.GetLongDraws();
+    this->LeftOver = draws > 0;
     if (draws > 0 && !this->Boundaries.Sort())
     {
       return this->Fail(this->Boundaries.GetError());
@@ -185,7 +185,7 @@ std::string Frame::GetResolveSource(int index, Lists lists) const
     (this->Lamps[index].Values.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +
     GetScatteringSource(
       this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
-    AirlightViewShader + (turned ? GivenGlobals : GivenUniforms) +
+    AirlightViewShader + (turned ? TurnedGlobals : GivenUniforms) +
     (this->Dimmed ? AirlightDimmed : "") + AirlightShadowCounts + boundaries +
     (turned ? std::string(AirlightConstants) + AirlightTurnedRay : "") + AirlightResolveFS;
 }

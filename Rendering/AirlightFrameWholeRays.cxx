@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Frames of which no light's airlight has shadows in it: it is found where the picture is put together.
+// Airlight that is found where the picture is put together: of lights without shadows, or of the one
+// light that there is.
 
 #include "AirlightFrame.h"
 
 #include "AirlightConstants.h"
 #include "AirlightIntegrate.h"
+#include "AirlightShadowCounts.h"
+#include "AirlightTurnedRay.h"
 #include "AirlightWholeRays.h"
 
 #include "vtkShaderProgram.h"
@@ -57,6 +60,23 @@ bool MayBeWhole(
       lamps[k].Values.kind == kind && lamps[k].Values.goniometric == 0 &&
       lights.size() <= (IsClosed(kind) ? MostWholeLights : 1);
   });
+}
+
+//------------------------------------------------------------------------------
+// Whether the composition may resolve the boundaries of a light: where its airlight is the only one,
+// and nothing else asks for a picture of it.
+bool Frame::MayJoin(int index) const
+{
+  return this->Settings.Once && !this->Settings.Record && !this->Settings.Layers &&
+    this->Settings.DebugView == 0 && !this->Settings.Difference &&
+    FindScattering(this->Lamps).size() == 1 && this->IsTurned(index, Lists::Short);
+}
+
+//------------------------------------------------------------------------------
+std::string Frame::GetJoinedSource() const
+{
+  return std::string(TurnedGlobals) + AirlightConstants + "#define AIRLIGHT_DIMMED 0\n" +
+    AirlightShadowCounts + this->Boundaries.GetSlotsSource() + AirlightTurnedRay;
 }
 
 //------------------------------------------------------------------------------

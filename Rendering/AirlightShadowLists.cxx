@@ -56,6 +56,12 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
+std::string ShadowLists::GetSlotsSource() const
+{
+  return this->Store.GetSource() + AirlightSortedSlots;
+}
+
+//------------------------------------------------------------------------------
 std::string ShadowLists::GetBoundariesSource(bool sorted) const
 {
   return this->Store.GetSource() + DefineLengths() + (sorted ? "#define AIRLIGHT_SORTED\n" : "") +

@@ -41,6 +41,9 @@ public:
   // with the uniform "resume" set.
   std::string GetBoundariesSource(bool sorted) const;
 
+  // The part of it that reads slots alone.
+  std::string GetSlotsSource() const;
+
   // Whether boundaries tell how much light their casters let through, after Prepare().
   void SetDimmed(bool dimmed) { this->Store.SetDimmed(dimmed); }
 

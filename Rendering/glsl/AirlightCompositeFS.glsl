@@ -11,13 +11,20 @@ uniform int blended; // over what the framebuffer holds
 uniform sampler2D reference; // airlight by the ray march
 #endif
 #endif
-#ifndef AIRLIGHT_WHOLE_LIGHTS
+#if AIRLIGHT_JOINED
+// The one light's boundaries are resolved here, but for those of pixels with more than have slots.
+#else
+#define AIRLIGHT_LEFT_OVER 1
+#endif
+#if !defined(AIRLIGHT_WHOLE_LIGHTS) && AIRLIGHT_LEFT_OVER
 uniform sampler2D scattered;
 #endif
 #if AIRLIGHT_APART >= 0
 // The scene without the one light that casts shadows on it, and where that light reaches surfaces.
 uniform sampler2D dark;
+#if AIRLIGHT_LEFT_OVER
 uniform sampler2D lit;
+#endif
 #endif
 
 layout(location = 0) out vec4 radiance;
@@ -31,16 +38,56 @@ layout(location = 2) out vec4 surface;
 layout(location = 3) out vec4 transmittance;
 #endif
 
+#if AIRLIGHT_JOINED
+// As AirlightResolveFS.glsl: the light's airlight on the ray that ends at `surface`, where that is not
+// below 0, and whether it reaches the surface. False where there are too many boundaries.
+bool airlightJoined(vec2 p, ivec2 pixel, float unit, float surface, out vec3 sum, out bool reaches)
+{
+  AirlightRay ray = airlightRay(media, light, airlightOrigin(p), airlightDirection(p) / unit,
+    surface >= 0.0 ? surface : AIRLIGHT_FAR);
+  ray.foot.h = airlightOwnFoot(0, p, unit, light.radius, ray.foot.h);
+  bool few = airlightReadSlots(pixel, surface >= 0.0 ? surface / unit : 1e37);
+  vec3 whole;
+  float litLength;
+  int boundaries;
+  sum = airlightTurnedRay(pixel, ray, unit, whole, litLength, boundaries, reaches);
+  sum = mix(vec3(0.0), sum, greaterThan(light.intensity, vec3(0.0)));
+  return few;
+}
+#endif
+
+#if AIRLIGHT_APART >= 0 && AIRLIGHT_LEFT_OVER
+bool airlightIsLit(ivec2 pixel)
+{
+  float bits = texelFetch(lit, pixel, 0)[AIRLIGHT_APART / AIRLIGHT_BITS];
+  return mod(floor(bits * exp2(-float(AIRLIGHT_APART % AIRLIGHT_BITS))), 2.0) >= 0.5;
+}
+#endif
+
 void main()
 {
+#if AIRLIGHT_JOINED
+  media = givenMedia;
+  light = givenLight;
+  airlightTakeConstants(0, media, light);
+#endif
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
   float t = texelFetch(distances, pixel, 0).r;
   vec4 colour = texelFetch(scene, pixel, 0);
+  float unit = airlightRayUnit(p);
+#if AIRLIGHT_JOINED
+  vec3 sum;
+  bool reaches;
+  bool few = airlightJoined(p, pixel, unit, t, sum, reaches);
+#endif
 #if AIRLIGHT_APART >= 0
-  float bits = texelFetch(lit, pixel, 0)[AIRLIGHT_APART / AIRLIGHT_BITS];
-  bool shadowed = mod(floor(bits * exp2(-float(AIRLIGHT_APART % AIRLIGHT_BITS))), 2.0) < 0.5;
-  colour = t >= 0.0 && shadowed ? texelFetch(dark, pixel, 0) : colour;
+#if AIRLIGHT_JOINED && AIRLIGHT_LEFT_OVER
+  reaches = few ? reaches : airlightIsLit(pixel);
+#elif !AIRLIGHT_JOINED
+  bool reaches = airlightIsLit(pixel);
+#endif
+  colour = t >= 0.0 && !reaches ? texelFetch(dark, pixel, 0) : colour;
 #endif
   // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
   colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
@@ -48,7 +95,6 @@ void main()
   colour.rgb = airlightDecode(colour.rgb);
 #endif
   vec3 origin = airlightOrigin(p);
-  float unit = airlightRayUnit(p);
   vec3 direction = airlightDirection(p) / unit;
   float end = t >= 0.0 ? t : AIRLIGHT_FAR;
 #if AIRLIGHT_GREY
@@ -63,6 +109,11 @@ void main()
 #endif
 #ifdef AIRLIGHT_WHOLE_LIGHTS
   vec3 added = airlightWholeRays(p, origin, direction, unit, end) + ambient;
+#elif AIRLIGHT_JOINED
+#if AIRLIGHT_LEFT_OVER
+  sum = few ? sum : texelFetch(scattered, pixel, 0).rgb;
+#endif
+  vec3 added = sum + ambient;
 #else
   vec3 added = texelFetch(scattered, pixel, 0).rgb + ambient;
 #endif
