@@ -29,7 +29,10 @@ constexpr GLuint NodeBinding = 1;
 constexpr GLuint HeadBinding = 2;
 constexpr GLuint SlotBinding = 7;
 
-std::uint64_t CountTiles(int pixels) { return (static_cast<std::uint64_t>(pixels) + Tile - 1) / Tile; }
+std::uint64_t CountTiles(int pixels)
+{
+  return (static_cast<std::uint64_t>(pixels) + Tile - 1) / Tile;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -52,8 +55,7 @@ bool BoundaryStore::Allocate(unsigned int buffer, std::uint64_t bytes, const std
   {
   }
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
-  glBufferData(
-    GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   if (glGetError() != GL_NO_ERROR)
   {
@@ -104,8 +106,7 @@ std::uint64_t BoundaryStore::GetMost() const
 }
 
 //------------------------------------------------------------------------------
-bool BoundaryStore::Prepare(
-  vtkOpenGLRenderWindow*, int width, int height, std::uint64_t limit)
+bool BoundaryStore::Prepare(vtkOpenGLRenderWindow*, int width, int height, std::uint64_t limit)
 {
   this->Width = width;
   this->Height = height;
@@ -122,8 +123,8 @@ bool BoundaryStore::Prepare(
   }
   const std::uint64_t heads = 2 * static_cast<std::uint64_t>(width) * height + HeadOffset;
   if (this->HeadCount != heads &&
-    !this->Allocate(this->Heads, 4 * heads, "a viewport of " + std::to_string(width) + " x " +
-        std::to_string(height) + " pixels"))
+    !this->Allocate(this->Heads, 4 * heads,
+      "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels"))
   {
     return false;
   }

@@ -252,7 +252,7 @@ private:
   // before it.
   int Joined = -1;
   bool LeftOver = false;
-  std::array<Quad, 4> ResolveQuads;             // none, short, long, map
+  std::array<Quad, 4> ResolveQuads; // none, short, long, map
   Quad DistancesQuad;
   Quad CompositeQuad;
   Quad LayersQuad;

@@ -67,7 +67,8 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   const bool joined = this->Joined >= 0;
   const std::string source = std::string(joined ? "#version 430\n" : "#version 330\n") +
     Define("JOINED", joined) + (joined ? Define("LEFT_OVER", this->LeftOver) : "") +
-    (joined && this->Lamps[this->Joined].Values.cosCone <= 0.0 ? "#define AIRLIGHT_NO_CONE\n" : "") +
+    (joined && this->Lamps[this->Joined].Values.cosCone <= 0.0 ? "#define AIRLIGHT_NO_CONE\n"
+                                                               : "") +
     (layers ? "#define AIRLIGHT_LAYERS\n" : "") +
     (layers && this->Settings.Record ? RecordDefinition : "") +
     Define("DEBUG_VIEW", layers ? 0 : this->Settings.DebugView) +
@@ -79,8 +80,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     GetScatteringSource(this->Media, kind, false) + AirlightViewShader +
     (joined ? this->GetJoinedSource()
             : "uniform AirlightMedia media;\n" + this->GetWholeRaysSource(whole)) +
-    AirlightDisplay +
-    AirlightCompositeFS;
+    AirlightDisplay + AirlightCompositeFS;
   Quad& quad = layers ? this->LayersQuad : this->CompositeQuad;
   vtkShaderProgram* program = quad.Ready(this->Window, source);
   if (!program)

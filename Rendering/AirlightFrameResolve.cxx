@@ -16,6 +16,7 @@
 #include "AirlightResolveFS.h"
 #include "AirlightResolveLayers.h"
 #include "AirlightShadowCounts.h"
+#include "AirlightTurn.h"
 #include "AirlightTurnedRay.h"
 #include "AirlightViewShader.h"
 
@@ -180,14 +181,17 @@ std::string Frame::GetResolveSource(int index, Lists lists) const
     BoundaryStore::DefineNodes(this->Dimmed) + (this->Settings.Record ? RecordDefinition : "") +
     (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
     (march ? "#define AIRLIGHT_RAY_MARCH\n" : "") + "#define AIRLIGHT_TURNED " +
-    std::to_string(turned) + "\n#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define AIRLIGHT_PARALLEL " +
+    std::to_string(turned) +
+    "\n#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define "
+    "AIRLIGHT_PARALLEL " +
     std::to_string(this->Rays->IsParallel()) + "\n" +
     (this->Lamps[index].Values.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +
     GetScatteringSource(
       this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
     AirlightViewShader + (turned ? TurnedGlobals : GivenUniforms) +
     (this->Dimmed ? AirlightDimmed : "") + AirlightShadowCounts + boundaries +
-    (turned ? std::string(AirlightConstants) + AirlightTurnedRay : "") + AirlightResolveFS;
+    (turned ? std::string(AirlightTurn) + AirlightConstants + AirlightTurnedRay : "") +
+    AirlightResolveFS;
 }
 
 //------------------------------------------------------------------------------
@@ -278,8 +282,7 @@ void Frame::SetTurnedConstants(vtkShaderProgram* program, const std::vector<int>
         glm::vec4(medium.sigmaT, pixel.IsNear ? 1.0 : 0.0), glm::vec4(pixel.Whole, pixel.Rest),
         glm::vec4(pixel.PerX, 0.0f), glm::vec4(pixel.PerY, 0.0f) });
   }
-  program->SetUniform4fv(
-    "airlightConstants", static_cast<int>(constants.size()), &constants[0].x);
+  program->SetUniform4fv("airlightConstants", static_cast<int>(constants.size()), &constants[0].x);
 }
 
 //------------------------------------------------------------------------------

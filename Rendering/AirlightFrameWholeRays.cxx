@@ -9,6 +9,7 @@
 #include "AirlightConstants.h"
 #include "AirlightIntegrate.h"
 #include "AirlightShadowCounts.h"
+#include "AirlightTurn.h"
 #include "AirlightTurnedRay.h"
 #include "AirlightWholeRays.h"
 
@@ -75,8 +76,9 @@ bool Frame::MayJoin(int index) const
 //------------------------------------------------------------------------------
 std::string Frame::GetJoinedSource() const
 {
-  return std::string(TurnedGlobals) + AirlightConstants + "#define AIRLIGHT_DIMMED 0\n" +
-    AirlightShadowCounts + this->Boundaries.GetSlotsSource() + AirlightTurnedRay;
+  return std::string(TurnedGlobals) + AirlightTurn + AirlightConstants +
+    "#define AIRLIGHT_DIMMED 0\n" + AirlightShadowCounts + this->Boundaries.GetSlotsSource() +
+    AirlightTurnedRay;
 }
 
 //------------------------------------------------------------------------------
@@ -89,13 +91,15 @@ std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
   std::string lines;
   for (size_t i = 0; i < lights.size(); ++i)
   {
-    lines += " sum += airlightWholeRay(" + std::to_string(i) + ", p, origin, direction, unit, end);";
+    lines +=
+      " sum += airlightWholeRay(" + std::to_string(i) + ", p, origin, direction, unit, end);";
   }
   const bool cones = std::any_of(
     lights.begin(), lights.end(), [this](int k) { return this->Lamps[k].Values.cosCone > 0.0; });
   const bool turned = this->AreTurned(lights);
   return "#define AIRLIGHT_TURNED " + std::to_string(turned) + "\n" +
-    (turned ? AirlightConstants : "") + "#define AIRLIGHT_CONES " + std::to_string(cones) + "\n#define AIRLIGHT_WHOLE_LIGHTS " +
+    (turned ? std::string(AirlightTurn) + AirlightConstants : "") + "#define AIRLIGHT_CONES " +
+    std::to_string(cones) + "\n#define AIRLIGHT_WHOLE_LIGHTS " +
     std::to_string(std::max<size_t>(lights.size(), 1)) + "\n#define AIRLIGHT_EACH_LIGHT" + lines +
     "\n" + AirlightWholeRays;
 }
@@ -103,8 +107,9 @@ std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
 //------------------------------------------------------------------------------
 bool Frame::AreTurned(const std::vector<int>& lights) const
 {
-  return !lights.empty() && std::all_of(lights.begin(), lights.end(),
-    [this](int k) { return this->IsTurned(k, Lists::None); });
+  return !lights.empty() && std::all_of(lights.begin(), lights.end(), [this](int k) {
+    return this->IsTurned(k, Lists::None);
+  });
 }
 
 //------------------------------------------------------------------------------

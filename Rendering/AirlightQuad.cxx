@@ -27,7 +27,6 @@
 #include "AirlightQuadrature.h"
 #include "AirlightRegion.h"
 #include "AirlightScattering.h"
-#include "AirlightTurn.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -112,13 +111,11 @@ std::string DefineCommon(const f64::AirlightMedia& media)
     std::any_of(first, end, [](const auto& medium) { return medium.phase.power.x > 0.0; });
   const bool grey =
     std::all_of(first, end, [](const auto& medium) { return f64::airlightIsGrey(medium); });
-  const bool isotropic = std::all_of(first, end,
-    [](const auto& medium)
-    {
-      const f64::AirlightPhase& phase = medium.phase;
-      return phase.rows == 0 && phase.power.x <= 0.0 && phase.poleCount == 1 && phase.order == 1 &&
-        phase.pole[0].x == 1.0;
-    });
+  const bool isotropic = std::all_of(first, end, [](const auto& medium) {
+    const f64::AirlightPhase& phase = medium.phase;
+    return phase.rows == 0 && phase.power.x <= 0.0 && phase.poleCount == 1 && phase.order == 1 &&
+      phase.pole[0].x == 1.0;
+  });
   return (sameRegion ? Define("AIRLIGHT_REGION_KIND(region)", first->region.kind) : "") +
     (sameDensity ? Define("AIRLIGHT_DENSITY_KIND(medium)", first->density) : "") +
     Define("AIRLIGHT_HAS_POWER", power) + Define("AIRLIGHT_GREY", grey) +
@@ -147,7 +144,7 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + AirlightMedium +
     AirlightClosedSurface + AirlightPath + AirlightMedia + AirlightLight + AirlightKinks +
     AirlightQuadrature + AirlightGoniometricRay + AirlightPieces + (grid ? AirlightGridRay : "") +
-    AirlightScattering + AirlightTurn;
+    AirlightScattering;
 }
 
 //------------------------------------------------------------------------------

@@ -200,8 +200,7 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
 
 //------------------------------------------------------------------------------
 // Draws all planes and caps, clipped to some rows.
-bool ShadowLists::DrawOnce(
-  const Source& source, int row, int rows, BoundaryStore::Counts& counts)
+bool ShadowLists::DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts)
 {
   this->Store.Clear(row);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -339,8 +338,7 @@ int ShadowLists::GetLongDraws()
 bool ShadowLists::Sort()
 {
   const std::uint32_t longest = this->Store.ReadLongest();
-  vtkShaderProgram* program = this->SortQuad.Ready(
-    this->Window,
+  vtkShaderProgram* program = this->SortQuad.Ready(this->Window,
     "#version 430\n" + BoundaryStore::DefineNodes(this->Store.IsDimmed()) +
       this->Store.GetSource() + AirlightSortFS);
   if (!program)

@@ -59,9 +59,9 @@ struct SurfaceText
   // made.
   bool KnownView = false;
   bool Parallel = false;
-  bool InPass = true;        // there are the pass's stages and its shadows on surfaces
-  bool AtVertices = false;   // the medium before fragments is interpolated between vertices
-  std::string Mathematics;   // GetScatteringSource() and, for scattered light, GetGlowSource()
+  bool InPass = true;      // there are the pass's stages and its shadows on surfaces
+  bool AtVertices = false; // the medium before fragments is interpolated between vertices
+  std::string Mathematics; // GetScatteringSource() and, for scattered light, GetGlowSource()
 };
 
 // Rewrites a mapper's fragment shader. Every mention of a light's colour in main() is multiplied by

@@ -97,9 +97,8 @@ bool vtkAirlightPass::Internals::IsGlowing(const f64::AirlightMedia& media) cons
 //------------------------------------------------------------------------------
 // What was there once stays: surfaces that become translucent for a moment shall not make all
 // shaders anew each time.
-void vtkAirlightPass::Internals::UpdateSurfaceShader(
-  const f64::AirlightMedia& media, const std::vector<Lamp>& lamps, const FrameSettings& settings,
-  bool parallel)
+void vtkAirlightPass::Internals::UpdateSurfaceShader(const f64::AirlightMedia& media,
+  const std::vector<Lamp>& lamps, const FrameSettings& settings, bool parallel)
 {
   const bool translucent = settings.Layers || this->MapperText.Translucent;
   const bool hides = this->MapperText.Hides || this->Self->DelegatePass;

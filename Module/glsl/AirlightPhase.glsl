@@ -60,30 +60,38 @@ AIRLIGHT_FN real airlightPhaseTable(AIRLIGHT_IN(AirlightPhase) phase, real cosTh
 #endif
 }
 
-// p(cosTheta) in 1/sr; cosTheta = 1 is forward.
-AIRLIGHT_FN real airlightPhase(AIRLIGHT_IN(AirlightPhase) phase, real cosTheta)
+// The poles and the power at (1 + cosTheta)/2 and (1 - cosTheta)/2; apart, the latter is exact near the
+// forward direction.
+AIRLIGHT_FN real airlightPhaseHalves(
+  AIRLIGHT_IN(AirlightPhase) phase, real forward, real backward)
 {
 #ifdef AIRLIGHT_ISOTROPIC
   return phase.pole[0].y;
 #endif
-  if (AIRLIGHT_HAS_TABLE != 0 && phase.rows > 0)
-  {
-    return airlightPhaseTable(phase, cosTheta);
-  }
-  real half1 = real(0.5) * (real(1.0) + cosTheta);
   real p = real(0.0);
   for (int k = 0; k < AIRLIGHT_POLE_COUNT; k++)
   {
     real4 pole = phase.pole[k];
     // 1/(q (1 + cos)/2), finite in all directions.
-    real r = real(2.0) / ((real(1.0) - cosTheta) + pole.x * pole.x * (real(1.0) + cosTheta));
-    p += r * (pole.y + half1 * r * (pole.z + half1 * r * pole.w));
+    real r = real(1.0) / (backward + pole.x * pole.x * forward);
+    p += r * (pole.y + forward * r * (pole.z + forward * r * pole.w));
   }
   if (AIRLIGHT_HAS_POWER != 0 && phase.power.x > real(0.0))
   {
-    p += phase.power.x * pow(max(half1, real(1e-6)), phase.power.y);
+    p += phase.power.x * pow(max(forward, real(1e-6)), phase.power.y);
   }
   return p;
+}
+
+// p(cosTheta) in 1/sr; cosTheta = 1 is forward.
+AIRLIGHT_FN real airlightPhase(AIRLIGHT_IN(AirlightPhase) phase, real cosTheta)
+{
+  if (AIRLIGHT_HAS_TABLE != 0 && phase.rows > 0)
+  {
+    return airlightPhaseTable(phase, cosTheta);
+  }
+  return airlightPhaseHalves(
+    phase, real(0.5) * (real(1.0) + cosTheta), real(0.5) * (real(1.0) - cosTheta));
 }
 
 // How much larger the poles' terms are than their sum, far from and near the direction of s = 0:

@@ -34,6 +34,7 @@ struct AirlightTurn
   real x;    // and from the light's foot
   real h;
   real left; // the angle at the light between the ray's beginning and its direction
+  real s;    // at the ray's beginning
   real end;  // psi where the ray ends, or the light is gone
   // sigmaT (t + r) in powers of two, negative: at the foot's s = 0, and per unit of s.
   AirlightShade start;
@@ -106,6 +107,7 @@ AIRLIGHT_FN AirlightTurn airlightTurn(
   turn.start = AIRLIGHT_SHADE(medium.sigmaT) * (-log2e * ray.foot.tL);
   turn.slope = AIRLIGHT_SHADE(medium.sigmaT) * (-log2e * turn.h);
   real2 half1 = airlightSineCosine(real(0.5) * turn.left);
+  turn.s = half1.y / max(half1.x, real(1e-15));
   real tau = airlightLeastExtinction(medium) * turn.h;
   turn.end = min(airlightTurned(turn, ray, t1),
     turn.left -
@@ -126,26 +128,42 @@ AIRLIGHT_FN real airlightSmoothTurn(AIRLIGHT_IN(AirlightPhase) phase, real left)
     bool back = b > real(1.0);
     real off = real(2.0) * (back ? real(1.0) / b : b);
     real along = back ? left : forward;
-    length = min(length, (back ? real(0.5) : real(0.83)) * sqrt(along * along + off * off));
+    length = min(length, (back ? real(0.35) : real(0.83)) * sqrt(along * along + off * off));
   }
 #endif
   return length;
 }
 
-// Where the part may end that begins at psi and is the ray's i-th, from 0. What limits it is where the
-// integrand is not smooth: the asymptote, which it nears as exp(-2 tau/angle), and a phase function's
-// peaks. Of the later parts less is asked, since less light is left there.
-AIRLIGHT_FN real airlightTurnPartEnd(
-  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi, int i)
+// Extinction times the light's distance from the ray, of the channel that fades most among those that
+// have not faded yet after a way of `s` from the ray's beginning.
+AIRLIGHT_FN real airlightMostFading(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real s)
 {
-  real tau = turn.h * max(medium.sigmaT.x, max(medium.sigmaT.y, medium.sigmaT.z));
+#if defined(AIRLIGHT_GREY) && AIRLIGHT_GREY
+  return turn.h * medium.sigmaT.x;
+#else
+  real3 tau = turn.h * medium.sigmaT;
+  tau = mix(real3(real(0.0)), tau, lessThan(tau * s, real3(real(AIRLIGHT_TURN_FADED))));
+  return max(tau.x, max(tau.y, tau.z));
+#endif
+}
+
+// Where the part may end that begins at psi. What limits it is where the integrand is not smooth: the
+// asymptote, which it nears as exp(-2 tau/angle), and a phase function's peaks. Of later parts less is
+// asked where little of the angle is left, or of the light.
+AIRLIGHT_FN real airlightTurnPartEnd(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi)
+{
   real left = max(turn.left - psi, real(1e-6));
+  real2 half1 = airlightSineCosine(real(0.5) * left);
+  real s = max(half1.y / half1.x - turn.s, real(0.0));
+  real tau = airlightMostFading(medium, turn, s);
   // Fitted to where eight nodes give 1e-6.
   real root = sqrt(tau / left);
-  real ratio = (i == 0 ? real(0.3) : i == 1 ? real(0.2) : real(0.08)) * root / (root + real(0.045));
+  real ratio = real(0.3) * clamp(real(2.2) * left / turn.left, real(0.27), real(1.0)) * root /
+    (root + real(0.045));
   // In optical depths.
-  real most = i == 0 ? real(4.0) : i == 1 ? real(8.0) : real(12.0);
-  real2 half1 = airlightSineCosine(real(0.5) * left);
+  real most = real(4.0) + min(tau * s, real(8.0));
   real faded = airlightTwiceAngle(half1.x * tau / (half1.y * tau + half1.x * most));
   real length = min(left - max(ratio * left, faded), airlightSmoothTurn(medium.phase, left));
   return min(psi + max(length, real(1e-3) * left), turn.end);
@@ -156,7 +174,7 @@ AIRLIGHT_FN AirlightShade airlightTurnSample(
 {
   real2 half1 = airlightSineCosine(real(0.5) * (turn.left - psi));
   half1.x = max(half1.x, real(1e-15));
-  return airlightPhase(medium.phase, real(2.0) * half1.x * half1.x - real(1.0)) *
+  return airlightPhaseHalves(medium.phase, half1.x * half1.x, half1.y * half1.y) *
     exp2(turn.start + turn.slope * (half1.y / half1.x));
 }
 

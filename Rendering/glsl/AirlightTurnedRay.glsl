@@ -19,7 +19,7 @@ vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, float unit, out vec3 whole,
   float at = airlightTurned(turn, ray, t);
   for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
   {
-    float end = airlightTurnPartEnd(media.item[0], turn, psi, i);
+    float end = airlightTurnPartEnd(media.item[0], turn, psi);
     AirlightTurnPart part = airlightTurnPart(media.item[0], turn, psi, end);
     psi = end;
     // The last part takes what lies beyond the ray's end, too.

@@ -21,7 +21,7 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
   float psi = 0.0;
   for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
   {
-    float next = airlightTurnPartEnd(medium.item[0], turn, psi, i);
+    float next = airlightTurnPartEnd(medium.item[0], turn, psi);
     sum += airlightTurnPart(medium.item[0], turn, psi, next).whole;
     psi = next;
   }

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A point light's airlight before every point of a ray by AirlightTurn.glsl, as the shaders' text compiled
+// in double and in single precision, against the closed form in double precision (which TestClosedForm
+// compares with quadrature). The limits are parts of the whole ray's airlight, as in the error
+// contract of the documentation.
+
+#include "AirlightTestTools.h"
+
+#include "AirlightMath.h"
+#include "AirlightTestPhase.h"
+#include "vtkNew.h"
+#include "vtkParticipatingMedium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+using namespace airlight;
+using namespace airlight_test;
+
+namespace
+{
+// The light's foot is at tL, its distance from the ray h; the ray is [0, l], its channels fade by
+// SigmaT.
+struct Setting
+{
+  glm::dvec3 SigmaT;
+  double TL;
+  double H;
+  double Length;
+  std::vector<double> Places;
+
+  std::string Describe() const
+  {
+    return Text("sigmaT ", this->SigmaT.x, " ", this->SigmaT.y, " ", this->SigmaT.z, ", tL ",
+      this->TL, ", h ", this->H, ", length ", this->Length);
+  }
+};
+
+// What single precision makes of it; volatile as in TestClosedForm.
+double Rounded(double v)
+{
+  const volatile float rounded = static_cast<float>(v);
+  return rounded;
+}
+
+Setting RandomSetting(Random& random)
+{
+  Setting s;
+  const double sigmaT = random.LogUniform(1e-3, 10.0);
+  const bool grey = random.Index(2) == 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    s.SigmaT[k] = Rounded(grey || k == 0 ? sigmaT : sigmaT * random.LogUniform(1e-3, 1e3));
+  }
+  s.TL = Rounded(random.Uniform(-30.0, 60.0));
+  s.H = Rounded(random.LogUniform(1e-3, 100.0));
+  s.Length = Rounded(random.Index(4) == 0 ? 1e18 : random.LogUniform(1e-3, 1e3));
+  for (int i = 0; i < 6; ++i)
+  {
+    const double place =
+      i % 2 ? random.Uniform(0.0, std::min(s.Length, 100.0)) : s.TL + s.H * random.Uniform(-2, 2);
+    s.Places.push_back(Rounded(std::clamp(place, 0.0, s.Length)));
+  }
+  s.Places.push_back(s.Length);
+  std::sort(s.Places.begin(), s.Places.end());
+  return s;
+}
+
+// The sums of one precision: what is scattered before each place, per unit sigmaS I.
+template <typename Ray, typename Medium, typename Phase>
+void Prepare(const Setting& s, const Phase& phase, Medium& medium, Ray& ray)
+{
+  using Vector = decltype(medium.sigmaT);
+  medium.phase = phase;
+  medium.sigmaT = Vector(s.SigmaT);
+  medium.sigmaS = medium.sigmaT;
+  medium.region.kind = AIRLIGHT_REGION_UNBOUNDED;
+  ray.direction = Vector(0, 0, 1);
+  ray.range = decltype(ray.range)(0.0, s.Length);
+  ray.lit = ray.range;
+  ray.foot.tL = s.TL;
+  ray.foot.h = s.H;
+}
+
+std::vector<glm::dvec3> SumDouble(const Setting& s, const f64::AirlightPhase& phase)
+{
+  f64::AirlightMedium medium{};
+  f64::AirlightRay ray{};
+  Prepare(s, phase, medium, ray);
+  const f64::AirlightTurn turn = f64::airlightTurn(medium, ray, 0.0, s.Length);
+  std::vector<glm::dvec3> sums(s.Places.size(), glm::dvec3(0.0));
+  for (double psi = 0.0; psi < turn.end;)
+  {
+    const double end = f64::airlightTurnPartEnd(medium, turn, psi);
+    const f64::AirlightTurnPart part = f64::airlightTurnPart(medium, turn, psi, end);
+    for (size_t i = 0; i < sums.size(); ++i)
+    {
+      sums[i] += f64::airlightTurnBefore(part, f64::airlightTurned(turn, ray, s.Places[i])) / s.H;
+    }
+    psi = end;
+  }
+  return sums;
+}
+
+std::vector<glm::dvec3> SumSingle(const Setting& s, const f32::AirlightPhase& phase)
+{
+  f32::AirlightMedium medium{};
+  f32::AirlightRay ray{};
+  Prepare(s, phase, medium, ray);
+  const f32::AirlightTurn turn = f32::airlightTurn(medium, ray, 0.0f, ray.lit.y);
+  std::vector<glm::dvec3> sums(s.Places.size(), glm::dvec3(0.0));
+  for (float psi = 0.0f; psi < turn.end;)
+  {
+    const float end = f32::airlightTurnPartEnd(medium, turn, psi);
+    const f32::AirlightTurnPart part = f32::airlightTurnPart(medium, turn, psi, end);
+    for (size_t i = 0; i < sums.size(); ++i)
+    {
+      const float at = f32::airlightTurned(turn, ray, static_cast<float>(s.Places[i]));
+      sums[i] += glm::dvec3(f32::airlightTurnBefore(part, at) / ray.foot.h);
+    }
+    psi = end;
+  }
+  return sums;
+}
+
+bool ComparePhase(const std::string& name, vtkParticipatingMedium* medium, Random& random)
+{
+  Comparison inDouble(name + ", double precision, of the whole ray");
+  Comparison inSingle(name + ", single precision, of the whole ray");
+  const auto phase = GetPhase<f64::AirlightPhase>(medium);
+  const auto narrowPhase = GetPhase<f32::AirlightPhase>(medium);
+  for (int n = 0; n < 1500; ++n)
+  {
+    const Setting s = RandomSetting(random);
+    const std::vector<glm::dvec3> wide = SumDouble(s, phase);
+    const std::vector<glm::dvec3> narrow = SumSingle(s, narrowPhase);
+    const f64::AirlightFoot foot{ s.TL, s.H };
+    for (int k = 0; k < 3; ++k)
+    {
+      const double whole = f64::airlightSegment(phase, s.SigmaT[k], foot, 0.0, s.Length);
+      // What has faded below that is lost in single precision.
+      for (size_t i = 0; i < s.Places.size() && whole > 1e-28; ++i)
+      {
+        const double expected = s.Places[i] > 0.0
+          ? f64::airlightSegment(phase, s.SigmaT[k], foot, 0.0, s.Places[i])
+          : 0.0;
+        const auto describe = [&] { return Text(s.Describe(), ", at ", s.Places[i]); };
+        inDouble.Add(std::abs(wide[i][k] - expected) / whole, 5e-5, describe);
+        inSingle.Add(std::abs(narrow[i][k] - expected) / whole, 1e-4, describe);
+      }
+    }
+  }
+  return AllOk({ &inDouble, &inSingle });
+}
+}
+
+//------------------------------------------------------------------------------
+int TestTurn(int, char*[])
+{
+  Random random(11);
+  vtkNew<vtkParticipatingMedium> medium;
+  bool ok = ComparePhase("isotropic", medium, random);
+  medium->SetPhaseFunctionToRayleigh();
+  ok = ComparePhase("Rayleigh", medium, random) && ok;
+  medium->SetPhaseFunctionToSchlick();
+  medium->SetAnisotropy(0.7);
+  ok = ComparePhase("Schlick 0.7", medium, random) && ok;
+  medium->SetPhaseFunctionToHenyeyGreenstein();
+  for (double g : { -0.6, 0.5, 0.85, 0.95 })
+  {
+    medium->SetAnisotropy(g);
+    ok = ComparePhase(Text("Henyey-Greenstein ", g), medium, random) && ok;
+  }
+  return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}
