@@ -243,8 +243,8 @@ public:
    *
    * With SHADOW_MAP and RAY_MARCH what lets light through casts no shadow, and one warning says so.
    *
-   * Cost, while there are such casters: 24 instead of 12 bytes a boundary, on surfaces 8 bytes a pixel
-   * and light, a closed form for each boundary; each of their triangles is drawn for each light.
+   * Cost, while there are such casters: all boundaries in lists of 24 bytes each, on surfaces 8 bytes a
+   * pixel and light, a closed form for each boundary; each of their triangles is drawn for each light.
    * Without them: none.
    *
    * Default: true.
@@ -372,9 +372,11 @@ public:
 
   ///@{
   /**
-   * Most memory in MiB that the per-pixel lists of shadow boundaries may take on the graphics
-   * card. A frame that needs more is drawn in several horizontal bands, with the same result. The
-   * nodes on rays through volumes may take as much again.
+   * Most memory in MiB that the boundaries of shadows may take on the graphics card: 64 bytes a pixel,
+   * which hold 16 of them, 12 bytes for each on pixels with more, and 8 bytes a pixel that the limit
+   * does not count. Where casters let light through (SetTranslucentShadows()), 24 bytes for each and
+   * 8 a pixel. A frame that needs more is drawn in several horizontal bands, with the same result.
+   * The nodes on rays through volumes may take as much again.
    * Range: at least 1. Default: 1024.
    */
   vtkSetClampMacro(MemoryLimit, int, 1, 1 << 20);

@@ -172,7 +172,11 @@ void main()
   }
 #endif
   airlightCloseBoundaries(pixel, state, from, shadows);
+#ifdef AIRLIGHT_NO_BOUNDARIES
+  const bool shadowless = true;
+#else
   bool shadowless = boundaries == 0 && startsLit;
+#endif
 #endif
 
   // A channel that does not scatter is dark, whatever the limit of its integral.
