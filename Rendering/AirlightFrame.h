@@ -215,9 +215,10 @@ private:
     Map       // all, shadows from a map
   };
   bool Resolve(int index, Lists lists, int row, int rows);
+  bool DrawResolve(int index, Lists lists, bool layersOnly, int row, int rows);
   bool IsTurned(int index, Lists lists) const;
-  std::string GetResolveSource(int index, Lists lists) const;
-  void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists);
+  std::string GetResolveSource(int index, Lists lists, bool layersOnly) const;
+  void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool layersOnly);
   void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);
   double GetIntegralError(int index) const;
   void SetTurnedConstants(vtkShaderProgram* program, const std::vector<int>& lights);
@@ -252,7 +253,7 @@ private:
   // before it.
   int Joined = -1;
   bool LeftOver = false;
-  std::array<Quad, 4> ResolveQuads; // none, short, long, map
+  std::array<Quad, 5> ResolveQuads; // none, short, long, map, records only
   Quad DistancesQuad;
   Quad CompositeQuad;
   Quad LayersQuad;

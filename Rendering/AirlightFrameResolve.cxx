@@ -153,16 +153,17 @@ bool Frame::IsTurned(int index, Lists lists) const
 {
   const f64::AirlightPhase& phase = this->Media.item[0].phase;
   return this->Lamps[index].Values.kind == AIRLIGHT_POINT_CLOSED && phase.rows == 0 &&
-    phase.power.x <= 0.0 && !this->Settings.LayerRecords && !this->Dimmed &&
+    phase.power.x <= 0.0 && !this->Dimmed &&
     (lists == Lists::None || (lists == Lists::Short && this->Boundaries.HasSlots()));
 }
 
 //------------------------------------------------------------------------------
-std::string Frame::GetResolveSource(int index, Lists lists) const
+std::string Frame::GetResolveSource(int index, Lists lists, bool layersOnly) const
 {
   const bool planes = lists != Lists::None && lists != Lists::Map;
   const bool march = this->Settings.Shadows == ShadowMethod::March;
-  const bool records = this->Settings.LayerRecords;
+  const bool turned = this->IsTurned(index, lists) && !layersOnly;
+  const bool records = this->Settings.LayerRecords && !turned;
   const std::string layers =
     records ? std::string(AirlightLayers) + AirlightResolveLayers : std::string();
   std::string boundaries = AirlightNoBoundaries + layers;
@@ -176,7 +177,6 @@ std::string Frame::GetResolveSource(int index, Lists lists) const
       (march ? AirlightNoBoundaries + layers + AirlightRayMarch : AirlightMapBoundaries + layers);
   }
   const bool storage = planes || records || this->Dimmed;
-  const bool turned = this->IsTurned(index, lists);
   return std::string(storage ? "#version 430\n" : "#version 330\n") +
     BoundaryStore::DefineNodes(this->Dimmed) + (this->Settings.Record ? RecordDefinition : "") +
     (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
@@ -213,10 +213,11 @@ double Frame::GetIntegralError(int index) const
 }
 
 //------------------------------------------------------------------------------
-void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists)
+void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool layersOnly)
 {
   this->Rays->SetUniforms(program, 0, 0);
-  if (this->IsTurned(index, lists))
+  const bool turned = this->IsTurned(index, lists) && !layersOnly;
+  if (turned)
   {
     SetMediaUniforms(program, "givenMedia", this->Media);
     SetLightUniforms(program, "givenLight", this->Lamps[index].Values);
@@ -248,7 +249,7 @@ void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists
     program->SetUniformf("phaseError", static_cast<float>(this->Settings.PhaseErrorBound));
     program->SetUniformf("error", static_cast<float>(this->GetIntegralError(index)));
   }
-  if (this->Settings.LayerRecords)
+  if (this->Settings.LayerRecords && !turned)
   {
     this->LayerLists.Use(program);
     program->SetUniformi("layerBit", index < MaximumShadowingLights ? index : -1);
@@ -308,12 +309,24 @@ void Frame::SetMapUniforms(vtkShaderProgram* program, int index)
 }
 
 //------------------------------------------------------------------------------
+// The records of translucent fragments take the closed form. What is behind them does not, so that it is
+// the same to the last bit with and without them.
 bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
-  Quad& quad = this->ResolveQuads[lists == Lists::Map
-      ? this->ResolveQuads.size() - 1
-      : std::min<size_t>(static_cast<size_t>(lists), static_cast<size_t>(Lists::Long))];
-  vtkShaderProgram* program = quad.Ready(this->Window, this->GetResolveSource(index, lists));
+  return this->DrawResolve(index, lists, false, row, rows) &&
+    (!this->Settings.LayerRecords || !this->IsTurned(index, lists) ||
+      this->DrawResolve(index, lists, true, row, rows));
+}
+
+//------------------------------------------------------------------------------
+bool Frame::DrawResolve(int index, Lists lists, bool layersOnly, int row, int rows)
+{
+  const size_t own = lists == Lists::Map
+    ? 3
+    : std::min<size_t>(static_cast<size_t>(lists), static_cast<size_t>(Lists::Long));
+  Quad& quad = this->ResolveQuads[layersOnly ? 4 : own];
+  vtkShaderProgram* program =
+    quad.Ready(this->Window, this->GetResolveSource(index, lists, layersOnly));
   if (!program)
   {
     return this->Fail("the airlight shader did not compile: " + quad.GetError());
@@ -322,9 +335,14 @@ bool Frame::Resolve(int index, Lists lists, int row, int rows)
   {
     return this->Fail(this->Textures.GetError());
   }
-  this->SetResolveUniforms(program, index, lists);
+  this->SetResolveUniforms(program, index, lists, layersOnly);
 
   vtkOpenGLState* state = this->Window->GetState();
+  vtkOpenGLState::ScopedglColorMask maskSaver(state);
+  if (layersOnly)
+  {
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  }
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);

@@ -11,9 +11,9 @@ uniform int blended; // over what the framebuffer holds
 uniform sampler2D reference; // airlight by the ray march
 #endif
 #endif
-#if AIRLIGHT_JOINED
-// The one light's boundaries are resolved here, but for those of pixels with more than have slots.
-#else
+// With AIRLIGHT_JOINED the one light's boundaries are resolved here, and with AIRLIGHT_LEFT_OVER those of
+// pixels with more than have slots were before.
+#if !AIRLIGHT_JOINED
 #define AIRLIGHT_LEFT_OVER 1
 #endif
 #if !defined(AIRLIGHT_WHOLE_LIGHTS) && AIRLIGHT_LEFT_OVER
