@@ -6,7 +6,6 @@
 #include "AirlightOpenGL.h"
 #include "AirlightSlots.h"
 
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -22,7 +21,9 @@ constexpr std::uint64_t InitialCapacity = 1u << 18;
 // AirlightSlots.glsl: slots lie in tiles of so many pixels each way.
 constexpr std::uint64_t Tile = 8;
 // What AirlightHeads.glsl begins with.
-constexpr int HeadOffset = 4;
+constexpr int HeadOffset = 2;
+// More silhouette edges than these have pixels enough with more than 16 boundaries.
+constexpr size_t ManyEdges = 8192;
 
 // Bindings of the shaders' buffers.
 constexpr GLuint NodeBinding = 1;
@@ -45,7 +46,7 @@ std::uint64_t BoundaryStore::GetNodeSize() const
 // Of one row of tiles.
 std::uint64_t BoundaryStore::GetSlotBytes() const
 {
-  return CountTiles(this->Width) * Tile * Tile * SlotsPerPixel * 4;
+  return CountTiles(this->Width) * Tile * Tile * this->SlotsPerPixel * 4;
 }
 
 //------------------------------------------------------------------------------
@@ -85,8 +86,8 @@ bool BoundaryStore::ReserveSome()
 bool BoundaryStore::ReserveSlots()
 {
   const std::uint64_t most = std::min(this->Limit - this->Limit / 4, this->MostBytes);
-  const std::uint64_t tiles =
-    std::min(CountTiles(this->Height), most / std::max<std::uint64_t>(this->GetSlotBytes(), 1));
+  const std::uint64_t row = std::max<std::uint64_t>(this->GetSlotBytes(), 1);
+  const std::uint64_t tiles = this->Dimmed ? 0 : std::min(CountTiles(this->Height), most / row);
   this->SlotRows = static_cast<int>(tiles * Tile);
   const std::uint64_t bytes = tiles * this->GetSlotBytes();
   if (bytes == this->SlotSize)
@@ -106,11 +107,16 @@ std::uint64_t BoundaryStore::GetMost() const
 }
 
 //------------------------------------------------------------------------------
-bool BoundaryStore::Prepare(vtkOpenGLRenderWindow*, int width, int height, std::uint64_t limit)
+bool BoundaryStore::Prepare(int width, int height, bool dimmed, size_t edges, std::uint64_t limit)
 {
+  // The lists keep their bytes.
+  const std::uint64_t listBytes = this->Capacity * this->GetNodeSize();
+  this->Dimmed = dimmed;
+  this->Capacity = static_cast<std::uint32_t>(listBytes / this->GetNodeSize());
   this->Width = width;
   this->Height = height;
   this->Limit = limit;
+  this->SlotsPerPixel = edges > ManyEdges ? 32 : 16;
   if (this->Nodes == 0)
   {
     glGenBuffers(1, &this->Nodes);
@@ -135,14 +141,6 @@ bool BoundaryStore::Prepare(vtkOpenGLRenderWindow*, int width, int height, std::
   }
   const bool fits = this->Capacity > 0 && this->Capacity <= this->GetMost();
   return fits || this->ReserveSome();
-}
-
-//------------------------------------------------------------------------------
-void BoundaryStore::SetDimmed(bool dimmed)
-{
-  const std::uint64_t bytes = this->Capacity * this->GetNodeSize();
-  this->Dimmed = dimmed;
-  this->Capacity = static_cast<std::uint32_t>(bytes / this->GetNodeSize());
 }
 
 //------------------------------------------------------------------------------
@@ -177,28 +175,12 @@ std::string BoundaryStore::GetSource() const
 //------------------------------------------------------------------------------
 void BoundaryStore::Use(vtkShaderProgram* program)
 {
-  // A shadow plane's shader hands them on under its own name.
-  for (const char* name : { "places", "given" })
-  {
-    // Four integers, which vtkShaderProgram cannot set.
-    glUniform4i(glGetUniformLocation(program->GetHandle(), name), this->SlotRow,
-      static_cast<int>(CountTiles(this->Width)), this->Width, this->Height);
-  }
+  // Four integers, which vtkShaderProgram cannot set.
+  glUniform4i(glGetUniformLocation(program->GetHandle(), "givenPlaces"), this->SlotRow,
+    static_cast<int>(CountTiles(this->Width)), this->Width, this->Height);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SlotBinding, this->Slots);
-}
-
-//------------------------------------------------------------------------------
-std::uint32_t BoundaryStore::ReadHead(int index)
-{
-  GLuint value = 0;
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
-  glGetBufferSubData(
-    GL_SHADER_STORAGE_BUFFER, index * static_cast<GLintptr>(sizeof(value)), sizeof(value), &value);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-  return value;
 }
 
 //------------------------------------------------------------------------------
@@ -210,10 +192,8 @@ BoundaryStore::Counts BoundaryStore::ReadCounts()
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(values), values);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   Counts counts;
+  counts.Boundaries = values[0];
   counts.Longest = values[1];
-  counts.Spilled = values[2];
-  counts.Boundaries = static_cast<std::uint64_t>(values[0]) + 1 +
-    static_cast<std::uint64_t>(this->GetSlots()) * counts.Spilled;
   return counts;
 }
 

@@ -3,11 +3,12 @@
 /**
  * The boundaries of a light's shadows on each pixel, in the memory of the graphics card.
  *
- * Most pixels have few. So each has SlotsPerPixel slots of 4 bytes; what finds no slot goes into a
- * linked list of the pixel (glsl/AirlightSlots.glsl, glsl/AirlightPlanesFS.glsl). Where casters let
- * light through, boundaries take more than a slot holds: there all are in lists. Bytes:
+ * Most pixels have few. So each has 16 slots of 4 bytes, or 32 where there are many silhouette
+ * edges; what finds no slot goes into a linked list of the pixel (glsl/AirlightSlots.glsl,
+ * glsl/AirlightPlanesFS.glsl). Where casters let light through, boundaries take more than a slot
+ * holds: there all are in lists. Bytes:
  *
- *   a pixel: 4 SlotsPerPixel for the slots, 8 for the list's head and the number of boundaries
+ *   a pixel: 4 for each slot, 8 for the list's head and the number of boundaries
  *   a boundary beyond the slots: 12, or 24 where casters let light through
  *
  * Where the memory limit has no room for the slots of all rows of pixels, it is used again for one
@@ -17,10 +18,10 @@
 #ifndef AirlightBoundaryStore_h
 #define AirlightBoundaryStore_h
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
-class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
 namespace airlight
@@ -28,19 +29,17 @@ namespace airlight
 class BoundaryStore
 {
 public:
-  static constexpr int SlotsPerPixel = 16;
-
-  // `limit` in bytes. False with a reason in GetError() where a buffer cannot be had.
-  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t limit);
+  // For a frame. `dimmed`: whether boundaries tell how much light their casters let through. `edges`:
+  // the most silhouette edges of a light, on which alone the number of slots depends, so that a
+  // picture does not depend on those before it. `limit` in bytes. False with a reason in GetError()
+  // where a buffer cannot be had.
+  bool Prepare(int width, int height, bool dimmed, size_t edges, std::uint64_t limit);
   const std::string& GetError() const { return this->Error; }
 
-  // Whether boundaries tell how much light their casters let through, after Prepare(). The lists
-  // keep their bytes.
-  void SetDimmed(bool dimmed);
   bool IsDimmed() const { return this->Dimmed; }
 
   // Of each pixel; 0 where all boundaries are in lists.
-  int GetSlots() const { return this->Dimmed || this->SlotRows == 0 ? 0 : SlotsPerPixel; }
+  int GetSlots() const { return this->SlotRows == 0 ? 0 : this->SlotsPerPixel; }
 
   // The most rows that have slots at once.
   int LimitRows(int rows) const;
@@ -56,18 +55,14 @@ public:
   // Binds all and sets the uniforms of that source.
   void Use(vtkShaderProgram* program);
 
-  // After a draw: what the lists must hold, the slots that they take over included; the most
-  // boundaries of a pixel with a list, 0 where there is none; the pixels whose slots are to join
-  // their list.
+  // After a draw: the boundaries in lists, also those for which there was no room, and the most of a
+  // pixel whose list is to be sorted, as far as a draw has found that out.
   struct Counts
   {
     std::uint64_t Boundaries = 0;
     std::uint32_t Longest = 0;
-    std::uint32_t Spilled = 0;
   };
   Counts ReadCounts();
-  // Of lists sorted where they are read.
-  std::uint32_t ReadLongest() { return this->ReadHead(1); }
 
   // In boundaries of lists: what there is room for, and what the limit allows.
   std::uint64_t GetCapacity() const { return this->Capacity; }
@@ -84,7 +79,6 @@ private:
   std::uint64_t GetSlotBytes() const;
   bool ReserveSlots();
   bool Allocate(unsigned int buffer, std::uint64_t bytes, const std::string& what);
-  std::uint32_t ReadHead(int index);
 
   int Width = 0;
   int Height = 0;
@@ -94,6 +88,7 @@ private:
   unsigned int Nodes = 0;
   unsigned int Heads = 0;
   unsigned int Slots = 0;
+  int SlotsPerPixel = 16;
   int SlotRows = 0;
   int SlotRow = 0;
   std::uint64_t HeadCount = 0;

@@ -66,12 +66,6 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   {
     return this->Fail(this->Textures.GetError());
   }
-  if (settings.Shadows == ShadowMethod::Planes &&
-    !this->Boundaries.Prepare(
-      this->Window, width, height, settings.MemoryLimit, settings.PlaneBudget))
-  {
-    return this->Fail(this->Boundaries.GetError());
-  }
   return true;
 }
 
@@ -199,14 +193,13 @@ bool Frame::ScatterLights()
     this->ReleaseMaps(this->Window);
   }
   this->Maps.resize(this->Lamps.size());
+  if (!this->UpdateShadows())
+  {
+    return false;
+  }
   for (size_t k = 0; k < this->Lamps.size(); ++k)
   {
     const Lamp& lamp = this->Lamps[k];
-    if (lamp.Scatters() && lamp.CastsShadows && this->FoundCasters &&
-      !this->UpdateShadows(static_cast<int>(k), *this->FoundCasters))
-    {
-      return false;
-    }
     if (lamp.Scatters() && !this->ScatterLight(static_cast<int>(k)))
     {
       return false;

@@ -103,11 +103,6 @@ std::vector<int> FindScattering(const std::vector<Lamp>& lamps);
 bool MayBeWhole(
   const FrameSettings& settings, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps);
 
-// For shaders with AirlightConstants.glsl, which has some of it from elsewhere.
-constexpr const char* TurnedGlobals = "uniform AirlightMedia givenMedia;\n"
-                                      "uniform AirlightLight givenLight;\n"
-                                      "AirlightMedia media;\nAirlightLight light;\n";
-
 class Frame
 {
 public:
@@ -199,10 +194,12 @@ public:
 
 private:
   bool Fail(const std::string& reason);
+  bool UpdateShadows();
   bool UpdateShadows(int index, const std::vector<Caster>& casters);
   bool ScatterLight(int index);
   bool ScatterReference();
   bool ScatterWithLists(int index);
+  bool ResolveLong(int index, int row, int rows);
   bool RecordSingle(int index);
 
   // Which pixels a draw of the resolve does.
@@ -218,6 +215,8 @@ private:
   bool DrawResolve(int index, Lists lists, bool layersOnly, int row, int rows);
   bool IsTurned(int index, Lists lists) const;
   std::string GetResolveSource(int index, Lists lists, bool layersOnly) const;
+  std::string GetTurnedSource(int index, Lists lists) const;
+  std::string GetResolveHead(int index, bool storage) const;
   void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool layersOnly);
   void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);
   double GetIntegralError(int index) const;

@@ -46,10 +46,6 @@ bool Frame::PrepareCasters()
       slots[k] = count++;
     }
   }
-  if (planes)
-  {
-    this->Boundaries.SetDimmed(this->Dimmed);
-  }
   if (!this->SurfaceDimming.Prepare(this->Width, this->Height, slots))
   {
     return this->Fail(this->SurfaceDimming.GetError());
@@ -58,6 +54,29 @@ bool Frame::PrepareCasters()
   return !this->Settings.LayerRecords ||
     this->LayerLists.Prepare(this->Width, this->Height, words) ||
     this->Fail(this->LayerLists.GetError());
+}
+
+//------------------------------------------------------------------------------
+// Of all lights. How much room boundaries get follows from the planes that are to be drawn.
+bool Frame::UpdateShadows()
+{
+  size_t edges = 0;
+  for (size_t k = 0; k < this->Lamps.size() && this->FoundCasters; ++k)
+  {
+    const Lamp& lamp = this->Lamps[k];
+    if (lamp.Scatters() && lamp.CastsShadows)
+    {
+      if (!this->UpdateShadows(static_cast<int>(k), *this->FoundCasters))
+      {
+        return false;
+      }
+      edges = std::max(edges, this->Volumes[k].GetEdges().size());
+    }
+  }
+  return this->Settings.Shadows != ShadowMethod::Planes ||
+    this->Boundaries.Prepare(this->Window, this->Width, this->Height, this->Dimmed, edges,
+      this->Settings.MemoryLimit, this->Settings.PlaneBudget) ||
+    this->Fail(this->Boundaries.GetError());
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,6 @@
 
 #include "AirlightFrame.h"
 
-#include "AirlightConstants.h"
 #include "AirlightDimmed.h"
 #include "AirlightLayers.h"
 #include "AirlightMapBoundaries.h"
@@ -15,9 +14,8 @@
 #include "AirlightRayMarch.h"
 #include "AirlightResolveFS.h"
 #include "AirlightResolveLayers.h"
+#include "AirlightResolveOutputs.h"
 #include "AirlightShadowCounts.h"
-#include "AirlightTurn.h"
-#include "AirlightTurnedRay.h"
 #include "AirlightViewShader.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -128,18 +126,9 @@ bool Frame::ScatterWithLists(int index)
     {
       return false;
     }
-    const int draws = this->Boundaries.GetLongDraws();
-    this->LeftOver = draws > 0;
-    if (draws > 0 && !this->Boundaries.Sort())
+    if (!this->ResolveLong(index, row, rows))
     {
-      return this->Fail(this->Boundaries.GetError());
-    }
-    for (int draw = 0; draw < draws; ++draw)
-    {
-      if (!this->Resolve(index, draw == 0 ? Lists::Long : Lists::LongRest, row, rows))
-      {
-        return false;
-      }
+      return false;
     }
     row += rows;
   }
@@ -147,23 +136,34 @@ bool Frame::ScatterWithLists(int index)
 }
 
 //------------------------------------------------------------------------------
-// Whether AirlightTurnedRay.glsl takes the light: one that has the closed form, and whose integrand
-// is as smooth as its phase function's poles make it.
-bool Frame::IsTurned(int index, Lists lists) const
+// The pixels whose lists are long, the closed form in several draws.
+bool Frame::ResolveLong(int index, int row, int rows)
 {
-  const f64::AirlightPhase& phase = this->Media.item[0].phase;
-  return this->Lamps[index].Values.kind == AIRLIGHT_POINT_CLOSED && phase.rows == 0 &&
-    phase.power.x <= 0.0 && !this->Dimmed &&
-    (lists == Lists::None || (lists == Lists::Short && this->Boundaries.HasSlots()));
+  const int draws = this->Boundaries.GetLongDraws();
+  this->LeftOver = draws > 0;
+  if (draws > 0 && !this->Boundaries.Sort())
+  {
+    return this->Fail(this->Boundaries.GetError());
+  }
+  const bool turned = this->IsTurned(index, Lists::Long);
+  bool ok = draws == 0 || !turned || this->DrawResolve(index, Lists::Long, false, row, rows);
+  for (int draw = 0; draw < draws && ok && (!turned || this->Settings.LayerRecords); ++draw)
+  {
+    ok = this->DrawResolve(index, draw == 0 ? Lists::Long : Lists::LongRest, turned, row, rows);
+  }
+  return ok;
 }
 
 //------------------------------------------------------------------------------
 std::string Frame::GetResolveSource(int index, Lists lists, bool layersOnly) const
 {
+  const bool records = this->Settings.LayerRecords;
+  if (this->IsTurned(index, lists) && !layersOnly)
+  {
+    return this->GetTurnedSource(index, lists);
+  }
   const bool planes = lists != Lists::None && lists != Lists::Map;
   const bool march = this->Settings.Shadows == ShadowMethod::March;
-  const bool turned = this->IsTurned(index, lists) && !layersOnly;
-  const bool records = this->Settings.LayerRecords && !turned;
   const std::string layers =
     records ? std::string(AirlightLayers) + AirlightResolveLayers : std::string();
   std::string boundaries = AirlightNoBoundaries + layers;
@@ -176,22 +176,24 @@ std::string Frame::GetResolveSource(int index, Lists lists, bool layersOnly) con
     boundaries = std::string(AirlightMapMarch) +
       (march ? AirlightNoBoundaries + layers + AirlightRayMarch : AirlightMapBoundaries + layers);
   }
-  const bool storage = planes || records || this->Dimmed;
+  return this->GetResolveHead(index, planes || records || this->Dimmed) +
+    (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
+    (march ? "#define AIRLIGHT_RAY_MARCH\n" : "") + GivenUniforms +
+    (this->Dimmed ? AirlightDimmed : "") + AirlightShadowCounts + boundaries +
+    AirlightResolveOutputs + AirlightResolveFS;
+}
+
+//------------------------------------------------------------------------------
+// What the sources of a light's airlight begin with.
+std::string Frame::GetResolveHead(int index, bool storage) const
+{
+  const f64::AirlightLight& light = this->Lamps[index].Values;
   return std::string(storage ? "#version 430\n" : "#version 330\n") +
     BoundaryStore::DefineNodes(this->Dimmed) + (this->Settings.Record ? RecordDefinition : "") +
-    (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
-    (march ? "#define AIRLIGHT_RAY_MARCH\n" : "") + "#define AIRLIGHT_TURNED " +
-    std::to_string(turned) +
-    "\n#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define "
-    "AIRLIGHT_PARALLEL " +
+    "#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define AIRLIGHT_PARALLEL " +
     std::to_string(this->Rays->IsParallel()) + "\n" +
-    (this->Lamps[index].Values.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +
-    GetScatteringSource(
-      this->Media, this->Lamps[index].Values.kind, this->Lamps[index].Values.goniometric != 0) +
-    AirlightViewShader + (turned ? TurnedGlobals : GivenUniforms) +
-    (this->Dimmed ? AirlightDimmed : "") + AirlightShadowCounts + boundaries +
-    (turned ? std::string(AirlightTurn) + AirlightConstants + AirlightTurnedRay : "") +
-    AirlightResolveFS;
+    (light.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +
+    GetScatteringSource(this->Media, light.kind, light.goniometric != 0) + AirlightViewShader;
 }
 
 //------------------------------------------------------------------------------
@@ -265,25 +267,6 @@ void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists
   {
     this->SetMapUniforms(program, index);
   }
-}
-
-//------------------------------------------------------------------------------
-// As AirlightConstants.glsl takes them.
-void Frame::SetTurnedConstants(vtkShaderProgram* program, const std::vector<int>& lights)
-{
-  const f64::AirlightMedium& medium = this->Media.item[0];
-  std::vector<glm::vec4> constants;
-  for (int k : lights)
-  {
-    const f64::AirlightLight& light = this->Lamps[k].Values;
-    const View::LightPixel pixel = this->Rays->GetLightPixel(light.position);
-    constants.insert(constants.end(),
-      { glm::vec4(light.position, light.radius),
-        glm::vec4(light.intensity * medium.sigmaS, medium.phase.pole[0].y),
-        glm::vec4(medium.sigmaT, pixel.IsNear ? 1.0 : 0.0), glm::vec4(pixel.Whole, pixel.Rest),
-        glm::vec4(pixel.PerX, 0.0f), glm::vec4(pixel.PerY, 0.0f) });
-  }
-  program->SetUniform4fv("airlightConstants", static_cast<int>(constants.size()), &constants[0].x);
 }
 
 //------------------------------------------------------------------------------

@@ -1,16 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Airlight that is found where the picture is put together: of lights without shadows, or of the one
-// light that there is.
+// Airlight of lights without shadows, which is found where the picture is put together.
 
 #include "AirlightFrame.h"
 
 #include "AirlightConstants.h"
 #include "AirlightIntegrate.h"
-#include "AirlightShadowCounts.h"
 #include "AirlightTurn.h"
-#include "AirlightTurnedRay.h"
 #include "AirlightWholeRays.h"
 
 #include "vtkShaderProgram.h"
@@ -64,24 +61,6 @@ bool MayBeWhole(
 }
 
 //------------------------------------------------------------------------------
-// Whether the composition may resolve the boundaries of a light: where its airlight is the only one,
-// and nothing else asks for a picture of it.
-bool Frame::MayJoin(int index) const
-{
-  return this->Settings.Once && !this->Settings.Record && !this->Settings.Layers &&
-    this->Settings.DebugView == 0 && !this->Settings.Difference &&
-    FindScattering(this->Lamps).size() == 1 && this->IsTurned(index, Lists::Short);
-}
-
-//------------------------------------------------------------------------------
-std::string Frame::GetJoinedSource() const
-{
-  return std::string(TurnedGlobals) + AirlightTurn + AirlightConstants +
-    "#define AIRLIGHT_DIMMED 0\n" + AirlightShadowCounts + this->Boundaries.GetSlotsSource() +
-    AirlightTurnedRay;
-}
-
-//------------------------------------------------------------------------------
 std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
 {
   if (!this->Settings.Whole)
@@ -102,14 +81,6 @@ std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
     std::to_string(cones) + "\n#define AIRLIGHT_WHOLE_LIGHTS " +
     std::to_string(std::max<size_t>(lights.size(), 1)) + "\n#define AIRLIGHT_EACH_LIGHT" + lines +
     "\n" + AirlightWholeRays;
-}
-
-//------------------------------------------------------------------------------
-bool Frame::AreTurned(const std::vector<int>& lights) const
-{
-  return !lights.empty() && std::all_of(lights.begin(), lights.end(), [this](int k) {
-    return this->IsTurned(k, Lists::None);
-  });
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "AirlightPlanesFS.h"
 #include "AirlightPlanesVS.h"
 #include "AirlightSortFS.h"
+#include "AirlightSortedList.h"
 #include "AirlightSortedSlots.h"
 #include "AirlightSpillFS.h"
 #include "AirlightView.h"
@@ -56,9 +57,9 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::string ShadowLists::GetSlotsSource() const
+std::string ShadowLists::GetKeysSource(bool sorted) const
 {
-  return this->Store.GetSource() + AirlightSortedSlots;
+  return this->Store.GetSource() + (sorted ? AirlightSortedList : AirlightSortedSlots);
 }
 
 //------------------------------------------------------------------------------
@@ -69,8 +70,8 @@ std::string ShadowLists::GetBoundariesSource(bool sorted) const
 }
 
 //------------------------------------------------------------------------------
-bool ShadowLists::Prepare(
-  vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t memoryLimit, bool budgeted)
+bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool dimmed,
+  size_t edges, std::uint64_t memoryLimit, bool budgeted)
 {
   this->Window = window;
   this->Width = width;
@@ -81,7 +82,7 @@ bool ShadowLists::Prepare(
   {
     glGenVertexArrays(1, &this->VertexArray);
   }
-  if (!this->Store.Prepare(window, width, height, memoryLimit))
+  if (!this->Store.Prepare(width, height, dimmed, edges, memoryLimit))
   {
     this->Error = this->Store.GetError();
     return false;
@@ -209,7 +210,13 @@ bool ShadowLists::DrawOnce(const Source& source, int row, int rows, BoundaryStor
     this->DrawFragments(source, PlaneKind::Near, row, rows);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   counts = this->Store.ReadCounts();
-  return ok;
+  if (!ok || counts.Boundaries == 0 || !this->HasSlots())
+  {
+    return ok;
+  }
+  const bool spilled = this->Spill(row, rows);
+  counts = this->Store.ReadCounts();
+  return spilled;
 }
 
 //------------------------------------------------------------------------------
@@ -225,10 +232,11 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
     {
       return 0;
     }
-    const std::uint64_t needed = counts.Boundaries;
+    const std::uint64_t needed = counts.Boundaries + 1; // the first is not used
     if (needed <= this->Store.GetCapacity())
     {
-      return counts.Spilled == 0 || this->Spill(row, rows) ? rows : 0;
+      this->Longest = counts.Longest;
+      return rows;
     }
     if (this->Budgeted && needed * all / rows > MostBands * most)
     {
@@ -251,22 +259,34 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
 }
 
 //------------------------------------------------------------------------------
-// Where a pixel has more boundaries than slots, those in the slots join the others in its list.
-bool ShadowLists::Spill(int row, int rows)
+// A program that changes lists; nothing is drawn into the framebuffer.
+vtkShaderProgram* ShadowLists::ReadyLists(Quad& quad, const std::string& fragment)
 {
-  vtkShaderProgram* program = this->SpillQuad.Ready(this->Window,
-    "#version 430\n" + BoundaryStore::DefineNodes(false) + this->Store.GetSource() +
-      AirlightSpillFS);
+  vtkShaderProgram* program = quad.Ready(this->Window,
+    "#version 430\n" + BoundaryStore::DefineNodes(this->Store.IsDimmed()) +
+      this->Store.GetSource() + fragment);
   if (!program)
   {
-    this->Error = "the shader of long lists did not compile: " + this->SpillQuad.GetError();
-    return false;
+    this->Error = "the shader of long lists did not compile: " + quad.GetError();
+    return nullptr;
   }
   this->Store.Use(program);
   vtkOpenGLState* state = this->Window->GetState();
-  vtkOpenGLState::ScopedglColorMask maskSaver(state);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   state->vtkglDisable(GL_DEPTH_TEST);
+  return program;
+}
+
+//------------------------------------------------------------------------------
+// Where a pixel has more boundaries than slots, those in the slots join the others in its list.
+bool ShadowLists::Spill(int row, int rows)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  vtkOpenGLState::ScopedglColorMask maskSaver(state);
+  if (!this->ReadyLists(this->SpillQuad, std::string(AirlightSortedSlots) + AirlightSpillFS))
+  {
+    return false;
+  }
   state->vtkglScissor(0, row, this->Width, rows);
   this->SpillQuad.Draw({});
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -329,29 +349,25 @@ bool ShadowLists::DrawWireframe(
 //------------------------------------------------------------------------------
 int ShadowLists::GetLongDraws()
 {
+  if (!this->HasSlots())
+  {
+    this->Longest = this->Store.ReadCounts().Longest;
+  }
   // One more, for lists whose length is a multiple of the chunk.
-  const std::uint32_t longest = this->Store.ReadLongest();
-  return longest > 0 ? static_cast<int>(longest / Chunk) + 1 : 0;
+  return this->Longest > 0 ? static_cast<int>(this->Longest / Chunk) + 1 : 0;
 }
 
 //------------------------------------------------------------------------------
 bool ShadowLists::Sort()
 {
-  const std::uint32_t longest = this->Store.ReadLongest();
-  vtkShaderProgram* program = this->SortQuad.Ready(this->Window,
-    "#version 430\n" + BoundaryStore::DefineNodes(this->Store.IsDimmed()) +
-      this->Store.GetSource() + AirlightSortFS);
+  vtkOpenGLState::ScopedglColorMask maskSaver(this->Window->GetState());
+  vtkShaderProgram* program = this->ReadyLists(this->SortQuad, AirlightSortFS);
   if (!program)
   {
-    this->Error = "the sort shader did not compile: " + this->SortQuad.GetError();
     return false;
   }
-  this->Store.Use(program);
-  vtkOpenGLState* state = this->Window->GetState();
-  vtkOpenGLState::ScopedglColorMask maskSaver(state);
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  for (std::uint64_t run = 1; run < longest; run *= 2)
+  // Spill() has put runs in order.
+  for (std::uint64_t run = std::max(this->Store.GetSlots(), 1); run < this->Longest; run *= 2)
   {
     glUniform1ui(glGetUniformLocation(program->GetHandle(), "run"), static_cast<GLuint>(run));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

@@ -41,16 +41,14 @@ public:
   // with the uniform "resume" set.
   std::string GetBoundariesSource(bool sorted) const;
 
-  // The part of it that reads slots alone.
-  std::string GetSlotsSource() const;
+  // Where there are slots: functions that read a pixel's boundaries in order, from its slots, or from
+  // its list once that is sorted (glsl/AirlightSortedSlots.glsl, glsl/AirlightSortedList.glsl).
+  std::string GetKeysSource(bool sorted) const;
 
-  // Whether boundaries tell how much light their casters let through, after Prepare().
-  void SetDimmed(bool dimmed) { this->Store.SetDimmed(dimmed); }
-
-  // `memoryLimit` in bytes; with `budgeted`, Fill() gives up where all rows at once would need more
-  // than MostBands times that. False with a reason in GetError() where a buffer cannot be had.
-  bool Prepare(
-    vtkOpenGLRenderWindow* window, int width, int height, std::uint64_t memoryLimit, bool budgeted);
+  // As BoundaryStore::Prepare(); with `budgeted`, Fill() gives up where all rows at once would need
+  // more than MostBands times the memory limit.
+  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool dimmed, size_t edges,
+    std::uint64_t memoryLimit, bool budgeted);
   const std::string& GetError() const { return this->Error; }
 
   // Uploads a light's edges and caps; `slot` is the light's number.
@@ -74,7 +72,7 @@ public:
   // For a program with the source above: binds the boundaries and sets its uniforms.
   void Use(vtkShaderProgram* program) { this->Store.Use(program); }
 
-  // Whether the first draw reads boundaries from slots.
+  // Whether boundaries have slots.
   bool HasSlots() const { return this->Store.GetSlots() > 0; }
 
   // Number of draws for the lists that the first draw left out; 0 where it left out none.
@@ -120,12 +118,14 @@ private:
   bool DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts);
   int DrawRows(const Source& source, int row, int rows);
   bool Spill(int row, int rows);
+  vtkShaderProgram* ReadyLists(Quad& quad, const std::string& fragment);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   int Width = 0;
   int Height = 0;
   bool Budgeted = false;
   bool OverBudget = false;
+  std::uint32_t Longest = 0; // list
   unsigned int VertexArray = 0;
   std::vector<Buffer> Edges; // by slot
   std::vector<Buffer> NearEdges;

@@ -89,8 +89,14 @@ void ShadowVolumes::MakeEdges(Part& part) const
     {
       normal /= length;
     }
-    part.Edges.push_back({ glm::vec4(glm::vec3(a), static_cast<float>(edge.Weight)),
-      glm::vec4(glm::vec3(b), 0.0f), glm::vec4(glm::vec3(normal), 0.0f) });
+    // A boundary has a weight of at most 2; more is rare.
+    for (int left = edge.Weight; left != 0;)
+    {
+      const int weight = std::clamp(left, -2, 2);
+      left -= weight;
+      part.Edges.push_back({ glm::vec4(glm::vec3(a), static_cast<float>(weight)),
+        glm::vec4(glm::vec3(b), 0.0f), glm::vec4(glm::vec3(normal), 0.0f) });
+    }
   }
 }
 

@@ -4,9 +4,10 @@
 // further draws with AIRLIGHT_SORTED read them as they are, some boundaries a draw, because some
 // software renderers bound the iterations of one shader run.
 //
-// A boundary has AIRLIGHT_NODE_WORDS: distance on the unit of airlightDirection(), weight, index of the next; with AIRLIGHT_DIMMED the weight
-// is eight times the number of layers and a bit for each channel that they block, and the optical
-// thickness of the layers follows.
+// A boundary has AIRLIGHT_NODE_WORDS: distance on the unit of airlightDirection(), weight, index of the
+// next. Where there are slots, the first word is as that of a slot, and the second for who reads it. With
+// AIRLIGHT_DIMMED the weight is eight times the number of layers and a bit for each channel that they
+// block, and the optical thickness of the layers follows.
 
 layout(std430, binding = 1) buffer AirlightNodes
 {
@@ -26,8 +27,20 @@ const int AIRLIGHT_MORE = 0;  // a boundary
 const int AIRLIGHT_PAUSE = 1; // the rest is the next draw's
 const int AIRLIGHT_END = 2;   // none is left
 
+float airlightNodeDistance(uint node)
+{
+#if AIRLIGHT_SLOTS > 0
+  return airlightKeyDistance(nodes[AIRLIGHT_NODE_WORDS * node]);
+#else
+  return uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * node]);
+#endif
+}
+
 AirlightCounts airlightWeight(uint node)
 {
+#if AIRLIGHT_SLOTS > 0
+  return airlightKeyWeight(nodes[AIRLIGHT_NODE_WORDS * node]);
+#else
   int weight = int(nodes[AIRLIGHT_NODE_WORDS * node + 1u]);
 #if AIRLIGHT_DIMMED
   uint word = AIRLIGHT_NODE_WORDS * node + 3u;
@@ -35,6 +48,7 @@ AirlightCounts airlightWeight(uint node)
     ivec3(int(nodes[word]), int(nodes[word + 1u]), int(nodes[word + 2u])));
 #else
   return weight;
+#endif
 #endif
 }
 
@@ -113,7 +127,7 @@ bool airlightOpenBoundaries(
 
 int airlightNextBoundary(out float t, out AirlightCounts weight)
 {
-  t = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * boundaryNode]);
+  t = airlightNodeDistance(boundaryNode);
   weight = airlightWeight(boundaryNode);
   bool last = boundaryNode == 0u || !(t < boundaryEnd);
   t *= boundaryUnit;
@@ -149,7 +163,7 @@ void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts 
 bool airlightOpenBoundaries(
   ivec2 pixel, AirlightRay ray, float surface, inout float from, inout AirlightCounts shadows)
 {
-  return airlightReadSlots(pixel, boundaryEnd);
+  return airlightOpenKeys(pixel, boundaryEnd);
 }
 
 int airlightNextBoundary(out float t, out AirlightCounts weight)
@@ -157,7 +171,7 @@ int airlightNextBoundary(out float t, out AirlightCounts weight)
   uint key = airlightNextKey();
   t = boundaryUnit * airlightKeyDistance(key);
   weight = airlightKeyWeight(key);
-  return slotCount >= 0 ? AIRLIGHT_MORE : AIRLIGHT_END;
+  return keysLeft >= 0 ? AIRLIGHT_MORE : AIRLIGHT_END;
 }
 
 void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts shadows) {}
@@ -182,7 +196,7 @@ bool airlightOpenBoundaries(
   int length = 0;
   for (uint guard = 0u; node != 0u && guard < uint(nodes.length()); guard++)
   {
-    float t = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * node]);
+    float t = airlightNodeDistance(node);
     if (listSize < AIRLIGHT_SHORT_LIST && t < boundaryEnd)
     {
       int weight = int(nodes[AIRLIGHT_NODE_WORDS * node + 1u]);

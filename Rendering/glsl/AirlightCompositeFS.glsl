@@ -38,24 +38,6 @@ layout(location = 2) out vec4 surface;
 layout(location = 3) out vec4 transmittance;
 #endif
 
-#if AIRLIGHT_JOINED
-// As AirlightResolveFS.glsl: the light's airlight on the ray that ends at `surface`, where that is not
-// below 0, and whether it reaches the surface. False where there are too many boundaries.
-bool airlightJoined(vec2 p, ivec2 pixel, float unit, float surface, out vec3 sum, out bool reaches)
-{
-  AirlightRay ray = airlightRay(media, light, airlightOrigin(p), airlightDirection(p) / unit,
-    surface >= 0.0 ? surface : AIRLIGHT_FAR);
-  ray.foot.h = airlightOwnFoot(0, p, unit, light.radius, ray.foot.h);
-  bool few = airlightReadSlots(pixel, surface >= 0.0 ? surface / unit : 1e37);
-  vec3 whole;
-  float litLength;
-  int boundaries;
-  sum = airlightTurnedRay(pixel, ray, unit, whole, litLength, boundaries, reaches);
-  sum = mix(vec3(0.0), sum, greaterThan(light.intensity, vec3(0.0)));
-  return few;
-}
-#endif
-
 #if AIRLIGHT_APART >= 0 && AIRLIGHT_LEFT_OVER
 bool airlightIsLit(ivec2 pixel)
 {
@@ -77,9 +59,9 @@ void main()
   vec4 colour = texelFetch(scene, pixel, 0);
   float unit = airlightRayUnit(p);
 #if AIRLIGHT_JOINED
-  vec3 sum;
-  bool reaches;
-  bool few = airlightJoined(p, pixel, unit, t, sum, reaches);
+  AirlightTurnedPixel turned;
+  bool few = airlightTurnPixel(p, unit, t, turned);
+  bool reaches = turned.surfaceLit;
 #endif
 #if AIRLIGHT_APART >= 0
 #if AIRLIGHT_JOINED && AIRLIGHT_LEFT_OVER
@@ -111,9 +93,9 @@ void main()
   vec3 added = airlightWholeRays(p, origin, direction, unit, end) + ambient;
 #elif AIRLIGHT_JOINED
 #if AIRLIGHT_LEFT_OVER
-  sum = few ? sum : texelFetch(scattered, pixel, 0).rgb;
+  turned.sum = few ? turned.sum : texelFetch(scattered, pixel, 0).rgb;
 #endif
-  vec3 added = sum + ambient;
+  vec3 added = turned.sum + ambient;
 #else
   vec3 added = texelFetch(scattered, pixel, 0).rgb + ambient;
 #endif

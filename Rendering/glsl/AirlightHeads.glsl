@@ -2,9 +2,8 @@
 
 layout(std430, binding = 2) buffer AirlightHeads
 {
-  // The lists' boundaries; the most boundaries of a pixel with a list; the pixels with a list and
-  // slots; one not used. Then for each pixel the first of its list, 0 for none, then for each pixel
-  // the number of boundaries that were to have slots.
+  // The lists' boundaries; the longest list's. Then for each pixel the first of its list, 0 for none,
+  // then for each pixel the number of boundaries that were to have slots.
   uint heads[];
 };
 
@@ -14,15 +13,16 @@ layout(std430, binding = 2) buffer AirlightHeads
 #ifdef AIRLIGHT_PLACES_IN
 flat in ivec4 places;
 #else
-uniform ivec4 places;
+uniform ivec4 givenPlaces;
+#define places givenPlaces
 #endif
 
 int airlightHeadIndex(ivec2 pixel)
 {
-  return 4 + pixel.y * places.z + pixel.x;
+  return 2 + pixel.y * places.z + pixel.x;
 }
 
 int airlightCountIndex(ivec2 pixel)
 {
-  return 4 + (places.w + pixel.y) * places.z + pixel.x;
+  return 2 + (places.w + pixel.y) * places.z + pixel.x;
 }

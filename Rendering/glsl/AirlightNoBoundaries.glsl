@@ -20,24 +20,3 @@ int airlightNextBoundary(out float t, out AirlightCounts weight)
 }
 
 void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts shadows) {}
-
-#if AIRLIGHT_TURNED
-int slotCount = 0;
-const int slotsTotal = 0;
-
-uint airlightNextKey()
-{
-  slotCount = -1;
-  return 0u;
-}
-
-float airlightKeyDistance(uint key)
-{
-  return 0.0;
-}
-
-int airlightKeyWeight(uint key)
-{
-  return 0;
-}
-#endif

@@ -1,5 +1,7 @@
 // Each fragment of a shadow plane is a boundary (t, +-weight) in one of its pixel's slots, or where
-// there is none left, in the pixel's list. The depth test, made lenient, rejects most of what the
+// there is none left, in the pixel's list. What software renderers do for each of eight pixels in turn
+// takes most of the time, also where only one of them needs it: writing to memory, above all atomically.
+// The depth test, made lenient, rejects most of what the
 // surface hides; who reads the boundaries leaves out the rest.
 
 layout(early_fragment_tests) in;
@@ -53,15 +55,26 @@ bool isBehindEdge(vec3 point)
 }
 #endif
 
-// A boundary of the pixel's list.
-void addToList(ivec2 pixel, float t, int weight)
+void addBoundary(ivec2 pixel, float t, int weight)
 {
+#if AIRLIGHT_SLOTS > 0
+  uint key = airlightKey(t, weight);
+  uint slot = atomicAdd(heads[airlightCountIndex(pixel)], 1u);
+  if (slot < uint(AIRLIGHT_SLOTS))
+  {
+    slots[airlightFirstSlot(pixel) + 64u * slot] = key;
+    return;
+  }
+#endif
   uint index = atomicAdd(heads[0], 1u) + 1u;
   if (index < uint(nodes.length()) / AIRLIGHT_NODE_WORDS)
   {
     uint word = AIRLIGHT_NODE_WORDS * index;
-    nodes[word] = floatBitsToUint(t);
     nodes[word + 2u] = atomicExchange(heads[airlightHeadIndex(pixel)], index);
+#if AIRLIGHT_SLOTS > 0
+    nodes[word] = key;
+#else
+    nodes[word] = floatBitsToUint(t);
 #if AIRLIGHT_DIMMED
     ivec4 layer = shadowLayers[planeLayer];
     nodes[word + 1u] = uint(8 * weight + layer.w);
@@ -72,35 +85,9 @@ void addToList(ivec2 pixel, float t, int weight)
 #else
     nodes[word + 1u] = uint(weight);
 #endif
-  }
-}
-
-#if AIRLIGHT_SLOTS > 0
-// Weights beyond 2, where many triangles have one edge, take several slots.
-void addToSlots(ivec2 pixel, float t, int weight)
-{
-  uint first = airlightFirstSlot(pixel);
-  for (int left = weight; left != 0;)
-  {
-    int part = clamp(left, -2, 2);
-    left -= part;
-    uint slot = atomicAdd(heads[airlightCountIndex(pixel)], 1u);
-    if (slot < uint(AIRLIGHT_SLOTS))
-    {
-      slots[first + 64u * slot] = airlightKey(t, part);
-    }
-    else
-    {
-      addToList(pixel, t, part);
-      if (slot == uint(AIRLIGHT_SLOTS))
-      {
-        atomicAdd(heads[2], 1u);
-      }
-      atomicMax(heads[1], slot + 1u);
-    }
-  }
-}
 #endif
+  }
+}
 
 // Where the pixel's ray meets the plane, on the unit of airlightDirection().
 float meetPlane(vec2 p)
@@ -139,10 +126,5 @@ void main()
   {
     t = 1e18;
   }
-  int weight = enters ? planeWeight : -planeWeight;
-#if AIRLIGHT_SLOTS > 0
-  addToSlots(pixel, t, weight);
-#else
-  addToList(pixel, t, weight);
-#endif
+  addBoundary(pixel, t, enters ? planeWeight : -planeWeight);
 }

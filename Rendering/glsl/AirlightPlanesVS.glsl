@@ -18,7 +18,7 @@ uniform vec3 anchor;     // from the eye
 uniform vec4 fromLight;  // directional: the light's direction and w 0; point: w 1
 uniform int kind; // 0: planes, 1: caps, 2: near planes
 uniform int inParallel; // 1: the projection is parallel
-uniform ivec4 given;    // what all fragments need, see AirlightSlots.glsl and AirlightHeads.glsl
+uniform ivec4 givenPlaces; // what all fragments need, see AirlightSlots.glsl and AirlightHeads.glsl
 // As in AirlightViewShader.glsl.
 uniform vec3 airlightRayOrigin[3];
 uniform vec3 airlightRayDirection[3];
@@ -89,7 +89,7 @@ void main()
 {
   planeA = vec3(0.0);
   planeB = vec3(0.0);
-  places = given;
+  places = givenPlaces;
   planeLayer = int(edges[3 * (gl_VertexID / (kind == 0 ? 6 : 3)) + 2].w);
   if (kind == 0)
   {

@@ -1,13 +1,6 @@
 // One light's airlight along each pixel's ray: the sum over the ray's lit intervals. Blended
 // additively, light by light.
 
-uniform sampler2D distances;
-uniform vec4 litBit; // what to add where the surface is lit
-#ifdef AIRLIGHT_RECORD
-uniform float phaseError; // of the medium's fitted phase function, relative
-uniform float error;      // of the integration, of the ray's airlight without shadows
-#endif
-
 // The light's own pixel, its whole part and the rest, and what the distance between light and ray
 // grows by per pixel away from it.
 uniform int lightHasPixel;
@@ -16,13 +9,6 @@ uniform vec2 lightPixelRest;
 uniform vec3 lightPerX;
 uniform vec3 lightPerY;
 
-layout(location = 0) out vec4 airlight; // radiance; lit length
-layout(location = 1) out vec4 lit;
-#ifdef AIRLIGHT_RECORD
-layout(location = 2) out vec4 counts; // boundaries; error bound
-layout(location = 3) out vec4 single; // this light's own
-#endif
-
 float lightDistance(vec2 p, float unit)
 {
   vec2 q = (p - lightPixel) - lightPixelRest;
@@ -30,11 +16,6 @@ float lightDistance(vec2 p, float unit)
 }
 
 #ifdef AIRLIGHT_RECORD
-float brightest(vec3 colour)
-{
-  return max(colour.r, max(colour.g, colour.b));
-}
-
 // Scattered along the whole ray, shadows or not.
 vec3 unshadowed(AirlightRay ray)
 {
@@ -47,11 +28,6 @@ vec3 unshadowed(AirlightRay ray)
 
 void main()
 {
-#if AIRLIGHT_TURNED
-  media = givenMedia;
-  light = givenLight;
-  airlightTakeConstants(0, media, light);
-#endif
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
   float surface = texelFetch(distances, pixel, 0).r;
@@ -59,14 +35,10 @@ void main()
   AirlightRay ray = airlightRay(media, light, airlightOrigin(p), airlightDirection(p) / unit,
     surface >= 0.0 ? surface : AIRLIGHT_FAR);
 
-#if AIRLIGHT_TURNED
-  ray.foot.h = airlightOwnFoot(0, p, unit, light.radius, ray.foot.h);
-#else
   if (lightHasPixel != 0)
   {
     ray.foot.h = max(lightDistance(p, unit), light.radius);
   }
-#endif
 
 #ifdef AIRLIGHT_RAY_MARCH
   float litLength;
@@ -76,21 +48,6 @@ void main()
   int state = AIRLIGHT_END;
   int shadows = surfaceLit ? 0 : 1;
   bool shadowless = false;
-#elif AIRLIGHT_TURNED
-#ifdef AIRLIGHT_SLOTS
-  airlightEndBoundaries(surface, unit);
-  if (!airlightReadSlots(pixel, boundaryEnd))
-  {
-    discard;
-  }
-#endif
-  vec3 whole;
-  float litLength;
-  int boundaries;
-  bool surfaceLit;
-  vec3 sum = airlightTurnedRay(pixel, ray, unit, whole, litLength, boundaries, surfaceLit);
-  int state = AIRLIGHT_END;
-  int shadows = surfaceLit ? 0 : 1;
 #else
   float from = ray.lit.x;
   float runStart = -1.0; // of what is lit, or not, as a whole
@@ -180,25 +137,17 @@ void main()
 #endif
 
   // A channel that does not scatter is dark, whatever the limit of its integral.
-#if AIRLIGHT_TURNED
-  airlight = vec4(mix(vec3(0.0), sum, greaterThan(light.intensity, vec3(0.0))), litLength);
-#else
   vec3 sigmaS = vec3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     sigmaS += media.item[i].sigmaS;
   }
   airlight = vec4(mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0))), litLength);
-#endif
   lit = state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)) ? litBit : vec4(0.0);
 #ifdef AIRLIGHT_RECORD
   single = airlight;
-#if AIRLIGHT_TURNED
-  whole = mix(vec3(0.0), whole, greaterThan(light.intensity, vec3(0.0)));
-#else
   vec3 whole = shadowless ? sum : unshadowed(ray);
   whole = mix(vec3(0.0), whole, greaterThan(sigmaS, vec3(0.0)));
-#endif
   // A ray that takes several draws has this error once.
   float bound = phaseError * brightest(airlight.rgb) +
     (state == AIRLIGHT_PAUSE ? 0.0 : error * brightest(whole));

@@ -14,9 +14,13 @@ uniform uint run;
 // By distance; at one distance entries before exits.
 bool airlightBefore(uint a, uint b)
 {
+#if AIRLIGHT_SLOTS > 0
+  return nodes[AIRLIGHT_NODE_WORDS * a] <= nodes[AIRLIGHT_NODE_WORDS * b];
+#else
   float ta = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * a]);
   float tb = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * b]);
   return ta < tb || (ta == tb && int(nodes[AIRLIGHT_NODE_WORDS * a + 1u]) >= int(nodes[AIRLIGHT_NODE_WORDS * b + 1u]));
+#endif
 }
 
 void main()

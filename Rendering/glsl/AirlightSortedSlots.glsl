@@ -2,14 +2,20 @@
 
 const uint AIRLIGHT_NO_KEY = 0xffffffffu;
 
-// Sixteen of them, the nearest first: AIRLIGHT_SLOTS. Not an array, which some drivers do not keep in
+// The nearest first, 16 or 32 of them: AIRLIGHT_SLOTS. Not an array, which some drivers do not keep in
 // registers.
 uvec4 slotKeysA;
 uvec4 slotKeysB;
 uvec4 slotKeysC;
 uvec4 slotKeysD;
-int slotCount;  // of boundaries that are left
-int slotsTotal; // sum of all weights
+#if AIRLIGHT_SLOTS > 16
+uvec4 slotKeysE;
+uvec4 slotKeysF;
+uvec4 slotKeysG;
+uvec4 slotKeysH;
+#endif
+int keysLeft;  // of boundaries that are left
+int keysTotal; // sum of all weights
 
 // Keys that do not decrease, and another one: `key` becomes what is left over.
 void airlightInsertKey(inout uvec4 keys, inout uint key)
@@ -26,35 +32,70 @@ void airlightInsertKey(inout uvec4 keys, inout uint key)
   keys = less;
 }
 
-// False where there are more boundaries than slots. What lies beyond `end`, on the unit of
-// airlightDirection(), is left out.
-bool airlightReadSlots(ivec2 pixel, float end)
+void airlightClearKeys()
 {
   slotKeysA = uvec4(AIRLIGHT_NO_KEY);
   slotKeysB = slotKeysA;
   slotKeysC = slotKeysA;
   slotKeysD = slotKeysA;
-  slotsTotal = 0;
-  slotCount = 0;
-  int count = int(heads[airlightCountIndex(pixel)]);
-  if (count > AIRLIGHT_SLOTS)
-  {
-    return false;
-  }
+#if AIRLIGHT_SLOTS > 16
+  slotKeysE = slotKeysA;
+  slotKeysF = slotKeysA;
+  slotKeysG = slotKeysA;
+  slotKeysH = slotKeysA;
+#endif
+}
+
+// Puts a key among the nearest 16; returns what is left over.
+uint airlightInsertNear(uint key)
+{
+  airlightInsertKey(slotKeysA, key);
+  airlightInsertKey(slotKeysB, key);
+  airlightInsertKey(slotKeysC, key);
+  airlightInsertKey(slotKeysD, key);
+  return key;
+}
+
+// Puts it among the others.
+void airlightInsertFar(uint key)
+{
+#if AIRLIGHT_SLOTS > 16
+  airlightInsertKey(slotKeysE, key);
+  airlightInsertKey(slotKeysF, key);
+  airlightInsertKey(slotKeysG, key);
+  airlightInsertKey(slotKeysH, key);
+#endif
+}
+
+// What a slot holds; AIRLIGHT_NO_KEY if that lies beyond `end`.
+uint airlightReadSlot(uint slot, float end)
+{
+  uint key = slots[slot];
+  bool before = airlightKeyDistance(key) < end;
+  keysTotal += before ? airlightKeyWeight(key) : 0;
+  keysLeft += before ? 1 : 0;
+  return before ? key : AIRLIGHT_NO_KEY;
+}
+
+// False where there are more boundaries than slots. What lies beyond `end`, on the unit of
+// airlightDirection(), is left out.
+bool airlightOpenKeys(ivec2 pixel, float end)
+{
+  airlightClearKeys();
+  keysTotal = 0;
+  keysLeft = 0;
+  int all = int(heads[airlightCountIndex(pixel)]);
+  int count = all > AIRLIGHT_SLOTS ? 0 : all;
   uint first = airlightFirstSlot(pixel);
-  for (int i = 0; i < count; i++)
+  for (int i = 0; i < min(count, 16); i++)
   {
-    uint key = slots[first + uint(64 * i)];
-    bool before = airlightKeyDistance(key) < end;
-    slotsTotal += before ? airlightKeyWeight(key) : 0;
-    slotCount += before ? 1 : 0;
-    key = before ? key : AIRLIGHT_NO_KEY;
-    airlightInsertKey(slotKeysA, key);
-    airlightInsertKey(slotKeysB, key);
-    airlightInsertKey(slotKeysC, key);
-    airlightInsertKey(slotKeysD, key);
+    airlightInsertNear(airlightReadSlot(first + uint(64 * i), end));
   }
-  return true;
+  for (int i = 16; i < count; i++)
+  {
+    airlightInsertFar(airlightInsertNear(airlightReadSlot(first + uint(64 * i), end)));
+  }
+  return all <= AIRLIGHT_SLOTS;
 }
 
 // The nearest one; AIRLIGHT_NO_KEY where none is left.
@@ -64,7 +105,15 @@ uint airlightNextKey()
   slotKeysA = uvec4(slotKeysA.yzw, slotKeysB.x);
   slotKeysB = uvec4(slotKeysB.yzw, slotKeysC.x);
   slotKeysC = uvec4(slotKeysC.yzw, slotKeysD.x);
+#if AIRLIGHT_SLOTS > 16
+  slotKeysD = uvec4(slotKeysD.yzw, slotKeysE.x);
+  slotKeysE = uvec4(slotKeysE.yzw, slotKeysF.x);
+  slotKeysF = uvec4(slotKeysF.yzw, slotKeysG.x);
+  slotKeysG = uvec4(slotKeysG.yzw, slotKeysH.x);
+  slotKeysH = uvec4(slotKeysH.yzw, AIRLIGHT_NO_KEY);
+#else
   slotKeysD = uvec4(slotKeysD.yzw, AIRLIGHT_NO_KEY);
-  slotCount--;
+#endif
+  keysLeft--;
   return key;
 }

@@ -1,16 +1,25 @@
-// A point light's airlight along a ray by AirlightTurn.glsl: part by part of the ray, and in each its
-// boundaries. Returns what is lit; `whole` what would be without shadows, both as radiance.
+// A point light's airlight before a pixel by AirlightTurn.glsl: part by part of the ray, and in each its
+// boundaries.
+
+struct AirlightTurnedPixel
+{
+  vec3 sum; // what is lit, and what would be without shadows, as radiance
+  vec3 whole;
+  float litLength;
+  int boundaries;
+  bool surfaceLit;
+};
 
 // The boundaries' distances have this unit.
-vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, float unit, out vec3 whole, out float litLength,
-  out int boundaries, out bool surfaceLit)
+AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
 {
+  AirlightTurnedPixel pixel;
   AirlightTurn turn = airlightTurn(media.item[0], ray, ray.lit.x, ray.lit.y);
-  boundaries = slotCount;
-  surfaceLit = startCount + slotsTotal <= 0;
+  pixel.boundaries = keysLeft;
+  pixel.surfaceLit = startCount + keysTotal <= 0;
   int shadows = startCount;
   bool lit = shadows <= 0;
-  litLength = lit ? -ray.lit.x : 0.0;
+  float litLength = lit ? -ray.lit.x : 0.0;
   AirlightShade all = AirlightShade(0.0);
   AirlightShade sum = AirlightShade(0.0);
   float psi = 0.0;
@@ -23,7 +32,7 @@ vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, float unit, out vec3 whole,
     AirlightTurnPart part = airlightTurnPart(media.item[0], turn, psi, end);
     psi = end;
     // The last part takes what lies beyond the ray's end, too.
-    while (slotCount >= 0 && (at <= end || end >= turn.end))
+    while (keysLeft >= 0 && (at <= end || end >= turn.end))
     {
       shadows += airlightKeyWeight(key);
       bool next = shadows <= 0;
@@ -41,8 +50,26 @@ vec3 airlightTurnedRay(ivec2 pixel, AirlightRay ray, float unit, out vec3 whole,
     all += full;
     sum += lit ? full : AirlightShade(0.0);
   }
-  litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
-  vec3 factor = light.intensity / turn.h;
-  whole = factor * all;
-  return factor * max(sum, AirlightShade(0.0));
+  pixel.litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
+  // A channel that does not scatter is dark, whatever the limit of its integral.
+  vec3 factor = mix(vec3(0.0), light.intensity / turn.h, greaterThan(light.intensity, vec3(0.0)));
+  pixel.whole = factor * all;
+  pixel.sum = factor * max(sum, AirlightShade(0.0));
+  return pixel;
+}
+
+// Of pixel p, whose ray ends at `surface`, where that is not below 0. False where its boundaries are
+// elsewhere.
+bool airlightTurnPixel(vec2 p, float unit, float surface, out AirlightTurnedPixel pixel)
+{
+  pixel = AirlightTurnedPixel(vec3(0.0), vec3(0.0), 0.0, 0, false);
+  if (!airlightOpenKeys(ivec2(p), surface >= 0.0 ? surface / unit : 1e37))
+  {
+    return false;
+  }
+  AirlightRay ray = airlightRay(media, light, airlightOrigin(p), airlightDirection(p) / unit,
+    surface >= 0.0 ? surface : AIRLIGHT_FAR);
+  ray.foot.h = airlightOwnFoot(0, p, unit, light.radius, ray.foot.h);
+  pixel = airlightTurnedRay(ray, unit);
+  return true;
 }

@@ -1,0 +1,21 @@
+// As AirlightResolveFS.glsl, of a light that AirlightTurn.glsl takes.
+
+void main()
+{
+  media = givenMedia;
+  light = givenLight;
+  airlightTakeConstants(0, media, light);
+  vec2 p = airlightPixel();
+  AirlightTurnedPixel pixel;
+  if (!airlightTurnPixel(p, airlightRayUnit(p), texelFetch(distances, ivec2(p), 0).r, pixel))
+  {
+    discard;
+  }
+  airlight = vec4(pixel.sum, pixel.litLength);
+  lit = pixel.surfaceLit ? litBit : vec4(0.0);
+#ifdef AIRLIGHT_RECORD
+  single = airlight;
+  float bound = phaseError * brightest(airlight.rgb) + error * brightest(pixel.whole);
+  counts = vec4(float(pixel.boundaries), bound, 0.0, 0.0);
+#endif
+}
