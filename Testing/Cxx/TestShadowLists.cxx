@@ -6,6 +6,9 @@
 
 #include "AirlightCompareScene.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+
 #include <cstdlib>
 
 using namespace airlighttest;
@@ -84,6 +87,37 @@ void TestGrowth()
 }
 
 //------------------------------------------------------------------------------
+// Triangles beyond the light, whose shadows lie outside the view.
+vtkActor* AddEdgesElsewhere(Scene& scene, int count)
+{
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < count; ++i)
+  {
+    const double y = 0.01 * (i % 100);
+    const double z = 0.01 * (i / 100);
+    triangles.push_back({ { 80, y, z }, { 80, y + 0.005, z }, { 80, y, z + 0.005 } });
+  }
+  return scene.Add(MakeSoup(triangles));
+}
+
+// With more than 8192 silhouette edges a pixel has 32 slots instead of 16: the same bits.
+void TestSlots()
+{
+  Scene scene(160, 120);
+  AddStrips(scene, 30);
+  vtkActor* many = AddEdgesElsewhere(scene, 3000);
+  CompareScene("more than 8192 silhouette edges", scene, 500);
+  const Buffers buffers = scene.CopyBuffers();
+  const double most = GetLargest(scene.GetBuffer("BoundaryCount"));
+  Check(most > 32.0, "more boundaries than slots");
+  vtkNew<vtkInformation> keys;
+  keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
+  many->SetPropertyKeys(keys);
+  scene.Window->Render();
+  CheckSame(buffers, scene.CopyBuffers(), "few silhouette edges");
+}
+
+//------------------------------------------------------------------------------
 // Two windows in turns, each with its own pass.
 void TestTwoWindows()
 {
@@ -112,6 +146,7 @@ int TestShadowLists(int, char*[])
 {
   TestLongLists();
   TestGrowth();
+  TestSlots();
   TestTwoWindows();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
