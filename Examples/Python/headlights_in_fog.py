@@ -61,8 +61,8 @@ def add_road(renderer):
         for x in (-5.6, 2.4):
             add(renderer, box(x, x + 0.12, 0, 1, z, z + 0.12), (0.7, 0.7, 0.7))
     for x, z in PEOPLE:
-        for side in (-0.2, 0.02):
-            add(renderer, box(x + side, x + side + 0.16, 0, 0.8, -z - 0.1, -z + 0.1), (0.06, 0.07, 0.1))
+        for leg in (x - 0.2, x + 0.02):
+            add(renderer, box(leg, leg + 0.16, 0, 0.8, -z - 0.1, -z + 0.1), (0.06, 0.07, 0.1))
         add(renderer, box(x - 0.24, x + 0.24, 0.75, 1.45, -z - 0.12, -z + 0.12), (0.22, 0.1, 0.08))
         head = vtkSphereSource()
         head.SetCenter(x, 1.62, -z)
@@ -91,8 +91,8 @@ def make_view(beam, viewport):
         lamp.SetExponent(60)  # half as bright 9 degrees off its axis
         renderer.AddLight(lamp)
         if beam == "low":
-            shield = add(renderer, box(x - 0.05, x + 0.05, y - 0.0005, y + 0.04, z - 0.051, z - 0.05),
-                         (0, 0, 0))
+            plate = box(x - 0.05, x + 0.05, y - 0.0005, y + 0.04, z - 0.051, z - 0.05)
+            shield = add(renderer, plate, (0, 0, 0))
             keys = vtkInformation()
             keys.Set(fog_pass.SHADOW_OPACITY(), 3 * [SHIELD], 3)
             shield.SetPropertyKeys(keys)

@@ -151,7 +151,8 @@ def main():
     water.SetAnisotropy(ANISOTROPY)
     for name, lamp in (("beside the camera", LAMP_BESIDE), ("on an arm", LAMP)):
         print(f"lamp {name}: contrast " + ", ".join(
-            "{:.3g} {:.3g} {:.3g} at {} m".format(*contrast(water, lamp, d), d) for d in (2, 5, 10)))
+            "{:.3g} {:.3g} {:.3g} at {} m".format(*contrast(water, lamp, d), d)
+            for d in (2, 5, 10)))
         print("  range: red {:.2f}, green {:.2f}, blue {:.2f} m".format(
             *(find_range(water, lamp, channel) for channel in range(3))))
 

@@ -259,7 +259,8 @@ class TestView(ProgramTest):
 
     def test_help(self):
         text = self.succeed("view", "--help")
-        for key in ("t, T", "v, V", "+, -", "arrows", "Page Up", "n ", "s ", "i ", "h ", "r ", "q "):
+        for key in ("t, T", "v, V", "+, -", "arrows", "Page Up", "n ", "s ", "i ", "h ", "r ",
+                    "q "):
             self.assertIn("\n  " + key, text)
 
     def test_errors(self):

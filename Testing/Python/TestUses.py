@@ -8,9 +8,10 @@ import tempfile
 import unittest
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from exampletest import USES, ExampleTest, load_example
-from midpointrule import middles
+from midpointrule import Grid, box_interval, middles
 from programtest import henyey_greenstein, pixel_rays
 
 
@@ -43,7 +44,8 @@ class TestUses(ExampleTest):
             distance = np.linalg.norm(sign - eye)
             points = eye + middles(1, 20000)[:, None] * (sign - eye)
             t = np.linalg.norm(points - eye, axis=1)
-            veil = scene.SCATTERING / extinction * scene.AMBIENT * (1 - np.exp(-extinction * distance))
+            through = np.exp(-extinction * distance)
+            veil = scene.SCATTERING / extinction * scene.AMBIENT * (1 - through)
             irradiance = 0
             for lamp in np.array(scene.LAMPS):
                 way = points - lamp
@@ -54,7 +56,6 @@ class TestUses(ExampleTest):
                 r = np.linalg.norm(sign - lamp)
                 if lamp[2] > sign[2] and lamp[1] - sign[1] > edge * r:
                     irradiance += power * (lamp[2] - sign[2]) / r**3 * np.exp(-extinction * r)
-            through = np.exp(-extinction * distance)
             contrasts.append((scene.LETTERS * through / veil, scene.ALBEDO / np.pi * (
                 irradiance + np.pi * scene.AMBIENT) * through / veil))
         for printed, expected in zip((shines, lit), np.transpose(contrasts), strict=True):
@@ -146,6 +147,108 @@ class TestUses(ExampleTest):
                 # Ranges have two decimals, in which the contrast changes by 1 %.
                 self.assertAlmostEqual(at, 0.02, delta=0.02 * 0.02)
         self.assertGreater(min(np.divide(reaches[1], reaches[0])), 1.4, "the arm pays")
+
+    def test_daylight_room(self):
+        scene, text = self.draw("daylight_room")
+        to_sun = scene.TO_SUN / np.linalg.norm(scene.TO_SUN)
+        extinction = scene.SCATTERING + scene.ABSORPTION
+
+        def in_sun(points):
+            lit = np.ones(points.shape[:-1], bool)
+            for bounds in scene.WALLS + scene.TABLE:
+                enter, leave = box_interval(bounds, points, to_sun)
+                lit &= enter >= leave
+            return lit
+
+        x0, x1, _, _, z0, z1 = scene.ROOM
+        x, z = (np.arange(low + scene.SENSOR / 2, high, scene.SENSOR)
+                for low, high in ((x0, x1), (z0, z1)))
+        floor = np.stack(np.broadcast_arrays(x[:, None], 0, z), axis=-1).astype(float)
+        lit = in_sun(floor)
+        way = box_interval(scene.ROOM, floor, to_sun)[1]
+        light = np.where(lit, np.mean(scene.SUN) * to_sun[1] * np.exp(-extinction * way), 0)
+        area, irradiance, power = numbers(text.splitlines()[0].replace("^2", ""))
+        square = scene.SENSOR**2  # a few sensors are on edges of shadows
+        self.assertAlmostEqual(area, lit.sum() * square, delta=10 * square)
+        self.assertAlmostEqual(irradiance, light[lit].mean(), delta=0.2)
+        self.assertAlmostEqual(power, light.sum() * square, delta=10 * square * irradiance)
+
+        eye = np.array(scene.EYE)
+        camera = {"position": eye, "focal_point": scene.TARGET, "view_up": (0, 1, 0),
+                  "view_angle_deg": 42}
+        ray = pixel_rays(camera, 480, 320)[159, 240]
+        length, found = numbers(text.splitlines()[1])
+        ways = [box_interval(bounds, eye, ray) for bounds in scene.WALLS + scene.TABLE]
+        first = min(enter for enter, leave in ways if enter < leave)
+        self.assertAlmostEqual(length, first, delta=1e-3)
+        length = min(first, box_interval(scene.ROOM, eye, ray)[1])  # where the dust ends
+        step = length / 50000
+        lit = in_sun(eye + middles(length, 50000)[:, None] * ray)
+        edges = np.count_nonzero(np.diff(lit))
+        self.assertGreater(edges, 2)
+        self.assertAlmostEqual(found, lit.sum() * step, delta=1e-3 + edges * step)
+
+    def test_laser_sheet(self):
+        scene, text = self.draw("laser_sheet")
+        smoke = scene.make_smoke().GetDensityImage()
+        samples = vtk_to_numpy(smoke.GetPointData().GetScalars())
+        grid = Grid(samples.reshape(smoke.GetDimensions()[::-1]), smoke.GetOrigin(),
+                    smoke.GetSpacing())
+        eye, lens = np.array(scene.EYE), np.array(scene.LENS)
+        camera = {"position": eye, "focal_point": scene.TARGET, "view_up": (0, 1, 0),
+                  "view_angle_deg": 30}
+        rays = pixel_rays(camera, 480, 320)
+        ray = rays[np.unravel_index((rays @ np.subtract(scene.PROBE, eye)).argmax(),
+                                    rays.shape[:2])]
+
+        def density(points):
+            x, y, z = np.moveaxis(points, -1, 0)
+            x0, x1, y0, y1, z0, z1 = scene.TUNNEL
+            inside = (x0 < x) & (x < x1) & (y0 < y) & (y < y1) & (z0 < z) & (z < z1)
+            return np.where(inside, grid(points), 0)
+
+        def depth(ends):
+            """Optical depth from the first to the second of them."""
+            way = np.subtract(ends[1], ends[0])
+            points = ends[0] + middles(1, 4000)[:, None] * way
+            return scene.SCATTERING * density(points).mean() * np.linalg.norm(way)
+
+        # The sheet is the wedge that the slit leaves of the lens's light.
+        slope = scene.SLIT / 2 / scene.SLIT_DEPTH
+        ends = [(side * slope * (lens[1] - eye[1]) - eye[2]) / (ray[2] + side * slope * ray[1])
+                for side in (1, -1)]
+        thickness = max(ends) - min(ends)
+        t = min(ends) + middles(thickness, 9)
+        terms = []
+        for point in eye + t[:, None] * ray:
+            r2 = np.square(point - lens).sum()
+            terms.append(density(point) * scene.POWER[1] / r2 * np.exp(
+                -depth((lens, point)) - depth((point, eye))))
+        radiance = scene.SCATTERING / (4 * np.pi) * np.mean(terms) * thickness
+        lines = [numbers(line.replace("m^2", "")) for line in text.splitlines()]
+        self.assertAlmostEqual(lines[0][0], 1000 * thickness, delta=0.006)
+        self.assertAlmostEqual(lines[0][1], 1000 * thickness, delta=0.02)
+        self.assertAlmostEqual(lines[1][0], radiance, delta=0.003 * radiance)
+        # By hand the density is that of one place: streaks vary by some per cent across the sheet.
+        self.assertAlmostEqual(lines[1][1], radiance, delta=0.05 * radiance)
+
+        # The tangents from the lens to the cylinder, where they meet the line.
+        middle = np.arctan2(-lens[0], lens[1])
+        half = np.arcsin(scene.RADIUS / np.hypot(*lens[:2]))
+        height = lens[1] - scene.TUNNEL[2] - 0.01
+        shadow = height * (np.tan(middle + half) - np.tan(middle - half))
+        self.assertAlmostEqual(lines[2][0], shadow, delta=2e-4 * shadow + 5e-5)
+
+    def test_depth_cueing(self):
+        scene, text = self.draw("depth_cueing")
+        (near, kept_near), (far, kept_far) = (numbers(line) for line in text.splitlines())
+        for distance, kept in ((near, kept_near), (far, kept_far)):
+            self.assertAlmostEqual(kept, 100 * np.exp(-distance / scene.RANGE), delta=0.012)
+        # Phosphates are the outermost parts: the nearest one's front, the farthest one at most.
+        balls = np.concatenate([scene.strand(0), scene.strand(scene.GROOVE)])
+        distances = np.linalg.norm(balls - scene.EYE, axis=1)
+        self.assertAlmostEqual(near, distances.min() - scene.PHOSPHATE, delta=0.01)
+        self.assertTrue(distances.max() - 0.5 < far < distances.max() + scene.PHOSPHATE)
 
     @classmethod
     def tearDownClass(cls):

@@ -17,7 +17,8 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Python"
 GALLERY = EXAMPLES.parents[1] / "Documentation" / "pictures"
 
 # Examples with a purpose and a picture in the gallery, which TestUses runs.
-USES = ("headlights_in_fog", "smoke_corridor", "underwater_lamp")
+USES = ("daylight_room", "depth_cueing", "headlights_in_fog", "laser_sheet", "smoke_corridor",
+        "underwater_lamp")
 
 
 def read_picture(path):
