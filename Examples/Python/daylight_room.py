@@ -98,12 +98,26 @@ def make_room():
     return renderer
 
 
-def show(window, output):
-    if not output:
+def open_window(renderers, output):
+    """A window and its first frame; off the screen where that goes into a file."""
+    window = vtkRenderWindow()
+    window.SetMultiSamples(0)
+    window.SetSize(480, 320)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
+    if output:
+        window.SetOffScreenRendering(True)
+    else:
         interactor = vtkRenderWindowInteractor()
         interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
         interactor.SetRenderWindow(window)
-        interactor.Start()
+    window.Render()
+    return window
+
+
+def show(window, output):
+    if not output:
+        window.GetInteractor().Start()
         return
     shot = vtkWindowToImageFilter()
     shot.SetInput(window)
@@ -147,12 +161,7 @@ def main():
     camera.SetFocalPoint(TARGET)
     camera.SetViewAngle(42)
     renderer.ResetCameraClippingRange()
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetSize(480, 320)
-    window.SetOffScreenRendering(bool(options.output))
-    window.AddRenderer(renderer)
-    window.Render()
+    window = open_window([renderer], options.output)
     in_sun, all_of_it = (dust_pass.GetBuffer(name).GetScalarComponentAsDouble(240, 160, 0, 0)
                          for name in ("LitLength", "Depth"))
     print(f"of {all_of_it:.3f} m straight ahead {in_sun:.3f} m are in the sun")

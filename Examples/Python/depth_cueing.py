@@ -103,12 +103,26 @@ def add_molecule(renderer):
         add_tubes(renderer, lines, 0.09, BASES[base])
 
 
-def show(window, output):
-    if not output:
+def open_window(renderers, output):
+    """A window and its first frame; off the screen where that goes into a file."""
+    window = vtkRenderWindow()
+    window.SetMultiSamples(0)
+    window.SetSize(480, 320)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
+    if output:
+        window.SetOffScreenRendering(True)
+    else:
         interactor = vtkRenderWindowInteractor()
         interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
         interactor.SetRenderWindow(window)
-        interactor.Start()
+    window.Render()
+    return window
+
+
+def show(window, output):
+    if not output:
+        window.GetInteractor().Start()
         return
     shot = vtkWindowToImageFilter()
     shot.SetInput(window)
@@ -145,12 +159,7 @@ def main():
     camera.SetFocalPoint(TARGET)
     camera.SetViewAngle(30)
     renderer.ResetCameraClippingRange()
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetSize(480, 320)
-    window.SetOffScreenRendering(bool(options.output))
-    window.AddRenderer(renderer)
-    window.Render()
+    window = open_window([renderer], options.output)
     depth, kept = (vtk_to_numpy(haze_pass.GetBuffer(name).GetPointData().GetScalars())
                    for name in ("Depth", "Transmittance"))
     for name, place in (("nearest", np.where(depth > 0, depth, np.inf).argmin()),

@@ -12,7 +12,6 @@ what it would send higher than 1 % below the horizon. The picture shows low beam
 import argparse
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkInformation
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
@@ -106,12 +105,26 @@ def make_view(beam, viewport):
     return renderer, fog_pass
 
 
-def show(window, output):
-    if not output:
+def open_window(renderers, output):
+    """A window and its first frame; off the screen where that goes into a file."""
+    window = vtkRenderWindow()
+    window.SetMultiSamples(0)
+    window.SetSize(480, 320)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
+    if output:
+        window.SetOffScreenRendering(True)
+    else:
         interactor = vtkRenderWindowInteractor()
         interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
         interactor.SetRenderWindow(window)
-        interactor.Start()
+    window.Render()
+    return window
+
+
+def show(window, output):
+    if not output:
+        window.GetInteractor().Start()
         return
     shot = vtkWindowToImageFilter()
     shot.SetInput(window)
@@ -126,14 +139,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
     options = parser.parse_args()
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetSize(480, 320)
-    window.SetOffScreenRendering(bool(options.output))
     views = {"low": make_view("low", (0, 0.5, 1, 1)), "high": make_view("high", (0, 0, 1, 0.5))}
-    for renderer, _ in views.values():
-        window.AddRenderer(renderer)
-    window.Render()
+    window = open_window([renderer for renderer, _ in views.values()], options.output)
 
     for x, distance in PEOPLE:
         print(f"at {distance:g} m:", end="")

@@ -143,12 +143,26 @@ def look_at(renderer, point):
     return column, row, EYE - ray * EYE[2] / ray[2]
 
 
-def show(window, output):
-    if not output:
+def open_window(renderers, output):
+    """A window and its first frame; off the screen where that goes into a file."""
+    window = vtkRenderWindow()
+    window.SetMultiSamples(0)
+    window.SetSize(480, 320)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
+    if output:
+        window.SetOffScreenRendering(True)
+    else:
         interactor = vtkRenderWindowInteractor()
         interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
         interactor.SetRenderWindow(window)
-        interactor.Start()
+    window.Render()
+    return window
+
+
+def show(window, output):
+    if not output:
+        window.GetInteractor().Start()
         return
     shot = vtkWindowToImageFilter()
     shot.SetInput(window)
@@ -175,12 +189,7 @@ def main():
     camera.SetFocalPoint(TARGET)
     camera.SetViewAngle(30)
     renderer.ResetCameraClippingRange()
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetSize(480, 320)
-    window.SetOffScreenRendering(bool(options.output))
-    window.AddRenderer(renderer)
-    window.Render()
+    window = open_window([renderer], options.output)
 
     column, row, place = look_at(renderer, PROBE)
     drawn, length = (smoke_pass.GetBuffer(name).GetScalarComponentAsDouble(column, row, 0, channel)

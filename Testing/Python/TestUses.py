@@ -3,14 +3,19 @@
 """Runs the examples that have a purpose: their numbers against the midpoint rule and closed
 formulas, their pictures against the gallery."""
 
+import inspect
 import re
+import subprocess
+import sys
 import tempfile
+import time
 import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from exampletest import USES, ExampleTest, load_example
+from exampletest import EXAMPLES, USES, ExampleTest, load_example
+from keyboard import Keyboard
 from midpointrule import Grid, box_interval, middles
 from programtest import henyey_greenstein, pixel_rays
 
@@ -249,6 +254,25 @@ class TestUses(ExampleTest):
         distances = np.linalg.norm(balls - scene.EYE, axis=1)
         self.assertAlmostEqual(near, distances.min() - scene.PHOSPHATE, delta=0.01)
         self.assertTrue(distances.max() - 0.5 < far < distances.max() + scene.PHOSPHATE)
+
+    def test_windows(self):
+        """Without -o examples open a window until q is pressed, all by the same lines."""
+        ways = {}
+        for name in USES:
+            lines = inspect.getsource(load_example(name).show).splitlines()
+            ways.setdefault("\n".join(lines), name)
+        print(ways.values())
+        self.assertLessEqual(len(ways), 2)
+        for name in ways.values():
+            with subprocess.Popen([sys.executable, EXAMPLES / (name + ".py")], text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE) as program:
+                keyboard = Keyboard("Visualization Toolkit - OpenGL", 60)
+                time.sleep(0.5)
+                self.assertIsNone(program.poll())
+                keyboard.press("q")
+                output, errors = program.communicate(timeout=60)
+                self.assertEqual((program.returncode, errors), (0, ""))
+                self.assertGreater(len(output), 20)
 
     @classmethod
     def tearDownClass(cls):
