@@ -4,6 +4,7 @@
 formulas, their pictures against the gallery."""
 
 import inspect
+import os
 import re
 import subprocess
 import sys
@@ -14,10 +15,13 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from exampletest import EXAMPLES, USES, ExampleTest, load_example
+from exampletest import EXAMPLES, GALLERY, USES, ExampleTest, load_example
 from keyboard import Keyboard
 from midpointrule import Grid, box_interval, middles
-from programtest import henyey_greenstein, pixel_rays
+from programtest import henyey_greenstein, pixel_rays, read_png
+
+
+PROGRAMS = os.path.dirname(os.environ.get("AIRLIGHT_PROGRAM", ""))
 
 
 def numbers(text):
@@ -34,6 +38,17 @@ class TestUses(ExampleTest):
             print(text)
             self.compare_with_gallery(picture)
         return load_example(name), text
+
+    def draw_in_cxx(self, name, shown, *options):
+        """What the example in C++ prints; it must draw the picture that is shown in the gallery."""
+        program = os.path.join(PROGRAMS, name)
+        with tempfile.TemporaryDirectory() as folder:
+            picture = folder + "/picture.png"
+            text = self.run_example(name, *options, "-o", picture, program=program)
+            drawn = read_png(picture)
+        self.assertLess(np.abs(drawn - shown).mean(), 0.5 / 255)
+        self.assertIn("usage", self.run_example(name, "--help", program=program))
+        return text
 
     def test_smoke_corridor(self):
         scene, text = self.draw("smoke_corridor")
@@ -118,6 +133,14 @@ class TestUses(ExampleTest):
                 self.assertAlmostEqual(found[2 + 2 * i], surface / veil,
                                        delta=0.002 * surface / veil + 5e-4, msg=line)
         self.assertGreater(found[3], 10 * found[1], "fog throws the high beam back")
+        if PROGRAMS:
+            shown = read_png(str(GALLERY / "use-headlights-in-fog.png"))
+            table = np.reshape(numbers(text.replace("^2", "")), (-1, 5))
+            for half, columns, options in ((shown[:160], (0, 1, 2), ["--low"]),
+                                           (shown[160:], (0, 3, 4), [])):
+                found = numbers(self.draw_in_cxx("HeadlightsInFog", half, *options)
+                                .replace("^2", ""))
+                self.assertEqual(found, list(table[:, columns].ravel()))
 
     def test_underwater_lamp(self):
         scene, text = self.draw("underwater_lamp")
@@ -192,6 +215,9 @@ class TestUses(ExampleTest):
         edges = np.count_nonzero(np.diff(lit))
         self.assertGreater(edges, 2)
         self.assertAlmostEqual(found, lit.sum() * step, delta=1e-3 + edges * step)
+        if PROGRAMS:
+            shown = read_png(str(GALLERY / "use-daylight-room.png"))
+            self.assertEqual(self.draw_in_cxx("DaylightRoom", shown), text.splitlines()[1] + "\n")
 
     def test_laser_sheet(self):
         scene, text = self.draw("laser_sheet")
