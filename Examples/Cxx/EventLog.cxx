@@ -7,6 +7,8 @@
 
 #include <vtkCommand.h>
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace airlight
@@ -14,7 +16,9 @@ namespace airlight
 
 namespace
 {
-const char* const FirstLine = "# StreamVersion 1.1"; // without it VTK reads other columns
+// Before 1.1 there are other columns. VTK 9.1 writes 1.1, VTK 9.3 1.2, with columns at the end for
+// files that are dropped on the window.
+const char* const Versions[] = { "# StreamVersion 1.1", "# StreamVersion 1.2" };
 
 void CheckEvent(const std::string& line, const std::string& place)
 {
@@ -43,15 +47,16 @@ void CheckEvent(const std::string& line, const std::string& place)
 //------------------------------------------------------------------------------
 std::string ReadEventLog(const std::string& fileName)
 {
-  const std::string text = ReadTextFile(fileName);
-  if (text.compare(0, std::string(FirstLine).size(), FirstLine) != 0)
-  {
-    throw UserError(fileName + ": is no log of events: its first line is not '" + FirstLine + "'");
-  }
-  std::istringstream lines(text);
+  std::istringstream lines(ReadTextFile(fileName));
   std::string line;
-  std::string log = std::string(FirstLine) + "\n";
-  for (int number = 1; std::getline(lines, line); ++number)
+  std::getline(lines, line);
+  if (std::find(std::begin(Versions), std::end(Versions), line) == std::end(Versions))
+  {
+    throw UserError(
+      fileName + ": is no log of events: its first line is not '" + Versions[0] + "' or 1.2");
+  }
+  std::string log = line + "\n";
+  for (int number = 2; std::getline(lines, line); ++number)
   {
     if (line.find_first_not_of(" \t\r") != std::string::npos && line[0] != '#')
     {

@@ -175,6 +175,28 @@ class TestView(ProgramTest):
             self.assertLess(np.abs(picture - lit_wall(0.05, place)).max(), HALF)
         self.assertGreater(np.abs(pictures[0] - pictures[1]).max(), 0.05)
 
+    def test_sun(self):
+        """A directional light turns; n chooses the next lamp. Nothing pushes it."""
+        sun = np.array((0.3, 0.2, 1.0)) / np.linalg.norm((0.3, 0.2, 1.0))
+        options = ["--sun", ",".join(map(str, sun)) + ":2", "--point", "0,0,1000:0"]
+        texts, pictures = self.view(
+            self.scene(["wall.ply"]), [press(key) for key in ("i", "n", "n", "Right", "s", "Prior",
+                                                              "n", "Right", "s")], *options)
+        eye = np.array(CAMERA["position"])
+        forward = -eye / np.linalg.norm(eye)
+        right = np.cross(forward, CAMERA["view_up"])
+        up = np.cross(right / np.linalg.norm(right), forward)
+        turn = np.radians(0.05 * 180)  # Rodrigues' rotation about the picture's upward direction
+        turned = (sun * np.cos(turn) + np.cross(up, sun) * np.sin(turn)
+                  + up * (up @ sun) * (1 - np.cos(turn)))
+        self.assertGreater(np.abs(turned - sun).max(), 0.1)
+        told = [re.search(r"lamp (\d) of 2 (\w+) ([^;]*);", text).groups() for text in texts]
+        self.assertEqual([(number, word) for number, word, _ in told],
+                         [("1", "from"), ("2", "at")])
+        np.testing.assert_allclose(np.array(told[0][2].split(","), float), turned, atol=1e-5)
+        for picture in pictures:
+            self.assertLess(np.abs(picture - 2 / np.pi * turned[2] * ALBEDO).max(), HALF)
+
     def test_views(self):
         """Airlight alone, and boundaries only where the blocker's shadow is; drag and r."""
         scene = self.scene(["wall.ply", "blocker.ply"], 0.1, 0.1)

@@ -18,8 +18,19 @@ class KeyEvent(ctypes.Structure):
                 ("padding", ctypes.c_long * 24)]
 
 
+class WindowAttributes(ctypes.Structure):
+    """XWindowAttributes."""
+
+    _fields_ = [("place", ctypes.c_int * 6), ("visual", ctypes.c_void_p), ("root", ctypes.c_ulong),
+                ("kinds", ctypes.c_int * 4), ("planes", ctypes.c_ulong * 2),
+                ("save_under", ctypes.c_int), ("colormap", ctypes.c_ulong),
+                ("map_installed", ctypes.c_int), ("map_state", ctypes.c_int),
+                ("all_event_masks", ctypes.c_long), ("masks", ctypes.c_long * 2),
+                ("override_redirect", ctypes.c_int), ("screen", ctypes.c_void_p)]
+
+
 class Keyboard:
-    """Keys sent to a window of the X server, found by its name."""
+    """Keys sent to a window of the X server, found by its name, as soon as it listens to keys."""
 
     def __init__(self, name, patience):
         self.x11 = ctypes.CDLL(ctypes.util.find_library("X11"))
@@ -29,11 +40,17 @@ class Keyboard:
         self.display = ctypes.c_void_p(self.x11.XOpenDisplay(None))
         self.root = self.x11.XDefaultRootWindow(self.display)
         end = time.monotonic() + patience
-        while not (found := self.find(self.root, name)):
+        while not ((found := self.find(self.root, name)) and self.listens(found)):
             if time.monotonic() > end:
                 raise TimeoutError(f"no window {name}")
             time.sleep(0.1)
         self.window = found
+
+    def listens(self, window):
+        attributes = WindowAttributes()
+        self.x11.XGetWindowAttributes(self.display, ctypes.c_ulong(window),
+                                      ctypes.byref(attributes))
+        return attributes.all_event_masks & 1  # KeyPressMask
 
     def find(self, window, name):
         title = ctypes.c_char_p()
