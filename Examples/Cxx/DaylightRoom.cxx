@@ -87,7 +87,8 @@ void AddRoom(vtkRenderer* renderer)
   Add(renderer, ball, 0.3, 0.55, 0.6);
 }
 
-void WritePicture(vtkRenderWindow* window, const char* fileName)
+// False after an error, which VTK reports.
+bool WritePicture(vtkRenderWindow* window, const char* fileName)
 {
   vtkNew<vtkWindowToImageFilter> shot;
   shot->SetInput(window);
@@ -96,6 +97,7 @@ void WritePicture(vtkRenderWindow* window, const char* fileName)
   writer->SetInputConnection(shot->GetOutputPort());
   writer->SetFileName(fileName);
   writer->Write();
+  return writer->GetErrorCode() == 0;
 }
 }
 
@@ -154,11 +156,8 @@ int main(int argc, char* argv[])
     pass->GetBuffer("LitLength")->GetScalarComponentAsDouble(240, 160, 0, 0));
   if (writes)
   {
-    WritePicture(window, argv[2]);
+    return WritePicture(window, argv[2]) ? EXIT_SUCCESS : EXIT_FAILURE;
   }
-  else
-  {
-    interactor->Start();
-  }
+  interactor->Start();
   return EXIT_SUCCESS;
 }

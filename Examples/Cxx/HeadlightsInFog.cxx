@@ -122,7 +122,8 @@ void Report(vtkRenderer* renderer, vtkAirlightPass* pass, double x, double dista
   std::printf("at %g m: veil %.3f cd/m^2, contrast %.3f\n", distance, veil, get("Surface") / veil);
 }
 
-void WritePicture(vtkRenderWindow* window, const char* fileName)
+// False after an error, which VTK reports.
+bool WritePicture(vtkRenderWindow* window, const char* fileName)
 {
   vtkNew<vtkWindowToImageFilter> shot;
   shot->SetInput(window);
@@ -131,6 +132,7 @@ void WritePicture(vtkRenderWindow* window, const char* fileName)
   writer->SetInputConnection(shot->GetOutputPort());
   writer->SetFileName(fileName);
   writer->Write();
+  return writer->GetErrorCode() == 0;
 }
 }
 
@@ -194,11 +196,8 @@ int main(int argc, char* argv[])
   }
   if (output)
   {
-    WritePicture(window, output);
+    return WritePicture(window, output) ? EXIT_SUCCESS : EXIT_FAILURE;
   }
-  else
-  {
-    interactor->Start();
-  }
+  interactor->Start();
   return EXIT_SUCCESS;
 }

@@ -131,6 +131,8 @@ def show(window, output):
     writer.SetInputConnection(shot.GetOutputPort())
     writer.SetFileName(output)
     writer.Write()
+    if writer.GetErrorCode():
+        raise SystemExit(1)  # VTK has said why
 
 
 def main():
