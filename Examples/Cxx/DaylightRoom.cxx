@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The sun through the windows of a dusty room, in a window or, with -o, in a picture (.png). Prints
- * how much of the sight line in the picture's middle is in the sun. Examples/Python/daylight_room.py
- * is the same room, and measures its floor.
+ * The sun through the windows of a dusty room, in a window or, with -o, in a picture (.png).
+ * Prints how much of the sight line in the picture's middle is in the sun.
+ * Examples/Python/daylight_room.py is the same room, and measures its floor.
  */
 
 #include <vtkActor.h>

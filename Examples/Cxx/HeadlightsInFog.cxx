@@ -3,8 +3,8 @@
 /**
  * What a driver sees in fog at night by high beam and, with --low, by low beam, for which a shield
  * before each lamp cuts off what it would send higher than 1 % below the horizon; in a window or,
- * with -o, in a picture (.png). Prints the veil of fog before people on the road and their contrast.
- * Examples/Python/headlights_in_fog.py shows both beams.
+ * with -o, in a picture (.png). Prints the veil of fog before people on the road and their
+ * contrast. Examples/Python/headlights_in_fog.py shows both beams.
  */
 
 #include <vtkActor.h>

@@ -25,10 +25,10 @@ struct ViewerSettings
 };
 
 /**
- * A window on a scene whose lamps, medium and technique follow keys and mouse; GetKeys() tells which
- * does what. The read-out shows the state and how long the last frame took, from the call of
- * vtkRenderWindow::Render() until the graphics card is done; after a key the picture is drawn twice,
- * so that the time shown belongs to what is shown. A screenshot is what the window shows.
+ * A window on a scene whose lamps, medium and technique follow keys and mouse; GetKeys() tells
+ * which does what. The read-out shows the state and how long the last frame took, from the call of
+ * vtkRenderWindow::Render() until the graphics card is done; after a key the picture is drawn
+ * twice, so that the time shown belongs to what is shown. A screenshot is what the window shows.
  *
  * Logs of events are those of vtkInteractorEventRecorder; they are played as fast as frames can be
  * drawn.

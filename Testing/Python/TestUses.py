@@ -3,25 +3,17 @@
 """Runs the examples that have a purpose: their numbers against the midpoint rule and closed
 formulas, their pictures against the gallery."""
 
-import inspect
 import os
 import re
-import subprocess
-import sys
 import tempfile
-import time
 import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from exampletest import EXAMPLES, GALLERY, USES, ExampleTest, load_example
-from keyboard import Keyboard
+from exampletest import GALLERY, PROGRAMS, USES, ExampleTest, load_example
 from midpointrule import Grid, box_interval, middles
 from programtest import henyey_greenstein, pixel_rays, read_png
-
-
-PROGRAMS = os.path.dirname(os.environ.get("AIRLIGHT_PROGRAM", ""))
 
 
 def numbers(text):
@@ -280,40 +272,6 @@ class TestUses(ExampleTest):
         distances = np.linalg.norm(balls - scene.EYE, axis=1)
         self.assertAlmostEqual(near, distances.min() - scene.PHOSPHATE, delta=0.01)
         self.assertTrue(distances.max() - 0.5 < far < distances.max() + scene.PHOSPHATE)
-
-    def test_errors(self):
-        """A picture that cannot be written, and options that there are not."""
-        commands = [[sys.executable, EXAMPLES / "underwater_lamp.py"]]
-        if PROGRAMS:
-            commands.append([os.path.join(PROGRAMS, "DaylightRoom")])
-        for command in commands:
-            for options, word in ((["-o", "/nonexistent/x.png"], "/nonexistent/x.png"),
-                                  (["--nonsense"], "usage")):
-                done = subprocess.run([*command, *options], check=False, text=True, timeout=120,
-                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-                self.assertGreater(done.returncode, 0)
-                self.assertIn(word, done.stdout)
-
-    def test_windows(self):
-        """Without -o examples open a window until q is pressed, all by the same lines."""
-        ways = {}
-        for name in USES:
-            lines = inspect.getsource(load_example(name).show).splitlines()
-            ways.setdefault("\n".join(lines), name)
-        self.assertLessEqual(len(ways), 2)
-        commands = [[sys.executable, EXAMPLES / (name + ".py")] for name in ways.values()]
-        if PROGRAMS:
-            commands.append([os.path.join(PROGRAMS, "DaylightRoom")])
-        for command in commands:
-            with subprocess.Popen(command, text=True, stdout=subprocess.PIPE,
-                                  stderr=subprocess.PIPE) as program:
-                keyboard = Keyboard("Visualization Toolkit - OpenGL", 60)
-                time.sleep(0.5)
-                self.assertIsNone(program.poll())
-                keyboard.press("q")
-                output, errors = program.communicate(timeout=60)
-                self.assertEqual((program.returncode, errors), (0, ""), command)
-                self.assertGreater(len(output), 20)
 
     @classmethod
     def tearDownClass(cls):

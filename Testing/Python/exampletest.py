@@ -16,6 +16,9 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Python"
 GALLERY = EXAMPLES.parents[1] / "Documentation" / "pictures"
 
+# The folder of the examples in C++, where they are built; else empty.
+PROGRAMS = os.path.dirname(os.environ.get("AIRLIGHT_PROGRAM", ""))
+
 # Examples with a purpose and a picture in the gallery, which TestUses runs.
 USES = ("daylight_room", "depth_cueing", "headlights_in_fog", "laser_sheet", "smoke_corridor",
         "underwater_lamp")
