@@ -40,7 +40,7 @@ class Keyboard:
         self.display = ctypes.c_void_p(self.x11.XOpenDisplay(None))
         self.root = self.x11.XDefaultRootWindow(self.display)
         end = time.monotonic() + patience
-        while not ((found := self.find(self.root, name)) and self.listens(found)):
+        while not (found := self.find(self.root, name)):
             if time.monotonic() > end:
                 raise TimeoutError(f"no window {name}")
             time.sleep(0.1)
@@ -55,7 +55,7 @@ class Keyboard:
     def find(self, window, name):
         title = ctypes.c_char_p()
         if self.x11.XFetchName(self.display, ctypes.c_ulong(window), ctypes.byref(title)):
-            if (title.value or b"").decode() == name:
+            if (title.value or b"").decode() == name and self.listens(window):
                 return window
         root, parent = ctypes.c_ulong(), ctypes.c_ulong()
         children, count = ctypes.POINTER(ctypes.c_ulong)(), ctypes.c_uint()
