@@ -15,17 +15,6 @@ namespace airlight
 
 namespace
 {
-vtkSmartPointer<vtkImageData> GrabWindow(vtkRenderWindow* window)
-{
-  vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(window);
-  grabber->SetInputBufferTypeToRGB();
-  grabber->ReadFrontBufferOff();
-  grabber->ShouldRerenderOff();
-  grabber->Update();
-  return grabber->GetOutput();
-}
-
 vtkSmartPointer<vtkImageData> GetExposedBuffer(
   vtkAirlightPass* pass, const PictureSettings& settings)
 {
@@ -44,6 +33,18 @@ vtkSmartPointer<vtkImageData> GetExposedBuffer(
     values, values + count, values, [exposure](float value) { return value * exposure; });
   return exposed;
 }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> GrabWindow(vtkRenderWindow* window)
+{
+  vtkNew<vtkWindowToImageFilter> grabber;
+  grabber->SetInput(window);
+  grabber->SetInputBufferTypeToRGB();
+  grabber->ReadFrontBufferOff();
+  grabber->ShouldRerenderOff();
+  grabber->Update();
+  return grabber->GetOutput();
 }
 
 //------------------------------------------------------------------------------

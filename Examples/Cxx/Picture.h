@@ -5,6 +5,8 @@
 
 #include "SceneBuilder.h"
 
+#include <vtkImageData.h>
+
 #include <string>
 #include <vector>
 
@@ -16,6 +18,11 @@ struct PictureSettings
   std::string Buffer;    ///< one of GetBufferNames(); empty: the picture
   double Exposure = 1.0; ///< linear values are multiplied by it
 };
+
+/**
+ * What the window shows, 8-bit RGB, without another frame.
+ */
+vtkSmartPointer<vtkImageData> GrabWindow(vtkRenderWindow* window);
 
 /**
  * The names that vtkAirlightPass::GetBuffer() knows.

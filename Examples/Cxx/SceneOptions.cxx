@@ -10,6 +10,7 @@
 #include "PhaseName.h"
 #include "UserError.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <utility>
@@ -68,6 +69,14 @@ void UseFile(const char* option, const std::string& file, const Task& task)
     throw UserError(std::string(option) + " " + error.what());
   }
 }
+}
+
+//------------------------------------------------------------------------------
+const std::string& GetTechniqueName(int technique)
+{
+  return std::find_if(Techniques.begin(), Techniques.end(), [technique](const auto& entry) {
+    return entry.second == technique;
+  })->first;
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,11 @@ namespace airlight
 {
 
 /**
+ * What --technique calls a vtkAirlightPass::ShadowTechniqueType.
+ */
+const std::string& GetTechniqueName(int technique);
+
+/**
  * What `airlight render` and `airlight view` have in common: a scene or model, and options that
  * change its camera, medium and lamps.
  */

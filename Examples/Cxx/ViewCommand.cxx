@@ -3,10 +3,7 @@
 #include "Commands.h"
 
 #include "SceneOptions.h"
-
-#include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
+#include "Viewer.h"
 
 #include <memory>
 
@@ -15,28 +12,36 @@ namespace airlight
 
 namespace
 {
-void View(const SceneOptions& options)
+struct ViewOptions
 {
-  RenderSettings settings = options.GetSettings();
+  SceneOptions Scene;
+  ViewerSettings Viewer;
+};
+
+void View(const ViewOptions& options)
+{
+  RenderSettings settings = options.Scene.GetSettings();
   settings.OffScreen = false;
-  RenderedScene scene = BuildScene(options.Load(), settings);
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  interactor->SetInteractorStyle(style);
-  interactor->SetRenderWindow(scene.Window);
-  scene.Render();
-  interactor->Start();
+  Viewer viewer(options.Scene.Load(), settings, options.Viewer);
+  viewer.Run();
 }
 }
 
 //------------------------------------------------------------------------------
 void AddViewCommand(CLI::App& program)
 {
-  auto options = std::make_shared<SceneOptions>();
-  CLI::App* command = program.add_subcommand("view",
-    "Show a scene or a model in a window: drag to turn, with Shift to move, wheel to zoom, q to "
-    "quit");
-  options->AddTo(command);
+  auto options = std::make_shared<ViewOptions>();
+  CLI::App* command = program.add_subcommand("view", "Show a scene or a model in a window");
+  options->Scene.AddTo(command);
+  ViewerSettings& viewer = options->Viewer;
+  command
+    ->add_option("--screenshots", viewer.Screenshots,
+      "Files that the key s writes (.png), with %d or %03d for a number; those that exist stay")
+    ->capture_default_str();
+  command->add_option("--record", viewer.Record, "Write what keys and mouse do into this file");
+  command->add_option("--play", viewer.Play,
+    "Do first what this file says: one of --record, or of VTK's vtkInteractorEventRecorder");
+  command->footer(command->get_footer() + "\n\nIn the window:\n" + Viewer::GetKeys());
   command->callback([options] { View(*options); });
 }
 

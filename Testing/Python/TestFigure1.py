@@ -62,6 +62,13 @@ class TestFigure1(ProgramTest):
         self.succeed(FIGURE, "--frame", "10", "-o", path, *SIZE, program=ANIMATED_FOG)
         self.compare(read_png(path), "Figure1-frame10.png")
 
+    def test_gallery(self):
+        path = self.path("use-animated-fog.png")
+        self.succeed(FIGURE, "--frame", "100", "-o", path, "--size", "480x270",
+                     program=ANIMATED_FOG)
+        self.compare(read_png(path), os.path.join(
+            SOURCE, "Documentation", "pictures", "use-animated-fog.png"))
+
 
 if __name__ == "__main__":
     unittest.main(argv=[__file__])

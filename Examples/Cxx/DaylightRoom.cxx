@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The sun through the windows of a dusty room, in a window or, with -o, in a picture (.png).
+ * Prints how much of the sight line in the picture's middle is in the sun.
+ * Examples/Python/daylight_room.py is the same room, and measures its floor.
+ */
+
+#include <vtkActor.h>
+#include <vtkAirlight.h>
+#include <vtkAirlightPass.h>
+#include <vtkCamera.h>
+#include <vtkCubeSource.h>
+#include <vtkImageData.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkParticipatingMedium.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace
+{
+constexpr double White = 45.0;                                 // W/(m^2 sr), shown as white
+constexpr double Room[6] = { -3.5, 3.5, 0.0, 3.2, -6.0, 5.0 }; // m, inside the walls
+constexpr double SkyLight[3] = { 4.5 / White, 5.0 / White, 5.6 / White };
+constexpr double Sun[3] = { 800.0 / White, 720.0 / White, 600.0 / White }; // W/m^2
+
+constexpr double Walls[][6] = { { -3.7, -3.5, 0, 0.9, -6, 5 }, { -3.7, -3.5, 2.7, 3.2, -6, 5 },
+  { -3.7, -3.5, 0.9, 2.7, -6, -5.2 }, { -3.7, -3.5, 0.9, 2.7, -3.8, -2.9 },
+  { -3.7, -3.5, 0.9, 2.7, -1.5, -0.6 }, { -3.7, -3.5, 0.9, 2.7, 0.8, 5 },
+  { -3.64, -3.56, 0.9, 2.7, -4.54, -4.46 }, { -3.64, -3.56, 0.9, 2.7, -2.24, -2.16 },
+  { -3.64, -3.56, 0.9, 2.7, 0.06, 0.14 }, { -3.64, -3.56, 2.06, 2.14, -5.2, 0.8 },
+  { -3.7, 3.7, 3.2, 3.4, -6.2, 5.2 }, { 3.5, 3.7, 0, 3.2, -6, 5 }, { -3.7, 3.7, 0, 3.2, -6.2, -6 },
+  { -3.7, 3.7, 0, 3.2, 5, 5.2 } };
+constexpr double Table[][6] = { { -1.9, -0.2, 0.7, 0.75, -2.5, -1.1 },
+  { -1.85, -1.78, 0, 0.7, -2.45, -2.38 }, { -1.85, -1.78, 0, 0.7, -1.22, -1.15 },
+  { -0.32, -0.25, 0, 0.7, -2.45, -2.38 }, { -0.32, -0.25, 0, 0.7, -1.22, -1.15 } };
+
+void Add(vtkRenderer* renderer, vtkPolyDataAlgorithm* source, double r, double g, double b)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(r, g, b);
+  property->SetAmbientColor(r * SkyLight[0], g * SkyLight[1], b * SkyLight[2]);
+  property->SetAmbient(1.0);
+  renderer->AddActor(actor);
+}
+
+void AddBox(vtkRenderer* renderer, const double bounds[6], double r, double g, double b)
+{
+  vtkNew<vtkCubeSource> box;
+  box->SetBounds(bounds);
+  Add(renderer, box, r, g, b);
+}
+
+void AddRoom(vtkRenderer* renderer)
+{
+  const double floor[6] = { -3.7, 3.5, -0.2, 0.0, -6.0, 5.0 };
+  AddBox(renderer, floor, 0.36, 0.23, 0.13);
+  for (const auto& wall : Walls)
+  {
+    AddBox(renderer, wall, 0.75, 0.72, 0.66);
+  }
+  for (const auto& part : Table)
+  {
+    AddBox(renderer, part, 0.45, 0.22, 0.1);
+  }
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(-1.2, 0.97, -1.7);
+  ball->SetRadius(0.22);
+  ball->SetThetaResolution(48);
+  ball->SetPhiResolution(48);
+  Add(renderer, ball, 0.3, 0.55, 0.6);
+}
+
+// False after an error, which VTK reports.
+bool WritePicture(vtkRenderWindow* window, const char* fileName)
+{
+  vtkNew<vtkWindowToImageFilter> shot;
+  shot->SetInput(window);
+  shot->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(shot->GetOutputPort());
+  writer->SetFileName(fileName);
+  writer->Write();
+  return writer->GetErrorCode() == 0;
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  const bool writes = argc == 3 && std::strcmp(argv[1], "-o") == 0;
+  if (argc != 1 && !writes)
+  {
+    std::puts("usage: DaylightRoom [-o PICTURE.png]\nThe sun through the windows of a dusty room");
+    return argc == 2 && std::strcmp(argv[1], "--help") == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  vtkNew<vtkLight> sun;
+  vtkAirlight::SetIrradiance(sun, Sun);
+  sun->SetPosition(-1.0, 0.72, -0.3); // where it shines from
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  vtkNew<vtkParticipatingMedium> dust;
+  dust->SetScattering(0.07, 0.07, 0.07); // per metre
+  dust->SetAbsorption(0.007, 0.007, 0.007);
+  dust->SetAmbientRadiance(SkyLight);
+  dust->SetPhaseFunctionToHenyeyGreenstein();
+  dust->SetAnisotropy(0.6);
+  dust->SetRegionToBox();
+  dust->SetBounds(Room);
+  vtkNew<vtkAirlightPass> pass;
+  pass->SetMedium(dust);
+  pass->RecordBuffersOn();
+  pass->EncodedOutputOn(); // for the eye
+  vtkNew<vtkRenderer> renderer;
+  renderer->UseFXAAOn();
+  renderer->SetBackground(0.5, 0.7, 0.9); // the sky in the windows
+  renderer->AddLight(sun);
+  renderer->SetPass(pass);
+  AddRoom(renderer);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(2.9, 1.5, 3.6);
+  camera->SetFocalPoint(-2.4, 1.0, -1.5);
+  camera->SetViewAngle(42.0);
+  renderer->ResetCameraClippingRange();
+
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(480, 320);
+  window->AddRenderer(renderer);
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor->SetInteractorStyle(style);
+  window->SetOffScreenRendering(writes);
+  if (!writes)
+  {
+    interactor->SetRenderWindow(window);
+  }
+  window->Render();
+  std::printf("of %.3f m straight ahead %.3f m are in the sun\n",
+    pass->GetBuffer("Depth")->GetScalarComponentAsDouble(240, 160, 0, 0),
+    pass->GetBuffer("LitLength")->GetScalarComponentAsDouble(240, 160, 0, 0));
+  if (writes)
+  {
+    return WritePicture(window, argv[2]) ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  interactor->Start();
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ViewerStyle_h
+#define ViewerStyle_h
+
+#include <vtkInteractorStyleTrackballCamera.h>
+
+namespace airlight
+{
+
+class Viewer;
+
+/**
+ * The mouse turns, moves and zooms the camera as in other programs of VTK, but with Ctrl and the
+ * left button it drags the viewer's lamp. Keys go to the viewer; of VTK's own only q and e, which
+ * quit, are left.
+ */
+class ViewerStyle : public vtkInteractorStyleTrackballCamera
+{
+public:
+  static ViewerStyle* New();
+  vtkTypeMacro(ViewerStyle, vtkInteractorStyleTrackballCamera);
+
+  void SetOwner(Viewer* owner) { this->Owner = owner; }
+
+  void OnLeftButtonDown() override;
+  void OnLeftButtonUp() override;
+  void OnMouseMove() override;
+  void OnKeyPress() override;
+  void OnChar() override;
+
+private:
+  Viewer* Owner = nullptr;
+  bool DragsLamp = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A molecule in a haze that tells near from far: DNA, four turns of the double helix.
+
+The haze is of the background's colour everywhere, and the lamp does not light it: a colour at the
+distance d keeps exp(-d/RANGE) of its contrast with the background. How much that is at the nearest
+and at the farthest part in the picture is printed. Lengths are in nanometres; B-DNA has 10.5 pairs
+a turn, 0.332 apart, and its phosphates 0.9 from the axis, 133 degrees across the minor groove.
+"""
+
+import argparse
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkGlyph3DMapper, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
+    vtkRenderWindowInteractor, vtkWindowToImageFilter)
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
+
+import airlight
+
+PAIRS = 42
+RADIUS, RISE, TWIST, GROOVE = 0.9, 0.332, 2 * np.pi / 10.5, np.radians(133)
+PHOSPHATE = 0.2  # radius of the balls
+RANGE = 8.0  # where a colour has lost 63 % of its contrast
+HAZE = (0.02, 0.04, 0.09)
+EYE, TARGET = (-2.3, 2.1, 5.0), (-0.15, 0.12, -0.5)
+BASES = {"A": (0.75, 0.2, 0.15), "T": (0.85, 0.65, 0.15), "G": (0.15, 0.5, 0.25),
+         "C": (0.15, 0.3, 0.7)}
+
+
+def strand(offset, radius=RADIUS):
+    """Places along one strand, at this angle from the other, the helix along -z."""
+    steps = np.arange(PAIRS)
+    angle = steps * TWIST + offset
+    return np.stack((radius * np.cos(angle), radius * np.sin(angle), 1 - steps * RISE), axis=1)
+
+
+def make_lines(lines):
+    """A vtkPolyData of polylines, each an array of points."""
+    points, cells = vtkPoints(), vtkCellArray()
+    points.SetData(numpy_to_vtk(np.concatenate(lines), deep=True))
+    start = 0
+    for line in lines:
+        cells.InsertNextCell(len(line), range(start, start + len(line)))
+        start += len(line)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    data.SetLines(cells)
+    return data
+
+
+def add(renderer, mapper, colour):
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(colour)
+    actor.GetProperty().SetAmbient(0.25)
+    actor.GetProperty().SetDiffuse(0.9)
+    renderer.AddActor(actor)
+
+
+def add_tubes(renderer, lines, radius, colour):
+    tubes = vtkTubeFilter()
+    tubes.SetInputData(make_lines(lines))
+    tubes.SetRadius(radius)
+    tubes.SetNumberOfSides(16)
+    tubes.CappingOn()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(tubes.GetOutputPort())
+    add(renderer, mapper, colour)
+
+
+def add_balls(renderer, places):
+    ball = vtkSphereSource()
+    ball.SetRadius(PHOSPHATE)
+    ball.SetThetaResolution(24)
+    ball.SetPhiResolution(16)
+    mapper = vtkGlyph3DMapper()
+    mapper.SetInputData(make_lines([places]))
+    mapper.SetSourceConnection(ball.GetOutputPort())
+    add(renderer, mapper, (0.75, 0.5, 0.3))
+
+
+def add_molecule(renderer):
+    strands = [strand(0), strand(GROOVE)]
+    add_tubes(renderer, strands, 0.1, (0.6, 0.6, 0.62))
+    for places in strands:
+        add_balls(renderer, places)
+    sequence = np.random.default_rng(1953).choice(list("ATGC"), PAIRS)
+    halves = {base: [] for base in BASES}
+    for i, base in enumerate(sequence):
+        middle = (strands[0][i] + strands[1][i]) / 2
+        halves[base].append(np.array((strands[0][i], middle)))
+        halves["TACG"["ATGC".index(base)]].append(np.array((strands[1][i], middle)))
+    for base, lines in halves.items():
+        add_tubes(renderer, lines, 0.09, BASES[base])
+
+
+def open_window(renderers, output):
+    """A window and its first frame; off the screen where that goes into a file."""
+    window = vtkRenderWindow()
+    window.SetMultiSamples(0)
+    window.SetSize(480, 320)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
+    if output:
+        window.SetOffScreenRendering(True)
+    else:
+        interactor = vtkRenderWindowInteractor()
+        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+        interactor.SetRenderWindow(window)
+    window.Render()
+    return window
+
+
+def show(window, output):
+    if not output:
+        window.GetInteractor().Start()
+        return
+    shot = vtkWindowToImageFilter()
+    shot.SetInput(window)
+    shot.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(shot.GetOutputPort())
+    writer.SetFileName(output)
+    writer.Write()
+    if writer.GetErrorCode():
+        raise SystemExit(1)  # VTK has said why
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
+    options = parser.parse_args()
+    haze = airlight.vtkParticipatingMedium()
+    haze.SetScattering(3 * [1 / RANGE])
+    haze.SetAmbientRadiance(HAZE)
+    lamp = vtkLight()
+    airlight.vtkAirlight.SetIrradiance(lamp, (5, 4.9, 4.6))
+    lamp.SetPosition(-1, 3, 1.5)
+    lamp.SetFocalPoint(0, 0, 0)
+    renderer = vtkRenderer()
+    renderer.UseFXAAOn()
+    renderer.AddLight(lamp)
+    add_molecule(renderer)
+    haze_pass = airlight.vtkAirlightPass()
+    haze_pass.SetMedium(haze)
+    haze_pass.SetLightScatters(lamp, False)
+    haze_pass.RecordBuffersOn()
+    haze_pass.EncodedOutputOn()  # for the eye
+    renderer.SetPass(haze_pass)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(EYE)
+    camera.SetFocalPoint(TARGET)
+    camera.SetViewAngle(30)
+    renderer.ResetCameraClippingRange()
+    window = open_window([renderer], options.output)
+    depth, kept = (vtk_to_numpy(haze_pass.GetBuffer(name).GetPointData().GetScalars())
+                   for name in ("Depth", "Transmittance"))
+    for name, place in (("nearest", np.where(depth > 0, depth, np.inf).argmin()),
+                        ("farthest", depth.argmax())):
+        print(f"{name}: at {depth[place]:.3f} nm {100 * kept[place, 0]:.2f} % of the contrast")
+    show(window, options.output)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a driver sees in fog at night by low and by high beam.
+
+Fog throws the headlights' light back: a veil over the road. For people on the road so far ahead the
+program prints, for both beams, the luminance of the veil before them and their contrast, their own
+luminance as it arrives divided by the veil's. For the low beam a shield before each lamp cuts off
+what it would send higher than 1 % below the horizon. The picture shows low beam above, high below.
+"""
+
+import argparse
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkInformation
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
+    vtkWindowToImageFilter)
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
+
+import airlight
+
+INTENSITY = 20000.0  # cd, along the axis of each lamp
+SHIELD = 0.9  # opacity of each of its two sides: 1 % of the light is stray light above the road
+COLOUR = np.array((1.0, 0.96, 0.86))
+LAMPS = [(-0.62, 0.65, 0.0), (0.62, 0.65, 0.0)]  # m; the car drives along -z
+EYE = (-0.35, 1.25, 1.6)
+VISIBILITY, ANISOTROPY = 100.0, 0.85  # of the fog: metres, and its droplets' mean cosine
+PEOPLE = [(1.0, 12.0), (-0.4, 22.0), (-2.2, 34.0), (0.4, 48.0)]  # m to the right, and ahead
+WHITE = 10.0  # cd/m^2, what the picture shows as white
+
+
+
+
+def add(renderer, source, albedo):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(albedo)
+    renderer.AddActor(actor)
+    return actor
+
+
+def box(*bounds):
+    source = vtkCubeSource()
+    source.SetBounds(bounds)
+    return source
+
+
+def add_road(renderer):
+    add(renderer, box(-30, 30, -0.2, 0, -200, 10), (0.07, 0.07, 0.07))
+    for z in range(-190, 10, 9):
+        add(renderer, box(-1.9, -1.78, -0.1, 0.01, z, z + 3), (0.5, 0.5, 0.48))
+    add(renderer, box(1.8, 1.95, -0.1, 0.01, -200, 10), (0.5, 0.5, 0.48))
+    for z in range(-190, 0, 10):
+        for x in (-5.6, 2.4):
+            add(renderer, box(x, x + 0.12, 0, 1, z, z + 0.12), (0.7, 0.7, 0.7))
+    for x, z in PEOPLE:
+        for leg in (x - 0.2, x + 0.02):
+            add(renderer, box(leg, leg + 0.16, 0, 0.8, -z - 0.1, -z + 0.1), (0.06, 0.07, 0.1))
+        add(renderer, box(x - 0.24, x + 0.24, 0.75, 1.45, -z - 0.12, -z + 0.12), (0.22, 0.1, 0.08))
+        head = vtkSphereSource()
+        head.SetCenter(x, 1.62, -z)
+        head.SetRadius(0.13)
+        add(renderer, head, (0.35, 0.25, 0.2))
+
+
+def make_view(beam, viewport):
+    """Renderer and pass of the road by one of the beams."""
+    renderer = vtkRenderer()
+    renderer.SetViewport(viewport)
+    fog = airlight.vtkParticipatingMedium()
+    fog.SetVisibility(VISIBILITY)
+    fog.SetPhaseFunctionToHenyeyGreenstein()
+    fog.SetAnisotropy(ANISOTROPY)
+    fog_pass = airlight.vtkAirlightPass()
+    fog_pass.SetMedium(fog)
+    fog_pass.RecordBuffersOn()
+    fog_pass.EncodedOutputOn()  # for the eye
+    for x, y, z in LAMPS:
+        lamp = vtkLight()
+        airlight.vtkAirlight.SetRadiantIntensity(lamp, INTENSITY / WHITE * COLOUR)
+        lamp.SetPosition(x, y, z)
+        lamp.SetFocalPoint(x, y, z - 1)
+        lamp.SetConeAngle(35)
+        lamp.SetExponent(60)  # half as bright 9 degrees off its axis
+        renderer.AddLight(lamp)
+        if beam == "low":
+            plate = box(x - 0.05, x + 0.05, y - 0.0005, y + 0.04, z - 0.051, z - 0.05)
+            shield = add(renderer, plate, (0, 0, 0))
+            keys = vtkInformation()
+            keys.Set(fog_pass.SHADOW_OPACITY(), 3 * [SHIELD], 3)
+            shield.SetPropertyKeys(keys)
+    renderer.SetPass(fog_pass)
+    add_road(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(EYE)
+    camera.SetFocalPoint(EYE[0], EYE[1] - 0.06, EYE[2] - 1)
+    camera.SetViewAngle(24)
+    camera.SetClippingRange(0.5, 300)
+    return renderer, fog_pass
+
+
+def open_window(renderers, output):
+    """A window and its first frame; off the screen where that goes into a file."""
+    window = vtkRenderWindow()
+    window.SetMultiSamples(0)
+    window.SetSize(480, 320)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
+    if output:
+        window.SetOffScreenRendering(True)
+    else:
+        interactor = vtkRenderWindowInteractor()
+        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+        interactor.SetRenderWindow(window)
+    window.Render()
+    return window
+
+
+def show(window, output):
+    if not output:
+        window.GetInteractor().Start()
+        return
+    shot = vtkWindowToImageFilter()
+    shot.SetInput(window)
+    shot.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(shot.GetOutputPort())
+    writer.SetFileName(output)
+    writer.Write()
+    if writer.GetErrorCode():
+        raise SystemExit(1)  # VTK has said why
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
+    options = parser.parse_args()
+    views = {"low": make_view("low", (0, 0.5, 1, 1)), "high": make_view("high", (0, 0, 1, 0.5))}
+    window = open_window([renderer for renderer, _ in views.values()], options.output)
+
+    for x, distance in PEOPLE:
+        print(f"at {distance:g} m:", end="")
+        for beam, (renderer, fog_pass) in views.items():
+            renderer.SetWorldPoint(x + 0.1, 0.15, -distance + 0.1, 1)  # a leg
+            renderer.WorldToDisplay()
+            column, row, _ = renderer.GetDisplayPoint()
+            column, row = int(column), int(row - renderer.GetOrigin()[1])
+            surface, veil = (WHITE * fog_pass.GetBuffer(name).GetScalarComponentAsDouble(
+                column, row, 0, 1) for name in ("Surface", "Airlight"))
+            print(f"  {beam} beam: veil {veil:.3f} cd/m^2, contrast {surface / veil:.3f}", end="")
+        print()
+    show(window, options.output)
+
+
+if __name__ == "__main__":
+    main()
