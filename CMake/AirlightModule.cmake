@@ -37,8 +37,10 @@ vtk_module_include(Airlight::Airlight SYSTEM
 
 vtk_module_compile_features(Airlight::Airlight
   PUBLIC cxx_std_17)
-vtk_module_compile_options(Airlight::Airlight
-  PRIVATE ${AIRLIGHT_WARNINGS})
+if (AIRLIGHT_WARNINGS) # not inside VTK, which has its own
+  vtk_module_compile_options(Airlight::Airlight
+    PRIVATE ${AIRLIGHT_WARNINGS})
+endif ()
 if (TARGET OpenVDB::openvdb)
   airlight_includes_openvdb(Filters/AirlightOpenVDBFile.cxx)
   vtk_module_link(Airlight::Airlight
