@@ -13,7 +13,7 @@ import unittest
 
 SOURCE = pathlib.Path(os.environ["AIRLIGHT_SOURCE_DIR"])
 CMAKE = os.environ["AIRLIGHT_CMAKE"]
-ROOT_FILES = ("CMakeLists.txt", "vtk.module", "CMake", "Filters", "Module", "Rendering", "Testing")
+ROOT_FILES = ("CMakeLists.txt", "airlight.module", "vtk.module", "CMake", "Filters", "Module", "Rendering", "Testing")
 
 
 def run(*command):
@@ -44,10 +44,17 @@ class TestRemoteModule(unittest.TestCase):
     def tearDown(self):
         shutil.rmtree(self.folder)
 
+    def test_module_files(self):
+        """VTK's and the project's differ by the namespace alone."""
+        texts = [re.sub(r"^#.*\n", "", (SOURCE / name).read_text(encoding="utf-8"), flags=re.M)
+                 for name in ("vtk.module", "airlight.module")]
+        self.assertIn("NAME\n  VTK::Airlight\n", texts[0])
+        self.assertEqual(texts[0].replace("VTK::Airlight", "Airlight::Airlight"), texts[1])
+
     def test_configuration(self):
         build = self.folder / "build"
         text = (SOURCE / "vtk.module").read_text(encoding="utf-8")
-        modules = ";".join(re.findall(r"VTK::(\w+)", text))
+        modules = ";".join(re.findall(r"VTK::(?!Airlight)(\w+)", text))
         run(CMAKE, "-G", os.environ["AIRLIGHT_GENERATOR"], "-S", self.folder / "vtk", "-B", build,
             f"-DVTK_DIR={os.environ['AIRLIGHT_VTK_DIR']}", f"-DAIRLIGHT_VTK_MODULES={modules}",
             "-DCMAKE_BUILD_TYPE=Release",
@@ -57,7 +64,7 @@ class TestRemoteModule(unittest.TestCase):
         for name in listed_classes():
             self.assertIn(os.path.realpath(self.root / (name + ".cxx")), compiled)
         tests = run("ctest", "--test-dir", build, "-N")
-        self.assertIn("Airlight::AirlightCxx-TestAirlight\n", tests)
+        self.assertIn("VTK::AirlightCxx-TestAirlight\n", tests)
         self.assertNotIn("Consumer", tests)  # that is for the project of its own
         # A class of each folder and generated text of shaders compile.
         for name in ("Module/vtkAirlight.cxx", "Filters/vtkLitIntervalsFilter.cxx"):
