@@ -47,6 +47,7 @@ command=("$@")
 command -v debootstrap > /dev/null || die "debootstrap is missing; install it first."
 command -v git > /dev/null || die "git is missing; install it first."
 if [[ -z $mirror ]]; then
+  # shellcheck disable=SC2016 # apt replaces it
   mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Component: main' |
     sed -n '/\/debian\/\{0,1\}$/{p;q}')
   [[ -n $mirror ]] || die "apt knows no mirror of Debian here; name one by --mirror."
@@ -59,11 +60,11 @@ fi
 
 step "Making a root of $suite in $folder"
 if [[ ! -e $folder/airlight-root-complete ]]; then
-  debootstrap --variant=minbase "$suite" "$folder" "$mirror" > "$folder.log" 2>&1 ||
-    die "debootstrap failed; see $folder.log"
+  debootstrap --variant=minbase "$suite" "$folder" "$mirror" > "$folder.debootstrap.log" 2>&1 ||
+    die "debootstrap failed; see $folder.debootstrap.log"
   touch "$folder/airlight-root-complete"
 fi
-rm -f "$folder.log"
+rm -f "$folder.debootstrap.log"
 cp --dereference /etc/resolv.conf /etc/hosts "$folder/etc/"
 
 step "Cloning"
@@ -72,9 +73,10 @@ rm -rf "$folder/root/airlight"
 git clone --quiet "file://$root" "$folder/root/airlight"
 echo "cloned after $((SECONDS - start)) s"
 
-# In a mount namespace of its own, whose mounts go when it ends. Shared memory is the X server's.
+# In a mount namespace of its own, whose mounts go when it ends.
 step "Running ${command[*]}"
 result=0
+# shellcheck disable=SC2016 # the inner shell replaces them
 unshare --mount --pid --fork --kill-child bash -c '
   set -e
   mount -t proc proc "$0/proc"
