@@ -69,15 +69,15 @@ cp --dereference /etc/resolv.conf /etc/hosts "$folder/etc/"
 
 step "Cloning"
 start=$SECONDS
+TIMEFORMAT='%0R s by the clock; processors: %0U s in programs, %0S s in the system'
 rm -rf "$folder/root/airlight"
-git clone --quiet "file://$root" "$folder/root/airlight"
-echo "cloned after $((SECONDS - start)) s"
+time git clone --quiet "file://$root" "$folder/root/airlight"
 
 # In a mount namespace of its own, whose mounts go when it ends.
 step "Running ${command[*]}"
 result=0
 # shellcheck disable=SC2016 # the inner shell replaces them
-unshare --mount --pid --fork --kill-child bash -c '
+time unshare --mount --pid --fork --kill-child bash -c '
   set -e
   mount -t proc proc "$0/proc"
   mount --rbind /dev "$0/dev"
