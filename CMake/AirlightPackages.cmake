@@ -49,13 +49,12 @@ endfunction ()
 airlight_package(runtime libs "light in fog, smoke and water for VTK - shared library"
   "This package contains the shared library.")
 
-# What dpkg-shlibdeps and ldconfig are to know of it.
+# What dpkg-shlibdeps is to know of it. CPack writes the scripts that call ldconfig.
 set(control "${CMAKE_BINARY_DIR}/packages")
 file(WRITE "${control}/shlibs"
   "libvtkAirlight ${Airlight_VERSION_MAJOR}.${Airlight_VERSION_MINOR} "
   "${AIRLIGHT_PACKAGE_runtime} (>= ${Airlight_VERSION})\n")
-file(WRITE "${control}/triggers" "activate-noawait ldconfig\n")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${control}/shlibs;${control}/triggers")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${control}/shlibs")
 
 # libvtk9-dev is in Debian 12 and 13; its dependencies bring what VTK's CMake package looks for.
 airlight_package(development libdevel "light in fog, smoke and water for VTK - development files"
@@ -70,6 +69,12 @@ if (AIRLIGHT_WRAP_PYTHON)
     "${library}" "python3-vtk9 (>= ${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION})"
     "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR})"
     "python3 (<< ${Python3_VERSION_MAJOR}.${next_minor})")
+  # What Python compiles goes with the package.
+  file(WRITE "${control}/prerm"
+    "#!/bin/sh\nset -e\npy3clean -p ${AIRLIGHT_PACKAGE_python}\n")
+  file(CHMOD "${control}/prerm" PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${control}/prerm")
 endif ()
 
 airlight_package(programs graphics "light in fog, smoke and water for VTK - program"
