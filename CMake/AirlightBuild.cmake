@@ -23,13 +23,13 @@ if (AIRLIGHT_BUILD_TESTING)
 endif ()
 
 vtk_module_scan(
-  MODULE_FILES            "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
+  MODULE_FILES            "${CMAKE_CURRENT_SOURCE_DIR}/airlight.module"
   REQUEST_MODULES         Airlight::Airlight
   PROVIDES_MODULES        modules
   HIDE_MODULES_FROM_CACHE ON
   ENABLE_TESTS            "${enable_tests}")
 
-# vtk_module_build() adds the folder of vtk.module by its path below CMAKE_SOURCE_DIR, which for the
+# vtk_module_build() adds the folder of airlight.module by its path below CMAKE_SOURCE_DIR, which for the
 # root folder would be the project itself. One level up it becomes a sub-folder.
 set(project_source_dir "${CMAKE_SOURCE_DIR}")
 set(CMAKE_SOURCE_DIR "${CMAKE_CURRENT_SOURCE_DIR}/..")

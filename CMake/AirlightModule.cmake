@@ -1,4 +1,4 @@
-# The VTK module Airlight::Airlight, from the lists at the top of the root CMakeLists.txt.
+# The VTK module, from the lists at the top of the root CMakeLists.txt.
 
 # Libraries of headers, for our own sources only.
 find_path(AIRLIGHT_GLM_INCLUDE_DIR glm/glm.hpp)
@@ -21,26 +21,28 @@ foreach (file IN LISTS glsl)
   list(APPEND private_sources "${source}")
 endforeach ()
 
-vtk_module_add_module(Airlight::Airlight
+vtk_module_add_module("${_vtk_build_module}"
   CLASSES         ${classes}
   SOURCES         ${private_sources}
   PRIVATE_HEADERS ${private_headers})
 
 foreach (folder IN ITEMS Module Filters Rendering)
-  vtk_module_include(Airlight::Airlight
+  vtk_module_include("${_vtk_build_module}"
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
 endforeach ()
-vtk_module_include(Airlight::Airlight
+vtk_module_include("${_vtk_build_module}"
   PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Module/glsl")
-vtk_module_include(Airlight::Airlight SYSTEM
+vtk_module_include("${_vtk_build_module}" SYSTEM
   PRIVATE "${AIRLIGHT_GLM_INCLUDE_DIR}" "${AIRLIGHT_EIGEN_INCLUDE_DIR}")
 
-vtk_module_compile_features(Airlight::Airlight
+vtk_module_compile_features("${_vtk_build_module}"
   PUBLIC cxx_std_17)
-vtk_module_compile_options(Airlight::Airlight
-  PRIVATE ${AIRLIGHT_WARNINGS})
+if (AIRLIGHT_WARNINGS) # not inside VTK, which has its own
+  vtk_module_compile_options("${_vtk_build_module}"
+    PRIVATE ${AIRLIGHT_WARNINGS})
+endif ()
 if (TARGET OpenVDB::openvdb)
   airlight_includes_openvdb(Filters/AirlightOpenVDBFile.cxx)
-  vtk_module_link(Airlight::Airlight
+  vtk_module_link("${_vtk_build_module}"
     PRIVATE OpenVDB::openvdb)
 endif ()

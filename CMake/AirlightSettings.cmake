@@ -1,5 +1,13 @@
 # Compiler, warnings and where things are put.
 
+# Debian's folder of libraries, lib/<architecture>, is searched below /usr, /usr/local and whatever
+# prefix CMake is told alike. CMake itself takes it for /usr alone, but the prefix may be chosen later
+# (by packages, by cmake --install --prefix).
+if (EXISTS "/etc/debian_version" AND CMAKE_LIBRARY_ARCHITECTURE
+    AND NOT DEFINED CMAKE_INSTALL_LIBDIR)
+  set(CMAKE_INSTALL_LIBDIR "lib/${CMAKE_LIBRARY_ARCHITECTURE}" CACHE PATH
+    "Folder of libraries below the install prefix")
+endif ()
 include(GNUInstallDirs)
 
 set(CMAKE_CXX_STANDARD 17)

@@ -487,9 +487,9 @@ public:
    */
   static vtkInformationDoubleVectorKey* SHADOW_OPACITY();
 
-  void Render(const vtkRenderState* s) override;
-  void ReleaseGraphicsResources(vtkWindow* w) override;
-  vtkMTimeType GetMTime() override;
+  void Render(const vtkRenderState* s) override;        ///< Draws a frame; called by vtkRenderer
+  void ReleaseGraphicsResources(vtkWindow* w) override; ///< Frees what is on the graphics card
+  vtkMTimeType GetMTime() override;                     ///< Includes the media's times
 
   ///@{
   /**

@@ -129,8 +129,8 @@ public:
    */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
-  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override; ///< Draws the surface
+  void ReleaseGraphicsResources(vtkWindow* window) override; ///< Frees what is on the graphics card
 
 protected:
   vtkAirlightPolyDataMapper();

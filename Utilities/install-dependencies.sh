@@ -2,9 +2,10 @@
 # Installs what Airlight needs to build, test and run on Debian 12. Packages that are there already
 # are left as they are. Becomes root through sudo where necessary.
 #
-# Usage: Utilities/install-dependencies.sh [--with-openvdb]
+# Usage: Utilities/install-dependencies.sh [--with-openvdb] [--with-doxygen]
 #
 #   --with-openvdb   also install OpenVDB, for reading .vdb files
+#   --with-doxygen   also install Doxygen, for making the class reference
 set -euo pipefail
 
 packages=(
@@ -22,6 +23,7 @@ packages=(
 for option in "$@"; do
   case $option in
     --with-openvdb) packages+=(libopenvdb-dev libboost-iostreams-dev) ;;
+    --with-doxygen) packages+=(doxygen) ;;
     -h | --help)
       sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
       exit

@@ -77,16 +77,34 @@ bool IsOneOf(const std::string& scene, const std::string& wanted)
   return scene == wanted || scene.compare(0, wanted.size() + 1, wanted + "/") == 0;
 }
 
+namespace
+{
+//------------------------------------------------------------------------------
+// What went wrong with a run, or null. Google Benchmark names it otherwise from version 1.8 on.
+template <class Run>
+auto FindError(const Run& run, int) -> decltype(&run.error_message)
+{
+  return run.error_occurred ? &run.error_message : nullptr;
+}
+
+template <class Run>
+auto FindError(const Run& run, long) -> decltype(&run.skip_message)
+{
+  return run.skipped ? &run.skip_message : nullptr;
+}
+}
+
 //------------------------------------------------------------------------------
 void RowReporter::ReportRuns(const std::vector<Run>& runs)
 {
   for (const Run& run : runs)
   {
-    if (run.error_occurred)
+    const std::string* error = FindError(run, 0);
+    if (error)
     {
-      std::cerr << "warning: " << run.run_name.function_name << ": " << run.error_message << "\n";
+      std::cerr << "warning: " << run.run_name.function_name << ": " << *error << "\n";
     }
-    if (run.run_type != Run::RT_Iteration || run.error_occurred)
+    if (run.run_type != Run::RT_Iteration || error)
     {
       continue;
     }

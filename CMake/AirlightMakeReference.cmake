@@ -1,0 +1,22 @@
+# Script: runs Doxygen (DOXYGEN) on FOLDER/Doxyfile, and fails unless it is silent and there is a page
+# for each of CLASSES.
+
+if (NOT DOXYGEN)
+  message(FATAL_ERROR "Doxygen was not found: install it (Debian: doxygen) or set AIRLIGHT_DOXYGEN.")
+endif ()
+file(REMOVE_RECURSE "${FOLDER}/html" "${FOLDER}/warnings.txt")
+execute_process(COMMAND "${DOXYGEN}" "${FOLDER}/Doxyfile" RESULT_VARIABLE result)
+if (NOT result EQUAL 0)
+  message(FATAL_ERROR "Doxygen failed: ${result}")
+endif ()
+file(READ "${FOLDER}/warnings.txt" warnings)
+if (NOT warnings STREQUAL "")
+  message(FATAL_ERROR "Doxygen warns:\n${warnings}")
+endif ()
+foreach (class IN LISTS CLASSES)
+  get_filename_component(name "${class}" NAME)
+  if (NOT EXISTS "${FOLDER}/html/class${name}.html")
+    message(FATAL_ERROR "There is no page for ${name} in ${FOLDER}/html")
+  endif ()
+endforeach ()
+message(STATUS "The class reference: ${FOLDER}/html/index.html")

@@ -1,0 +1,29 @@
+# The class reference: the target `doc` makes it with Doxygen, in reference/html below the build
+# folder, and a test does so, too, and fails with Doxygen's warnings.
+
+find_program(AIRLIGHT_DOXYGEN doxygen)
+mark_as_advanced(AIRLIGHT_DOXYGEN)
+
+set(AIRLIGHT_REFERENCE_DIR "${CMAKE_BINARY_DIR}/reference")
+set(headers "${classes}" Filters/vtkOpenVDBDensityReader) # whether it is built or not
+list(TRANSFORM headers PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+list(TRANSFORM headers APPEND ".h")
+list(APPEND headers "${CMAKE_CURRENT_SOURCE_DIR}/Documentation/doxygen/mainpage.md")
+list(TRANSFORM headers REPLACE "(.+)" "\"\\1\"")
+list(JOIN headers " " AIRLIGHT_REFERENCE_INPUT)
+configure_file(Documentation/doxygen/Doxyfile.in "${AIRLIGHT_REFERENCE_DIR}/Doxyfile" @ONLY)
+
+set(make_reference "${CMAKE_COMMAND}"
+  "-DDOXYGEN=${AIRLIGHT_DOXYGEN}"
+  "-DFOLDER=${AIRLIGHT_REFERENCE_DIR}"
+  "-DCLASSES=${classes};Filters/vtkOpenVDBDensityReader"
+  -P "${CMAKE_CURRENT_SOURCE_DIR}/CMake/AirlightMakeReference.cmake")
+add_custom_target(doc
+  COMMAND ${make_reference}
+  COMMENT "Making the class reference"
+  VERBATIM)
+if (AIRLIGHT_BUILD_TESTING)
+  add_test(NAME "Airlight::Airlight-Reference" COMMAND ${make_reference})
+  set_tests_properties("Airlight::Airlight-Reference" PROPERTIES
+    SKIP_REGULAR_EXPRESSION "Doxygen was not found")
+endif ()

@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# Runs a command of this repository in a fresh Debian with nothing but its base system, and tells how
+# long it took. For what a newcomer meets, and for other releases of Debian. Needs root, debootstrap,
+# and 6 GB; it changes nothing outside the folder of the root.
+#
+# Usage: Utilities/bare-root.sh [--suite NAME] [--root DIR] [--mirror URL] [COMMAND...]
+#
+#   --suite    the release: bookworm (Debian 12, the default), trixie (Debian 13)
+#   --root     the folder of the root; it is kept, and used again where it exists. Default: a
+#              temporary folder, which is removed at the end
+#   --mirror   the mirror of Debian's packages. Default: the one that apt uses on this machine
+#   COMMAND    run in a clone of the last commit. Default: Utilities/demo.sh --no-view, which renders
+#              Figure 1
+#
+# AIRLIGHT_JOBS is the number of parallel jobs, as in the other scripts.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+step_count=3
+
+suite=bookworm
+folder=
+mirror=
+while (($#)); do
+  case $1 in
+    --suite | --root | --mirror)
+      (($# >= 2)) || die "$1 needs a value."
+      case $1 in
+        --suite) suite=$2 ;;
+        --root) folder=$2 ;;
+        --mirror) mirror=$2 ;;
+      esac
+      shift 2
+      ;;
+    -h | --help)
+      sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+      exit
+      ;;
+    -*) die "unknown option '$1'; try --help." ;;
+    *) break ;;
+  esac
+done
+command=("$@")
+(($#)) || command=(Utilities/demo.sh --no-view)
+
+((EUID == 0)) || die "this script has to be run as root: it makes a root file system."
+command -v debootstrap > /dev/null || die "debootstrap is missing; install it first."
+command -v git > /dev/null || die "git is missing; install it first."
+if [[ -z $mirror ]]; then
+  # shellcheck disable=SC2016 # apt replaces it
+  mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Component: main' |
+    sed -n '/\/debian\/\{0,1\}$/{p;q}')
+  [[ -n $mirror ]] || die "apt knows no mirror of Debian here; name one by --mirror."
+fi
+if [[ -z $folder ]]; then
+  folder=$(mktemp -d)
+  chmod 755 "$folder"
+  trap 'rm -rf --one-file-system "$folder"' EXIT
+fi
+
+step "Making a root of $suite in $folder"
+if [[ ! -e $folder/airlight-root-complete ]]; then
+  debootstrap --variant=minbase "$suite" "$folder" "$mirror" > "$folder.debootstrap.log" 2>&1 ||
+    die "debootstrap failed; see $folder.debootstrap.log"
+  touch "$folder/airlight-root-complete"
+fi
+rm -f "$folder.debootstrap.log"
+cp --dereference /etc/resolv.conf /etc/hosts "$folder/etc/"
+
+step "Cloning"
+start=$SECONDS
+TIMEFORMAT='%0R s by the clock; processors: %0U s in programs, %0S s in the system'
+rm -rf "$folder/root/airlight"
+time git clone --quiet "file://$root" "$folder/root/airlight"
+
+# In a mount namespace of its own, whose mounts go when it ends.
+step "Running ${command[*]}"
+result=0
+# shellcheck disable=SC2016 # the inner shell replaces them
+time unshare --mount --pid --fork --kill-child bash -c '
+  set -e
+  mount -t proc proc "$0/proc"
+  mount --rbind /dev "$0/dev"
+  mount -t tmpfs tmpfs "$0/tmp"
+  exec chroot "$0" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
+    AIRLIGHT_JOBS="$1" bash -c "cd /root/airlight && exec \"\$@\"" bash "${@:2}"
+' "$folder" "$jobs" "${command[@]}" || result=$?
+echo "$suite: ${command[*]}: $((SECONDS - start)) s from the clone on, with $jobs jobs, exit $result"
+exit "$result"
