@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVAirlightRenderView.h"
+
+#include "vtkAirlightPass.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVCenterAxesActor.h"
+#include "vtkPVGridAxes3DActor.h"
+#include "vtkPVSynchronizedRenderer.h"
+#include "vtkParticipatingMedium.h"
+#include "vtkRenderer.h"
+#include "vtkToneMappingPass.h"
+
+vtkStandardNewMacro(vtkPVAirlightRenderView);
+
+namespace
+{
+// Axes stand in the scene to be read, not to shade it.
+void KeepFromCasting(vtkProp* prop)
+{
+  if (!prop)
+  {
+    return;
+  }
+  vtkNew<vtkInformation> keys;
+  if (vtkInformation* own = prop->GetPropertyKeys())
+  {
+    keys->Copy(own);
+  }
+  keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
+  prop->SetPropertyKeys(keys);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPVAirlightRenderView::vtkPVAirlightRenderView() { KeepFromCasting(this->CenterAxes); }
+
+vtkPVAirlightRenderView::~vtkPVAirlightRenderView() = default;
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetMedium(vtkParticipatingMedium* medium)
+{
+  this->Pass->RemoveAllMedia();
+  this->Pass->SetMedium(medium);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetShadowTechnique(int technique)
+{
+  this->Pass->SetShadowTechnique(technique);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetShadowMapResolution(int resolution)
+{
+  this->Pass->SetShadowMapResolution(resolution);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetNumberOfSteps(int steps) { this->Pass->SetNumberOfSteps(steps); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetSurfaceShadows(bool on) { this->Pass->SetSurfaceShadows(on); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetTranslucentShadows(bool on)
+{
+  this->Pass->SetTranslucentShadows(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetScatteredSurfaceLight(bool on)
+{
+  this->Pass->SetScatteredSurfaceLight(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLinearInput(bool on) { this->Pass->SetLinearInput(on); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetDebugView(int view) { this->Pass->SetDebugView(view); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLightRadius(double radius) { this->Pass->SetLightRadius(radius); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetMemoryLimit(int limit) { this->Pass->SetMemoryLimit(limit); }
+
+//------------------------------------------------------------------------------
+vtkAirlightPass* vtkPVAirlightRenderView::GetAirlightPass() { return this->Pass; }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetGridAxes3DActor(vtkPVGridAxes3DActor* axes)
+{
+  KeepFromCasting(axes);
+  this->Superclass::SetGridAxes3DActor(axes);
+}
+
+//------------------------------------------------------------------------------
+// Passes of ParaView's own, for ray tracing and for values in place of colours, stay while they are
+// there.
+void vtkPVAirlightRenderView::Render(bool interactive, bool skip_rendering)
+{
+  vtkRenderPass* current = this->SynchronizedRenderers->GetRenderPass();
+  vtkRenderPass* own = this->Airlight ? this->Pass.Get() : nullptr;
+  if (!current || current == this->Pass)
+  {
+    this->SynchronizedRenderers->SetRenderPass(own);
+  }
+  this->Pass->SetEncodedOutput(
+    vtkToneMappingPass::SafeDownCast(this->SynchronizedRenderers->GetImageProcessingPass()));
+  this->Superclass::Render(interactive, skip_rendering);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Airlight: " << this->Airlight << "\n";
+  os << indent << "AirlightPass:\n";
+  this->Pass->PrintSelf(os, indent.GetNextIndent());
+}
