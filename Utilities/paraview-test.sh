@@ -120,6 +120,11 @@ run()
   local command=(pvpython "$@")
   if ((ranks > 0)); then
     command -v mpirun > /dev/null || skip "no mpirun."
+    # pvpython leaves traces of MPI to what it starts, and mpirun then does nothing.
+    local name
+    for name in $(compgen -e | grep -E '^(OMPI|PMIX|ORTE)_'); do
+      unset "$name"
+    done
     # Ranks of a test may share a processor, and the container's only user may be root.
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     command=(mpirun --oversubscribe -n "$ranks" pvbatch "$@")

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVAirlightRenderView.h"
 
+#include "AirlightFarPass.h"
+#include "AirlightRemoteCasters.h"
 #include "vtkAirlightPass.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVCenterAxesActor.h"
 #include "vtkPVGridAxes3DActor.h"
@@ -36,7 +39,13 @@ void KeepFromCasting(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-vtkPVAirlightRenderView::vtkPVAirlightRenderView() { KeepFromCasting(this->CenterAxes); }
+vtkPVAirlightRenderView::vtkPVAirlightRenderView()
+  : FarPass(vtkSmartPointer<AirlightFarPass>::New())
+  , Remote(new airlight::RemoteCasters)
+{
+  this->FarPass->SetDelegate(this->Pass);
+  KeepFromCasting(this->CenterAxes);
+}
 
 vtkPVAirlightRenderView::~vtkPVAirlightRenderView() = default;
 
@@ -106,15 +115,54 @@ void vtkPVAirlightRenderView::SetGridAxes3DActor(vtkPVGridAxes3DActor* axes)
 void vtkPVAirlightRenderView::Render(bool interactive, bool skip_rendering)
 {
   vtkRenderPass* current = this->SynchronizedRenderers->GetRenderPass();
-  vtkRenderPass* own = this->Airlight ? this->Pass.Get() : nullptr;
-  if (!current || current == this->Pass)
+  vtkRenderPass* own = this->Airlight ? this->FarPass.Get() : nullptr;
+  if (!current || current == this->FarPass)
   {
     this->SynchronizedRenderers->SetRenderPass(own);
   }
   this->Pass->SetEncodedOutput(
     vtkToneMappingPass::SafeDownCast(this->SynchronizedRenderers->GetImageProcessingPass()));
   this->Superclass::Render(interactive, skip_rendering);
+  this->Remote->Spread(this->GetRenderer(), false);
 }
+
+//------------------------------------------------------------------------------
+bool vtkPVAirlightRenderView::IsParallel()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1 &&
+    this->SynchronizedRenderers->GetParallelSynchronizer() &&
+    this->SynchronizedRenderers->GetEnabled();
+}
+
+//------------------------------------------------------------------------------
+// All ranks that draw come here together.
+void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
+{
+  this->Superclass::AboutToRenderOnLocalProcess(interactive);
+  const bool parallel = this->Airlight && this->IsParallel();
+  this->FarPass->SetMoves(parallel);
+  if (!parallel)
+  {
+    this->Remote->Clear(this->GetRenderer());
+    return;
+  }
+  this->Remote->Update(this->GetRenderer(), vtkMultiProcessController::GetGlobalController());
+  this->Remote->Spread(this->GetRenderer(), true);
+  if (this->GetUseOrderedCompositing() && !this->WarnedOrdered)
+  {
+    this->WarnedOrdered = true;
+    vtkWarningMacro(<< "ParaView composites translucent surfaces and volumes rank by rank, without "
+                       "depth: where several ranks draw one pixel, the medium before it counts for "
+                       "each of them. Make all opaque, or use one rank.");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkPVAirlightRenderView::GetGatheredBytes() { return this->Remote->GetBytes(); }
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkPVAirlightRenderView::GetGatheredPolygons() { return this->Remote->GetTriangles(); }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)

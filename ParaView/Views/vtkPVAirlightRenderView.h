@@ -12,6 +12,11 @@
  * Annotations of the layer above (titles, legends) are neither fogged nor do they cast shadows. The
  * axes at the centre and the axes grid stand in the scene and are fogged, but cast no shadows.
  *
+ * In parallel rendering each rank draws its surfaces in the medium, with the shadows of all ranks'
+ * opaque polygonal actors, which are gathered whenever they change; IceT then takes the nearest surface of each
+ * pixel. Where ParaView composites ranks in order, as it does for translucent surfaces and volumes, the
+ * medium before other ranks' surfaces counts several times, and one warning says so.
+ *
  * While ray tracing (OSPRay) is on, ParaView draws with a pass of its own, without the medium.
  *
  * @sa vtkAirlightPass vtkPVParticipatingMedium
@@ -23,9 +28,18 @@
 #include "vtkAirlightParaViewViewsModule.h" // for export macro
 #include "vtkNew.h"                         // for the pass
 #include "vtkPVRenderView.h"
+#include "vtkSmartPointer.h" // for the pass around it
 
+#include <memory> // for what other ranks have
+
+class AirlightFarPass;
 class vtkAirlightPass;
 class vtkParticipatingMedium;
+
+namespace airlight
+{
+class RemoteCasters;
+}
 
 class VTKAIRLIGHTPARAVIEWVIEWS_EXPORT vtkPVAirlightRenderView : public vtkPVRenderView
 {
@@ -68,6 +82,15 @@ public:
    */
   vtkAirlightPass* GetAirlightPass();
 
+  ///@{
+  /**
+   * In parallel rendering, what was gathered when the scene last changed: bytes and polygons of all
+   * ranks. 0 before and in serial rendering.
+   */
+  vtkTypeInt64 GetGatheredBytes();
+  vtkTypeInt64 GetGatheredPolygons();
+  ///@}
+
   void SetGridAxes3DActor(vtkPVGridAxes3DActor* axes) override;
 
 protected:
@@ -75,13 +98,19 @@ protected:
   ~vtkPVAirlightRenderView() override;
 
   void Render(bool interactive, bool skip_rendering) override;
+  void AboutToRenderOnLocalProcess(bool interactive) override;
 
 private:
   vtkPVAirlightRenderView(const vtkPVAirlightRenderView&) = delete;
   void operator=(const vtkPVAirlightRenderView&) = delete;
 
+  bool IsParallel();
+
   bool Airlight = true;
+  bool WarnedOrdered = false;
   vtkNew<vtkAirlightPass> Pass;
+  vtkSmartPointer<AirlightFarPass> FarPass; // around it
+  std::unique_ptr<airlight::RemoteCasters> Remote;
 };
 
 #endif
