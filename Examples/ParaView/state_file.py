@@ -43,4 +43,5 @@ SaveState(os.path.join(options.output, "fog.pvsm"))
 
 ResetSession()
 LoadState(os.path.join(options.output, "fog.pvsm"))
-SaveScreenshot(os.path.join(options.output, "after.png"), GetActiveViewOrCreate("AirlightRenderView"))
+loaded = GetActiveViewOrCreate("AirlightRenderView")
+SaveScreenshot(os.path.join(options.output, "after.png"), loaded)
