@@ -60,11 +60,14 @@ if (AIRLIGHT_WRAP_PYTHON)
     SOABI               "${Python3_SOABI}")
   configure_file(Wrapping/Python/airlight/__init__.py.in
     "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py" @ONLY)
-  configure_file(Wrapping/Python/airlight/__main__.py
-    "${AIRLIGHT_PYTHONPATH}/airlight/__main__.py" COPYONLY)
+  foreach (file IN ITEMS __main__.py paraview.py)
+    configure_file("Wrapping/Python/airlight/${file}"
+      "${AIRLIGHT_PYTHONPATH}/airlight/${file}" COPYONLY)
+  endforeach ()
   install(
     FILES       "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py"
                 "${AIRLIGHT_PYTHONPATH}/airlight/__main__.py"
+                "${AIRLIGHT_PYTHONPATH}/airlight/paraview.py"
     DESTINATION "${AIRLIGHT_PYTHON_DESTINATION}/airlight"
     COMPONENT   python)
   message(STATUS "Python package airlight: PYTHONPATH=${AIRLIGHT_PYTHONPATH}")

@@ -49,7 +49,8 @@ bool IsKnown(vtkProp* prop)
     return true;
   }
   auto* actor = vtkActor::SafeDownCast(prop);
-  return IsAnyOf(actor, { "vtkOpenGLActor", "vtkActor" }) &&
+  // ParaView's actor draws its mapper with an actor of its own, to which it hands all that it has.
+  return IsAnyOf(actor, { "vtkOpenGLActor", "vtkActor", "vtkPVLODActor" }) &&
     IsAnyOf(actor->GetMapper(),
       { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper", "vtkCompositePolyDataMapper2",
         "vtkOpenGLGlyph3DMapper" });

@@ -8,7 +8,7 @@
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
-step_count=4
+step_count=5
 dependencies=(--with-openvdb --with-doxygen) # what is optional is tested, too
 
 step "Installing what is missing"
@@ -19,6 +19,9 @@ configure -DAIRLIGHT_BUILD_TESTING=ON
 
 step "Building"
 compile all
+
+step "Building for ParaView, where it can be had"
+"$root/Utilities/paraview-test.sh" --build || (($? == 125)) || die "the ParaView plugin does not build."
 
 step "Testing"
 cd "$build"

@@ -1,0 +1,36 @@
+#!/usr/bin/env pvpython
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView's Wavelet in fog: depth is seen at once. ParaView's own lights light surfaces and fog.
+
+    pvpython fog_in_stock_scene.py [-o PICTURE.png] [--visibility DISTANCE]
+
+AIRLIGHT_PLUGIN is the plugin's file.
+"""
+
+import argparse
+import os
+
+from paraview.simple import *
+
+parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+parser.add_argument("-o", "--output", default="fog_in_stock_scene.png")
+parser.add_argument("--visibility", type=float, default=150.0, help="world units")
+options = parser.parse_args()
+LoadPlugin(os.environ["AIRLIGHT_PLUGIN"], remote=False, ns=globals())
+
+view = CreateView("AirlightRenderView")
+view.ViewSize = [480, 360]
+view.OrientationAxesVisibility = 0
+
+wavelet = Wavelet()
+contour = Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[160, 230])
+ColorBy(Show(contour, view), ("POINTS", "RTData"))
+Show(Outline(Input=wavelet), view)
+view.CameraPosition = [32, 18, 44]
+view.CameraFocalPoint = [0, -1, 0]
+
+view.VisibilityDistance = options.visibility
+view.UseColorPaletteForBackground = 0
+view.Background = [0.02, 0.03, 0.05]
+SaveScreenshot(options.output, view)

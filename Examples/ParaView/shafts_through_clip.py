@@ -1,0 +1,57 @@
+#!/usr/bin/env pvpython
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A lamp inside a scanned mesh that is cut open: its light leaves through the cut as a shaft.
+
+    pvpython shafts_through_clip.py MESH.ply [-o PICTURE.png]
+
+Any closed mesh will do, for example Examples/Data/meshes/bunny.ply. AIRLIGHT_PLUGIN is the plugin's
+file.
+"""
+
+import argparse
+import os
+
+from paraview.simple import *
+
+parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+parser.add_argument("mesh")
+parser.add_argument("-o", "--output", default="shafts_through_clip.png")
+options = parser.parse_args()
+LoadPlugin(os.environ["AIRLIGHT_PLUGIN"], remote=False, ns=globals())
+
+view = CreateView("AirlightRenderView")
+view.ViewSize = [480, 360]
+view.OrientationAxesVisibility = 0
+view.UseColorPaletteForBackground = 0
+view.Background = [0, 0, 0]
+
+reader = PLYReader(FileNames=[options.mesh])
+reader.UpdatePipeline()
+x = reader.GetDataInformation().GetBounds()
+centre = [(x[0] + x[1]) / 2, (x[2] + x[3]) / 2, (x[4] + x[5]) / 2]
+size = max(x[1] - x[0], x[3] - x[2], x[5] - x[4])
+
+# Away goes what is above a tilted plane a bit higher than the lamp.
+clip = Clip(Input=reader, ClipType="Plane", Invert=1)
+clip.ClipType.Origin = [centre[0], centre[1] + 0.06 * size, centre[2]]
+clip.ClipType.Normal = [0.35, 1, 0.1]
+Show(ExtractSurface(Input=clip), view)
+
+lamp = AddLight(view=view)  # its radiant intensity is pi times color times intensity
+lamp.Coords = "Scene"
+lamp.Type = "Positional"
+lamp.Position = [centre[0], centre[1] - 0.1 * size, centre[2]]
+lamp.ConeAngle = 180
+lamp.DiffuseColor = [1, 0.85, 0.6]
+lamp.Intensity = 5 * size**2
+lamp.Attenuation = [0, 0, 1]
+view.UseLight = 1  # ParaView's own, weak, to see the outside
+view.KeyLightIntensity = 0.6
+
+view.VisibilityDistance = 5 * size
+view.PhaseFunction = "Henyey-Greenstein"
+view.Anisotropy = 0.3
+view.CameraPosition = [centre[0] + 0.5 * size, centre[1] + 0.9 * size, centre[2] + 2.8 * size]
+view.CameraFocalPoint = [centre[0], centre[1] + 0.25 * size, centre[2]]
+SaveScreenshot(options.output, view)

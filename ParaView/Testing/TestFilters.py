@@ -1,0 +1,128 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters from ParaView's server manager, against numbers from derivations."""
+
+import sys
+import unittest
+
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import paraviewtest as test
+
+
+def fetch(source, port=0):
+    source.UpdatePipeline()
+    return servermanager.Fetch(source, idx=port)
+
+
+def cell_array(data, name):
+    return vtk_to_numpy(data.GetCellData().GetArray(name))
+
+
+def set_medium(source, scattering, absorption):
+    source.Thickness = "Coefficients"
+    source.Scattering = [scattering] * 3
+    source.Absorption = [absorption] * 3
+
+
+class Filters(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        test.load_plugin()
+
+    def test_silhouette_edges(self):
+        """A square plate seen at an angle has its four sides as silhouette."""
+        plate = simple.Plane(XResolution=4, YResolution=4)
+        edges = fetch(simple.SilhouetteEdges(Input=plate, LightPosition=[0.3, 0.2, 2.0]))
+        points = vtk_to_numpy(edges.GetPoints().GetData())
+        ends = [[edges.GetCell(i).GetPointId(k) for k in (0, 1)]
+                for i in range(edges.GetNumberOfCells())]
+        self.assertEqual(len(ends), 4 * 4)
+        np.testing.assert_allclose(np.abs(points[ends]).max(axis=-1), 0.5, atol=1e-7)
+
+    def test_shadow_planes(self):
+        """The shadow's border below a plate is the plate, magnified."""
+        plate = simple.Plane()
+        planes = simple.ShadowPlanes(Input=plate, LightPosition=[0, 0, 1])
+        planes.Extent = "Bounds"
+        planes.Bounds = [-10, 10, -10, 10, -3, 1]
+        data = fetch(planes)
+        self.assertEqual(data.GetNumberOfCells(), 4)
+        points = vtk_to_numpy(data.GetPoints().GetData())
+        low = points[np.isclose(points[:, 2], -3)]
+        # The lamp is 1 above the plate of half width 0.5, the bottom 4 below it.
+        np.testing.assert_allclose(np.abs(low[:, :2]), 0.5 * 4, rtol=1e-6)
+        self.assertEqual(len(low), 8)
+
+    def test_lit_intervals(self):
+        """A line under a lamp and a plate: what is lit, and the airlight by the midpoint rule."""
+        line = simple.Line(Point1=[-4, 0, 0], Point2=[4, 0, 0], Resolution=1)
+        plate = simple.Plane(Origin=[-0.5, 1, -0.5], Point1=[0.5, 1, -0.5], Point2=[-0.5, 1, 0.5])
+        found = simple.LitIntervals(Input=line, Occluders=[plate])
+        found.LampPosition = [0, 2, 0]
+        found.LampColor = [1, 0.5, 0.25]
+        found.LampIntensity = 2.0
+        set_medium(found, 0.2, 0.05)
+        data = fetch(found)
+        self.assertEqual(data.GetNumberOfCells(), 2)
+        # The plate is half as far from the lamp as the line: its shadow is from -1 to 1.
+        np.testing.assert_allclose(cell_array(data, "Start"), [0, 5], atol=1e-9)
+        np.testing.assert_allclose(cell_array(data, "End"), [3, 8], atol=1e-9)
+        np.testing.assert_allclose(cell_array(data, "Length"), [3, 3], atol=1e-9)
+        for part, start in enumerate((0, 5)):
+            t = start + 3 * (np.arange(20000) + 0.5) / 20000
+            r = np.hypot(t - 4, 2)
+            # I = pi colour intensity, and 1/(4 pi) of it goes each way.
+            sum_ = 0.2 / 4 * (np.exp(-0.25 * (t + r)) / r**2).mean() * 3
+            np.testing.assert_allclose(cell_array(data, "Airlight")[part],
+                                       sum_ * 2 * np.array([1, 0.5, 0.25]), rtol=1e-4)
+        # Without the occluder all is lit.
+        found.Occluders = []
+        self.assertEqual(fetch(found).GetNumberOfCells(), 1)
+
+    def test_probe(self):
+        """Irradiance and transmittance of points below a lamp, one of them in a plate's shadow."""
+        line = simple.Line(Point1=[0, 0, 0], Point2=[4, 0, 0], Resolution=4)
+        plate = simple.Plane(Origin=[-0.4, 1, -0.4], Point1=[0.4, 1, -0.4], Point2=[-0.4, 1, 0.4])
+        probe = simple.AirlightProbe(Input=line, Occluders=[plate])
+        probe.Viewpoint = [2, 0, 3]
+        probe.LampPosition = [0, 2, 0]
+        set_medium(probe, 0.1, 0.1)
+        data = fetch(probe)
+        points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+        r = np.linalg.norm(points - (0, 2, 0), axis=1)
+        expected = np.pi / r**2 * np.exp(-0.2 * r)
+        expected[0] = 0  # right below the plate
+        array = vtk_to_numpy(data.GetPointData().GetArray("DirectIrradiance"))
+        np.testing.assert_allclose(array[:, 0], expected, rtol=1e-6)
+        way = np.linalg.norm(points - (2, 0, 3), axis=1)
+        array = vtk_to_numpy(data.GetPointData().GetArray("Transmittance"))
+        np.testing.assert_allclose(array[:, 2], np.exp(-0.2 * way), rtol=1e-9)
+        # The anisotropy waits until the phase function has one.
+        probe.Anisotropy = 0.5
+        isotropic = vtk_to_numpy(fetch(probe).GetPointData().GetArray("Radiance")).copy()
+        probe.PhaseFunction = "Henyey-Greenstein"
+        forward = vtk_to_numpy(fetch(probe).GetPointData().GetArray("Radiance"))
+        self.assertGreater(np.abs(forward / isotropic - 1).max(), 0.05)
+
+    def test_comparison(self):
+        """Two images of which one is 1 % brighter everywhere."""
+        image = simple.Wavelet(WholeExtent=[0, 7, 0, 7, 0, 0])
+        brighter = simple.Calculator(Input=image, ResultArrayName="RTData",
+                                     Function="1.01*RTData")
+        found = simple.AirlightComparison(Input=brighter, Reference=image)
+        table = fetch(found, 0)
+        column = table.GetColumnByName("bias")
+        # The mean difference as a share of the reference's mean.
+        self.assertAlmostEqual(column.GetTuple1(0), 0.01, delta=1e-5)
+        difference = vtk_to_numpy(fetch(found, 1).GetPointData().GetScalars())
+        data = vtk_to_numpy(fetch(image).GetPointData().GetScalars())
+        np.testing.assert_allclose(difference.ravel(), 0.01 * data.ravel(), rtol=1e-3)
+
+
+if __name__ == "__main__":
+    # pvpython loses its window where a script calls sys.exit() with a view open.
+    if not unittest.main(argv=[__file__] + sys.argv[1:], exit=False).result.wasSuccessful():
+        sys.exit(1)

@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""One scene on any number of ranks, for TestParallel.py: parallel_scene.py NAME.
+
+Each rank has a part of the balls; the floor and the plate are on the first one only. Prints how many
+cells there are, what was gathered, and how long a frame took.
+"""
+
+import sys
+import time
+
+from paraview import simple
+
+import paraviewtest as test
+
+name = sys.argv[1]
+test.load_plugin()
+view = test.make_view()
+view.Background = [0.3, 0.4, 0.6]
+view.UseFXAA = 0  # ParaView antialiases twice on one rank, once on several
+ball, floor = test.make_sources()
+small = simple.Sphere(Radius=0.2, Center=[-0.75, 0.35, 0.45], ThetaResolution=40,
+                      PhiResolution=40)
+plate = simple.Plane(Origin=[0.6, -0.2, -0.5], Point1=[1.4, 0.1, -0.5], Point2=[0.6, 0.6, -0.2])
+test.add_lamp(view)
+displays = test.show(view, ball, floor, small, plate)
+view.Thickness = "Coefficients"
+view.Scattering = [0.12] * 3
+view.Absorption = [0.03] * 3
+simple.Render(view)
+test.place_camera(view)  # the first Render() moves it
+test.picture(view, name + "-fog")
+
+start = time.perf_counter()
+for i in range(3):
+    simple.Render(view)
+frame = (time.perf_counter() - start) / 3
+cells = sum(source.GetDataInformation().GetNumberOfCells()
+            for source in (ball, floor, small, plate))
+view.SMProxy.UpdatePropertyInformation()
+polygons, bytes_ = (view.GetProperty("Gathered" + what) for what in ("Polygons", "Bytes"))
+print(f"{name}: {cells} cells, gathered {polygons} polygons in {bytes_} bytes, "
+      f"{1000 * frame:.0f} ms a frame")
+
+# Something moved: gathered again.
+small.Center = [-0.75, 0.55, 0.45]
+test.picture(view, name + "-moved")
+# A cloud before the background, which the ranks do not have.
+view.Region = "Sphere"
+view.RegionRadius = 0.9
+view.Scattering = [0.9] * 3
+test.picture(view, name + "-cloud")
+view.Airlight = 0
+test.picture(view, name + "-off")
+view.Airlight = 1
+displays[3].Opacity = 0.5
+test.picture(view, name + "-translucent")

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVAirlightRenderView.h"
+
+#include "AirlightFarPass.h"
+#include "AirlightRemoteCasters.h"
+#include "vtkAirlightPass.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVCenterAxesActor.h"
+#include "vtkPVGridAxes3DActor.h"
+#include "vtkPVSynchronizedRenderer.h"
+#include "vtkParticipatingMedium.h"
+#include "vtkRenderer.h"
+#include "vtkToneMappingPass.h"
+
+vtkStandardNewMacro(vtkPVAirlightRenderView);
+
+namespace
+{
+// Axes stand in the scene to be read, not to shade it.
+void KeepFromCasting(vtkProp* prop)
+{
+  if (!prop)
+  {
+    return;
+  }
+  vtkNew<vtkInformation> keys;
+  if (vtkInformation* own = prop->GetPropertyKeys())
+  {
+    keys->Copy(own);
+  }
+  keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
+  prop->SetPropertyKeys(keys);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPVAirlightRenderView::vtkPVAirlightRenderView()
+  : FarPass(vtkSmartPointer<AirlightFarPass>::New())
+  , Remote(new airlight::RemoteCasters)
+{
+  this->FarPass->SetDelegate(this->Pass);
+  KeepFromCasting(this->CenterAxes);
+}
+
+vtkPVAirlightRenderView::~vtkPVAirlightRenderView() = default;
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetMedium(vtkParticipatingMedium* medium)
+{
+  this->Pass->RemoveAllMedia();
+  this->Pass->SetMedium(medium);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetShadowTechnique(int technique)
+{
+  this->Pass->SetShadowTechnique(technique);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetShadowMapResolution(int resolution)
+{
+  this->Pass->SetShadowMapResolution(resolution);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetNumberOfSteps(int steps) { this->Pass->SetNumberOfSteps(steps); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetSurfaceShadows(bool on) { this->Pass->SetSurfaceShadows(on); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetTranslucentShadows(bool on)
+{
+  this->Pass->SetTranslucentShadows(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetScatteredSurfaceLight(bool on)
+{
+  this->Pass->SetScatteredSurfaceLight(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLinearInput(bool on) { this->Pass->SetLinearInput(on); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetDebugView(int view) { this->Pass->SetDebugView(view); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLightRadius(double radius) { this->Pass->SetLightRadius(radius); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetMemoryLimit(int limit) { this->Pass->SetMemoryLimit(limit); }
+
+//------------------------------------------------------------------------------
+vtkAirlightPass* vtkPVAirlightRenderView::GetAirlightPass() { return this->Pass; }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetGridAxes3DActor(vtkPVGridAxes3DActor* axes)
+{
+  KeepFromCasting(axes);
+  this->Superclass::SetGridAxes3DActor(axes);
+}
+
+//------------------------------------------------------------------------------
+// Passes of ParaView's own, for ray tracing and for values in place of colours, stay while they are
+// there.
+void vtkPVAirlightRenderView::Render(bool interactive, bool skip_rendering)
+{
+  vtkRenderPass* current = this->SynchronizedRenderers->GetRenderPass();
+  vtkRenderPass* own = this->Airlight ? this->FarPass.Get() : nullptr;
+  if (!current || current == this->FarPass)
+  {
+    this->SynchronizedRenderers->SetRenderPass(own);
+  }
+  this->Pass->SetEncodedOutput(
+    vtkToneMappingPass::SafeDownCast(this->SynchronizedRenderers->GetImageProcessingPass()));
+  this->Superclass::Render(interactive, skip_rendering);
+  this->Remote->Spread(this->GetRenderer(), false);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVAirlightRenderView::IsParallel()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1 &&
+    this->SynchronizedRenderers->GetParallelSynchronizer() &&
+    this->SynchronizedRenderers->GetEnabled();
+}
+
+//------------------------------------------------------------------------------
+// All ranks that draw come here together.
+void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
+{
+  this->Superclass::AboutToRenderOnLocalProcess(interactive);
+  const bool parallel = this->Airlight && this->IsParallel();
+  this->FarPass->SetMoves(parallel);
+  if (!parallel)
+  {
+    this->Remote->Clear(this->GetRenderer());
+    return;
+  }
+  this->Remote->Update(this->GetRenderer(), vtkMultiProcessController::GetGlobalController());
+  this->Remote->Spread(this->GetRenderer(), true);
+  if (this->GetUseOrderedCompositing() && !this->WarnedOrdered)
+  {
+    this->WarnedOrdered = true;
+    vtkWarningMacro(<< "ParaView composites translucent surfaces and volumes rank by rank, without "
+                       "depth: where several ranks draw one pixel, the medium before it counts for "
+                       "each of them. Make all opaque, or use one rank.");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkPVAirlightRenderView::GetGatheredBytes() { return this->Remote->GetBytes(); }
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkPVAirlightRenderView::GetGatheredPolygons() { return this->Remote->GetTriangles(); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Airlight: " << this->Airlight << "\n";
+  os << indent << "AirlightPass:\n";
+  this->Pass->PrintSelf(os, indent.GetNextIndent());
+}

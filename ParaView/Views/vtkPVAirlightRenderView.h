@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPVAirlightRenderView
+ * @brief   ParaView's render view, with its scene in a participating medium
+ *
+ * The view draws with a vtkAirlightPass in place of ParaView's own default pass, so that all else stays
+ * as it is: picking, screenshots of any size, transparent backgrounds, FXAA, tone mapping, depth
+ * peeling. The lights are ParaView's, those of the light kit and those added; all properties of the pass
+ * have the same meaning, range and default here.
+ *
+ * Annotations of the layer above (titles, legends) are neither fogged nor do they cast shadows. The
+ * axes at the centre and the axes grid stand in the scene and are fogged, but cast no shadows.
+ *
+ * In parallel rendering each rank draws its surfaces in the medium, with the shadows of all ranks'
+ * opaque polygonal actors, which are gathered whenever they change; IceT then takes the nearest surface of each
+ * pixel. Where ParaView composites ranks in order, as it does for translucent surfaces and volumes, the
+ * medium before other ranks' surfaces counts several times, and one warning says so.
+ *
+ * While ray tracing (OSPRay) is on, ParaView draws with a pass of its own, without the medium.
+ *
+ * @sa vtkAirlightPass vtkPVParticipatingMedium
+ */
+
+#ifndef vtkPVAirlightRenderView_h
+#define vtkPVAirlightRenderView_h
+
+#include "vtkAirlightParaViewViewsModule.h" // for export macro
+#include "vtkNew.h"                         // for the pass
+#include "vtkPVRenderView.h"
+#include "vtkSmartPointer.h" // for the pass around it
+
+#include <memory> // for what other ranks have
+
+class AirlightFarPass;
+class vtkAirlightPass;
+class vtkParticipatingMedium;
+
+namespace airlight
+{
+class RemoteCasters;
+}
+
+class VTKAIRLIGHTPARAVIEWVIEWS_EXPORT vtkPVAirlightRenderView : public vtkPVRenderView
+{
+public:
+  static vtkPVAirlightRenderView* New();
+  vtkTypeMacro(vtkPVAirlightRenderView, vtkPVRenderView);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Whether the scene is drawn in the medium. Off, the view is ParaView's own. Default: true.
+   */
+  vtkSetMacro(Airlight, bool);
+  vtkGetMacro(Airlight, bool);
+  ///@}
+
+  /**
+   * The medium. Default: none, which changes nothing but shadows on surfaces.
+   */
+  void SetMedium(vtkParticipatingMedium* medium);
+
+  ///@{
+  /**
+   * As in vtkAirlightPass.
+   */
+  void SetShadowTechnique(int technique);
+  void SetShadowMapResolution(int resolution);
+  void SetNumberOfSteps(int steps);
+  void SetSurfaceShadows(bool on);
+  void SetTranslucentShadows(bool on);
+  void SetScatteredSurfaceLight(bool on);
+  void SetLinearInput(bool on);
+  void SetDebugView(int view);
+  void SetLightRadius(double radius);
+  void SetMemoryLimit(int limit);
+  ///@}
+
+  /**
+   * The pass that draws the scene.
+   */
+  vtkAirlightPass* GetAirlightPass();
+
+  ///@{
+  /**
+   * In parallel rendering, what was gathered when the scene last changed: bytes and polygons of all
+   * ranks. 0 before and in serial rendering.
+   */
+  vtkTypeInt64 GetGatheredBytes();
+  vtkTypeInt64 GetGatheredPolygons();
+  ///@}
+
+  void SetGridAxes3DActor(vtkPVGridAxes3DActor* axes) override;
+
+protected:
+  vtkPVAirlightRenderView();
+  ~vtkPVAirlightRenderView() override;
+
+  void Render(bool interactive, bool skip_rendering) override;
+  void AboutToRenderOnLocalProcess(bool interactive) override;
+
+private:
+  vtkPVAirlightRenderView(const vtkPVAirlightRenderView&) = delete;
+  void operator=(const vtkPVAirlightRenderView&) = delete;
+
+  bool IsParallel();
+
+  bool Airlight = true;
+  bool WarnedOrdered = false;
+  vtkNew<vtkAirlightPass> Pass;
+  vtkSmartPointer<AirlightFarPass> FarPass; // around it
+  std::unique_ptr<airlight::RemoteCasters> Remote;
+};
+
+#endif

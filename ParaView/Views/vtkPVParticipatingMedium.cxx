@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVParticipatingMedium.h"
+
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkPVParticipatingMedium);
+
+namespace
+{
+// Koschmieder 1924, as in vtkParticipatingMedium::SetVisibility().
+constexpr double ContrastThreshold = 3.912;
+
+bool HasAnisotropy(int function)
+{
+  return function == vtkParticipatingMedium::HENYEY_GREENSTEIN ||
+    function == vtkParticipatingMedium::SCHLICK ||
+    function == vtkParticipatingMedium::CORNETTE_SHANKS;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPVParticipatingMedium::vtkPVParticipatingMedium() { this->UpdateThickness(); }
+
+vtkPVParticipatingMedium::~vtkPVParticipatingMedium() = default;
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetThickness(int thickness)
+{
+  if (thickness != VISIBILITY && thickness != COEFFICIENTS)
+  {
+    vtkErrorMacro(<< "Thickness " << thickness << " must be VISIBILITY (0) or COEFFICIENTS (1).");
+    return;
+  }
+  this->Thickness = thickness;
+  this->UpdateThickness();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetVisibilityDistance(double distance)
+{
+  if (!std::isfinite(distance) || distance <= 0.0)
+  {
+    vtkErrorMacro(<< "VisibilityDistance " << distance << " must be finite and above 0; it stays "
+                  << this->VisibilityDistance << ".");
+    return;
+  }
+  this->VisibilityDistance = distance;
+  this->UpdateThickness();
+}
+
+//------------------------------------------------------------------------------
+// Takes values from 0 to the most.
+bool vtkPVParticipatingMedium::SetRange(
+  const char* name, const double values[3], double most, double target[3])
+{
+  if (!std::all_of(values, values + 3,
+        [most](double value) { return std::isfinite(value) && value >= 0.0 && value <= most; }))
+  {
+    vtkErrorMacro(<< name << " (" << values[0] << ", " << values[1] << ", " << values[2]
+                  << ") must be finite, at least 0" << (most == 1.0 ? " and at most 1" : "")
+                  << "; it stays (" << target[0] << ", " << target[1] << ", " << target[2] << ").");
+    return false;
+  }
+  std::copy(values, values + 3, target);
+  this->UpdateThickness();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetColor(double r, double g, double b)
+{
+  const double values[3] = { r, g, b };
+  this->SetRange("Color", values, 1.0, this->Color);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetScatteringCoefficient(double r, double g, double b)
+{
+  const double values[3] = { r, g, b };
+  this->SetRange("ScatteringCoefficient", values, VTK_DOUBLE_MAX, this->ScatteringCoefficient);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetAbsorptionCoefficient(double r, double g, double b)
+{
+  const double values[3] = { r, g, b };
+  this->SetRange("AbsorptionCoefficient", values, VTK_DOUBLE_MAX, this->AbsorptionCoefficient);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::UpdateThickness()
+{
+  if (this->Thickness == COEFFICIENTS)
+  {
+    this->SetScattering(this->ScatteringCoefficient);
+    this->SetAbsorption(this->AbsorptionCoefficient);
+    return;
+  }
+  const double extinction = ContrastThreshold / this->VisibilityDistance;
+  const double* albedo = this->Color;
+  this->SetScattering(albedo[0] * extinction, albedo[1] * extinction, albedo[2] * extinction);
+  this->SetAbsorption(
+    (1.0 - albedo[0]) * extinction, (1.0 - albedo[1]) * extinction, (1.0 - albedo[2]) * extinction);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetPhase(int function)
+{
+  if (function < ISOTROPIC || function >= TABULATED)
+  {
+    vtkErrorMacro(<< "Phase " << function << " must be from " << ISOTROPIC << " (ISOTROPIC) to "
+                  << MIE_MURKY << " (MIE_MURKY); it stays " << this->Phase << ".");
+    return;
+  }
+  this->Phase = function;
+  this->UpdatePhase();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetPhaseAnisotropy(double g)
+{
+  if (!(g >= -0.99 && g <= 0.99))
+  {
+    vtkErrorMacro(<< "PhaseAnisotropy " << g << " must be from -0.99 to 0.99; it stays "
+                  << this->PhaseAnisotropy << ".");
+    return;
+  }
+  this->PhaseAnisotropy = g;
+  this->UpdatePhase();
+}
+
+//------------------------------------------------------------------------------
+// A function without anisotropy accepts none but 0, which every function takes.
+void vtkPVParticipatingMedium::UpdatePhase()
+{
+  this->SetAnisotropy(0.0);
+  this->SetPhaseFunction(this->Phase);
+  if (HasAnisotropy(this->Phase))
+  {
+    this->SetAnisotropy(this->PhaseAnisotropy);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const double* values) {
+    os << indent << name << ": " << values[0] << " " << values[1] << " " << values[2] << "\n";
+  };
+  os << indent << "Thickness: " << (this->Thickness == VISIBILITY ? "Visibility" : "Coefficients")
+     << "\n";
+  os << indent << "VisibilityDistance: " << this->VisibilityDistance << "\n";
+  print("Color", this->Color);
+  print("ScatteringCoefficient", this->ScatteringCoefficient);
+  print("AbsorptionCoefficient", this->AbsorptionCoefficient);
+  os << indent << "Phase: " << this->Phase << "\n";
+  os << indent << "PhaseAnisotropy: " << this->PhaseAnisotropy << "\n";
+}

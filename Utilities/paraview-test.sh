@@ -1,0 +1,164 @@
+#!/usr/bin/env bash
+# Fetches ParaView without installing it, builds Airlight and its plugin for it, and runs the tests in it.
+#
+# Usage: Utilities/paraview-test.sh [CTEST OPTION...]        all of it
+#        Utilities/paraview-test.sh --build                  fetches and builds only
+#        Utilities/paraview-test.sh --run [-n RANKS] SCRIPT [ARGUMENT...]
+#                                                            runs a script in pvpython, or in so many
+#                                                            processes of pvbatch, with the plugin
+#
+# ParaView's Debian packages cannot be installed next to VTK's Python package. So they are unpacked
+# below build/paraview, which uses again what is there. AIRLIGHT_PARAVIEW_PREFIX is another prefix
+# that has a ParaView, instead. AIRLIGHT_JOBS is the number of parallel jobs (default: one per
+# processor).
+#
+# Exits with 125 where ParaView cannot be had: the tests then are skipped.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+paraview=$build/paraview
+prefix=${AIRLIGHT_PARAVIEW_PREFIX:-$paraview/prefix/usr}
+plugin=$paraview/plugin
+packages=(paraview python3-paraview paraview-dev)
+
+skip()
+{
+  echo "skipped: $*" >&2
+  exit 125
+}
+
+# find_in FOLDER FILE: the folder below FOLDER that has FILE, nothing where there is none.
+find_in()
+{
+  find "$1" -path "*/$2" -printf '%h\n' -quit 2> /dev/null
+}
+
+download()
+{
+  (cd "$1" && timeout 600 apt-get -q download "${packages[@]}")
+}
+
+fetch()
+{
+  [[ -z ${AIRLIGHT_PARAVIEW_PREFIX-} && ! -d $paraview/prefix ]] || return 0
+  command -v apt-get > /dev/null || skip "no apt-get to fetch ParaView with."
+  command -v dpkg-deb > /dev/null || skip "no dpkg-deb to unpack ParaView with."
+  local temporary package
+  mkdir -p "$paraview"
+  temporary=$(mktemp -d "$paraview/fetch.XXXXXX")
+  # shellcheck disable=SC2064
+  trap "rm -rf '$temporary'" EXIT
+  if ! download "$temporary"; then
+    local as_root=()
+    ((EUID == 0)) || as_root=(sudo -n)
+    "${as_root[@]}" timeout 300 apt-get -q update || true
+    download "$temporary" || skip "ParaView's packages (${packages[*]}) could not be downloaded."
+  fi
+  for package in "$temporary"/*.deb; do
+    dpkg-deb -x "$package" "$temporary/prefix" || skip "$(basename "$package") does not unpack."
+  done
+  mv "$temporary/prefix" "$paraview/prefix"
+  rm -rf "$temporary"
+  trap - EXIT
+}
+
+# Sets what ParaView's programs need.
+use_paraview()
+{
+  local libraries python
+  libraries=$(find_in "$prefix" 'libvtkRemotingViews-pv*.so')
+  python=$(dirname "$(find_in "$prefix" paraview/simple.py)")
+  export LD_LIBRARY_PATH=$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+  export PYTHONPATH=$plugin/python:$root/ParaView/Testing:$python
+  export PATH=$prefix/bin:$PATH
+}
+
+# The libraries that pvpython and pvbatch lack.
+missing_libraries()
+{
+  (use_paraview && ldd "$prefix"/bin/pvpython* "$prefix"/bin/pvbatch* \
+    "$(find_in "$prefix" 'libvtkRemotingViews-pv*.so')"/libvtkRemotingViews-pv*.so \
+    2> /dev/null) | awk '/not found/ { print $1 }' | sort -u | paste -sd ' '
+}
+
+build_plugin()
+{
+  local package missing python=()
+  package=$(find_in "$prefix" paraview-config.cmake)
+  [[ -n $package ]] || skip "no ParaView with its CMake package below $prefix."
+  missing=$(missing_libraries)
+  [[ -z $missing ]] || skip "ParaView lacks libraries: $missing. Install the packages that have them."
+  rm -f "$plugin/built"
+  local generator=()
+  if [[ ! -e $plugin/CMakeCache.txt ]] && command -v ninja > /dev/null; then
+    generator=(-G Ninja)
+  fi
+  # ParaView's Python is the system's, which need not be the first in PATH.
+  [[ ! -x /usr/bin/python3 ]] || python=(-DPython3_EXECUTABLE=/usr/bin/python3)
+  # Fast to compile rather than fast: it is for the tests.
+  cmake -S "$root/ParaView" -B "$plugin" "${generator[@]}" "${python[@]}" \
+    -DParaView_DIR="$package" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" ||
+    die "CMake could not configure the plugin; see its message above."
+  cmake --build "$plugin" --parallel "$jobs" ||
+    die "the plugin does not build; see the compiler's message above."
+  touch "$plugin/built"
+}
+
+run()
+{
+  [[ -e $plugin/built ]] ||
+    skip "there is no plugin; Utilities/paraview-test.sh --build makes it where ParaView can be had."
+  local ranks=0
+  if [[ ${1-} == -n ]]; then
+    ranks=$2
+    shift 2
+  fi
+  use_paraview
+  AIRLIGHT_PLUGIN=$(find_in "$plugin" AirlightParaView.so)/AirlightParaView.so
+  export AIRLIGHT_PLUGIN AIRLIGHT_TEST_OUTPUT=${AIRLIGHT_TEST_OUTPUT:-$PWD}
+  local command=(pvpython "$@")
+  if ((ranks > 0)); then
+    command -v mpirun > /dev/null || skip "no mpirun."
+    # pvpython leaves traces of MPI to what it starts, and mpirun then does nothing.
+    local name
+    for name in $(compgen -e | grep -E '^(OMPI|PMIX|ORTE)_'); do
+      unset "$name"
+    done
+    # Ranks of a test may share a processor, and the container's only user may be root.
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    command=(mpirun --oversubscribe -n "$ranks" pvbatch "$@")
+  fi
+  if [[ -n ${DISPLAY-} ]]; then
+    "${command[@]}"
+  else
+    on_virtual_display "${command[@]}"
+  fi
+}
+
+case ${1-} in
+  -h | --help) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  --build)
+    fetch
+    build_plugin
+    ;;
+  --run)
+    shift
+    (($#)) || die "--run needs a script."
+    run "$@"
+    ;;
+  *)
+    step_count=4
+    step "Installing what is missing"
+    install_missing cmake ctest c++ xvfb-run xauth
+    step "Building for ParaView"
+    fetch
+    build_plugin
+    step "Configuring"
+    configure -DAIRLIGHT_BUILD_TESTING=ON
+    step "Testing"
+    cd "$build"
+    on_virtual_display ctest --output-on-failure --no-tests=error -R ParaView "$@" ||
+      die "some tests failed; see above."
+    ;;
+esac
