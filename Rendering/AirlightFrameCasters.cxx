@@ -57,6 +57,22 @@ bool Frame::PrepareCasters()
 }
 
 //------------------------------------------------------------------------------
+// Those that were made for the light as it is.
+ShadowVolumes::Remotes Frame::GetRemotes(int index) const
+{
+  ShadowVolumes::Remotes found;
+  for (const RemoteShadows& remote : this->Remotes)
+  {
+    const auto k = static_cast<size_t>(index);
+    if (k < remote.size() && remote[k]->Light == this->Lamps[k].World)
+    {
+      found.push_back(remote[k]);
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
 // Of all lights. How much room boundaries get follows from the planes that are to be drawn.
 bool Frame::UpdateShadows()
 {
