@@ -11,6 +11,7 @@ import time
 
 from paraview import simple
 
+import airlight.paraview
 import paraviewtest as test
 
 name = sys.argv[1]
@@ -41,6 +42,13 @@ view.SMProxy.UpdatePropertyInformation()
 polygons, bytes_ = (view.GetProperty("Gathered" + what) for what in ("Polygons", "Bytes"))
 print(f"{name}: {cells} cells, gathered {polygons} polygons in {bytes_} bytes, "
       f"{1000 * frame:.0f} ms a frame")
+
+# The helper for scripts draws on one process.
+try:
+    airlight.paraview.attach(view)
+    airlight.paraview.detach(view)
+except RuntimeError as error:
+    print(error)
 
 # Something moved: gathered again.
 small.Center = [-0.75, 0.55, 0.45]
