@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One scene on any number of ranks, for TestParallel.py: parallel_scene.py NAME.
 
-Each rank has a part of the balls; the floor and the plate are on the first one only. Prints how many
-cells there are, what was gathered, and how long a frame took.
+Each rank has a part of the balls; the floor and the plate are on the first one only. Prints how
+many cells there are, what was gathered, and how long a frame took.
 """
 
 import sys
