@@ -49,8 +49,9 @@ bool IsKnown(vtkProp* prop)
     return true;
   }
   auto* actor = vtkActor::SafeDownCast(prop);
-  // ParaView's actor draws its mapper with an actor of its own, to which it hands all that it has.
-  return IsAnyOf(actor, { "vtkOpenGLActor", "vtkActor", "vtkPVLODActor" }) &&
+  // In ParaView: its actor draws its mapper with an actor of its own, to which it hands all that it
+  // has; ParaView/ has actors that draw nothing, but cast.
+  return IsAnyOf(actor, { "vtkOpenGLActor", "vtkActor", "vtkPVLODActor", "AirlightStandIn" }) &&
     IsAnyOf(actor->GetMapper(),
       { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper", "vtkCompositePolyDataMapper2",
         "vtkOpenGLGlyph3DMapper" });

@@ -8,7 +8,7 @@
 #                                                            processes of pvbatch, with the plugin
 #
 # ParaView's Debian packages cannot be installed next to VTK's Python package. So they are unpacked
-# below build/paraview, which uses again what is there. AIRLIGHT_PARAVIEW_PREFIX is another prefix
+# below build/paraview-test; what is there is used again. AIRLIGHT_PARAVIEW_PREFIX is another prefix
 # that has a ParaView, instead. AIRLIGHT_JOBS is the number of parallel jobs (default: one per
 # processor).
 #
@@ -17,7 +17,7 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-paraview=$build/paraview
+paraview=$build/paraview-test
 prefix=${AIRLIGHT_PARAVIEW_PREFIX:-$paraview/prefix/usr}
 plugin=$paraview/plugin
 packages=(paraview python3-paraview paraview-dev)
@@ -31,7 +31,7 @@ skip()
 # find_in FOLDER FILE: the folder below FOLDER that has FILE, nothing where there is none.
 find_in()
 {
-  find "$1" -path "*/$2" -printf '%h\n' -quit 2> /dev/null
+  find "$1" -path "*/$2" -printf '%h\n' -quit 2> /dev/null || true
 }
 
 download()

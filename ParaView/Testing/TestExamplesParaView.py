@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The scripts of Examples/ParaView run as a user runs them, and their pictures are looked into."""
 
+import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -79,6 +81,19 @@ class Examples(unittest.TestCase):
             self.assertEqual("\n0 polygons" in "\n" + text, ranks == 1, text)
         self.assertGreater(pictures[0].std(), 10)
         self.assertLessEqual(np.abs(pictures[0] - pictures[1]).max(), 1)
+
+    def test_documentation(self):
+        """The scripts in Documentation/paraview.md, one after the other."""
+        text = (ROOT / "Documentation" / "paraview.md").read_text()
+        view, attached = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+        view = view.replace('"AirlightParaView.so"', repr(os.environ["AIRLIGHT_PLUGIN"]))
+        with tempfile.TemporaryDirectory() as folder:
+            script = pathlib.Path(folder, "script.py")
+            script.write_text(view + "Show(Sphere(), view)\nRender(view)\nDelete(view)\n"
+                              "view = CreateView('RenderView')\nShow(Sphere(), view)\n" + attached
+                              + "Render(view)\nprint(fog_pass.GetEffectiveShadowTechnique())\n")
+            # By shadow planes: a light of ParaView's casts.
+            self.assertIn("\n1\n", "\n" + self.run_example(script))
 
     @classmethod
     def tearDownClass(cls):

@@ -53,6 +53,7 @@ class Parallel(unittest.TestCase):
         # A translucent surface is composited in order; that is said, once.
         for ranks in (1, 2, 4):
             self.assertEqual("rank by rank, without depth" in texts[ranks], ranks > 1)
+            self.assertEqual("draws on one process only" in texts[ranks], ranks > 1)
 
 
 if __name__ == "__main__":

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One scene on any number of ranks, for TestParallel.py: parallel_scene.py NAME.
 
-Each rank has a part of the balls; the floor and the plate are on the first one only. Prints how many
-cells there are, what was gathered, and how long a frame took.
+Each rank has a part of the balls; the floor and the plate are on the first one only. Prints how
+many cells there are, what was gathered, and how long a frame took.
 """
 
 import sys
@@ -11,6 +11,7 @@ import time
 
 from paraview import simple
 
+import airlight.paraview
 import paraviewtest as test
 
 name = sys.argv[1]
@@ -41,6 +42,13 @@ view.SMProxy.UpdatePropertyInformation()
 polygons, bytes_ = (view.GetProperty("Gathered" + what) for what in ("Polygons", "Bytes"))
 print(f"{name}: {cells} cells, gathered {polygons} polygons in {bytes_} bytes, "
       f"{1000 * frame:.0f} ms a frame")
+
+# The helper for scripts draws on one process.
+try:
+    airlight.paraview.attach(view)
+    airlight.paraview.detach(view)
+except RuntimeError as error:
+    print(error)
 
 # Something moved: gathered again.
 small.Center = [-0.75, 0.55, 0.45]

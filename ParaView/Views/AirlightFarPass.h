@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws with a pass, and then brings the background a little before the far end of the depth buffer.
- * IceT takes no pixels from that end: the medium before an empty background would be lost.
+ * Draws with a pass, and then brings the background a little before the far end of the depth
+ * buffer. IceT takes no pixels from that end: the medium before an empty background would be lost.
  */
 
 #ifndef AirlightFarPass_h

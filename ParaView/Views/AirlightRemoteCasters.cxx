@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightRemoteCasters.h"
 
+#include "AirlightCasterNumbers.h"
 #include "vtkActor.h"
 #include "vtkAirlightPass.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkCharArray.h"
-#include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -24,7 +22,6 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkTriangleStrip.h"
 
 #include <algorithm>
 #include <numeric>
@@ -33,11 +30,11 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Casts, but draws nothing. Without a mapper it casts nothing either, and is everywhere.
-class StandIn : public vtkActor
+class AirlightStandIn : public vtkActor
 {
 public:
-  static StandIn* New();
-  vtkTypeMacro(StandIn, vtkActor);
+  static AirlightStandIn* New();
+  vtkTypeMacro(AirlightStandIn, vtkActor);
 
   int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
   int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return 0; }
@@ -48,20 +45,20 @@ public:
   void SetBox(const double box[6]) { std::copy(box, box + 6, this->Box); }
 
 private:
-  StandIn() = default;
-  ~StandIn() override = default;
+  AirlightStandIn() = default;
+  ~AirlightStandIn() override = default;
 
   double Box[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
 };
 
-vtkStandardNewMacro(StandIn);
+vtkStandardNewMacro(AirlightStandIn);
 
 //------------------------------------------------------------------------------
 // Opaque actors alone: ParaView sorts translucent ones by ranks, without depth.
 bool Casts(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
-  if (!actor || actor->IsA("StandIn") || !actor->GetVisibility() || !actor->GetMapper() ||
+  if (!actor || actor->IsA("AirlightStandIn") || !actor->GetVisibility() || !actor->GetMapper() ||
     actor->GetMapper()->GetNumberOfInputConnections(0) == 0 ||
     actor->GetProperty()->GetRepresentation() != VTK_SURFACE || !actor->HasOpaqueGeometry())
   {
@@ -108,32 +105,20 @@ void ForEachMesh(vtkRenderer* renderer, const Action& action)
 }
 
 //------------------------------------------------------------------------------
-// In world coordinates, which single precision need not hold.
-void Append(vtkActor* actor, vtkPolyData* data, vtkPoints* points, vtkCellArray* triangles)
+// All ranks' values on all ranks; those of rank k from offsets[k] on, the last one is their number.
+template <typename T>
+std::vector<T> Gather(
+  vtkMultiProcessController* controller, const std::vector<T>& own, std::vector<vtkIdType>& offsets)
 {
-  if (data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)
-  {
-    return;
-  }
-  const vtkIdType first = points->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
-    data->GetPoint(i, point);
-    actor->GetMatrix()->MultiplyPoint(point, point);
-    points->InsertNextPoint(point);
-  }
-  vtkNew<vtkCellArray> polygons;
-  auto strip = vtk::TakeSmartPointer(data->GetStrips()->NewIterator());
-  for (strip->GoToFirstCell(); !strip->IsDoneWithTraversal(); strip->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    strip->GetCurrentCell(count, ids);
-    vtkTriangleStrip::DecomposeStrip(static_cast<int>(count), ids, polygons);
-  }
-  polygons->Append(data->GetPolys());
-  triangles->Append(polygons, first);
+  const int ranks = controller->GetNumberOfProcesses();
+  const auto length = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> lengths(ranks);
+  controller->AllGather(&length, lengths.data(), 1);
+  offsets.assign(ranks + 1, 0);
+  std::partial_sum(lengths.begin(), lengths.end(), offsets.begin() + 1);
+  std::vector<T> all(offsets.back());
+  controller->AllGatherV(own.data(), all.data(), length, lengths.data(), offsets.data());
+  return all;
 }
 }
 
@@ -141,7 +126,7 @@ namespace airlight
 {
 //------------------------------------------------------------------------------
 RemoteCasters::RemoteCasters()
-  : Everywhere(vtkSmartPointer<StandIn>::New())
+  : Everywhere(vtkSmartPointer<AirlightStandIn>::New())
 {
 }
 
@@ -166,62 +151,62 @@ bool RemoteCasters::HasChanged(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 void RemoteCasters::Update(vtkRenderer* renderer, vtkMultiProcessController* controller)
 {
+  const int ranks = controller->GetNumberOfProcesses();
   const int own = this->HasChanged(renderer) ? 1 : 0;
-  int any = 0;
-  controller->AllReduce(&own, &any, 1, vtkCommunicator::MAX_OP);
-  if (!any)
+  std::vector<int> changed(ranks);
+  controller->AllGather(&own, changed.data(), 1);
+  this->StandIns.resize(ranks);
+  this->Polygons.resize(ranks);
+  if (std::count(changed.begin(), changed.end(), 0) == ranks)
   {
     return;
   }
   this->Sent = true;
-
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> triangles;
-  ForEachMesh(
-    renderer, [&](vtkActor* actor, vtkPolyData* data) { Append(actor, data, points, triangles); });
-  vtkNew<vtkPolyData> mesh;
-  mesh->SetPoints(points);
-  mesh->SetPolys(triangles);
-  vtkNew<vtkCharArray> sent;
-  vtkCommunicator::MarshalDataObject(mesh, sent);
-
-  const int ranks = controller->GetNumberOfProcesses();
-  const vtkIdType length = sent->GetNumberOfValues();
-  std::vector<vtkIdType> lengths(ranks);
-  std::vector<vtkIdType> offsets(ranks, 0);
-  controller->AllGather(&length, lengths.data(), 1);
-  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
-  this->Bytes = offsets.back() + lengths.back();
-  std::vector<char> received(this->Bytes);
-  controller->AllGatherV(
-    sent->GetPointer(0), received.data(), length, lengths.data(), offsets.data());
-
-  for (vtkActor* actor : this->StandIns)
+  CasterNumbers mesh;
+  if (own)
   {
-    renderer->RemoveViewProp(actor);
+    ForEachMesh(
+      renderer, [&mesh](vtkActor* actor, vtkPolyData* data) { AppendCaster(actor, data, mesh); });
   }
-  this->StandIns.clear();
-  this->Triangles = 0;
+  std::vector<vtkIdType> pointOffsets;
+  std::vector<vtkIdType> polygonOffsets;
+  const std::vector<double> points = Gather(controller, mesh.Points, pointOffsets);
+  const std::vector<int> polygons = Gather(controller, mesh.Polygons, polygonOffsets);
+  this->Bytes =
+    static_cast<vtkTypeInt64>(points.size() * sizeof(double) + polygons.size() * sizeof(int));
   for (int rank = 0; rank < ranks; ++rank)
   {
-    vtkNew<vtkCharArray> buffer;
-    buffer->SetArray(received.data() + offsets[rank], lengths[rank], 1);
-    const auto object = vtkCommunicator::UnMarshalDataObject(buffer);
-    auto* data = vtkPolyData::SafeDownCast(object);
-    this->Triangles += data ? data->GetNumberOfPolys() : 0;
-    if (rank == controller->GetLocalProcessId() || !data || data->GetNumberOfPolys() == 0)
+    if (changed[rank])
     {
-      continue;
+      const auto data = MakePolyData(points.data() + pointOffsets[rank],
+        (pointOffsets[rank + 1] - pointOffsets[rank]) / 3, polygons.data() + polygonOffsets[rank],
+        polygonOffsets[rank + 1] - polygonOffsets[rank]);
+      this->Polygons[rank] = data->GetNumberOfPolys();
+      this->Replace(renderer, rank, rank == controller->GetLocalProcessId() ? nullptr : data.Get());
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void RemoteCasters::Replace(vtkRenderer* renderer, int rank, vtkPolyData* data)
+{
+  renderer->RemoveViewProp(this->StandIns[rank]);
+  this->StandIns[rank] = nullptr;
+  if (data && data->GetNumberOfPolys() > 0)
+  {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(data);
-    auto actor = vtkSmartPointer<StandIn>::New();
-    actor->SetMapper(mapper);
-    actor->UseBoundsOff();
-    renderer->AddViewProp(actor);
-    this->StandIns.emplace_back(actor);
+    this->StandIns[rank] = vtkSmartPointer<AirlightStandIn>::New();
+    this->StandIns[rank]->SetMapper(mapper);
+    this->StandIns[rank]->UseBoundsOff();
+    renderer->AddViewProp(this->StandIns[rank]);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 RemoteCasters::GetPolygons() const
+{
+  return std::accumulate(this->Polygons.begin(), this->Polygons.end(), vtkTypeInt64(0));
 }
 
 //------------------------------------------------------------------------------
@@ -239,7 +224,7 @@ void RemoteCasters::Spread(vtkRenderer* renderer, bool on)
   {
     box[i] = camera->GetPosition()[i / 2] + (i % 2 ? size : -size);
   }
-  static_cast<StandIn*>(this->Everywhere.Get())->SetBox(box);
+  static_cast<AirlightStandIn*>(this->Everywhere.Get())->SetBox(box);
   renderer->AddViewProp(this->Everywhere);
 }
 
@@ -251,6 +236,8 @@ void RemoteCasters::Clear(vtkRenderer* renderer)
     renderer->RemoveViewProp(actor);
   }
   this->StandIns.clear();
+  this->Polygons.clear();
+  this->Bytes = 0;
   this->Known.clear();
   this->Sent = false;
 }

@@ -162,7 +162,7 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
 vtkTypeInt64 vtkPVAirlightRenderView::GetGatheredBytes() { return this->Remote->GetBytes(); }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkPVAirlightRenderView::GetGatheredPolygons() { return this->Remote->GetTriangles(); }
+vtkTypeInt64 vtkPVAirlightRenderView::GetGatheredPolygons() { return this->Remote->GetPolygons(); }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)

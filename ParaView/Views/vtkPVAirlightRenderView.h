@@ -4,18 +4,19 @@
  * @class   vtkPVAirlightRenderView
  * @brief   ParaView's render view, with its scene in a participating medium
  *
- * The view draws with a vtkAirlightPass in place of ParaView's own default pass, so that all else stays
- * as it is: picking, screenshots of any size, transparent backgrounds, FXAA, tone mapping, depth
- * peeling. The lights are ParaView's, those of the light kit and those added; all properties of the pass
- * have the same meaning, range and default here.
+ * The view draws with a vtkAirlightPass in place of ParaView's own default pass, so that all else
+ * stays as it is: picking, screenshots of any size, transparent backgrounds, FXAA, tone mapping,
+ * depth peeling. The lights are ParaView's, those of the light kit and those added; all properties
+ * of the pass have the same meaning, range and default here.
  *
  * Annotations of the layer above (titles, legends) are neither fogged nor do they cast shadows. The
  * axes at the centre and the axes grid stand in the scene and are fogged, but cast no shadows.
  *
  * In parallel rendering each rank draws its surfaces in the medium, with the shadows of all ranks'
- * opaque polygonal actors, which are gathered whenever they change; IceT then takes the nearest surface of each
- * pixel. Where ParaView composites ranks in order, as it does for translucent surfaces and volumes, the
- * medium before other ranks' surfaces counts several times, and one warning says so.
+ * opaque polygonal actors, which are gathered whenever they change; IceT then takes the nearest
+ * surface of each pixel. Where ParaView composites ranks in order, as it does for translucent
+ * surfaces and volumes, the medium before other ranks' surfaces counts several times, and one
+ * warning says so.
  *
  * While ray tracing (OSPRay) is on, ParaView draws with a pass of its own, without the medium.
  *

@@ -5,9 +5,9 @@
  * @brief   a vtkParticipatingMedium for panels and state files
  *
  * ParaView sets properties one by one, in any order, and all of them when it loads a state. So what
- * vtkParticipatingMedium derives from several calls in order is here said by values that do not depend
- * on each other: how thick the medium is in one of two ways that COEFFICIENTS chooses between, and an
- * anisotropy that waits where the phase function has none.
+ * vtkParticipatingMedium derives from several calls in order is here said by values that do not
+ * depend on each other: how thick the medium is in one of two ways that COEFFICIENTS chooses
+ * between, and an anisotropy that waits where the phase function has none.
  *
  * Bad values are refused with an error, as vtkParticipatingMedium does.
  *
@@ -52,9 +52,9 @@ public:
 
   ///@{
   /**
-   * The albedo per RGB channel where the thickness is a visibility: the part of the extinction that is
-   * scattered. White for fog, grey for smoke. Extinction is the same in all channels. Range: [0, 1].
-   * Default: (1, 1, 1).
+   * The albedo per RGB channel where the thickness is a visibility: the part of the extinction that
+   * is scattered. White for fog, grey for smoke. Extinction is the same in all channels. Range: [0,
+   * 1]. Default: (1, 1, 1).
    */
   void SetColor(double r, double g, double b);
   vtkGetVector3Macro(Color, double);
@@ -62,8 +62,9 @@ public:
 
   ///@{
   /**
-   * The coefficients where the thickness is COEFFICIENTS, see vtkParticipatingMedium::SetScattering()
-   * and SetAbsorption(). Unit: 1/world. Range: finite, at least 0. Default: (0.1, 0.1, 0.1) and (0, 0, 0).
+   * The coefficients where the thickness is COEFFICIENTS, see
+   * vtkParticipatingMedium::SetScattering() and SetAbsorption(). Unit: 1/world. Range: finite, at
+   * least 0. Default: (0.1, 0.1, 0.1) and (0, 0, 0).
    */
   void SetScatteringCoefficient(double r, double g, double b);
   vtkGetVector3Macro(ScatteringCoefficient, double);
@@ -73,8 +74,8 @@ public:
 
   ///@{
   /**
-   * The phase function, a vtkParticipatingMedium::PhaseFunctionType but TABULATED, and its anisotropy,
-   * which only some of them have. Defaults: ISOTROPIC, 0.
+   * The phase function, a vtkParticipatingMedium::PhaseFunctionType but TABULATED, and its
+   * anisotropy, which only some of them have. Defaults: ISOTROPIC, 0.
    */
   void SetPhase(int function);
   vtkGetMacro(Phase, int);
