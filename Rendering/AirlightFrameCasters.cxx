@@ -57,14 +57,15 @@ bool Frame::PrepareCasters()
 }
 
 //------------------------------------------------------------------------------
-// Those that were made for the light as it is.
+// Those that were made for the light as it is, but for roundings.
 ShadowVolumes::Remotes Frame::GetRemotes(int index) const
 {
   ShadowVolumes::Remotes found;
   for (const RemoteShadows& remote : this->Remotes)
   {
     const auto k = static_cast<size_t>(index);
-    if (k < remote.size() && remote[k]->Light == this->Lamps[k].World)
+    const glm::dvec4& light = this->Lamps[k].World;
+    if (k < remote.size() && glm::distance(remote[k]->Light, light) <= 1e-9 * glm::length(light))
     {
       found.push_back(remote[k]);
     }
