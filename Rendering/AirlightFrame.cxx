@@ -223,6 +223,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
   const Lamp& lamp = this->Lamps[index];
   if (this->Settings.Shadows == ShadowMethod::Planes)
   {
+    this->Volumes[index].SetRemotes(this->GetRemotes(index));
     if (this->Volumes[index].Update(casters, lamp.World, *this->Rays))
     {
       this->Boundaries.SetVolumes(index, this->Volumes[index]);

@@ -23,6 +23,7 @@
 #include "AirlightLamps.h"
 #include "AirlightLayerRecords.h"
 #include "AirlightQuad.h"
+#include "AirlightRemoteShadows.h"
 #include "AirlightSceneData.h"
 #include "AirlightShadowLists.h"
 #include "AirlightShadowMap.h"
@@ -120,6 +121,9 @@ public:
   bool MetTranslucent() const { return this->Casters.MetTranslucent(); }
   const std::vector<vtkActor*>& GetOtherCasters() const { return this->Casters.GetOthers(); }
 
+  // What the casters of other processes do; stays until it is set anew.
+  void SetRemoteShadows(const std::vector<RemoteShadows>& remotes) { this->Remotes = remotes; }
+
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
   bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps,
     const View& view, const FrameSettings& settings, int width, int height);
@@ -196,6 +200,7 @@ private:
   bool Fail(const std::string& reason);
   bool UpdateShadows();
   bool UpdateShadows(int index, const std::vector<Caster>& casters);
+  ShadowVolumes::Remotes GetRemotes(int index) const;
   bool ScatterLight(int index);
   bool ScatterReference();
   bool ScatterWithLists(int index);
@@ -245,6 +250,7 @@ private:
   ShadowLists Boundaries;
   LayerRecords LayerLists;
   CasterCache Casters;
+  std::vector<RemoteShadows> Remotes; // by process
   Dimming SurfaceDimming;
   std::vector<ShadowVolumes> Volumes;           // by light number
   std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise

@@ -57,6 +57,23 @@ bool Frame::PrepareCasters()
 }
 
 //------------------------------------------------------------------------------
+// Those that were made for the light as it is, but for roundings.
+ShadowVolumes::Remotes Frame::GetRemotes(int index) const
+{
+  ShadowVolumes::Remotes found;
+  for (const RemoteShadows& remote : this->Remotes)
+  {
+    const auto k = static_cast<size_t>(index);
+    const glm::dvec4& light = this->Lamps[k].World;
+    if (k < remote.size() && glm::distance(remote[k]->Light, light) <= 1e-9 * glm::length(light))
+    {
+      found.push_back(remote[k]);
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
 // Of all lights. How much room boundaries get follows from the planes that are to be drawn.
 bool Frame::UpdateShadows()
 {

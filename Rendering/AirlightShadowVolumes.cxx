@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightShadowVolumes.h"
 
+#include "AirlightRemoteShadows.h"
 #include "AirlightSilhouette.h"
 #include "AirlightView.h"
 
@@ -60,6 +61,17 @@ void ShadowVolumes::SetAnchor(const std::vector<Caster>& casters)
   {
     this->Anchor = Transform(casters[0].ToWorld, casters[0].Mesh->BoundsMin);
   }
+  else if (!this->Others.empty())
+  {
+    this->Anchor = this->Others[0]->Anchor;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ShadowVolumes::SetRemotes(const Remotes& remotes)
+{
+  this->OthersChanged = this->OthersChanged || remotes != this->Others;
+  this->Others = remotes;
 }
 
 //------------------------------------------------------------------------------
@@ -180,6 +192,32 @@ void ShadowVolumes::CollectEdges()
     std::for_each(
       this->Caps.begin() + caps, this->Caps.end(), [layer](ShadowCap& cap) { cap.C.w = layer; });
   }
+  this->CollectRemotes();
+}
+
+//------------------------------------------------------------------------------
+// All of a process are moved by the same way: planes that share a vertex still do.
+void ShadowVolumes::CollectRemotes()
+{
+  for (const auto& remote : this->Others)
+  {
+    const float layer = this->GetLayerIndex(GetShadowLayer(glm::dvec3(1.0)));
+    const glm::vec4 shift(glm::vec3(remote->Anchor - this->Anchor), 0.0f);
+    for (ShadowEdge edge : remote->Edges)
+    {
+      edge.A += shift;
+      edge.B += shift;
+      edge.Normal.w = layer;
+      this->Edges.push_back(edge);
+    }
+    for (ShadowCap cap : remote->Caps)
+    {
+      cap.A += shift;
+      cap.B += shift;
+      cap.C = glm::vec4(glm::vec3(cap.C + shift), layer);
+      this->Caps.push_back(cap);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -252,6 +290,11 @@ void ShadowVolumes::CountAtStart(const View& view)
     this->StartLayers.Blocks += count * part.Source.Layer.Blocks;
     this->StartLayers.Thickness += count * part.Source.Layer.Thickness;
   }
+  for (const auto& remote : this->Others)
+  {
+    this->StartCount += remote->StartCount;
+    this->StartLayers.Blocks += remote->StartCount;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -267,7 +310,8 @@ bool ShadowVolumes::Update(
   const bool viewMoved = this->Start != view.GetStart();
   this->Start = view.GetStart();
   // Edges that were near at the old eye go back among the others.
-  bool changed = partsChanged || (viewMoved && !this->NearEdges.empty());
+  bool changed = partsChanged || this->OthersChanged || (viewMoved && !this->NearEdges.empty());
+  this->OthersChanged = false;
   if (changed)
   {
     this->CollectEdges();

@@ -13,11 +13,13 @@
 
 #include <glm/glm.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace airlight
 {
 class View;
+struct RemoteShadow;
 
 // As glsl/AirlightPlanesVS.glsl reads it. Positions are relative to the anchor.
 struct ShadowEdge
@@ -41,6 +43,10 @@ class ShadowVolumes
 public:
   // `light` is the homogeneous world position. Returns true where edges, near edges or caps changed.
   bool Update(const std::vector<Caster>& casters, const glm::dvec4& light, const View& view);
+
+  // What the casters of other processes do in this light, for Update() to add.
+  using Remotes = std::vector<std::shared_ptr<const RemoteShadow>>;
+  void SetRemotes(const Remotes& remotes);
 
   const std::vector<ShadowEdge>& GetEdges() const { return this->Edges; }
   const std::vector<ShadowCap>& GetCaps() const { return this->Caps; }
@@ -77,6 +83,7 @@ private:
   void MakeEdges(Part& part) const;
   void MakeCaps(Part& part) const;
   void CollectEdges();
+  void CollectRemotes();
   float GetLayerIndex(const ShadowLayer& layer);
   bool UpdateParts(const std::vector<Caster>& casters, const View& view, bool moved);
   bool IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) const;
@@ -87,6 +94,8 @@ private:
   glm::dvec4 Start{ 0.0 };
   glm::dvec3 Anchor{ 0.0 };
   std::vector<Part> Parts; // in the order of the casters
+  Remotes Others;
+  bool OthersChanged = false;
   std::vector<ShadowEdge> Edges;
   std::vector<ShadowEdge> NearEdges;
   std::vector<ShadowCap> Caps;

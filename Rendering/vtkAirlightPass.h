@@ -112,6 +112,8 @@ class vtkInformationDoubleVectorKey;
 class vtkInformationIntegerKey;
 class vtkLight;
 class vtkParticipatingMedium;
+class vtkRenderer;
+class vtkUnsignedCharArray;
 
 class VTKAIRLIGHT_EXPORT vtkAirlightPass : public vtkDepthImageProcessingPass
 {
@@ -436,6 +438,26 @@ public:
    */
   void SetLightPhotometryUp(vtkLight* light, double x, double y, double z);
   void GetLightPhotometryUp(vtkLight* light, double up[3]);
+  ///@}
+
+  ///@{
+  /**
+   * Rendering in several processes, each of which draws a part of the scene, and whose pictures are
+   * put together by depth (ParaView): each needs to know what casts shadows in the others.
+   * GetSilhouettes() makes bytes to send to them, the silhouettes of the renderer's opaque casters in
+   * each of its lights, 48 bytes an edge; AddRemoteSilhouettes() takes those of another process,
+   * until RemoveAllRemoteSilhouettes(). Lights and camera must be the same in all processes. Whenever
+   * a light, the camera or a caster has moved anywhere, make, send and set all anew: what was made for
+   * another place of a light is left out. For shadow planes; shadow maps and casters that let light
+   * through know their own process alone.
+   *
+   * GetSilhouettes(): false with an error, and no bytes, where renderer or array are null, the
+   * renderer has no window, or its camera is not finite. AddRemoteSilhouettes(): false with an error
+   * that says what is wrong, and nothing added, where the bytes are not such silhouettes, whole.
+   */
+  bool GetSilhouettes(vtkRenderer* renderer, vtkUnsignedCharArray* silhouettes);
+  bool AddRemoteSilhouettes(vtkUnsignedCharArray* silhouettes);
+  void RemoveAllRemoteSilhouettes();
   ///@}
 
   /**

@@ -76,6 +76,9 @@ public:
   // By SetShadowTechnique()'s rule. Sets what the frame's casters are.
   int ChooseTechnique(vtkRenderer* renderer, const std::vector<airlight::Lamp>& lamps, bool clear);
 
+  // For vtkAirlightPass::GetSilhouettes(). False with a reason in Error.
+  bool CollectSilhouettes(vtkRenderer* renderer, std::vector<unsigned char>& bytes);
+
   // Speaks of passes outside that need what this one does not give.
   void CheckOutside(const vtkRenderState* s);
 
@@ -98,6 +101,8 @@ public:
   airlight::MediaList Media;
   std::vector<airlight::LightOptions> Lights; // those of which the pass says something
   airlight::Frame CurrentFrame;
+  std::vector<airlight::RemoteShadows> Remotes;    // of other processes
+  std::vector<airlight::ShadowVolumes> OwnShadows; // to send to them, by light number
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
   int EffectiveTechnique = NONE;
   bool TooManyPlanes = false; // of this frame

@@ -52,5 +52,4 @@ view.CameraFocalPoint = centre
 SaveScreenshot(options.output, view)
 spread.UpdatePipeline()
 view.SMProxy.UpdatePropertyInformation()
-print(f"{view.GetProperty('GatheredPolygons')} polygons gathered in "
-      f"{view.GetProperty('GatheredBytes')} bytes")
+print(f"silhouettes gathered: {view.GetProperty('GatheredBytes')} bytes")

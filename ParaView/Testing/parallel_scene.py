@@ -39,8 +39,7 @@ frame = (time.perf_counter() - start) / 3
 cells = sum(source.GetDataInformation().GetNumberOfCells()
             for source in (ball, floor, small, plate))
 view.SMProxy.UpdatePropertyInformation()
-polygons, bytes_ = (view.GetProperty("Gathered" + what) for what in ("Polygons", "Bytes"))
-print(f"{name}: {cells} cells, gathered {polygons} polygons in {bytes_} bytes, "
+print(f"{name}: {cells} cells, gathered {view.GetProperty('GatheredBytes')} bytes of silhouettes, "
       f"{1000 * frame:.0f} ms a frame")
 
 # The helper for scripts draws on one process.

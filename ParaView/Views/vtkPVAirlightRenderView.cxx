@@ -3,8 +3,9 @@
 #include "vtkPVAirlightRenderView.h"
 
 #include "AirlightFarPass.h"
-#include "AirlightRemoteCasters.h"
+#include "AirlightRemoteSilhouettes.h"
 #include "vtkAirlightPass.h"
+#include "vtkCallbackCommand.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -41,13 +42,23 @@ void KeepFromCasting(vtkProp* prop)
 //------------------------------------------------------------------------------
 vtkPVAirlightRenderView::vtkPVAirlightRenderView()
   : FarPass(vtkSmartPointer<AirlightFarPass>::New())
-  , Remote(new airlight::RemoteCasters)
+  , Remote(new airlight::RemoteSilhouettes)
 {
   this->FarPass->SetDelegate(this->Pass);
   KeepFromCasting(this->CenterAxes);
+  // After ParaView's own observer, which brings the camera to all ranks.
+  vtkNew<vtkCallbackCommand> start;
+  start->SetClientData(this);
+  start->SetCallback([](vtkObject*, unsigned long, void* view, void*) {
+    static_cast<vtkPVAirlightRenderView*>(view)->StartFrame();
+  });
+  this->StartTag = this->GetRenderer()->AddObserver(vtkCommand::StartEvent, start, -1.0f);
 }
 
-vtkPVAirlightRenderView::~vtkPVAirlightRenderView() = default;
+vtkPVAirlightRenderView::~vtkPVAirlightRenderView()
+{
+  this->GetRenderer()->RemoveObserver(this->StartTag);
+}
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetMedium(vtkParticipatingMedium* medium)
@@ -136,18 +147,27 @@ bool vtkPVAirlightRenderView::IsParallel()
 }
 
 //------------------------------------------------------------------------------
-// All ranks that draw come here together.
+// All ranks that draw come here together, with the same camera and lights.
+void vtkPVAirlightRenderView::StartFrame()
+{
+  if (this->Parallel)
+  {
+    this->Remote->Update(
+      this->GetRenderer(), this->Pass, vtkMultiProcessController::GetGlobalController());
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
-  const bool parallel = this->Airlight && this->IsParallel();
-  this->FarPass->SetMoves(parallel);
-  if (!parallel)
+  this->Parallel = this->Airlight && this->IsParallel();
+  this->FarPass->SetMoves(this->Parallel);
+  if (!this->Parallel)
   {
-    this->Remote->Clear(this->GetRenderer());
+    this->Remote->Clear(this->Pass);
     return;
   }
-  this->Remote->Update(this->GetRenderer(), vtkMultiProcessController::GetGlobalController());
   this->Remote->Spread(this->GetRenderer(), true);
   if (this->GetUseOrderedCompositing() && !this->WarnedOrdered)
   {
@@ -160,9 +180,6 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkPVAirlightRenderView::GetGatheredBytes() { return this->Remote->GetBytes(); }
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkPVAirlightRenderView::GetGatheredPolygons() { return this->Remote->GetPolygons(); }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)

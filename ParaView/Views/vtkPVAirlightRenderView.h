@@ -39,7 +39,7 @@ class vtkParticipatingMedium;
 
 namespace airlight
 {
-class RemoteCasters;
+class RemoteSilhouettes;
 }
 
 class VTKAIRLIGHTPARAVIEWVIEWS_EXPORT vtkPVAirlightRenderView : public vtkPVRenderView
@@ -83,14 +83,11 @@ public:
    */
   vtkAirlightPass* GetAirlightPass();
 
-  ///@{
   /**
-   * In parallel rendering, what was gathered when the scene last changed: bytes and polygons of all
-   * ranks. 0 before and in serial rendering.
+   * In parallel rendering, the bytes of all ranks' silhouettes that were gathered when they last
+   * changed. 0 before and in serial rendering.
    */
   vtkTypeInt64 GetGatheredBytes();
-  vtkTypeInt64 GetGatheredPolygons();
-  ///@}
 
   void SetGridAxes3DActor(vtkPVGridAxes3DActor* axes) override;
 
@@ -106,12 +103,15 @@ private:
   void operator=(const vtkPVAirlightRenderView&) = delete;
 
   bool IsParallel();
+  void StartFrame();
 
   bool Airlight = true;
   bool WarnedOrdered = false;
   vtkNew<vtkAirlightPass> Pass;
   vtkSmartPointer<AirlightFarPass> FarPass; // around it
-  std::unique_ptr<airlight::RemoteCasters> Remote;
+  std::unique_ptr<airlight::RemoteSilhouettes> Remote;
+  bool Parallel = false; // the frame that is drawn
+  unsigned long StartTag = 0;
 };
 
 #endif
