@@ -121,8 +121,10 @@ public:
   bool MetTranslucent() const { return this->Casters.MetTranslucent(); }
   const std::vector<vtkActor*>& GetOtherCasters() const { return this->Casters.GetOthers(); }
 
-  // What the casters of other processes do; stays until it is set anew.
-  void SetRemoteShadows(const std::vector<RemoteShadows>& remotes) { this->Remotes = remotes; }
+  // What the casters of other processes do, for all frames until it is forgotten.
+  void AddRemoteShadows(const RemoteShadows& remote) { this->Remotes.push_back(remote); }
+  void ForgetRemoteShadows() { this->Remotes.clear(); }
+  bool HasRemoteShadows() const { return !this->Remotes.empty(); }
 
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
   bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps,

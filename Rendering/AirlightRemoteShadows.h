@@ -31,7 +31,7 @@ struct RemoteShadow
 // By light number.
 using RemoteShadows = std::vector<std::shared_ptr<const RemoteShadow>>;
 
-// Both in one process: the bytes of another kind of machine are refused, as what is cut short.
+// For processes on machines of one kind: the bytes of another kind are refused, as what is cut short.
 std::vector<unsigned char> WriteRemoteShadows(const std::vector<RemoteShadow>& shadows);
 // False with a reason in `error`.
 bool ReadRemoteShadows(

@@ -101,7 +101,6 @@ public:
   airlight::MediaList Media;
   std::vector<airlight::LightOptions> Lights; // those of which the pass says something
   airlight::Frame CurrentFrame;
-  std::vector<airlight::RemoteShadows> Remotes;    // of other processes
   std::vector<airlight::ShadowVolumes> OwnShadows; // to send to them, by light number
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
   int EffectiveTechnique = NONE;

@@ -114,8 +114,7 @@ bool vtkAirlightPass::AddRemoteSilhouettes(vtkUnsignedCharArray* silhouettes)
       << ". Send what GetSilhouettes() makes, whole, to a process of the same kind of machine.");
     return false;
   }
-  this->Impl->Remotes.push_back(shadows);
-  this->Impl->CurrentFrame.SetRemoteShadows(this->Impl->Remotes);
+  this->Impl->CurrentFrame.AddRemoteShadows(shadows);
   this->Modified();
   return true;
 }
@@ -123,10 +122,9 @@ bool vtkAirlightPass::AddRemoteSilhouettes(vtkUnsignedCharArray* silhouettes)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::RemoveAllRemoteSilhouettes()
 {
-  if (!this->Impl->Remotes.empty())
+  if (this->Impl->CurrentFrame.HasRemoteShadows())
   {
-    this->Impl->Remotes.clear();
-    this->Impl->CurrentFrame.SetRemoteShadows({});
+    this->Impl->CurrentFrame.ForgetRemoteShadows();
     this->Modified();
   }
 }
