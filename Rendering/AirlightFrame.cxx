@@ -128,7 +128,7 @@ bool Frame::FinishDistances()
     this->Window, std::string("#version 330\n") + AirlightViewShader + AirlightDistancesFS);
   if (!program)
   {
-    return this->Fail("the shader of distances did not compile: " + this->DistancesQuad.GetError());
+    return this->Fail(std::string("the shader of distances") + ProgramMaker::GetReason());
   }
   this->Rays->SetUniforms(program, 0, 0);
   vtkOpenGLState* state = this->Window->GetState();
@@ -226,7 +226,8 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
     this->Volumes[index].SetRemotes(this->GetRemotes(index));
     if (this->Volumes[index].Update(casters, lamp.World, *this->Rays))
     {
-      this->Boundaries.SetVolumes(index, this->Volumes[index]);
+      return this->Boundaries.SetVolumes(index, this->Volumes[index]) ||
+        this->Fail(this->Boundaries.GetError());
     }
     return true;
   }
@@ -247,7 +248,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
   {
     return this->Fail(this->Textures.GetError());
   }
-  if (!map.Draw(this->Window))
+  if (!map.Draw(this->Window, this->MapPrograms))
   {
     return this->Fail(map.GetError());
   }
@@ -264,7 +265,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
   {
     return this->Fail(this->Textures.GetError());
   }
-  return map.JoinOthers(this->Window) || this->Fail(map.GetError());
+  return map.JoinOthers(this->Window, this->MapQuad) || this->Fail(map.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -281,7 +282,7 @@ void Frame::ReleaseMaps(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void Frame::Release(vtkWindow* window)
+void Frame::ReleaseObjects(vtkWindow* window)
 {
   for (Quad& quad : this->ResolveQuads)
   {
@@ -291,15 +292,22 @@ void Frame::Release(vtkWindow* window)
   this->CompositeQuad.Release();
   this->LayersQuad.Release();
   this->CopyQuad.Release();
+  this->MapQuad.Release();
   this->Boundaries.Release();
   this->LayerLists.Release();
   this->SurfaceDimming.Release();
-  this->Casters.Clear();
-  this->FoundCasters = nullptr;
-  this->OpaqueCasters.clear();
   this->Volumes.clear();
   this->ReleaseMaps(window);
   this->Textures.Release(window);
   this->Data.Release(window);
+}
+
+//------------------------------------------------------------------------------
+void Frame::Release(vtkWindow* window)
+{
+  this->ReleaseObjects(window);
+  this->Casters.Clear();
+  this->FoundCasters = nullptr;
+  this->OpaqueCasters.clear();
 }
 }

@@ -15,7 +15,6 @@
 #include "AirlightViewShader.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -91,8 +90,9 @@ bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height, 
 }
 
 //------------------------------------------------------------------------------
-void ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t size)
+bool ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t size)
 {
+  ForgetErrors();
   if (buffer.Handle == 0)
   {
     glGenBuffers(1, &buffer.Handle);
@@ -102,10 +102,17 @@ void ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t 
   glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(std::max<size_t>(count, 1) * size),
     count > 0 ? data : nullptr, GL_STATIC_DRAW);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  if (glGetError() != GL_NO_ERROR)
+  {
+    this->Error = "no memory on the graphics card for " + std::to_string(count) +
+      " silhouette edges: use coarser meshes, or call SetShadowTechniqueToShadowMap()";
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
-void ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers)
+bool ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers)
 {
   std::vector<glm::ivec4> values;
   for (const ShadowLayer& layer : layers)
@@ -113,11 +120,11 @@ void ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& l
     const int channels = layer.Blocks.r + 2 * layer.Blocks.g + 4 * layer.Blocks.b;
     values.emplace_back(layer.Thickness, channels);
   }
-  this->Upload(buffer, values.data(), values.size(), sizeof(glm::ivec4));
+  return this->Upload(buffer, values.data(), values.size(), sizeof(glm::ivec4));
 }
 
 //------------------------------------------------------------------------------
-void ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
+bool ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
 {
   if (static_cast<size_t>(slot) >= this->Edges.size())
   {
@@ -127,24 +134,23 @@ void ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
     this->Layers.resize(slot + 1);
   }
   const auto upload = [this](Buffer& buffer, const auto& records) {
-    this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
+    return this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
   };
-  upload(this->Edges[slot], volumes.GetEdges());
-  upload(this->NearEdges[slot], volumes.GetNearEdges());
-  upload(this->Caps[slot], volumes.GetCaps());
-  this->UploadLayers(this->Layers[slot], volumes.GetLayers());
+  return upload(this->Edges[slot], volumes.GetEdges()) &&
+    upload(this->NearEdges[slot], volumes.GetNearEdges()) &&
+    upload(this->Caps[slot], volumes.GetCaps()) &&
+    this->UploadLayers(this->Layers[slot], volumes.GetLayers());
 }
 
 //------------------------------------------------------------------------------
 vtkShaderProgram* ShadowLists::ReadyPlanes(const std::string& fragment,
   const ShadowVolumes& volumes, const glm::dvec4& light, const View& view)
 {
-  const std::string source = "#version 430\n" + fragment;
-  vtkShaderProgram* program =
-    this->Window->GetShaderCache()->ReadyShaderProgram(AirlightPlanesVS, source.c_str(), "");
-  if (!program || !program->GetCompiled())
+  std::string source = "#version 430\n" + fragment;
+  vtkShaderProgram* program = this->PlanePrograms.Ready(this->Window, AirlightPlanesVS, source);
+  if (!program)
   {
-    this->Error = program ? program->GetError() : "the shader cache returned no program";
+    this->Error = std::string("the shader of shadow planes") + ProgramMaker::GetReason();
     return nullptr;
   }
   view.SetUniforms(program, 0, 0);
@@ -247,11 +253,12 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
     {
       continue;
     }
-    if (this->Store.GetCapacity() == 0)
+    if (this->Store.GetCapacity() == 0 && !this->Store.ReserveSome())
     {
-      this->Store.ReserveSome();
+      this->Error = this->Store.GetError();
+      return 0;
     }
-    rows = this->Store.GetCapacity() > 0 ? rows / 2 : 0;
+    rows /= 2;
   }
   this->OverBudget = true;
   this->Error = "one row of pixels crosses more shadow boundaries than the memory limit allows";
@@ -267,7 +274,7 @@ vtkShaderProgram* ShadowLists::ReadyLists(Quad& quad, const std::string& fragmen
       this->Store.GetSource() + fragment);
   if (!program)
   {
-    this->Error = "the shader of long lists did not compile: " + quad.GetError();
+    this->Error = std::string("the shader of long lists") + ProgramMaker::GetReason();
     return nullptr;
   }
   this->Store.Use(program);
