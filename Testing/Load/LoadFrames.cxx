@@ -53,14 +53,16 @@ struct MovingScene : WindowScene
     this->Ball->SetPosition(-1.2, 0.5 * std::sin(4.0 * turn), 0.0);
     this->Cube->SetOrientation(0.0, 57.3 * turn, 20.0);
     this->Medium->SetScattering(0.05 + 0.02 * std::sin(turn), 0.07, 0.1);
+    // What needs other shaders changes together: few are compiled.
     const int epoch = frame % 10000 / 10;
-    this->Lights[1]->SetSwitch(epoch % 2 == 0);
-    this->Cube->GetProperty()->SetOpacity(epoch % 3 == 1 ? 0.5 : 1.0);
-    this->Pass->SetRecordBuffers(epoch % 5 == 3);
+    const int state = epoch % 4;
+    this->Lights[1]->SetSwitch(state != 1);
+    this->Cube->GetProperty()->SetOpacity(state == 1 || state == 2 ? 0.5 : 1.0);
+    this->Pass->SetRecordBuffers(state == 2);
+    this->Medium->SetRegion(
+      state < 2 ? vtkParticipatingMedium::BOX : vtkParticipatingMedium::UNBOUNDED);
     static_cast<vtkPolyDataMapper*>(this->Ball->GetMapper())
       ->SetInputData(this->Balls[epoch % this->Balls.size()]);
-    this->Medium->SetRegion(
-      epoch % 4 < 2 ? vtkParticipatingMedium::BOX : vtkParticipatingMedium::UNBOUNDED);
   }
 
   vtkLight* Spot;
@@ -85,11 +87,10 @@ void RunFrames(const Options& options)
     scene.Renderer->SetPass(nullptr);
   }
   int sizes[][2] = { { width, height }, { height, width }, { width * 3 / 2, height } };
-  // What ever comes comes in 600 frames; the warm-up goes through them in steps.
-  const int warm = 1200;
-  for (int i = 0; i < warm; i += options.Frames < warm ? 10 : 1)
+  // All that ever comes comes in 120 frames, and again with other sizes.
+  for (int i = 0; i < 360; i += options.Frames < 1000 ? 10 : 1)
   {
-    scene.Window->SetSize(sizes[i / 100 % 3]);
+    scene.Window->SetSize(sizes[i / 120 % 3]);
     scene.Move(i);
     scene.Window->Render();
   }
