@@ -43,8 +43,10 @@ std::string ShadowLists::GetKeysSource(bool sorted) const
 //------------------------------------------------------------------------------
 std::string ShadowLists::GetBoundariesSource(bool sorted) const
 {
-  return this->Store.GetSource() + DefineLengths() + (sorted ? "#define AIRLIGHT_SORTED\n" : "") +
-    (!sorted && this->Store.GetSlots() > 0 ? AirlightSortedSlots : "") + AirlightBoundaries;
+  // Long lists are read from where Sort() has put them in order, slots or not.
+  const bool slots = !sorted && this->HasSlots();
+  return (slots ? this->GetKeysSource(false) : this->Store.GetSource()) + DefineLengths() +
+    (sorted ? "#define AIRLIGHT_SORTED\n" : "") + AirlightBoundaries;
 }
 
 //------------------------------------------------------------------------------
