@@ -60,13 +60,14 @@ if (AIRLIGHT_WRAP_PYTHON)
     SOABI               "${Python3_SOABI}")
   configure_file(Wrapping/Python/airlight/__init__.py.in
     "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py" @ONLY)
-  foreach (file IN ITEMS __main__.py paraview.py)
+  foreach (file IN ITEMS __main__.py display.py paraview.py)
     configure_file("Wrapping/Python/airlight/${file}"
       "${AIRLIGHT_PYTHONPATH}/airlight/${file}" COPYONLY)
   endforeach ()
   install(
     FILES       "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py"
                 "${AIRLIGHT_PYTHONPATH}/airlight/__main__.py"
+                "${AIRLIGHT_PYTHONPATH}/airlight/display.py"
                 "${AIRLIGHT_PYTHONPATH}/airlight/paraview.py"
     DESTINATION "${AIRLIGHT_PYTHON_DESTINATION}/airlight"
     COMPONENT   python)

@@ -116,6 +116,10 @@ Part SortBucket(const HalfEdge* begin, const HalfEdge* end, int firstVertex, int
   size_t first = 0;
   for (int i = 0; i < vertexCount; ++i)
   {
+    if (ends[i] == first)
+    {
+      continue; // no edge begins here
+    }
     Sort(keys.get() + first, keys.get() + ends[i]);
     part.Add(firstVertex + i, keys.get() + first, keys.get() + ends[i]);
     first = ends[i];

@@ -201,6 +201,7 @@ template <typename Item>
 std::vector<Item> Join(std::vector<ShadowPieces>& parts, std::vector<Item> ShadowPieces::*list)
 {
   std::vector<std::vector<Item>> lists;
+  lists.reserve(parts.size());
   for (ShadowPieces& part : parts)
   {
     lists.push_back(std::move(part.*list));

@@ -8,6 +8,7 @@
 #ifndef AirlightFilterInput_h
 #define AirlightFilterInput_h
 
+#include "AirlightAbort.h"
 #include "AirlightConvert.h"
 #include "AirlightOccluders.h"
 
@@ -58,7 +59,7 @@ bool RunInParts(
   {
     filter->UpdateProgress(progress0 +
       (progress1 - progress0) * static_cast<double>(begin) / static_cast<double>(count));
-    if (filter->GetAbortExecute())
+    if (IsAborted(filter))
     {
       return false;
     }

@@ -77,6 +77,7 @@ std::vector<Part> FindUnshaded(
   Occluders::LitIntervals(
     shadows, 0.0, segment.Length, lit, occluders.GetGap(light, segment.Start));
   std::vector<Part> parts;
+  parts.reserve(lit.size());
   for (const Occluders::Interval& i : lit)
   {
     parts.push_back({ { i.From, vtkLitIntervalsFilter::SHADOW, i.StartTriangle },

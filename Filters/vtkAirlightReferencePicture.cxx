@@ -3,6 +3,7 @@
 // The picture of vtkAirlightReference; its settings are in vtkAirlightReference.cxx.
 #include "vtkAirlightReference.h"
 
+#include "AirlightAbort.h"
 #include "AirlightReferenceTracer.h"
 #include "vtkAirlightReferenceInternals.h"
 #include "vtkDoubleArray.h"
@@ -164,7 +165,7 @@ int vtkAirlightReference::RequestData(
   const Buffers buffers(image);
   // Some rows at a time: progress is for this thread to tell.
   const int step = std::max(1, settings.Height / 50);
-  for (int row = 0; row < settings.Height && !this->GetAbortExecute(); row += step)
+  for (int row = 0; row < settings.Height && !airlight::IsAborted(this); row += step)
   {
     const vtkIdType first = static_cast<vtkIdType>(row) * settings.Width;
     const vtkIdType last =

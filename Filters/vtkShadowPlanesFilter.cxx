@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowPlanesFilter.h"
 
+#include "AirlightAbort.h"
 #include "AirlightConvert.h"
 #include "AirlightShadowPieces.h"
 
@@ -95,9 +96,9 @@ void vtkShadowPlanesFilter::MakeOutput(
   const airlight::ShadowPieces pieces = airlight::MakeShadowPieces(
     mesh, { light[0], light[1], light[2], light[3] }, options, [this](double progress) {
       this->UpdateProgress(StartProgress + (1.0 - StartProgress) * progress);
-      return this->GetAbortExecute() == 0;
+      return !airlight::IsAborted(this);
     });
-  if (!this->GetAbortExecute())
+  if (!airlight::IsAborted(this))
   {
     airlight::WritePieces(mesh, pieces, input, output);
   }

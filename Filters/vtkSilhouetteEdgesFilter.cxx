@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSilhouetteEdgesFilter.h"
 
+#include "AirlightAbort.h"
 #include "AirlightConvert.h"
 #include "AirlightMeshCache.h"
 #include "AirlightShadowPieces.h"
@@ -196,7 +197,7 @@ std::shared_ptr<const airlight::CasterMesh> vtkSilhouetteEdgesFilter::GetMesh(vt
 {
   return this->Internal->Meshes.Get(input, [this](double progress) {
     this->UpdateProgress(MeshProgress * progress);
-    return this->GetAbortExecute() == 0;
+    return !airlight::IsAborted(this);
   });
 }
 
@@ -230,7 +231,7 @@ int vtkSilhouetteEdgesFilter::RequestData(
   if (!this->IsOnMesh(*mesh, light))
   {
     this->MakeOutput(*mesh, light, input, output);
-    if (this->GetAbortExecute())
+    if (airlight::IsAborted(this))
     {
       output->Initialize();
     }

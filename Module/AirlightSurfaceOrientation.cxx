@@ -19,8 +19,9 @@ namespace
 // The triangles on an edge, each with whether it passes the edge from the lower to the higher point.
 struct EdgeUse
 {
-  int Triangle;
-  bool Upwards;
+  // They are used, through a structured binding.
+  int Triangle; // cppcheck-suppress unusedStructMember
+  bool Upwards; // cppcheck-suppress unusedStructMember
 };
 using EdgeMap = std::map<std::pair<int, int>, std::vector<EdgeUse>>;
 
@@ -81,12 +82,12 @@ bool SurfaceTree::OrientAlike(std::string& error)
     {
       continue;
     }
-    std::vector<int> open = { static_cast<int>(seed) };
+    std::vector<int> waiting = { static_cast<int>(seed) };
     turned[seed] = 0;
-    while (!open.empty())
+    while (!waiting.empty())
     {
-      const int i = open.back();
-      open.pop_back();
+      const int i = waiting.back();
+      waiting.pop_back();
       this->Patches[i] = this->PatchCount;
       for (const auto& [other, agree] : neighbours[i])
       {
@@ -94,7 +95,7 @@ bool SurfaceTree::OrientAlike(std::string& error)
         if (turned[other] < 0)
         {
           turned[other] = wanted;
-          open.push_back(other);
+          waiting.push_back(other);
         }
         else if (turned[other] != wanted)
         {

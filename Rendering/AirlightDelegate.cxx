@@ -141,7 +141,7 @@ void DelegateProps::Add(vtkProp* prop)
   auto standIn = vtkSmartPointer<StandIn>::New();
   standIn->SetProp(prop, &this->Drawn);
   this->StandIns.push_back(standIn);
-  this->Props.push_back(standIn);
+  this->Props.emplace_back(standIn);
 }
 
 //------------------------------------------------------------------------------

@@ -218,57 +218,6 @@ bool Frame::ScatterLights()
 }
 
 //------------------------------------------------------------------------------
-bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
-{
-  const Lamp& lamp = this->Lamps[index];
-  if (this->Settings.Shadows == ShadowMethod::Planes)
-  {
-    this->Volumes[index].SetRemotes(this->GetRemotes(index));
-    if (this->Volumes[index].Update(casters, lamp.World, *this->Rays))
-    {
-      return this->Boundaries.SetVolumes(index, this->Volumes[index]) ||
-        this->Fail(this->Boundaries.GetError());
-    }
-    return true;
-  }
-  if (!this->Maps[index])
-  {
-    this->Maps[index] = std::make_unique<ShadowMap>();
-  }
-  ShadowMap& map = *this->Maps[index];
-  if (!map.Update(casters, this->Casters.GetOthers(), lamp, this->Settings.MapResolution))
-  {
-    return true;
-  }
-  if (!map.Prepare(this->Window))
-  {
-    return this->Fail(map.GetError());
-  }
-  if (!this->Textures.Bind({ map.GetTexture() }, nullptr))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  if (!map.Draw(this->Window, this->MapPrograms))
-  {
-    return this->Fail(map.GetError());
-  }
-  if (!map.HasOthers())
-  {
-    return true;
-  }
-  if (!this->Textures.Bind({ map.GetOthersTexture() }, nullptr))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  map.DrawOthers(this->Window, this->Settings.Draw);
-  if (!this->Textures.Bind({ map.GetTexture() }, nullptr))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  return map.JoinOthers(this->Window, this->MapQuad) || this->Fail(map.GetError());
-}
-
-//------------------------------------------------------------------------------
 void Frame::ReleaseMaps(vtkWindow* window)
 {
   for (const auto& map : this->Maps)

@@ -104,11 +104,11 @@ std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& 
     if (light->GetSwitch())
     {
       lamps.push_back(MakeLamp(light, media, view, radius));
-      const auto it = std::find_if(options.begin(), options.end(),
+      const auto own = std::find_if(options.begin(), options.end(),
         [light](const LightOptions& option) { return option.Light == light; });
-      if (it != options.end())
+      if (own != options.end())
       {
-        Apply(*it, renderer, lamps.back());
+        Apply(*own, renderer, lamps.back());
       }
     }
   }

@@ -125,8 +125,9 @@ std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size)
   vtkSMPTools::For(0, static_cast<vtkIdType>(size.y) * size.z, 1, [&](vtkIdType a, vtkIdType b) {
     for (vtkIdType row = a; row < b; ++row)
     {
-      const glm::dvec3 first(
-        0.0, static_cast<double>(row % size.y), static_cast<double>(row / size.y));
+      const vtkIdType y = row % size.y;
+      const vtkIdType z = row / size.y;
+      const glm::dvec3 first(0.0, static_cast<double>(y), static_cast<double>(z));
       for (int i = 0; i < size.x; ++i)
       {
         const glm::dvec3 node = first + glm::dvec3(i, 0.0, 0.0);

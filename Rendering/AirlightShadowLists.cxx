@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// The drawing of a light's shadow planes.
+
 #include "AirlightShadowLists.h"
 
-#include "AirlightBoundaries.h"
 #include "AirlightOpenGL.h"
 #include "AirlightOutlineFS.h"
 #include "AirlightPlanesFS.h"
 #include "AirlightPlanesVS.h"
-#include "AirlightSortFS.h"
-#include "AirlightSortedList.h"
-#include "AirlightSortedSlots.h"
-#include "AirlightSpillFS.h"
 #include "AirlightView.h"
 #include "AirlightViewShader.h"
 
@@ -25,20 +23,9 @@ namespace airlight
 {
 namespace
 {
-// Lists up to this length are sorted where they are read.
-constexpr std::uint32_t ShortList = 64;
-// Boundaries of a longer list that one draw reads.
-constexpr std::uint32_t Chunk = 128;
-
 // Bindings of the shaders' buffers.
 constexpr GLuint EdgeBinding = 0;
 constexpr GLuint LayerBinding = 6;
-
-std::string DefineLengths()
-{
-  return "#define AIRLIGHT_SHORT_LIST " + std::to_string(ShortList) + "\n#define AIRLIGHT_CHUNK " +
-    std::to_string(Chunk) + "\n";
-}
 }
 
 //------------------------------------------------------------------------------
@@ -53,19 +40,6 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
     glGetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &vertexBlocks);
   }
   return vertexBlocks > 0;
-}
-
-//------------------------------------------------------------------------------
-std::string ShadowLists::GetKeysSource(bool sorted) const
-{
-  return this->Store.GetSource() + (sorted ? AirlightSortedList : AirlightSortedSlots);
-}
-
-//------------------------------------------------------------------------------
-std::string ShadowLists::GetBoundariesSource(bool sorted) const
-{
-  return this->Store.GetSource() + DefineLengths() + (sorted ? "#define AIRLIGHT_SORTED\n" : "") +
-    (!sorted && this->Store.GetSlots() > 0 ? AirlightSortedSlots : "") + AirlightBoundaries;
 }
 
 //------------------------------------------------------------------------------
@@ -87,59 +61,6 @@ bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height, 
     return false;
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t size)
-{
-  ForgetErrors();
-  if (buffer.Handle == 0)
-  {
-    glGenBuffers(1, &buffer.Handle);
-  }
-  buffer.Count = static_cast<int>(count);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.Handle);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(std::max<size_t>(count, 1) * size),
-    count > 0 ? data : nullptr, GL_STATIC_DRAW);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-  if (glGetError() != GL_NO_ERROR)
-  {
-    this->Error = "no memory on the graphics card for " + std::to_string(count) +
-      " silhouette edges: use coarser meshes, or call SetShadowTechniqueToShadowMap()";
-    return false;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers)
-{
-  std::vector<glm::ivec4> values;
-  for (const ShadowLayer& layer : layers)
-  {
-    const int channels = layer.Blocks.r + 2 * layer.Blocks.g + 4 * layer.Blocks.b;
-    values.emplace_back(layer.Thickness, channels);
-  }
-  return this->Upload(buffer, values.data(), values.size(), sizeof(glm::ivec4));
-}
-
-//------------------------------------------------------------------------------
-bool ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
-{
-  if (static_cast<size_t>(slot) >= this->Edges.size())
-  {
-    this->Edges.resize(slot + 1);
-    this->NearEdges.resize(slot + 1);
-    this->Caps.resize(slot + 1);
-    this->Layers.resize(slot + 1);
-  }
-  const auto upload = [this](Buffer& buffer, const auto& records) {
-    return this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
-  };
-  return upload(this->Edges[slot], volumes.GetEdges()) &&
-    upload(this->NearEdges[slot], volumes.GetNearEdges()) &&
-    upload(this->Caps[slot], volumes.GetCaps()) &&
-    this->UploadLayers(this->Layers[slot], volumes.GetLayers());
 }
 
 //------------------------------------------------------------------------------
@@ -266,41 +187,6 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
 }
 
 //------------------------------------------------------------------------------
-// A program that changes lists; nothing is drawn into the framebuffer.
-vtkShaderProgram* ShadowLists::ReadyLists(Quad& quad, const std::string& fragment)
-{
-  vtkShaderProgram* program = quad.Ready(this->Window,
-    "#version 430\n" + BoundaryStore::DefineNodes(this->Store.IsDimmed()) +
-      this->Store.GetSource() + fragment);
-  if (!program)
-  {
-    this->Error = std::string("the shader of long lists") + ProgramMaker::GetReason();
-    return nullptr;
-  }
-  this->Store.Use(program);
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  return program;
-}
-
-//------------------------------------------------------------------------------
-// Where a pixel has more boundaries than slots, those in the slots join the others in its list.
-bool ShadowLists::Spill(int row, int rows)
-{
-  vtkOpenGLState* state = this->Window->GetState();
-  vtkOpenGLState::ScopedglColorMask maskSaver(state);
-  if (!this->ReadyLists(this->SpillQuad, std::string(AirlightSortedSlots) + AirlightSpillFS))
-  {
-    return false;
-  }
-  state->vtkglScissor(0, row, this->Width, rows);
-  this->SpillQuad.Draw({});
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  return true;
-}
-
-//------------------------------------------------------------------------------
 int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& light,
   const View& view, vtkTextureObject* distances, int row, int rows)
 {
@@ -351,61 +237,5 @@ bool ShadowLists::DrawWireframe(
   glDisable(GL_DEPTH_CLAMP);
   state->vtkglDepthMask(GL_TRUE);
   return true;
-}
-
-//------------------------------------------------------------------------------
-int ShadowLists::GetLongDraws()
-{
-  if (!this->HasSlots())
-  {
-    this->Longest = this->Store.ReadCounts().Longest;
-  }
-  // One more, for lists whose length is a multiple of the chunk.
-  return this->Longest > 0 ? static_cast<int>(this->Longest / Chunk) + 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-bool ShadowLists::Sort()
-{
-  vtkOpenGLState::ScopedglColorMask maskSaver(this->Window->GetState());
-  vtkShaderProgram* program = this->ReadyLists(this->SortQuad, AirlightSortFS);
-  if (!program)
-  {
-    return false;
-  }
-  // Spill() has put runs in order.
-  for (std::uint64_t run = std::max(this->Store.GetSlots(), 1); run < this->Longest; run *= 2)
-  {
-    glUniform1ui(glGetUniformLocation(program->GetHandle(), "run"), static_cast<GLuint>(run));
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    this->SortQuad.Draw({});
-  }
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void ShadowLists::Release()
-{
-  if (this->VertexArray == 0)
-  {
-    return;
-  }
-  glDeleteVertexArrays(1, &this->VertexArray);
-  this->Store.Release();
-  for (size_t slot = 0; slot < this->Edges.size(); ++slot)
-  {
-    glDeleteBuffers(1, &this->Edges[slot].Handle);
-    glDeleteBuffers(1, &this->NearEdges[slot].Handle);
-    glDeleteBuffers(1, &this->Caps[slot].Handle);
-    glDeleteBuffers(1, &this->Layers[slot].Handle);
-  }
-  this->Edges.clear();
-  this->NearEdges.clear();
-  this->Caps.clear();
-  this->Layers.clear();
-  this->SortQuad.Release();
-  this->SpillQuad.Release();
-  this->VertexArray = 0;
 }
 }

@@ -89,8 +89,10 @@
  * One pass may serve several renderers, of one window or of several. In several windows at once it
  * makes all its OpenGL objects anew whenever the window changes; a pass for each is faster.
  *
- * Errors: the pass never loses the scene. Where a shader, a texture or a buffer cannot be had it
- * reports one error and draws the scene without the medium.
+ * Errors: the pass never loses the scene. Where a shader, a texture or a buffer cannot be had, and below
+ * OpenGL 3.3, it reports one error, which says what to do, and draws the scene without the medium;
+ * GetBuffer() is null then. The next frame tries anew; a shader that did not compile is tried again
+ * after 1, 3, 7, ... frames, or at once where it is another one.
  *
  * Sources: V. Biri, D. Arques and S. Michelin, "Real Time Rendering of Atmospheric Scattering and
  * Volumetric Shadows", WSCG 2006 (closed form, shadow planes).

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkAirlightPass knows of lights, and what it says of media, lights, graphics cards and other
-// passes that it cannot do.
+// What vtkAirlightPass says of media, lights, graphics cards and other passes that it cannot do.
 
 #include "vtkAirlightPassInternals.h"
 
@@ -42,32 +41,6 @@ std::string GetMapperNames(const std::vector<vtkActor*>& actors)
   }
   return text;
 }
-}
-
-//------------------------------------------------------------------------------
-LightOptions& vtkAirlightPass::Internals::GetOptions(vtkLight* light)
-{
-  auto& lights = this->Lights;
-  lights.erase(std::remove_if(lights.begin(), lights.end(),
-                 [](const LightOptions& options) { return !options.Light; }),
-    lights.end());
-  const auto it = std::find_if(lights.begin(), lights.end(),
-    [light](const LightOptions& options) { return options.Light == light; });
-  if (it != lights.end())
-  {
-    return *it;
-  }
-  lights.emplace_back();
-  lights.back().Light = light;
-  return lights.back();
-}
-
-//------------------------------------------------------------------------------
-const LightOptions* vtkAirlightPass::Internals::FindOptions(vtkLight* light) const
-{
-  const auto it = std::find_if(this->Lights.begin(), this->Lights.end(),
-    [light](const LightOptions& options) { return options.Light == light; });
-  return light && it != this->Lights.end() ? &*it : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,32 @@
 using namespace airlight;
 
 //------------------------------------------------------------------------------
+LightOptions& vtkAirlightPass::Internals::GetOptions(vtkLight* light)
+{
+  auto& lights = this->Lights;
+  lights.erase(std::remove_if(lights.begin(), lights.end(),
+                 [](const LightOptions& options) { return !options.Light; }),
+    lights.end());
+  const auto it = std::find_if(lights.begin(), lights.end(),
+    [light](const LightOptions& options) { return options.Light == light; });
+  if (it != lights.end())
+  {
+    return *it;
+  }
+  lights.emplace_back();
+  lights.back().Light = light;
+  return lights.back();
+}
+
+//------------------------------------------------------------------------------
+const LightOptions* vtkAirlightPass::Internals::FindOptions(vtkLight* light) const
+{
+  const auto it = std::find_if(this->Lights.begin(), this->Lights.end(),
+    [light](const LightOptions& options) { return options.Light == light; });
+  return light && it != this->Lights.end() ? &*it : nullptr;
+}
+
+//------------------------------------------------------------------------------
 void vtkAirlightPass::SetLightScatters(vtkLight* light, bool scatters)
 {
   if (!light)

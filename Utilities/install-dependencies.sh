@@ -2,10 +2,12 @@
 # Installs what Airlight needs to build, test and run on Debian 12. Packages that are there already
 # are left as they are. Becomes root through sudo where necessary.
 #
-# Usage: Utilities/install-dependencies.sh [--with-openvdb] [--with-doxygen]
+# Usage: Utilities/install-dependencies.sh [OPTION...]
 #
 #   --with-openvdb   also install OpenVDB, for reading .vdb files
 #   --with-doxygen   also install Doxygen, for making the class reference
+#   --with-checks    also install cppcheck, shellcheck and pyflakes, which read the code for mistakes
+#   --with-analysis  and clang-tidy, which does so thoroughly, and gcovr, for what tests run
 set -euo pipefail
 
 packages=(
@@ -24,6 +26,8 @@ for option in "$@"; do
   case $option in
     --with-openvdb) packages+=(libopenvdb-dev libboost-iostreams-dev) ;;
     --with-doxygen) packages+=(doxygen) ;;
+    --with-checks) packages+=(cppcheck shellcheck pyflakes3) ;;
+    --with-analysis) packages+=(cppcheck shellcheck pyflakes3 clang-tidy gcovr) ;;
     -h | --help)
       sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
       exit

@@ -66,11 +66,12 @@ fetch()
 # Sets what ParaView's programs need.
 use_paraview()
 {
-  local libraries python
+  local libraries package python
   libraries=$(find_in "$prefix" 'libvtkRemotingViews-pv*.so')
   python=$(dirname "$(find_in "$prefix" paraview/simple.py)")
   export LD_LIBRARY_PATH=$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
-  export PYTHONPATH=$plugin/python:$root/ParaView/Testing:$python
+  package=$(dirname "$(find_in "$plugin" airlight/paraview.py)")
+  export PYTHONPATH=$package:$root/ParaView/Testing:$python
   export PATH=$prefix/bin:$PATH
 }
 

@@ -9,7 +9,7 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 step_count=5
-dependencies=(--with-openvdb --with-doxygen) # what is optional is tested, too
+dependencies=(--with-openvdb --with-doxygen --with-checks) # what is optional is tested, too
 
 step "Installing what is missing"
 install_missing cmake ctest c++ xvfb-run xauth

@@ -6,28 +6,20 @@
  * Examples/Python/daylight_room.py is the same room, and measures its floor.
  */
 
-#include <vtkActor.h>
+#include "ExampleScene.h"
+
 #include <vtkAirlight.h>
 #include <vtkAirlightPass.h>
 #include <vtkCamera.h>
-#include <vtkCubeSource.h>
 #include <vtkImageData.h>
-#include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLight.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkParticipatingMedium.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
 #include <vtkSphereSource.h>
-#include <vtkWindowToImageFilter.h>
+
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 
 namespace
 {
@@ -47,69 +39,49 @@ constexpr double Table[][6] = { { -1.9, -0.2, 0.7, 0.75, -2.5, -1.1 },
   { -1.85, -1.78, 0, 0.7, -2.45, -2.38 }, { -1.85, -1.78, 0, 0.7, -1.22, -1.15 },
   { -0.32, -0.25, 0, 0.7, -2.45, -2.38 }, { -0.32, -0.25, 0, 0.7, -1.22, -1.15 } };
 
-void Add(vtkRenderer* renderer, vtkPolyDataAlgorithm* source, double r, double g, double b)
+// Skylight comes to every surface alike.
+void Add(vtkRenderer* renderer, vtkAlgorithm* source, const example::Colour& albedo)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkProperty* property = actor->GetProperty();
-  property->SetColor(r, g, b);
-  property->SetAmbientColor(r * SkyLight[0], g * SkyLight[1], b * SkyLight[2]);
+  vtkProperty* property = example::Add(renderer, source, albedo)->GetProperty();
+  property->SetAmbientColor(
+    albedo[0] * SkyLight[0], albedo[1] * SkyLight[1], albedo[2] * SkyLight[2]);
   property->SetAmbient(1.0);
-  renderer->AddActor(actor);
 }
 
-void AddBox(vtkRenderer* renderer, const double bounds[6], double r, double g, double b)
+void AddBox(vtkRenderer* renderer, const double b[6], const example::Colour& albedo)
 {
-  vtkNew<vtkCubeSource> box;
-  box->SetBounds(bounds);
-  Add(renderer, box, r, g, b);
+  Add(renderer, example::MakeBox(b[0], b[1], b[2], b[3], b[4], b[5]), albedo);
 }
 
 void AddRoom(vtkRenderer* renderer)
 {
   const double floor[6] = { -3.7, 3.5, -0.2, 0.0, -6.0, 5.0 };
-  AddBox(renderer, floor, 0.36, 0.23, 0.13);
+  AddBox(renderer, floor, { 0.36, 0.23, 0.13 });
   for (const auto& wall : Walls)
   {
-    AddBox(renderer, wall, 0.75, 0.72, 0.66);
+    AddBox(renderer, wall, { 0.75, 0.72, 0.66 });
   }
   for (const auto& part : Table)
   {
-    AddBox(renderer, part, 0.45, 0.22, 0.1);
+    AddBox(renderer, part, { 0.45, 0.22, 0.1 });
   }
   vtkNew<vtkSphereSource> ball;
   ball->SetCenter(-1.2, 0.97, -1.7);
   ball->SetRadius(0.22);
   ball->SetThetaResolution(48);
   ball->SetPhiResolution(48);
-  Add(renderer, ball, 0.3, 0.55, 0.6);
-}
-
-// False after an error, which VTK reports.
-bool WritePicture(vtkRenderWindow* window, const char* fileName)
-{
-  vtkNew<vtkWindowToImageFilter> shot;
-  shot->SetInput(window);
-  shot->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(shot->GetOutputPort());
-  writer->SetFileName(fileName);
-  writer->Write();
-  return writer->GetErrorCode() == 0;
+  Add(renderer, ball, { 0.3, 0.55, 0.6 });
 }
 }
 
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
-  const bool writes = argc == 3 && std::strcmp(argv[1], "-o") == 0;
-  if (argc != 1 && !writes)
-  {
-    std::puts("usage: DaylightRoom [-o PICTURE.png]\nThe sun through the windows of a dusty room");
-    return argc == 2 && std::strcmp(argv[1], "--help") == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
+  CLI::App program("The sun through the windows of a dusty room");
+  std::string picture;
+  program.add_option("-o,--output", picture, "picture to write, a PNG; default: a window");
+  CLI11_PARSE(program, argc, argv);
+
   vtkNew<vtkLight> sun;
   vtkAirlight::SetIrradiance(sun, Sun);
   sun->SetPosition(-1.0, 0.72, -0.3); // where it shines from
@@ -138,26 +110,9 @@ int main(int argc, char* argv[])
   camera->SetViewAngle(42.0);
   renderer->ResetCameraClippingRange();
 
-  vtkNew<vtkRenderWindow> window;
-  window->SetMultiSamples(0);
-  window->SetSize(480, 320);
-  window->AddRenderer(renderer);
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
-  interactor->SetInteractorStyle(style);
-  window->SetOffScreenRendering(writes);
-  if (!writes)
-  {
-    interactor->SetRenderWindow(window);
-  }
-  window->Render();
+  example::Window window(renderer, 480, 320, picture);
   std::printf("of %.3f m straight ahead %.3f m are in the sun\n",
     pass->GetBuffer("Depth")->GetScalarComponentAsDouble(240, 160, 0, 0),
     pass->GetBuffer("LitLength")->GetScalarComponentAsDouble(240, 160, 0, 0));
-  if (writes)
-  {
-    return WritePicture(window, argv[2]) ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  interactor->Start();
-  return EXIT_SUCCESS;
+  return window.Show();
 }

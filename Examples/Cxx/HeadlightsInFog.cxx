@@ -7,30 +7,24 @@
  * contrast. Examples/Python/headlights_in_fog.py shows both beams.
  */
 
-#include <vtkActor.h>
+#include "ExampleScene.h"
+
 #include <vtkAirlight.h>
 #include <vtkAirlightPass.h>
 #include <vtkCamera.h>
-#include <vtkCubeSource.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationDoubleVectorKey.h>
-#include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLight.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkParticipatingMedium.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
 #include <vtkSphereSource.h>
-#include <vtkWindowToImageFilter.h>
+
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <cstdlib>
-#include <string>
+
+using example::Add;
+using example::MakeBox;
 
 namespace
 {
@@ -38,50 +32,31 @@ constexpr double White = 10.0; // cd/m^2, shown as white
 constexpr double Intensity[3] = { 20000.0 / White, 19200.0 / White, 17200.0 / White }; // cd, axis
 constexpr double People[][2] = { { 1.0, 12.0 }, { -0.4, 22.0 }, { -2.2, 34.0 }, { 0.4, 48.0 } };
 
-vtkSmartPointer<vtkActor> Add(
-  vtkRenderer* renderer, vtkPolyDataAlgorithm* source, double r, double g, double b)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(r, g, b);
-  renderer->AddActor(actor);
-  return actor;
-}
-
-vtkNew<vtkCubeSource> MakeBox(double x0, double x1, double y0, double y1, double z0, double z1)
-{
-  vtkNew<vtkCubeSource> box;
-  box->SetBounds(x0, x1, y0, y1, z0, z1);
-  return box;
-}
-
 void AddPerson(vtkRenderer* renderer, double x, double z)
 {
   for (const double leg : { x - 0.2, x + 0.02 })
   {
-    Add(renderer, MakeBox(leg, leg + 0.16, 0.0, 0.8, z - 0.1, z + 0.1), 0.06, 0.07, 0.1);
+    Add(renderer, MakeBox(leg, leg + 0.16, 0.0, 0.8, z - 0.1, z + 0.1), { 0.06, 0.07, 0.1 });
   }
-  Add(renderer, MakeBox(x - 0.24, x + 0.24, 0.75, 1.45, z - 0.12, z + 0.12), 0.22, 0.1, 0.08);
+  Add(renderer, MakeBox(x - 0.24, x + 0.24, 0.75, 1.45, z - 0.12, z + 0.12), { 0.22, 0.1, 0.08 });
   vtkNew<vtkSphereSource> head;
   head->SetCenter(x, 1.62, z);
   head->SetRadius(0.13);
-  Add(renderer, head, 0.35, 0.25, 0.2);
+  Add(renderer, head, { 0.35, 0.25, 0.2 });
 }
 
 void AddRoad(vtkRenderer* renderer)
 {
-  Add(renderer, MakeBox(-30.0, 30.0, -0.2, 0.0, -200.0, 10.0), 0.07, 0.07, 0.07);
-  Add(renderer, MakeBox(1.8, 1.95, -0.1, 0.01, -200.0, 10.0), 0.5, 0.5, 0.48);
+  Add(renderer, MakeBox(-30.0, 30.0, -0.2, 0.0, -200.0, 10.0), { 0.07, 0.07, 0.07 });
+  Add(renderer, MakeBox(1.8, 1.95, -0.1, 0.01, -200.0, 10.0), { 0.5, 0.5, 0.48 });
   for (int z = -190; z < 10; z += 9)
   {
-    Add(renderer, MakeBox(-1.9, -1.78, -0.1, 0.01, z, z + 3), 0.5, 0.5, 0.48);
+    Add(renderer, MakeBox(-1.9, -1.78, -0.1, 0.01, z, z + 3), { 0.5, 0.5, 0.48 });
   }
   for (int z = -190; z < 0; z += 10)
   {
-    Add(renderer, MakeBox(-5.6, -5.48, 0.0, 1.0, z, z + 0.12), 0.7, 0.7, 0.7);
-    Add(renderer, MakeBox(2.4, 2.52, 0.0, 1.0, z, z + 0.12), 0.7, 0.7, 0.7);
+    Add(renderer, MakeBox(-5.6, -5.48, 0.0, 1.0, z, z + 0.12), { 0.7, 0.7, 0.7 });
+    Add(renderer, MakeBox(2.4, 2.52, 0.0, 1.0, z, z + 0.12), { 0.7, 0.7, 0.7 });
   }
   for (const auto& person : People)
   {
@@ -104,7 +79,8 @@ void AddLamp(vtkRenderer* renderer, double x, bool low)
     // 1 % comes through its two sides: stray light above the road.
     vtkNew<vtkInformation> keys;
     keys->Set(vtkAirlightPass::SHADOW_OPACITY(), 0.9, 0.9, 0.9);
-    Add(renderer, MakeBox(x - 0.05, x + 0.05, Y - 0.0005, Y + 0.04, -0.051, -0.05), 0.0, 0.0, 0.0)
+    Add(
+      renderer, MakeBox(x - 0.05, x + 0.05, Y - 0.0005, Y + 0.04, -0.051, -0.05), { 0.0, 0.0, 0.0 })
       ->SetPropertyKeys(keys);
   }
 }
@@ -121,43 +97,18 @@ void Report(vtkRenderer* renderer, vtkAirlightPass* pass, double x, double dista
   const double veil = get("Airlight");
   std::printf("at %g m: veil %.3f cd/m^2, contrast %.3f\n", distance, veil, get("Surface") / veil);
 }
-
-// False after an error, which VTK reports.
-bool WritePicture(vtkRenderWindow* window, const char* fileName)
-{
-  vtkNew<vtkWindowToImageFilter> shot;
-  shot->SetInput(window);
-  shot->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(shot->GetOutputPort());
-  writer->SetFileName(fileName);
-  writer->Write();
-  return writer->GetErrorCode() == 0;
-}
 }
 
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
+  CLI::App program("Headlights in fog at night");
+  std::string picture;
   bool low = false;
-  const char* output = nullptr;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string word = argv[i];
-    if (word == "--low")
-    {
-      low = true;
-    }
-    else if (word == "-o" && i + 1 < argc)
-    {
-      output = argv[++i];
-    }
-    else
-    {
-      std::puts("usage: HeadlightsInFog [--low] [-o PICTURE.png]\nHeadlights in fog at night");
-      return word == "--help" ? EXIT_SUCCESS : EXIT_FAILURE;
-    }
-  }
+  program.add_option("-o,--output", picture, "picture to write, a PNG; default: a window");
+  program.add_flag("--low", low, "low beam; default: high beam");
+  CLI11_PARSE(program, argc, argv);
+
   vtkNew<vtkParticipatingMedium> fog;
   fog->SetVisibility(100.0); // m
   fog->SetPhaseFunctionToHenyeyGreenstein();
@@ -177,27 +128,10 @@ int main(int argc, char* argv[])
   camera->SetViewAngle(24.0);
   camera->SetClippingRange(0.5, 300.0);
 
-  vtkNew<vtkRenderWindow> window;
-  window->SetMultiSamples(0);
-  window->SetSize(480, 160);
-  window->AddRenderer(renderer);
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
-  interactor->SetInteractorStyle(style);
-  window->SetOffScreenRendering(output != nullptr);
-  if (!output)
-  {
-    interactor->SetRenderWindow(window);
-  }
-  window->Render();
+  example::Window window(renderer, 480, 160, picture);
   for (const auto& person : People)
   {
     Report(renderer, pass, person[0], person[1]);
   }
-  if (output)
-  {
-    return WritePicture(window, output) ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  interactor->Start();
-  return EXIT_SUCCESS;
+  return window.Show();
 }

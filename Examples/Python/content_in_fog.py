@@ -20,7 +20,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401 volumes
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIntArray, vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane, vtkPolyData, vtkSphere)
+    vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane, vtkPolyData, vtkSphere)
 from vtkmodules.vtkFiltersCore import vtkElevationFilter, vtkTubeFilter
 from vtkmodules.vtkFiltersSources import (
     vtkArrowSource, vtkConeSource, vtkCubeSource, vtkParametricFunctionSource, vtkPlaneSource,

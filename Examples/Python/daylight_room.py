@@ -12,14 +12,10 @@ import argparse
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
-    vtkWindowToImageFilter)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
 import airlight
+import airlight.display
 
 ROOM = (-3.5, 3.5, 0.0, 3.2, -6.0, 5.0)  # m: x, y and z inside the walls, which are 0.2 thick
 TO_SUN = (-1.0, 0.72, -0.3)
@@ -98,38 +94,6 @@ def make_room():
     return renderer
 
 
-def open_window(renderers, output):
-    """A window and its first frame; off the screen where that goes into a file."""
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetSize(480, 320)
-    for renderer in renderers:
-        window.AddRenderer(renderer)
-    if output:
-        window.SetOffScreenRendering(True)
-    else:
-        interactor = vtkRenderWindowInteractor()
-        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-        interactor.SetRenderWindow(window)
-    window.Render()
-    return window
-
-
-def show(window, output):
-    if not output:
-        window.GetInteractor().Start()
-        return
-    shot = vtkWindowToImageFilter()
-    shot.SetInput(window)
-    shot.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(shot.GetOutputPort())
-    writer.SetFileName(output)
-    writer.Write()
-    if writer.GetErrorCode():
-        raise SystemExit(1)  # VTK has said why
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
@@ -163,11 +127,11 @@ def main():
     camera.SetFocalPoint(TARGET)
     camera.SetViewAngle(42)
     renderer.ResetCameraClippingRange()
-    window = open_window([renderer], options.output)
+    window = airlight.display.open_window(renderer, offscreen=bool(options.output))
     in_sun, all_of_it = (dust_pass.GetBuffer(name).GetScalarComponentAsDouble(240, 160, 0, 0)
                          for name in ("LitLength", "Depth"))
     print(f"of {all_of_it:.3f} m straight ahead {in_sun:.3f} m are in the sun")
-    show(window, options.output)
+    airlight.display.show_or_write(window, options.output)
 
 
 if __name__ == "__main__":

@@ -17,16 +17,13 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkGlyph3DMapper, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
-    vtkRenderWindowInteractor, vtkWindowToImageFilter)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
+    vtkActor, vtkGlyph3DMapper, vtkLight, vtkPolyDataMapper, vtkRenderer)
 
 import airlight
+import airlight.display
 
-PAIRS = 42
+SEQUENCE = "CAGCAGGGGGGCGTGACTGATCAAGCCTGAGATAATGCGGGT"
 RADIUS, RISE, TWIST, GROOVE = 0.9, 0.332, 2 * np.pi / 10.5, np.radians(133)
 PHOSPHATE = 0.2  # radius of the balls
 RANGE = 8.0  # where a colour has lost 63 % of its contrast
@@ -38,7 +35,7 @@ BASES = {"A": (0.75, 0.2, 0.15), "T": (0.85, 0.65, 0.15), "G": (0.15, 0.5, 0.25)
 
 def strand(offset, radius=RADIUS):
     """Places along one strand, at this angle from the other, the helix along -z."""
-    steps = np.arange(PAIRS)
+    steps = np.arange(len(SEQUENCE))
     angle = steps * TWIST + offset
     return np.stack((radius * np.cos(angle), radius * np.sin(angle), 1 - steps * RISE), axis=1)
 
@@ -93,46 +90,13 @@ def add_molecule(renderer):
     add_tubes(renderer, strands, 0.1, (0.6, 0.6, 0.62))
     for places in strands:
         add_balls(renderer, places)
-    sequence = np.random.default_rng(1953).choice(list("ATGC"), PAIRS)
     halves = {base: [] for base in BASES}
-    for i, base in enumerate(sequence):
+    for i, base in enumerate(SEQUENCE):
         middle = (strands[0][i] + strands[1][i]) / 2
         halves[base].append(np.array((strands[0][i], middle)))
         halves["TACG"["ATGC".index(base)]].append(np.array((strands[1][i], middle)))
     for base, lines in halves.items():
         add_tubes(renderer, lines, 0.09, BASES[base])
-
-
-def open_window(renderers, output):
-    """A window and its first frame; off the screen where that goes into a file."""
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetSize(480, 320)
-    for renderer in renderers:
-        window.AddRenderer(renderer)
-    if output:
-        window.SetOffScreenRendering(True)
-    else:
-        interactor = vtkRenderWindowInteractor()
-        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-        interactor.SetRenderWindow(window)
-    window.Render()
-    return window
-
-
-def show(window, output):
-    if not output:
-        window.GetInteractor().Start()
-        return
-    shot = vtkWindowToImageFilter()
-    shot.SetInput(window)
-    shot.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(shot.GetOutputPort())
-    writer.SetFileName(output)
-    writer.Write()
-    if writer.GetErrorCode():
-        raise SystemExit(1)  # VTK has said why
 
 
 def main():
@@ -161,13 +125,13 @@ def main():
     camera.SetFocalPoint(TARGET)
     camera.SetViewAngle(30)
     renderer.ResetCameraClippingRange()
-    window = open_window([renderer], options.output)
+    window = airlight.display.open_window(renderer, offscreen=bool(options.output))
     depth, kept = (vtk_to_numpy(haze_pass.GetBuffer(name).GetPointData().GetScalars())
                    for name in ("Depth", "Transmittance"))
     for name, place in (("nearest", np.where(depth > 0, depth, np.inf).argmin()),
                         ("farthest", depth.argmax())):
         print(f"{name}: at {depth[place]:.3f} nm {100 * kept[place, 0]:.2f} % of the contrast")
-    show(window, options.output)
+    airlight.display.show_or_write(window, options.output)
 
 
 if __name__ == "__main__":

@@ -14,14 +14,10 @@ import argparse
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkInformation
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
-    vtkWindowToImageFilter)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
 import airlight
+import airlight.display
 
 INTENSITY = 20000.0  # cd, along the axis of each lamp
 SHIELD = 0.9  # opacity of each of its two sides: 1 % of the light is stray light above the road
@@ -31,8 +27,6 @@ EYE = (-0.35, 1.25, 1.6)
 VISIBILITY, ANISOTROPY = 100.0, 0.85  # of the fog: metres, and its droplets' mean cosine
 PEOPLE = [(1.0, 12.0), (-0.4, 22.0), (-2.2, 34.0), (0.4, 48.0)]  # m to the right, and ahead
 WHITE = 10.0  # cd/m^2, what the picture shows as white
-
-
 
 
 def add(renderer, source, albedo):
@@ -105,44 +99,13 @@ def make_view(beam, viewport):
     return renderer, fog_pass
 
 
-def open_window(renderers, output):
-    """A window and its first frame; off the screen where that goes into a file."""
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetSize(480, 320)
-    for renderer in renderers:
-        window.AddRenderer(renderer)
-    if output:
-        window.SetOffScreenRendering(True)
-    else:
-        interactor = vtkRenderWindowInteractor()
-        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-        interactor.SetRenderWindow(window)
-    window.Render()
-    return window
-
-
-def show(window, output):
-    if not output:
-        window.GetInteractor().Start()
-        return
-    shot = vtkWindowToImageFilter()
-    shot.SetInput(window)
-    shot.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(shot.GetOutputPort())
-    writer.SetFileName(output)
-    writer.Write()
-    if writer.GetErrorCode():
-        raise SystemExit(1)  # VTK has said why
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
     options = parser.parse_args()
     views = {"low": make_view("low", (0, 0.5, 1, 1)), "high": make_view("high", (0, 0, 1, 0.5))}
-    window = open_window([renderer for renderer, _ in views.values()], options.output)
+    window = airlight.display.open_window(*(renderer for renderer, _ in views.values()),
+                                          offscreen=bool(options.output))
 
     for x, distance in PEOPLE:
         print(f"at {distance:g} m:", end="")
@@ -155,7 +118,7 @@ def main():
                 column, row, 0, 1) for name in ("Surface", "Airlight"))
             print(f"  {beam} beam: veil {veil:.3f} cd/m^2, contrast {surface / veil:.3f}", end="")
         print()
-    show(window, options.output)
+    airlight.display.show_or_write(window, options.output)
 
 
 if __name__ == "__main__":

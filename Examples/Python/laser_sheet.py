@@ -17,14 +17,10 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource, vtkLineSource
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
-    vtkWindowToImageFilter)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
 import airlight
+import airlight.display
 
 TUNNEL = (-0.6, 0.9, -0.4, 0.4, -0.3, 0.3)  # m; air flows along x
 RADIUS = 0.1  # of the cylinder around the z axis
@@ -143,38 +139,6 @@ def look_at(renderer, point):
     return column, row, EYE - ray * EYE[2] / ray[2]
 
 
-def open_window(renderers, output):
-    """A window and its first frame; off the screen where that goes into a file."""
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetSize(480, 320)
-    for renderer in renderers:
-        window.AddRenderer(renderer)
-    if output:
-        window.SetOffScreenRendering(True)
-    else:
-        interactor = vtkRenderWindowInteractor()
-        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-        interactor.SetRenderWindow(window)
-    window.Render()
-    return window
-
-
-def show(window, output):
-    if not output:
-        window.GetInteractor().Start()
-        return
-    shot = vtkWindowToImageFilter()
-    shot.SetInput(window)
-    shot.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(shot.GetOutputPort())
-    writer.SetFileName(output)
-    writer.Write()
-    if writer.GetErrorCode():
-        raise SystemExit(1)  # VTK has said why
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
@@ -191,7 +155,7 @@ def main():
     camera.SetFocalPoint(TARGET)
     camera.SetViewAngle(30)
     renderer.ResetCameraClippingRange()
-    window = open_window([renderer], options.output)
+    window = airlight.display.open_window(renderer, offscreen=bool(options.output))
 
     column, row, place = look_at(renderer, PROBE)
     drawn, length = (smoke_pass.GetBuffer(name).GetScalarComponentAsDouble(column, row, 0, channel)
@@ -202,7 +166,7 @@ def main():
     print(f"radiance: {drawn:.4f} W/(m^2 sr), by hand "
           f"{radiance_by_hand(smoke, place, thickness):.4f} W/(m^2 sr)")
     print(f"shadow on the floor: {measure_shadow(lens):.4f} m")
-    show(window, options.output)
+    airlight.display.show_or_write(window, options.output)
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
     vtkWindowToImageFilter)
 import vtkmodules.vtkInteractionStyle  # the mouse
-import vtkmodules.vtkRenderingOpenGL2  # VTK's renderer
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
 
 MESHES = pathlib.Path(__file__).resolve().parent.parent / "Data" / "meshes"
 

@@ -17,15 +17,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
-    vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkRenderingFreeType import vtkVectorText
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
 
 import airlight
+import airlight.display
 
 SCATTERING, ABSORPTION = 0.12, 0.08  # per metre; their sum is K
 EYE, SIGN, END = 1.6, 2.26, 45.0  # m: heights, and the length of the corridor along -z
@@ -111,31 +107,6 @@ def make_corridor():
     return renderer
 
 
-def show(renderer, output):
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetSize(480, 320)
-    window.AddRenderer(renderer)
-    if not output:
-        interactor = vtkRenderWindowInteractor()
-        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-        interactor.SetRenderWindow(window)
-        window.Render()
-        interactor.Start()
-        return
-    window.SetOffScreenRendering(True)
-    window.Render()
-    shot = vtkWindowToImageFilter()
-    shot.SetInput(window)
-    shot.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(shot.GetOutputPort())
-    writer.SetFileName(output)
-    writer.Write()
-    if writer.GetErrorCode():
-        raise SystemExit(1)  # VTK has said why
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
@@ -167,7 +138,8 @@ def main():
     camera.SetFocalPoint(0, EYE + 0.05, -1)
     camera.SetViewAngle(40)
     renderer.ResetCameraClippingRange()
-    show(renderer, options.output)
+    window = airlight.display.open_window(renderer, offscreen=bool(options.output))
+    airlight.display.show_or_write(window, options.output)
 
 
 if __name__ == "__main__":

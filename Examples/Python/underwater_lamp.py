@@ -17,14 +17,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkInformation
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource, vtkPlaneSource
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
-    vtkWindowToImageFilter)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
 import airlight
+import airlight.display
 
 ABSORPTION = (0.29, 0.07, 0.06)  # per metre, for red, green and blue
 SCATTERING, ANISOTROPY = 0.15, 0.92
@@ -117,31 +113,6 @@ def make_scene():
     return renderer
 
 
-def show(renderer, output):
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetSize(480, 320)
-    window.AddRenderer(renderer)
-    if not output:
-        interactor = vtkRenderWindowInteractor()
-        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-        interactor.SetRenderWindow(window)
-        window.Render()
-        interactor.Start()
-        return
-    window.SetOffScreenRendering(True)
-    window.Render()
-    shot = vtkWindowToImageFilter()
-    shot.SetInput(window)
-    shot.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(shot.GetOutputPort())
-    writer.SetFileName(output)
-    writer.Write()
-    if writer.GetErrorCode():
-        raise SystemExit(1)  # VTK has said why
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
@@ -175,7 +146,8 @@ def main():
     camera.SetFocalPoint(0, -0.12, -1)
     camera.SetViewAngle(45)
     renderer.ResetCameraClippingRange()
-    show(renderer, options.output)
+    window = airlight.display.open_window(renderer, offscreen=bool(options.output))
+    airlight.display.show_or_write(window, options.output)
 
 
 if __name__ == "__main__":

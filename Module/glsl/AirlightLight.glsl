@@ -91,6 +91,16 @@ AIRLIGHT_FN real2 airlightConeRange(
   return real2(first, clamp(foot + ray.foot.h * to, first, ray.range.y));
 }
 
+// The light's distance from a pixel's ray, h of its foot, where the light stands for a pixel of its
+// own: its whole part and the rest, `perX` and `perY` what the distance grows by per pixel away from
+// it, for a direction of length `unit`. Near the light this keeps digits that airlightRay() loses.
+AIRLIGHT_FN real airlightFootDistance(real2 p, real2 pixel, real2 pixelRest, real3 perX, real3 perY,
+  real unit, real radius)
+{
+  real2 q = (p - pixel) - pixelRest;
+  return max(length(q.x * perX + q.y * perY) / unit, radius);
+}
+
 // The ray from origin to t1 and the foot of the light's perpendicular on it.
 AIRLIGHT_FN AirlightRay airlightRay(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, real3 origin, real3 direction, real t1)

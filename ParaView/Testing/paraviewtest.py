@@ -9,7 +9,7 @@ import os
 import pathlib
 
 import numpy as np
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 

@@ -16,8 +16,8 @@ void airlightTakeConstants(int k, inout AirlightMedia media, inout AirlightLight
 // The k-th light's distance from the pixel's ray; `known` where the light is far outside the view.
 float airlightOwnFoot(int k, vec2 p, float unit, float radius, float known)
 {
-  vec2 q = (p - airlightFlatConstants[6 * k + 3].xy) - airlightFlatConstants[6 * k + 3].zw;
-  float l = length(
-    q.x * airlightFlatConstants[6 * k + 4].xyz + q.y * airlightFlatConstants[6 * k + 5].xyz);
-  return airlightFlatConstants[6 * k + 2].w != 0.0 ? max(l / unit, radius) : known;
+  vec4 pixel = airlightFlatConstants[6 * k + 3];
+  float own = airlightFootDistance(p, pixel.xy, pixel.zw, airlightFlatConstants[6 * k + 4].xyz,
+    airlightFlatConstants[6 * k + 5].xyz, unit, radius);
+  return airlightFlatConstants[6 * k + 2].w != 0.0 ? own : known;
 }

@@ -9,12 +9,6 @@ uniform vec2 lightPixelRest;
 uniform vec3 lightPerX;
 uniform vec3 lightPerY;
 
-float lightDistance(vec2 p, float unit)
-{
-  vec2 q = (p - lightPixel) - lightPixelRest;
-  return length(q.x * lightPerX + q.y * lightPerY) / unit;
-}
-
 #ifdef AIRLIGHT_RECORD
 // Scattered along the whole ray, shadows or not.
 vec3 unshadowed(AirlightRay ray)
@@ -37,7 +31,8 @@ void main()
 
   if (lightHasPixel != 0)
   {
-    ray.foot.h = max(lightDistance(p, unit), light.radius);
+    ray.foot.h = airlightFootDistance(
+      p, lightPixel, lightPixelRest, lightPerX, lightPerY, unit, light.radius);
   }
 
 #ifdef AIRLIGHT_RAY_MARCH

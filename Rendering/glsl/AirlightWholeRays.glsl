@@ -52,8 +52,8 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
   AirlightRay ray = airlightRay(media, light, origin, direction, end);
   if (own[k].HasPixel != 0)
   {
-    vec2 q = (p - own[k].Pixel) - own[k].PixelRest;
-    ray.foot.h = max(length(q.x * own[k].PerX + q.y * own[k].PerY) / unit, light.radius);
+    ray.foot.h = airlightFootDistance(
+      p, own[k].Pixel, own[k].PixelRest, own[k].PerX, own[k].PerY, unit, light.radius);
   }
   vec3 tail = airlightTail3(media, light, ray, ray.lit.x);
   vec3 sum = airlightInterval3(media, light, ray, ray.lit.x, tail, ray.lit.y,

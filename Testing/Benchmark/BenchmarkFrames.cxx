@@ -184,6 +184,7 @@ int Run(const Options& options)
   for (const SceneRecipe& recipe : benchmarks::ChooseRecipes(options))
   {
     RunScene(recipe, windows, options, rows);
+    // cppcheck-suppress unreadVariable // the output refers to it
     machine.LoadAfter = GetLoad();
     Write(options.Markdown, output.GetMarkdown()); // after each, lest all be lost with one
     Write(options.Csv, output.GetCsv());

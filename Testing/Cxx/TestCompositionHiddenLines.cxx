@@ -12,7 +12,7 @@ using namespace airlighttest;
 namespace
 {
 // Pixels of lines further than this.
-int CountHidden(Composition& scene, vtkImageData* depth, double distance)
+int CountHidden(const Composition& scene, vtkImageData* depth, double distance)
 {
   int count = 0;
   for (int i = 0; i < scene.Width * scene.Height; ++i)
@@ -23,7 +23,7 @@ int CountHidden(Composition& scene, vtkImageData* depth, double distance)
 }
 
 // Nothing but the air where there are no lines.
-double CompareAir(Composition& scene, Buffers& lines, Buffers& air, int& pixels)
+double CompareAir(const Composition& scene, Buffers& lines, Buffers& air, int& pixels)
 {
   double largest = 0.0;
   for (int i = 0; i < scene.Width * scene.Height; ++i)

@@ -56,7 +56,7 @@ EdgeWeights Read(vtkPolyData* lines, vtkPolyData* input, const std::string& name
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     lines->GetCellPoints(i, size, ids);
-    Position p[2];
+    Position p[2] = {};
     for (int k = 0; k < 2; ++k)
     {
       Position source;

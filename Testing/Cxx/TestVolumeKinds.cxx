@@ -36,7 +36,7 @@ vtkSmartPointer<vtkImageData> Draw(Scene& scene, double scattering)
   return copy;
 }
 
-double GetLargestDifference(Scene& scene, vtkImageData* a, vtkImageData* b)
+double GetLargestDifference(const Scene& scene, vtkImageData* a, vtkImageData* b)
 {
   double most = 0.0;
   for (int i = 0; i < scene.Width * scene.Height; ++i)

@@ -1,0 +1,40 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""One scene in one process or, for TestServer.py, drawn with a pvserver: server_scene.py [PORT]."""
+
+import os
+import sys
+
+from paraview import simple
+
+import paraviewtest as test
+
+
+def draw(name, threshold=0):
+    """Pictures of a scene in fog, and in thicker fog.
+
+    threshold: megabytes of polygons from which on the server draws.
+    """
+    view = test.make_view()
+    view.Background = [0.3, 0.4, 0.6]
+    view.UseFXAA = 0  # ParaView antialiases twice on one rank, once on several
+    view.RemoteRenderThreshold = threshold
+    test.add_lamp(view)
+    test.show(view, *test.make_sources())
+    view.Thickness = "Coefficients"
+    for step, scattering in (("thin", 0.12), ("thick", 0.4)):
+        view.Scattering = [scattering] * 3
+        simple.Render(view)
+        test.place_camera(view)  # the first Render() moves it
+        test.picture(view, f"{name}-{step}")
+
+
+if len(sys.argv) > 1:
+    simple.Connect("localhost", int(sys.argv[1]))
+    simple.LoadPlugin(os.environ["AIRLIGHT_PLUGIN"], remote=True, ns=vars(simple))
+    test.load_plugin()
+    draw("by-server")
+    draw("by-client", 1e9)
+else:
+    test.load_plugin()
+    draw("by-one")

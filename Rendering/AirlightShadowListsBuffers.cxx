@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The buffers that a light's shadow planes are drawn from.
+
+#include "AirlightShadowLists.h"
+
+#include "AirlightOpenGL.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+//------------------------------------------------------------------------------
+bool ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t size)
+{
+  ForgetErrors();
+  if (buffer.Handle == 0)
+  {
+    glGenBuffers(1, &buffer.Handle);
+  }
+  buffer.Count = static_cast<int>(count);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.Handle);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(std::max<size_t>(count, 1) * size),
+    count > 0 ? data : nullptr, GL_STATIC_DRAW);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  if (glGetError() != GL_NO_ERROR)
+  {
+    this->Error = "no memory on the graphics card for " + std::to_string(count) +
+      " silhouette edges: use coarser meshes, or call SetShadowTechniqueToShadowMap()";
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers)
+{
+  std::vector<glm::ivec4> values;
+  for (const ShadowLayer& layer : layers)
+  {
+    const int channels = layer.Blocks.r + 2 * layer.Blocks.g + 4 * layer.Blocks.b;
+    values.emplace_back(layer.Thickness, channels);
+  }
+  return this->Upload(buffer, values.data(), values.size(), sizeof(glm::ivec4));
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
+{
+  if (static_cast<size_t>(slot) >= this->Edges.size())
+  {
+    this->Edges.resize(slot + 1);
+    this->NearEdges.resize(slot + 1);
+    this->Caps.resize(slot + 1);
+    this->Layers.resize(slot + 1);
+  }
+  const auto upload = [this](Buffer& buffer, const auto& records) {
+    return this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
+  };
+  return upload(this->Edges[slot], volumes.GetEdges()) &&
+    upload(this->NearEdges[slot], volumes.GetNearEdges()) &&
+    upload(this->Caps[slot], volumes.GetCaps()) &&
+    this->UploadLayers(this->Layers[slot], volumes.GetLayers());
+}
+
+//------------------------------------------------------------------------------
+void ShadowLists::Release()
+{
+  if (this->VertexArray == 0)
+  {
+    return;
+  }
+  glDeleteVertexArrays(1, &this->VertexArray);
+  this->Store.Release();
+  for (size_t slot = 0; slot < this->Edges.size(); ++slot)
+  {
+    glDeleteBuffers(1, &this->Edges[slot].Handle);
+    glDeleteBuffers(1, &this->NearEdges[slot].Handle);
+    glDeleteBuffers(1, &this->Caps[slot].Handle);
+    glDeleteBuffers(1, &this->Layers[slot].Handle);
+  }
+  this->Edges.clear();
+  this->NearEdges.clear();
+  this->Caps.clear();
+  this->Layers.clear();
+  this->SortQuad.Release();
+  this->SpillQuad.Release();
+  this->VertexArray = 0;
+}
+}

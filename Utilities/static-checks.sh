@@ -1,0 +1,151 @@
+#!/usr/bin/env bash
+# Reads the code for mistakes, with clang-tidy, cppcheck, shellcheck and pyflakes.
+#
+# Usage: Utilities/static-checks.sh --quick             all but clang-tidy, and of C++ the library only
+#        Utilities/static-checks.sh --all               everything; clang-tidy takes a processor an hour
+#        Utilities/static-checks.sh --changed [COMMIT]  what differs from COMMIT (default: HEAD), and the
+#                                                       sources that include a header that does
+#        Utilities/static-checks.sh FILE...             these files
+#
+# clang-tidy needs a build: in build/, or in the folder AIRLIGHT_BUILD; and the ParaView plugin's, where
+# Utilities/paraview-test.sh has made one. AIRLIGHT_JOBS is the number of parallel jobs (default: one per
+# processor).
+#
+# Exits with 1 where there is a finding, and with 125 where there is none but a program is missing.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+build=${AIRLIGHT_BUILD:-$build}
+paraview_build=$root/build/paraview-test/plugin
+cd "$root"
+[[ -n $(git ls-files 2> /dev/null) ]] || {
+  echo "skipped: this is no Git checkout, whose files are those to check." >&2
+  exit 125
+}
+findings=0
+missing=0
+
+# has PROGRAM: notes where it is missing.
+has()
+{
+  command -v "$1" > /dev/null && return
+  echo "skipped: no $1; Utilities/install-dependencies.sh --with-analysis installs it." >&2
+  missing=1
+  return 1
+}
+
+# listed PATTERN... : those of the files to check whose names match.
+listed()
+{
+  local file pattern
+  for file in "${files[@]}"; do
+    for pattern in "$@"; do
+      # shellcheck disable=SC2053 # a pattern it is
+      [[ $file != $pattern ]] || echo "$file"
+    done
+  done
+}
+
+check_shell()
+{
+  local scripts
+  mapfile -t scripts < <(listed '*.sh' '.ci/run')
+  ((${#scripts[@]})) && has shellcheck || return 0
+  echo "shellcheck: ${#scripts[@]} files"
+  shellcheck --external-sources "${scripts[@]}" || findings=1
+}
+
+# What ends a line in "noqa" is meant so; ParaView's scripts take their names from one import.
+check_python()
+{
+  local scripts found file line rest
+  mapfile -t scripts < <(listed '*.py')
+  ((${#scripts[@]})) && has pyflakes3 || return 0
+  echo "pyflakes: ${#scripts[@]} files"
+  while IFS=: read -r file line rest; do
+    found=$(sed -n "${line}p" "$file")
+    [[ $found == *"# noqa"* || $rest == *"paraview.simple"* ]] && continue
+    echo "$file:$line:$rest"
+    findings=1
+  done < <(pyflakes3 "${scripts[@]}" 2>&1 || true)
+}
+
+# cppcheck reads a header with the sources that include it, but not GLSL, which takes it minutes. Loops
+# stay loops where they read well.
+check_cpp()
+{
+  local sources
+  mapfile -t sources < <(listed '*.cxx')
+  ((${#sources[@]})) && has cppcheck || return 0
+  echo "cppcheck: ${#sources[@]} files"
+  cppcheck --std=c++17 --language=c++ --enable=warning,style,performance,portability --quiet \
+    --inline-suppr --suppress=useStlAlgorithm --library=Utilities/cppcheck.cfg -j "$jobs" \
+    --error-exitcode=1 --template='{file}:{line}: {severity}: {message} [{id}]' \
+    -I Module -I Filters -I Rendering -I Testing/Cxx -I Testing/Benchmark -I Examples/Cxx \
+    "${sources[@]}" || findings=1
+}
+
+# tidy BUILD FILE...: of the files that the build compiles, absolute names.
+tidy()
+{
+  local folder=$1 sources
+  shift
+  [[ -e $folder/compile_commands.json ]] || return 0
+  mapfile -t sources < <(printf '%s\n' "$@" | grep -Fx -f <(
+    sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "$folder/compile_commands.json") || true)
+  ((${#sources[@]})) || return 0
+  echo "clang-tidy: ${#sources[@]} files"
+  printf '%s\0' "${sources[@]}" |
+    xargs -0 -n 1 -P "$jobs" clang-tidy --quiet -p "$folder" 2> /dev/null || findings=1
+}
+
+check_tidy()
+{
+  local sources
+  mapfile -t sources < <(listed '*.cxx')
+  ((${#sources[@]})) && has clang-tidy || return 0
+  [[ -e $build/compile_commands.json ]] ||
+    die "clang-tidy needs a build: Utilities/test.sh makes one in build/; AIRLIGHT_BUILD names another."
+  cmake --build "$build" --parallel "$jobs" --target Airlight > /dev/null || # headers made of GLSL
+    die "the library does not build."
+  tidy "$build" "${sources[@]/#/$root/}"
+  tidy "$paraview_build" "${sources[@]/#/$root/}"
+}
+
+# changed COMMIT: files that differ from it, and sources that include a header that does.
+changed()
+{
+  local names name
+  names=$(git diff --name-only --diff-filter=d "$1" && git ls-files --others --exclude-standard)
+  {
+    echo "$names"
+    while read -r name; do
+      name=$(basename "$name" .glsl)
+      git grep -lF "\"$name" -- '*.cxx' || true
+    done < <(grep -E '\.(h|inl|glsl)$' <<< "$names" || true)
+  } | sort -u
+}
+
+with_tidy=1
+case ${1---help} in
+  -h | --help)
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    exit
+    ;;
+  --quick)
+    with_tidy=0
+    mapfile -t files < <(git ls-files | grep -vE '^(Examples|Testing|ParaView)/.*\.cxx$')
+    ;;
+  --all) mapfile -t files < <(git ls-files) ;;
+  --changed) mapfile -t files < <(changed "${2:-HEAD}") ;;
+  -*) die "unknown option '$1'; try --help." ;;
+  *) mapfile -t files < <(realpath --relative-to "$root" "$@") ;;
+esac
+
+check_shell
+check_python
+check_cpp
+((!with_tidy)) || check_tidy
+((!findings)) || die "there are findings; see above. Mend them, or say at the place why they are none."
+((!missing)) || exit 125
+echo "no findings"
