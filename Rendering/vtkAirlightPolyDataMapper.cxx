@@ -96,6 +96,8 @@ void vtkAirlightPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* act
   impl.SetWindow(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   impl.Shades = impl.Prepare(renderer, this->LightRadius);
   impl.Check(this);
+  impl.Retries = impl.NotCompiled;
+  impl.NotCompiled = false;
 
   vtkTextureObject* data = impl.Shades ? impl.Data.GetTexture() : nullptr;
   if (data)
@@ -107,6 +109,7 @@ void vtkAirlightPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* act
   {
     data->Deactivate();
   }
+  impl.CheckShaders(this);
 }
 
 //------------------------------------------------------------------------------
@@ -116,8 +119,8 @@ bool vtkAirlightPolyDataMapper::GetNeedToRebuildShaders(
   const bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
   Internals::Build& built = this->Impl->Built[&cellBO];
   const Internals::Build now{ this->Impl->Shades, this->Impl->TextVersion };
-  const bool other =
-    built.Shades != now.Shades || (now.Shades && built.TextVersion != now.TextVersion);
+  const bool other = built.Shades != now.Shades ||
+    (now.Shades && built.TextVersion != now.TextVersion) || this->Impl->Retries;
   built = now;
   return rebuild || other;
 }
@@ -134,14 +137,18 @@ void vtkAirlightPolyDataMapper::ReplaceShaderRenderPass(
     SurfaceText text = this->Impl->Text;
     text.AtVertices =
       this->Evaluation == VERTEX && shaders[vtkShader::Geometry]->GetSource().empty();
+    std::string vertexShader = shaders[vtkShader::Vertex]->GetSource();
     std::string fragmentShader = shaders[vtkShader::Fragment]->GetSource();
     InjectSurfaceShader(fragmentShader, text);
-    shaders[vtkShader::Fragment]->SetSource(fragmentShader);
     if (text.AtVertices)
     {
-      std::string vertexShader = shaders[vtkShader::Vertex]->GetSource();
       InjectVertexShader(vertexShader, text);
+    }
+    if (this->Impl->Compiles(
+          actor, vertexShader, fragmentShader, shaders[vtkShader::Geometry]->GetSource()))
+    {
       shaders[vtkShader::Vertex]->SetSource(vertexShader);
+      shaders[vtkShader::Fragment]->SetSource(fragmentShader);
     }
   }
   this->Superclass::ReplaceShaderRenderPass(shaders, renderer, actor, prePass);

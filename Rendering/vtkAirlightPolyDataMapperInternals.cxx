@@ -4,8 +4,14 @@
 
 #include "AirlightOpenGL.h"
 
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 
 #include <algorithm>
 
@@ -74,6 +80,29 @@ bool vtkAirlightPolyDataMapper::Internals::Prepare(vtkRenderer* renderer, double
     return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPolyDataMapper::Internals::Compiles(
+  vtkActor* actor, const std::string& vertex, std::string& fragment, const std::string& geometry)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  const bool changed = (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses())) ||
+    actor->GetShaderProperty()->GetNumberOfShaderReplacements() > 0;
+  const bool ok = changed || this->Programs.Ready(this->Window, vertex, fragment, geometry);
+  this->NotCompiled = this->NotCompiled || !ok;
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::Internals::CheckShaders(vtkAirlightPolyDataMapper* self)
+{
+  if (this->NotCompiled && !this->ReportedShaders)
+  {
+    vtkErrorWithObjectMacro(self, << "The surface is drawn without the medium: its shader"
+                                  << ProgramMaker::GetReason() << ".");
+  }
+  this->ReportedShaders = this->NotCompiled;
 }
 
 //------------------------------------------------------------------------------

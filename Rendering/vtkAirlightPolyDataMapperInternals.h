@@ -8,6 +8,7 @@
 #define vtkAirlightPolyDataMapperInternals_h
 
 #include "AirlightMediaList.h"
+#include "AirlightProgram.h"
 #include "AirlightSurfaceShader.h"
 #include "AirlightView.h"
 #include "vtkAirlightPolyDataMapper.h"
@@ -34,8 +35,14 @@ public:
   // What the next piece is drawn with. False with a reason in Error where it cannot be had.
   bool Prepare(vtkRenderer* renderer, double radius);
 
-  // Says what is wrong with media, lights and graphics card, each once.
+  // Whether what was added to the actor's shaders compiles, as far as nobody changes them once more:
+  // VTK's mappers do not survive one that does not.
+  bool Compiles(
+    vtkActor* actor, const std::string& vertex, std::string& fragment, const std::string& geometry);
+
+  // Says what is wrong with media, lights and graphics card, and afterwards with shaders, each once.
   void Check(vtkAirlightPolyDataMapper* self);
+  void CheckShaders(vtkAirlightPolyDataMapper* self);
 
   // What the text added to the shaders reads.
   airlight::SurfaceUniforms GetUniforms()
@@ -66,6 +73,10 @@ public:
   std::map<const vtkOpenGLHelper*, Build> Built;
   std::string Error;
   std::string ReportedError;
+  airlight::ProgramMaker Programs;
+  bool NotCompiled = false; // something of this piece
+  bool Retries = false;     // as something of the last one did not
+  bool ReportedShaders = false;
   bool WarnedMedia = false;
   bool WarnedLights = false;
 

@@ -6,6 +6,7 @@
 
 #include "FaultTrial.h"
 
+#include "vtkAirlightPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOutputWindow.h"
 
@@ -94,6 +95,50 @@ void TestMap()
 }
 
 //------------------------------------------------------------------------------
+// The mapper with a medium of its own, without a pass.
+namespace
+{
+void TestMapper()
+{
+  Scene scene(48, 36);
+  scene.Renderer->SetPass(nullptr);
+  scene.AddPointLight({ 3, 4, 2 });
+  vtkNew<vtkAirlightPolyDataMapper> mapper;
+  mapper->SetInputData(MakeSphere(2.0));
+  scene.Renderer->AddActor(Scene::MakeActor(mapper));
+  const Picture plain = Capture(scene.Window);
+  mapper->SetMedium(scene.Medium);
+  const Picture good = Capture(scene.Window);
+  Check(ShowsScene(plain) && Compare(plain, good) > 10, "the medium is seen");
+  airlight_test::ErrorListener errors(mapper);
+  for (int evaluation : { vtkAirlightPolyDataMapper::FRAGMENT, vtkAirlightPolyDataMapper::VERTEX })
+  {
+    const std::string what = "mapper, evaluation " + std::to_string(evaluation);
+    mapper->SetEvaluation(evaluation);
+    Restart(scene);
+    RefuseShaders("airlightTail");
+    Check(Compare(plain, Capture(scene.Window)) == 0, what + ": without the medium");
+    Check(errors.Take() == 1, what + ": one error");
+    Check(errors.GetText().find("without the medium: its shader did not") != std::string::npos,
+      what + ": names the cause, not: " + errors.GetText());
+    Check(Compare(plain, Capture(scene.Window)) == 0, what + ": again without the medium");
+    Check(errors.Take() == 0, what + ": no second error");
+    Check(RefuseShaders("") > 0, what + ": shaders were refused");
+    for (int frame = 0; frame < 4; ++frame)
+    {
+      scene.Window->Render();
+    }
+    const int steps = Compare(good, Capture(scene.Window));
+    Check(evaluation == vtkAirlightPolyDataMapper::FRAGMENT
+        ? steps == 0
+        : Compare(plain, Capture(scene.Window)) > 10,
+      what + ": the medium is there again");
+    Check(errors.Take() == 0, what + ": no error then");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
 int TestFaultsShaders(int, char*[])
 {
   vtkNew<SilentOutput> output;
@@ -102,6 +147,7 @@ int TestFaultsShaders(int, char*[])
   TestLists();
   TestLayers();
   TestMap();
+  TestMapper();
   vtkOutputWindow::SetInstance(nullptr);
   std::cout << output->Count << " messages of VTK, " << output->Texts.size() << " characters\n";
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
