@@ -25,7 +25,7 @@ void AskPass(Input& input, vtkAirlightPass* pass, vtkLight* light)
   pass->GetMedium(input.Integer(-1, 4));
   pass->GetEffectiveShadowTechnique();
   pass->GetLightScatters(light);
-  Require(pass->GetLightPhotometry(light), "the name of a file is never null");
+  Require(!pass->GetLightPhotometry(light), "no file was good");
   double values[3] = { pass->GetLightPhotometryMaximum(light) };
   RequirePositive(values, 1, "the largest intensity");
   pass->GetLightPhotometryUp(light, values);

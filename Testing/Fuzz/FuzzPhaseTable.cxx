@@ -27,6 +27,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
       std::string("the error names the file: ") + error.what());
     return 0;
   }
+  // A fit takes a second: not for each.
+  if (size % 64 != 0)
+  {
+    return 0;
+  }
+  medium->SetPhaseTolerance(0.1);
   for (int degree = 0; degree <= 180; degree += 5)
   {
     const double value = medium->EvaluatePhaseFunction(std::cos(degree * M_PI / 180.0));
