@@ -2,10 +2,11 @@
 # Installs what Airlight needs to build, test and run on Debian 12. Packages that are there already
 # are left as they are. Becomes root through sudo where necessary.
 #
-# Usage: Utilities/install-dependencies.sh [--with-openvdb] [--with-doxygen]
+# Usage: Utilities/install-dependencies.sh [--with-openvdb] [--with-doxygen] [--with-clang]
 #
 #   --with-openvdb   also install OpenVDB, for reading .vdb files
 #   --with-doxygen   also install Doxygen, for making the class reference
+#   --with-clang     also install Clang and its sanitizers, for fuzzing
 set -euo pipefail
 
 packages=(
@@ -24,6 +25,7 @@ for option in "$@"; do
   case $option in
     --with-openvdb) packages+=(libopenvdb-dev libboost-iostreams-dev) ;;
     --with-doxygen) packages+=(doxygen) ;;
+    --with-clang) packages+=(clang libclang-rt-dev llvm) ;;
     -h | --help)
       sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
       exit
