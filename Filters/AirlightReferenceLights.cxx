@@ -169,7 +169,7 @@ glm::dvec4 ReferenceLights::Shade(const ReferencePart& part, const OccluderTrian
   for (size_t k = 0; k < this->Lights.size(); ++k)
   {
     const glm::dvec3 colour = this->Lights[k].Colour * arriving[k];
-    double attenuation;
+    double attenuation = 0.0;
     const glm::dvec3 way = GetDirection(this->Lights[k], position, attenuation);
     const double towards =
       std::max(0.0, attenuation * glm::dot(normal, this->IsHeadlight ? -this->Forward : -way));

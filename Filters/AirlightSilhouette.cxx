@@ -90,7 +90,7 @@ bool TouchesBounds(const CasterMesh& mesh, const HomogeneousPoint& a, const Homo
 // What a triangle adds to the weight of an edge that it uses.
 int Contribution(const std::vector<signed char>& facings, CasterMesh::EdgeUse use)
 {
-  const int facing = facings[use >> 1];
+  const auto facing = static_cast<int>(facings[use >> 1]);
   return (use & 1) != 0 ? facing : -facing;
 }
 

@@ -7,6 +7,7 @@
 #ifndef AirlightOpenGL_h
 #define AirlightOpenGL_h
 
+#include "vtkObject.h" // which vtkOpenGLError.h uses
 #include "vtkOpenGLError.h"
 
 namespace airlight

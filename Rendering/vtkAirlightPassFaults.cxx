@@ -21,7 +21,7 @@ namespace
 {
 // Whether a pass or the user changes the mapper's shaders once more. What is compiled is then known to
 // the mapper alone.
-bool IsChangedLater(vtkProp* prop, vtkAirlightPass* pass)
+bool IsChangedLater(vtkProp* prop, const vtkAirlightPass* pass)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
   vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();

@@ -6,7 +6,7 @@
 #
 # Builds in build/coverage, with GCC. The lines that do not run are in build/coverage/missing.txt, the
 # rest in build/coverage/html. A test that fails counts all the same. What runs on the graphics card is
-# not measured: of Module/glsl only what the tests compile as C++, which is none of the library's.
+# not measured: of the GLSL only Module/glsl, as the classes on the CPU compile it.
 # AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
