@@ -4,13 +4,13 @@
 
 #include "AirlightMergedPoints.h"
 #include "AirlightParallel.h"
+#include "AirlightTriangulate.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkTriangleFilter.h"
 
 #include <atomic>
 #include <memory>
@@ -30,20 +30,9 @@ bool HasOnlyTriangles(vtkPolyData* data)
   return data->GetNumberOfStrips() == 0 && data->GetPolys()->IsHomogeneous() == 3;
 }
 
-vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* data)
+vtkSmartPointer<vtkPolyData> GetTriangles(vtkPolyData* data)
 {
-  if (HasOnlyTriangles(data))
-  {
-    return data;
-  }
-  vtkNew<vtkPolyData> copy; // keeps the pipeline from touching the caller's data
-  copy->CopyStructure(data);
-  vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(copy);
-  triangulate->PassVertsOff();
-  triangulate->PassLinesOff();
-  triangulate->Update();
-  return triangulate->GetOutput();
+  return HasOnlyTriangles(data) ? vtkSmartPointer<vtkPolyData>(data) : Triangulate(data);
 }
 
 // The point ids of all triangles in a row, in place where VTK keeps them so.
@@ -183,7 +172,7 @@ bool CasterMesh::Build(vtkPolyData* data, const Progress& progress)
 //------------------------------------------------------------------------------
 bool CasterMesh::ReadTriangles(vtkPolyData* data, const Progress& progress)
 {
-  const vtkSmartPointer<vtkPolyData> triangles = Triangulate(data);
+  const vtkSmartPointer<vtkPolyData> triangles = GetTriangles(data);
   if (!progress(AfterTriangulation))
   {
     return false;

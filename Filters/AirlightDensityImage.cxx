@@ -11,6 +11,9 @@ namespace airlight
 {
 namespace
 {
+// The difference of two such values is finite in single precision.
+constexpr double Largest = 0.25 * std::numeric_limits<float>::max();
+
 //------------------------------------------------------------------------------
 // How many of the voxels from `low` to `high` are in one block.
 std::int64_t CountShared(
@@ -79,7 +82,7 @@ std::size_t FillBlocks(const OpenVDBGrid& grid, const DensityImagePlan& plan, fl
     static_cast<std::size_t>(plan.Blocks[1]) * static_cast<std::size_t>(plan.Blocks[2]);
   std::size_t bad = 0;
   double background = grid.GetBackground();
-  if (!(std::abs(background) <= std::numeric_limits<float>::max()))
+  if (!(std::abs(background) <= Largest))
   {
     background = 0.0;
     ++bad;
@@ -88,7 +91,7 @@ std::size_t FillBlocks(const OpenVDBGrid& grid, const DensityImagePlan& plan, fl
   BlockMeans means(plan, background, values);
   grid.VisitActive(
     [&means, &bad](const std::int64_t lowest[3], const std::int64_t highest[3], double value) {
-      if (std::abs(value) <= std::numeric_limits<float>::max()) // false for NaN
+      if (std::abs(value) <= Largest) // false for NaN
       {
         means.Add(lowest, highest, value);
       }

@@ -4,6 +4,7 @@
 
 #include "AirlightOccluderTree.h"
 #include "AirlightOccluderTriangle.h"
+#include "AirlightTriangulate.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -12,7 +13,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace
 const char* const CellIds = "AirlightCellIds";
 
 // The polygons and strips as triangles that know their cells.
-void Triangulate(vtkPolyData* data, vtkTriangleFilter* triangulate)
+vtkSmartPointer<vtkPolyData> TriangulateCells(vtkPolyData* data)
 {
   vtkNew<vtkIdTypeArray> cells;
   cells->SetName(CellIds);
@@ -34,13 +34,7 @@ void Triangulate(vtkPolyData* data, vtkTriangleFilter* triangulate)
   {
     cells->SetValue(i, i);
   }
-  vtkNew<vtkPolyData> copy; // keeps the pipeline from touching the caller's data
-  copy->CopyStructure(data);
-  copy->GetCellData()->AddArray(cells);
-  triangulate->SetInputData(copy);
-  triangulate->PassVertsOff();
-  triangulate->PassLinesOff();
-  triangulate->Update();
+  return Triangulate(data, cells);
 }
 
 glm::dvec3 Transform(vtkMatrix4x4* matrix, const glm::dvec3& p)
@@ -80,9 +74,7 @@ void Occluders::Add(vtkPolyData* data, vtkMatrix4x4* toWorld, int caster)
   {
     return;
   }
-  vtkNew<vtkTriangleFilter> triangulate;
-  Triangulate(data, triangulate);
-  vtkPolyData* triangles = triangulate->GetOutput();
+  const vtkSmartPointer<vtkPolyData> triangles = TriangulateCells(data);
   vtkDataArray* cells = triangles->GetCellData()->GetArray(CellIds);
   auto cell = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
   for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())

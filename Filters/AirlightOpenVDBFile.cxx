@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightOpenVDBFile.h"
 
+#include "AirlightOpenVDBCheck.h"
+
 #include <openvdb/io/Archive.h>
 #include <openvdb/io/GridDescriptor.h>
 #include <openvdb/io/io.h>
@@ -11,14 +13,40 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <stdexcept>
+#include <type_traits>
 
 namespace airlight
 {
 namespace
 {
+// Calls visit(<a grid's tree>::RootNodeType*) for those grids of the default shape whose trees can be
+// looked through. False for other grids: masks, bits, strings, points.
+template <typename Visit>
+bool VisitTree(const openvdb::GridBase& grid, const Visit& visit)
+{
+  bool found = false;
+  const auto test = [&](auto* null) {
+    using Grid = std::remove_pointer_t<decltype(null)>;
+    if (!found && grid.isType<Grid>())
+    {
+      found = true;
+      visit(static_cast<typename Grid::TreeType::RootNodeType*>(nullptr));
+    }
+  };
+  test(static_cast<openvdb::FloatGrid*>(nullptr));
+  test(static_cast<openvdb::DoubleGrid*>(nullptr));
+  test(static_cast<openvdb::Int32Grid*>(nullptr));
+  test(static_cast<openvdb::Int64Grid*>(nullptr));
+  test(static_cast<openvdb::Vec3SGrid*>(nullptr));
+  test(static_cast<openvdb::Vec3DGrid*>(nullptr));
+  test(static_cast<openvdb::Vec3IGrid*>(nullptr));
+  return found;
+}
+
 // openvdb::io::File does not notice that a file ends early and hands out what was in memory. This
-// one reads through a stream that throws at its end.
+// one reads through a stream that throws at its end, and looks before it lets OpenVDB read.
 class Archive : public openvdb::io::Archive
 {
 public:
@@ -31,7 +59,14 @@ public:
     this->setFormatVersion(this->Stream);
     this->setLibraryVersion(this->Stream);
     this->setDataCompression(this->Stream);
-    openvdb::MetaMap().readMeta(this->Stream);
+    const std::uint32_t version = openvdb::io::getFormatVersion(this->Stream);
+    if (version < openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION)
+    {
+      throw std::runtime_error("is of OpenVDB's format " + std::to_string(version) +
+        ", from before 2013: write it again with a later OpenVDB");
+    }
+    openvdb::MetaMap ignored;
+    this->Scanner.ReadMetadata(ignored);
     this->ReadDescriptors();
   }
 
@@ -56,11 +91,11 @@ public:
     if (this->Descriptors[which].isInstance()) // the tree is another grid's
     {
       const std::size_t parent = this->FindParent(this->Descriptors[which]);
-      this->Load(parent);
       if (this->Grids[parent]->type() != grid->type())
       {
         throw std::runtime_error("two grids share voxels, but their types differ");
       }
+      this->Load(parent);
       grid->setTree(this->Grids[parent]->baseTreePtr());
     }
     return grid;
@@ -100,17 +135,20 @@ private:
   void ReadDescriptors()
   {
     const std::int32_t count = openvdb::io::Archive::readGridCount(this->Stream);
-    for (std::int32_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; static_cast<std::int64_t>(i) < count; ++i)
     {
       openvdb::io::GridDescriptor descriptor;
+      this->Scanner.CheckStrings(3);
       this->Grids.push_back(descriptor.read(this->Stream));
       this->Descriptors.push_back(descriptor);
-      this->Loaded.push_back(!this->inputHasGridOffsets());
       if (!this->inputHasGridOffsets())
       {
-        openvdb::io::Archive::readGrid(this->Grids.back(), descriptor, this->Stream);
+        this->Positions.push_back(static_cast<std::int64_t>(this->Stream.tellg()));
+        this->ReadHead(i);
+        this->CheckTree(i);
         continue;
       }
+      this->Positions.push_back(descriptor.getGridPos());
       if (descriptor.getGridPos() < 0 || descriptor.getGridPos() > descriptor.getEndPos() ||
         descriptor.getEndPos() > this->Size)
       {
@@ -120,12 +158,55 @@ private:
     }
   }
 
+  // What stands before the grid's tree.
+  void ReadHead(std::size_t which)
+  {
+    openvdb::GridBase& grid = *this->Grids[which];
+    this->Stream.seekg(this->Positions[which]);
+    openvdb::io::Archive::readGridCompression(this->Stream);
+    this->Scanner.ReadMetadata(grid);
+    this->Scanner.CheckTransform();
+    grid.readTransform(this->Stream);
+    openvdb::io::setGridClass(this->Stream, grid.getGridClass());
+    openvdb::io::setGridBackgroundValuePtr(this->Stream, nullptr);
+  }
+
+  // Leaves the stream behind the tree.
+  void CheckTree(std::size_t which)
+  {
+    const openvdb::GridBase& grid = *this->Grids[which];
+    if (this->Descriptors[which].isInstance()) // the tree is another grid's
+    {
+      return;
+    }
+    const auto check = [&](auto* root) {
+      using Root = std::remove_pointer_t<decltype(root)>;
+      OpenVDBTreeCheck<Root>(this->Stream, this->Size, grid.saveFloatAsHalf()).Check();
+    };
+    if (!VisitTree(grid, check))
+    {
+      throw std::runtime_error("has no offsets and a grid of " + grid.type() +
+        ", which cannot be stepped over: write it to a file rather than a stream, or leave out "
+        "that grid");
+    }
+  }
+
   void Load(std::size_t which)
   {
+    openvdb::GridBase& grid = *this->Grids[which];
     if (!this->Loaded[which])
     {
-      this->Descriptors[which].seekToGrid(this->Stream);
-      openvdb::io::Archive::readGrid(this->Grids[which], this->Descriptors[which], this->Stream);
+      this->ReadHead(which);
+      if (!this->Descriptors[which].isInstance())
+      {
+        const auto tree = this->Stream.tellg();
+        this->CheckTree(which);
+        this->Stream.seekg(tree);
+        this->State->setHalfFloat(grid.saveFloatAsHalf());
+        grid.readTopology(this->Stream);
+        grid.readBuffers(this->Stream);
+        openvdb::io::setGridBackgroundValuePtr(this->Stream, nullptr);
+      }
       this->Loaded[which] = true;
     }
   }
@@ -146,9 +227,11 @@ private:
   openvdb::io::StreamMetadata::Ptr State{ new openvdb::io::StreamMetadata }; // the stream's
   std::ifstream Stream;
   std::int64_t Size = 0;
+  OpenVDBScanner Scanner{ this->Stream, this->Size };
   std::vector<openvdb::io::GridDescriptor> Descriptors;
   std::vector<openvdb::GridBase::Ptr> Grids; // of one type each, without voxels until loaded
-  std::vector<bool> Loaded;
+  std::vector<std::int64_t> Positions;       // of what follows the descriptors
+  std::map<std::size_t, bool> Loaded;
 };
 
 //------------------------------------------------------------------------------
@@ -240,6 +323,10 @@ auto WithArchive(const std::string& fileName, const Function& function)
   catch (const std::ios_base::failure&)
   {
     throw std::runtime_error("ends too early: it is truncated or damaged");
+  }
+  catch (const std::length_error&)
+  {
+    throw std::runtime_error("is damaged: something in it has an impossible size");
   }
   catch (const std::bad_alloc&)
   {

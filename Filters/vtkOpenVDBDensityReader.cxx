@@ -240,8 +240,9 @@ void vtkOpenVDBDensityReader::Warn(std::size_t bad)
   }
   if (bad > 0)
   {
-    vtkWarningMacro(<< this->FileName << ": grid '" << name << "' has " << bad
-                    << " values or tiles that are not finite; they count as background.");
+    vtkWarningMacro(
+      << this->FileName << ": grid '" << name << "' has " << bad
+      << " values or tiles that are not finite or beyond 8e37; they count as background.");
   }
 }
 

@@ -11,8 +11,8 @@
  * image falls off at its rim as OpenVDB's own does, and integrals along rays are those of the grid.
  *
  * - Grids of float and of double, in half precision on disk or not, are read. What is not active
- *   counts as background. Values that are not finite count as background, too, with a warning;
- *   negative ones are left as they are.
+ *   counts as background. Values that are not finite or beyond 8e37 count as background, too,
+ *   with a warning; negative ones are left as they are.
  * - A level set becomes fog: 0 outside and on the surface, rising linearly with the depth below it
  *   to 1 at half of the narrow band's width, 1 deeper inside.
  * - The transform becomes origin, spacing and direction matrix where its axes are at right angles,
@@ -24,9 +24,11 @@
  * The class exists where Airlight was built with OpenVDB.
  *
  * Errors (VTK's error event, output empty): FileName missing, empty, not an OpenVDB file or
- * truncated; no grid of that name, or of another type (the message lists the grids); a grid without
- * active voxels; a transform that cannot be inverted. A file that is damaged in its middle is
- * reported where OpenVDB notices; it checks little, and may crash where it does not.
+ * truncated or damaged; no grid of that name, or of another type (the message lists the grids); a grid without
+ * active voxels; a transform that cannot be inverted. OpenVDB itself trusts its files. So all sizes
+ * are looked at before it reads, and no more memory is used than in proportion to the file; damage that
+ * leaves sizes as they have to be gives other numbers. Files of before 2013 (format below 222) are
+ * refused, and files that were written to a stream and hold grids of points, masks, bits or strings.
  *
  * @sa vtkParticipatingMedium
  */

@@ -3,13 +3,13 @@
 #include "AirlightSurfaceTree.h"
 
 #include "AirlightMath.h"
+#include "AirlightTriangulate.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCleanPolyData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,14 +69,8 @@ bool SurfaceTree::ReadMesh(vtkPolyData* mesh, std::string& error)
       return false;
     }
   }
-  vtkNew<vtkPolyData> copy;
-  copy->CopyStructure(mesh);
-  vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(copy);
-  triangulate->PassVertsOff();
-  triangulate->PassLinesOff();
   vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputConnection(triangulate->GetOutputPort());
+  clean->SetInputData(Triangulate(mesh));
   clean->SetTolerance(0.0);
   clean->Update();
   vtkPolyData* output = clean->GetOutput();

@@ -16,7 +16,12 @@ namespace
 {
 // Koschmieder's constant -ln(0.02): contrast 2 % at the meteorological range.
 constexpr double KoschmiederConstant = 3.912;
+// Sums and products of coefficients stay finite.
+constexpr double LargestCoefficient = 1e100;
+constexpr double SmallestLength = 1e-99;
+
 double Mean(const double v[3]) { return (v[0] + v[1] + v[2]) / 3.0; }
+bool IsLength(double distance) { return std::isfinite(distance) && distance >= SmallestLength; }
 }
 
 vtkStandardNewMacro(vtkParticipatingMedium);
@@ -36,10 +41,11 @@ bool vtkParticipatingMedium::SetCoefficients(
   const double values[3] = { r, g, b };
   for (double value : values)
   {
-    if (!std::isfinite(value) || value < 0.0)
+    if (!(value >= 0.0 && value <= LargestCoefficient))
     {
       vtkErrorMacro(<< name << " (" << r << ", " << g << ", " << b
-                    << ") must be finite and at least 0 in each channel; the old values stay.");
+                    << ") must be finite, at least 0 and at most " << LargestCoefficient
+                    << " in each channel; the old values stay.");
       return false;
     }
   }
@@ -118,11 +124,11 @@ void vtkParticipatingMedium::ScaleExtinction(double meanExtinction)
   const double mean = Mean(this->GetExtinction());
   if (mean > 0.0)
   {
-    const double factor = meanExtinction / mean;
     for (int i = 0; i < 3; ++i)
     {
-      this->Scattering[i] *= factor;
-      this->Absorption[i] *= factor;
+      // In this order no quotient of tiny numbers overflows.
+      this->Scattering[i] = this->Scattering[i] / mean * meanExtinction;
+      this->Absorption[i] = this->Absorption[i] / mean * meanExtinction;
     }
   }
   else
@@ -135,11 +141,10 @@ void vtkParticipatingMedium::ScaleExtinction(double meanExtinction)
 //------------------------------------------------------------------------------
 void vtkParticipatingMedium::SetVisibility(double distance)
 {
-  // A distance so small that its reciprocal overflows is as good as 0.
-  if (!std::isfinite(distance) || distance <= 0.0 || !std::isfinite(KoschmiederConstant / distance))
+  if (!IsLength(distance))
   {
-    vtkErrorMacro(<< "Visibility " << distance
-                  << " must be finite and above 0; the coefficients stay.");
+    vtkErrorMacro(<< "Visibility " << distance << " must be finite, above 0 and at least "
+                  << SmallestLength << "; the coefficients stay.");
     return;
   }
   this->ScaleExtinction(KoschmiederConstant / distance);
@@ -152,11 +157,10 @@ double vtkParticipatingMedium::GetVisibility()
 
 void vtkParticipatingMedium::SetMeanFreePath(double distance)
 {
-  // A distance so small that its reciprocal overflows is as good as 0.
-  if (!std::isfinite(distance) || distance <= 0.0 || !std::isfinite(KoschmiederConstant / distance))
+  if (!IsLength(distance))
   {
-    vtkErrorMacro(<< "MeanFreePath " << distance
-                  << " must be finite and above 0; the coefficients stay.");
+    vtkErrorMacro(<< "MeanFreePath " << distance << " must be finite, above 0 and at least "
+                  << SmallestLength << "; the coefficients stay.");
     return;
   }
   this->ScaleExtinction(1.0 / distance);

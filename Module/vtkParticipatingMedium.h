@@ -53,7 +53,7 @@ public:
   ///@{
   /**
    * Scattering coefficient sigma_s per RGB channel, in 1/world unit: the fraction of light
-   * scattered per unit length. Range: finite, at least 0. Default: (0, 0, 0).
+   * scattered per unit length. Range: 0 to 1e100. Default: (0, 0, 0).
    */
   void SetScattering(double r, double g, double b);
   void SetScattering(const double rgb[3]);
@@ -63,7 +63,7 @@ public:
   ///@{
   /**
    * Absorption coefficient sigma_a per RGB channel, in 1/world unit: the fraction of light turned
-   * into heat per unit length. Range: finite, at least 0. Default: (0, 0, 0).
+   * into heat per unit length. Range: 0 to 1e100. Default: (0, 0, 0).
    */
   void SetAbsorption(double r, double g, double b);
   void SetAbsorption(const double rgb[3]);
@@ -90,7 +90,7 @@ public:
   /**
    * Scale all coefficients so that the mean extinction of the three channels is 3.912/distance
    * (meteorological range, 2 % contrast). Albedo and colour stay; a clear medium becomes purely
-   * scattering and grey. Unit: world. Range: finite, above 0.
+   * scattering and grey. Unit: world. Range: finite, at least 1e-99.
    */
   void SetVisibility(double distance);
 
@@ -102,7 +102,7 @@ public:
   /**
    * Scale all coefficients so that the mean extinction of the three channels is 1/distance.
    * Albedo and colour stay; a clear medium becomes purely scattering and grey. Unit: world.
-   * Range: finite, above 0.
+   * Range: finite, at least 1e-99.
    */
   void SetMeanFreePath(double distance);
 
@@ -214,7 +214,7 @@ public:
   /**
    * Ambient radiance per RGB channel, W/(m^2 sr): light that arrives evenly from everywhere and
    * stands for multiple scattering. The medium adds albedo * L * (1 - transmittance) to each ray.
-   * Range: finite, at least 0. Default: (0, 0, 0).
+   * Range: 0 to 1e100. Default: (0, 0, 0).
    */
   void SetAmbientRadiance(double r, double g, double b);
   void SetAmbientRadiance(const double rgb[3]);
@@ -291,7 +291,7 @@ public:
    */
   enum DensityType
   {
-    UNIFORM = 0,           ///< the same everywhere
+    UNIFORM = 0, ///< the same everywhere
     EXPONENTIAL_HEIGHT =
       1,      ///< exp(-(height - reference height)/scale height), as in the atmosphere
     IMAGE = 2 ///< measured or simulated, see SetDensityImage()

@@ -52,15 +52,14 @@ std::uint64_t BoundaryStore::GetSlotBytes() const
 //------------------------------------------------------------------------------
 bool BoundaryStore::Allocate(unsigned int buffer, std::uint64_t bytes, const std::string& what)
 {
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
+  ForgetErrors();
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
   glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   if (glGetError() != GL_NO_ERROR)
   {
-    this->Error = "no memory for " + what;
+    this->Error = "no memory on the graphics card for " + what +
+      ": lower SetMemoryLimit(), make the window smaller or call SetShadowTechniqueToShadowMap()";
     return false;
   }
   return true;

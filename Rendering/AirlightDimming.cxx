@@ -33,9 +33,7 @@ bool Dimming::Prepare(int width, int height, const std::vector<int>& slots)
   {
     glGenBuffers(1, &this->Handle);
   }
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
+  ForgetErrors();
   GLint64 most = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
   bool ok = bytes <= most;
@@ -49,7 +47,8 @@ bool Dimming::Prepare(int width, int height, const std::vector<int>& slots)
   }
   this->Bytes = ok ? bytes : 0;
   this->Error = ok ? ""
-                   : "no memory for the translucent shadows of " + std::to_string(this->SlotCount) +
+                   : "no memory on the graphics card for the translucent shadows of " +
+      std::to_string(this->SlotCount) +
       " lights on surfaces: call SetTranslucentShadows(false) or SetSurfaceShadows(false)";
   return ok;
 }

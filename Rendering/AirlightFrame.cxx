@@ -128,7 +128,7 @@ bool Frame::FinishDistances()
     this->Window, std::string("#version 330\n") + AirlightViewShader + AirlightDistancesFS);
   if (!program)
   {
-    return this->Fail("the shader of distances did not compile: " + this->DistancesQuad.GetError());
+    return this->Fail(std::string("the shader of distances") + ProgramMaker::GetReason());
   }
   this->Rays->SetUniforms(program, 0, 0);
   vtkOpenGLState* state = this->Window->GetState();
@@ -231,7 +231,7 @@ void Frame::ReleaseMaps(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void Frame::Release(vtkWindow* window)
+void Frame::ReleaseObjects(vtkWindow* window)
 {
   for (Quad& quad : this->ResolveQuads)
   {
@@ -241,15 +241,22 @@ void Frame::Release(vtkWindow* window)
   this->CompositeQuad.Release();
   this->LayersQuad.Release();
   this->CopyQuad.Release();
+  this->MapQuad.Release();
   this->Boundaries.Release();
   this->LayerLists.Release();
   this->SurfaceDimming.Release();
-  this->Casters.Clear();
-  this->FoundCasters = nullptr;
-  this->OpaqueCasters.clear();
   this->Volumes.clear();
   this->ReleaseMaps(window);
   this->Textures.Release(window);
   this->Data.Release(window);
+}
+
+//------------------------------------------------------------------------------
+void Frame::Release(vtkWindow* window)
+{
+  this->ReleaseObjects(window);
+  this->Casters.Clear();
+  this->FoundCasters = nullptr;
+  this->OpaqueCasters.clear();
 }
 }

@@ -196,6 +196,9 @@ public:
   vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Textures.GetFramebuffer(); }
   const std::string& GetError() const { return this->Error; }
 
+  // Frees all OpenGL objects, of which some may be what OpenGL refused; the next frame makes others.
+  // Release() frees what is known of casters, too.
+  void ReleaseObjects(vtkWindow* window);
   void Release(vtkWindow* window);
 
 private:
@@ -265,6 +268,8 @@ private:
   Quad CompositeQuad;
   Quad LayersQuad;
   Quad CopyQuad;
+  Quad MapQuad; // of all maps, as are the programs
+  ProgramMaker MapPrograms;
   std::map<std::string, vtkSmartPointer<vtkImageData>> Buffers;
   std::string Error;
 

@@ -106,7 +106,8 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
     this->Volumes[index].SetRemotes(this->GetRemotes(index));
     if (this->Volumes[index].Update(casters, lamp.World, *this->Rays))
     {
-      this->Boundaries.SetVolumes(index, this->Volumes[index]);
+      return this->Boundaries.SetVolumes(index, this->Volumes[index]) ||
+        this->Fail(this->Boundaries.GetError());
     }
     return true;
   }
@@ -127,7 +128,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
   {
     return this->Fail(this->Textures.GetError());
   }
-  if (!map.Draw(this->Window))
+  if (!map.Draw(this->Window, this->MapPrograms))
   {
     return this->Fail(map.GetError());
   }
@@ -144,7 +145,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
   {
     return this->Fail(this->Textures.GetError());
   }
-  return map.JoinOthers(this->Window) || this->Fail(map.GetError());
+  return map.JoinOthers(this->Window, this->MapQuad) || this->Fail(map.GetError());
 }
 
 //------------------------------------------------------------------------------

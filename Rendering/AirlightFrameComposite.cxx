@@ -85,7 +85,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   vtkShaderProgram* program = quad.Ready(this->Window, source);
   if (!program)
   {
-    this->Fail("the composite shader did not compile: " + quad.GetError());
+    this->Fail(std::string("the composite shader") + ProgramMaker::GetReason());
     return nullptr;
   }
   if (joined)
@@ -117,7 +117,7 @@ vtkShaderProgram* Frame::ReadyCopy(int x, int y)
     this->Window, std::string("#version 330\n") + AirlightDisplay + AirlightCopyFS);
   if (!program)
   {
-    this->Fail("the shader of the last step did not compile: " + this->CopyQuad.GetError());
+    this->Fail(std::string("the shader of the last step") + ProgramMaker::GetReason());
     return nullptr;
   }
   const int corner[2] = { x, y };

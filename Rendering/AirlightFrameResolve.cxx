@@ -140,7 +140,7 @@ bool Frame::DrawResolve(int index, Lists lists, bool layersOnly, int row, int ro
     quad.Ready(this->Window, this->GetResolveSource(index, lists, layersOnly));
   if (!program)
   {
-    return this->Fail("the airlight shader did not compile: " + quad.GetError());
+    return this->Fail(std::string("the airlight shader") + ProgramMaker::GetReason());
   }
   if (!this->Textures.Bind(this->GetScatterTargets(), nullptr))
   {

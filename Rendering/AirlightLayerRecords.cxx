@@ -16,22 +16,25 @@ namespace
 constexpr std::uint32_t MostBytes = 0x7fffffffu;
 constexpr GLuint RecordBinding = 3;
 constexpr GLuint HeadBinding = 4;
+
+std::string NoMemory(const std::string& what)
+{
+  return "no memory on the graphics card for the records of " + what +
+    ": make the window smaller, or fewer surfaces translucent";
+}
 }
 
 //------------------------------------------------------------------------------
 bool LayerRecords::Reserve(std::uint32_t records)
 {
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
+  ForgetErrors();
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Records);
   glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(records) * this->Words * 4,
     nullptr, GL_DYNAMIC_COPY);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   const bool ok = glGetError() == GL_NO_ERROR;
   this->Capacity = ok ? records : 0;
-  this->Error =
-    ok ? "" : "no memory for the records of " + std::to_string(records) + " translucent fragments";
+  this->Error = ok ? "" : NoMemory(std::to_string(records) + " translucent fragments");
   return ok;
 }
 
@@ -54,12 +57,21 @@ bool LayerRecords::Prepare(int width, int height, int words)
   }
   if (this->Width != width || this->Height != height)
   {
-    this->Width = width;
-    this->Height = height;
+    this->Width = this->Height = 0;
+    ForgetErrors();
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
     glBufferData(GL_SHADER_STORAGE_BUFFER,
       (static_cast<GLsizeiptr>(width) * height + 1) * static_cast<GLsizeiptr>(sizeof(GLuint)),
       nullptr, GL_DYNAMIC_COPY);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    if (glGetError() != GL_NO_ERROR)
+    {
+      this->Error = NoMemory(
+        "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
+      return false;
+    }
+    this->Width = width;
+    this->Height = height;
   }
   if (this->Words != words)
   {
@@ -97,9 +109,13 @@ LayerRecords::Outcome LayerRecords::Check()
     return Outcome::Done;
   }
   const std::uint32_t most = MostBytes / (4u * static_cast<std::uint32_t>(this->Words));
-  if (count >= most || !this->Reserve(std::min(count + count / 4 + 1, most)))
+  if (count >= most)
   {
-    this->Error = "no room for the records of " + std::to_string(count) + " translucent fragments";
+    this->Error = NoMemory(std::to_string(count) + " translucent fragments");
+    return Outcome::Failed;
+  }
+  if (!this->Reserve(std::min(count + count / 4 + 1, most)))
+  {
     return Outcome::Failed;
   }
   this->Clear();

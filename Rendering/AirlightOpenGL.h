@@ -7,6 +7,26 @@
 #ifndef AirlightOpenGL_h
 #define AirlightOpenGL_h
 
+#include "vtkObject.h" // which vtkOpenGLError.h uses
 #include "vtkOpenGLError.h"
+
+namespace airlight
+{
+// Before a call whose own errors matter. A context that is lost, or none, gives errors without end.
+inline void ForgetErrors()
+{
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
+}
+
+// After one that may have been refused. VTK's own calls in between may make other errors.
+inline bool IsOutOfMemory()
+{
+  constexpr GLenum lostContext = 0x0507; // GL_CONTEXT_LOST, which old headers lack
+  const GLenum error = glGetError();
+  return error == GL_OUT_OF_MEMORY || error == lostContext;
+}
+}
 
 #endif

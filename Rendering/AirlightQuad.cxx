@@ -190,21 +190,15 @@ void SetLightUniforms(
 //------------------------------------------------------------------------------
 vtkShaderProgram* Quad::Ready(vtkOpenGLRenderWindow* window, const std::string& fragmentSource)
 {
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  if (!this->Program || this->Source != fragmentSource)
+  if (this->Program && this->Source == fragmentSource)
   {
-    this->Source = fragmentSource;
-    this->Program = cache->ReadyShaderProgram(AirlightFullScreenVS, this->Source.c_str(), "");
+    this->Program = window->GetShaderCache()->ReadyShaderProgram(this->Program);
   }
   else
   {
-    cache->ReadyShaderProgram(this->Program);
-  }
-  if (!this->Program || !this->Program->GetCompiled())
-  {
-    this->Error =
-      this->Program ? this->Program->GetError() : "the shader cache returned no program";
-    this->Program = nullptr;
+    this->Source = fragmentSource;
+    std::string text = fragmentSource;
+    this->Program = this->Programs.Ready(window, AirlightFullScreenVS, text);
   }
   return this->Program;
 }

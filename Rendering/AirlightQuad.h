@@ -7,6 +7,8 @@
 #ifndef AirlightQuad_h
 #define AirlightQuad_h
 
+#include "AirlightProgram.h"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,10 +45,8 @@ void SetLightUniforms(
 class Quad
 {
 public:
-  // Compiles the fragment shader if it differs from the last one. Null where that fails; the
-  // reason is then in GetError().
+  // Compiles the fragment shader if it differs from the last one. Null where that fails.
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& fragmentSource);
-  const std::string& GetError() const { return this->Error; }
 
   // Draws with these textures bound to these names.
   void Draw(const std::vector<std::pair<const char*, vtkTextureObject*>>& textures);
@@ -56,8 +56,8 @@ public:
 private:
   vtkShaderProgram* Program = nullptr; // the shader cache's
   unsigned int VertexArray = 0;
+  ProgramMaker Programs;
   std::string Source;
-  std::string Error;
 };
 }
 

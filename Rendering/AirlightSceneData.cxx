@@ -41,13 +41,16 @@ bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<Texels>&
     return false;
   }
   std::vector<float> numbers(&texels[0].x, &texels[0].x + 4 * texels.size());
+  ForgetErrors();
   this->Texture->SetContext(window);
   this->Buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer);
   if (!this->Buffer->Upload(numbers, vtkOpenGLBufferObject::TextureBuffer) ||
     !this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(texels.size()), 4, VTK_FLOAT, this->Buffer))
+      static_cast<unsigned int>(texels.size()), 4, VTK_FLOAT, this->Buffer) ||
+    IsOutOfMemory())
   {
-    this->Error = "the graphics card has no room for the media's surfaces, images and tables";
+    this->Error = "no memory on the graphics card for the media's surfaces, images and tables: use "
+                  "coarser ones";
     return false;
   }
   this->Arrays = arrays;

@@ -13,7 +13,6 @@
 #include "AirlightViewShader.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -68,12 +67,11 @@ bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height, 
 vtkShaderProgram* ShadowLists::ReadyPlanes(const std::string& fragment,
   const ShadowVolumes& volumes, const glm::dvec4& light, const View& view)
 {
-  const std::string source = "#version 430\n" + fragment;
-  vtkShaderProgram* program =
-    this->Window->GetShaderCache()->ReadyShaderProgram(AirlightPlanesVS, source.c_str(), "");
-  if (!program || !program->GetCompiled())
+  std::string source = "#version 430\n" + fragment;
+  vtkShaderProgram* program = this->PlanePrograms.Ready(this->Window, AirlightPlanesVS, source);
+  if (!program)
   {
-    this->Error = program ? program->GetError() : "the shader cache returned no program";
+    this->Error = std::string("the shader of shadow planes") + ProgramMaker::GetReason();
     return nullptr;
   }
   view.SetUniforms(program, 0, 0);
@@ -176,11 +174,12 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
     {
       continue;
     }
-    if (this->Store.GetCapacity() == 0)
+    if (this->Store.GetCapacity() == 0 && !this->Store.ReserveSome())
     {
-      this->Store.ReserveSome();
+      this->Error = this->Store.GetError();
+      return 0;
     }
-    rows = this->Store.GetCapacity() > 0 ? rows / 2 : 0;
+    rows /= 2;
   }
   this->OverBudget = true;
   this->Error = "one row of pixels crosses more shadow boundaries than the memory limit allows";

@@ -51,8 +51,9 @@ public:
     std::uint64_t memoryLimit, bool budgeted);
   const std::string& GetError() const { return this->Error; }
 
-  // Uploads a light's edges and caps; `slot` is the light's number.
-  void SetVolumes(int slot, const ShadowVolumes& volumes);
+  // Uploads a light's edges and caps; `slot` is the light's number. False with a reason in GetError()
+  // where there is no memory for them.
+  bool SetVolumes(int slot, const ShadowVolumes& volumes);
 
   // Fills the lists of the rows [row, row + rows) into the bound framebuffer, which has the
   // scene's depth. Returns the number of rows done, fewer where the memory limit asks for it; 0
@@ -101,8 +102,8 @@ private:
     vtkTextureObject* Distances;
   };
 
-  void Upload(Buffer& buffer, const void* data, size_t count, size_t size);
-  void UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers);
+  bool Upload(Buffer& buffer, const void* data, size_t count, size_t size);
+  bool UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers);
   vtkShaderProgram* ReadyPlanes(const std::string& fragment, const ShadowVolumes& volumes,
     const glm::dvec4& light, const View& view);
   // As in AirlightPlanesVS.glsl.
@@ -132,6 +133,7 @@ private:
   std::vector<Buffer> Caps;
   std::vector<Buffer> Layers;
   BoundaryStore Store;
+  ProgramMaker PlanePrograms;
   Quad SortQuad;
   Quad SpillQuad;
   std::string Error;

@@ -12,8 +12,9 @@
 namespace airlight
 {
 //------------------------------------------------------------------------------
-void ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t size)
+bool ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t size)
 {
+  ForgetErrors();
   if (buffer.Handle == 0)
   {
     glGenBuffers(1, &buffer.Handle);
@@ -23,10 +24,17 @@ void ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t 
   glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(std::max<size_t>(count, 1) * size),
     count > 0 ? data : nullptr, GL_STATIC_DRAW);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  if (glGetError() != GL_NO_ERROR)
+  {
+    this->Error = "no memory on the graphics card for " + std::to_string(count) +
+      " silhouette edges: use coarser meshes, or call SetShadowTechniqueToShadowMap()";
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
-void ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers)
+bool ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers)
 {
   std::vector<glm::ivec4> values;
   for (const ShadowLayer& layer : layers)
@@ -34,11 +42,11 @@ void ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& l
     const int channels = layer.Blocks.r + 2 * layer.Blocks.g + 4 * layer.Blocks.b;
     values.emplace_back(layer.Thickness, channels);
   }
-  this->Upload(buffer, values.data(), values.size(), sizeof(glm::ivec4));
+  return this->Upload(buffer, values.data(), values.size(), sizeof(glm::ivec4));
 }
 
 //------------------------------------------------------------------------------
-void ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
+bool ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
 {
   if (static_cast<size_t>(slot) >= this->Edges.size())
   {
@@ -48,12 +56,12 @@ void ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
     this->Layers.resize(slot + 1);
   }
   const auto upload = [this](Buffer& buffer, const auto& records) {
-    this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
+    return this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
   };
-  upload(this->Edges[slot], volumes.GetEdges());
-  upload(this->NearEdges[slot], volumes.GetNearEdges());
-  upload(this->Caps[slot], volumes.GetCaps());
-  this->UploadLayers(this->Layers[slot], volumes.GetLayers());
+  return upload(this->Edges[slot], volumes.GetEdges()) &&
+    upload(this->NearEdges[slot], volumes.GetNearEdges()) &&
+    upload(this->Caps[slot], volumes.GetCaps()) &&
+    this->UploadLayers(this->Layers[slot], volumes.GetLayers());
 }
 
 //------------------------------------------------------------------------------

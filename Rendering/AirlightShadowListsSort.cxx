@@ -58,7 +58,7 @@ vtkShaderProgram* ShadowLists::ReadyLists(Quad& quad, const std::string& fragmen
       this->Store.GetSource() + fragment);
   if (!program)
   {
-    this->Error = "the shader of long lists did not compile: " + quad.GetError();
+    this->Error = std::string("the shader of long lists") + ProgramMaker::GetReason();
     return nullptr;
   }
   this->Store.Use(program);

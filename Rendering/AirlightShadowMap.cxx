@@ -7,7 +7,6 @@
 #include "AirlightShadowMapVS.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkWindow.h"
@@ -100,10 +99,11 @@ bool ShadowMap::Prepare(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 bool ShadowMap::Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture)
 {
+  ForgetErrors();
   if (texture->GetHandle() != 0)
   {
     texture->Resize(this->Width, this->Height);
-    return true;
+    return !IsOutOfMemory() || this->FailAllocation();
   }
   texture->SetContext(window);
   texture->SetFormat(GL_RED);
@@ -113,12 +113,17 @@ bool ShadowMap::Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* textur
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   texture->SetWrapS(vtkTextureObject::ClampToEdge);
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  if (!texture->Allocate2D(this->Width, this->Height, 1, VTK_FLOAT))
-  {
-    this->Error = "the graphics card refused the texture of a shadow map";
-    return false;
-  }
-  return true;
+  return (texture->Allocate2D(this->Width, this->Height, 1, VTK_FLOAT) && !IsOutOfMemory()) ||
+    this->FailAllocation();
+}
+
+//------------------------------------------------------------------------------
+bool ShadowMap::FailAllocation()
+{
+  this->Error = "no memory on the graphics card for a shadow map of " +
+    std::to_string(this->Width) + " x " + std::to_string(this->Height) +
+    " texels: lower SetShadowMapResolution()";
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -151,14 +156,13 @@ void ShadowMap::EndNearest(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool ShadowMap::Draw(vtkOpenGLRenderWindow* window)
+bool ShadowMap::Draw(vtkOpenGLRenderWindow* window, ProgramMaker& programs)
 {
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(AirlightShadowMapVS, AirlightShadowMapFS, "");
-  if (!program || !program->GetCompiled())
+  std::string text = AirlightShadowMapFS;
+  vtkShaderProgram* program = programs.Ready(window, AirlightShadowMapVS, text);
+  if (!program)
   {
-    this->Error = std::string("the shadow map's shader did not compile: ") +
-      (program ? program->GetError() : "the shader cache returned no program");
+    this->Error = std::string("the shadow map's shader") + ProgramMaker::GetReason();
     return false;
   }
   this->BeginNearest(window, true);
@@ -167,14 +171,19 @@ bool ShadowMap::Draw(vtkOpenGLRenderWindow* window)
   program->SetUniformi("resolution", this->Side);
   program->SetUniformi("parallel", this->Kind == Projection::Parallel ? 1 : 0);
   program->SetUniformf("nearest", static_cast<float>(RelativeNear * this->Farthest));
+  this->Refused = false;
   glGenVertexArrays(1, &this->VertexArray);
   glGenBuffers(1, &this->Buffer);
   this->DrawCasters(program);
   glDeleteBuffers(1, &this->Buffer);
   glDeleteVertexArrays(1, &this->VertexArray);
   this->EndNearest(window);
-  this->Drawn = true;
-  return true;
+  this->Drawn = !this->Refused;
+  this->Error = this->Refused
+    ? "no memory on the graphics card for the triangles of a shadow map: use "
+      "coarser meshes"
+    : "";
+  return this->Drawn;
 }
 
 //------------------------------------------------------------------------------
@@ -224,8 +233,16 @@ void ShadowMap::DrawCorners(vtkShaderProgram* program, const std::vector<Corner>
 {
   glBindVertexArray(this->VertexArray);
   glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
+  ForgetErrors();
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)),
     corners.data(), GL_STREAM_DRAW);
+  if (glGetError() != GL_NO_ERROR)
+  {
+    this->Refused = true;
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindVertexArray(0);
+    return;
+  }
   const auto attribute = [program](const char* name, int components, size_t offset) {
     const GLint place = glGetAttribLocation(program->GetHandle(), name);
     glEnableVertexAttribArray(place);
@@ -257,7 +274,6 @@ void ShadowMap::Release(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
   this->OthersTexture->ReleaseGraphicsResources(window);
-  this->JoinQuad.Release();
   this->Others.clear();
   this->Casters.clear();
   this->Drawn = false;

@@ -51,14 +51,14 @@ public:
 
   // Draws the casters into the framebuffer that is bound over the texture. False with a reason in
   // GetError() where the shader does not compile; the next Update() then asks for it again.
-  bool Draw(vtkOpenGLRenderWindow* window);
+  bool Draw(vtkOpenGLRenderWindow* window, ProgramMaker& programs);
 
   // Where there are others than polygons: draws them into the framebuffer that is bound over
   // GetOthersTexture(), then, with that over GetTexture(), joins the two.
   bool HasOthers() const { return !this->Others.empty(); }
   vtkTextureObject* GetOthersTexture() { return this->OthersTexture; }
   void DrawOthers(vtkOpenGLRenderWindow* window, const DrawActors& draw);
-  bool JoinOthers(vtkOpenGLRenderWindow* window);
+  bool JoinOthers(vtkOpenGLRenderWindow* window, Quad& quad);
 
   // Those of glsl/AirlightMapMarch.glsl, but for the texture.
   void SetUniforms(vtkShaderProgram* program, const View& view) const;
@@ -91,6 +91,7 @@ private:
   };
 
   bool Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
+  bool FailAllocation();
   void BeginNearest(vtkOpenGLRenderWindow* window, bool clear);
   void EndNearest(vtkOpenGLRenderWindow* window);
   void SetFaceCamera(vtkCamera* camera, int face) const;
@@ -125,7 +126,7 @@ private:
 
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkTextureObject> OthersTexture;
-  Quad JoinQuad;
+  bool Refused = false; // memory for what casts
   int Width = 0;
   int Height = 0;
   unsigned int VertexArray = 0;

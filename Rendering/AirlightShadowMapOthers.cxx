@@ -79,18 +79,18 @@ void ShadowMap::DrawOthers(vtkOpenGLRenderWindow* window, const DrawActors& draw
 }
 
 //------------------------------------------------------------------------------
-bool ShadowMap::JoinOthers(vtkOpenGLRenderWindow* window)
+bool ShadowMap::JoinOthers(vtkOpenGLRenderWindow* window, Quad& quad)
 {
-  vtkShaderProgram* program = this->JoinQuad.Ready(window, AirlightMapMergeFS);
+  vtkShaderProgram* program = quad.Ready(window, AirlightMapMergeFS);
   if (!program)
   {
-    this->Error = "the shadow map's shader did not compile: " + this->JoinQuad.GetError();
+    this->Error = std::string("the shadow map's shader") + ProgramMaker::GetReason();
     return false;
   }
   this->BeginNearest(window, false);
   program->SetUniformi("resolution", this->Side);
   program->SetUniformf("offset", static_cast<float>(this->GetCameraOffset()));
-  this->JoinQuad.Draw({ { "drawn", this->OthersTexture } });
+  quad.Draw({ { "drawn", this->OthersTexture } });
   this->EndNearest(window);
   return true;
 }

@@ -22,6 +22,39 @@ glm::dvec3 Transform(const glm::dmat4& matrix, const glm::dvec3& point)
 
 bool IsMirrored(const Caster& caster) { return glm::determinant(caster.ToWorld) < 0.0; }
 
+// Of eight, of the box around the caster.
+glm::dvec3 GetCorner(const Caster& caster, int corner)
+{
+  const glm::dvec3 local(corner & 1 ? caster.Mesh->BoundsMin.x : caster.Mesh->BoundsMax.x,
+    corner & 2 ? caster.Mesh->BoundsMin.y : caster.Mesh->BoundsMax.y,
+    corner & 4 ? caster.Mesh->BoundsMin.z : caster.Mesh->BoundsMax.z);
+  return Transform(caster.ToWorld, local);
+}
+
+// A place in the middle of all casters, the same in whichever order they come, and seldom another one
+// when they move: on a grid whose cells are from an eighth to a quarter as long as all of them are.
+glm::dvec3 FindAnchor(const std::vector<Caster>& casters)
+{
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high = -low;
+  for (size_t i = 0; i < 8 * casters.size(); ++i)
+  {
+    const glm::dvec3 point = GetCorner(casters[i / 8], static_cast<int>(i % 8));
+    if (std::isfinite(point.x + point.y + point.z))
+    {
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+    }
+  }
+  const double extent = std::max({ high.x - low.x, high.y - low.y, high.z - low.z });
+  if (!(extent > 0.0) || std::isinf(extent))
+  {
+    return extent == 0.0 ? low : glm::dvec3(0.0);
+  }
+  const double cell = std::exp2(std::ceil(std::log2(extent)) - 3.0);
+  return cell * glm::round(0.5 / cell * (low + high));
+}
+
 // Whether rays may go through a part of the caster that is not drawn.
 bool NeedsCaps(const Caster& caster, const View& view)
 {
@@ -32,10 +65,7 @@ bool NeedsCaps(const Caster& caster, const View& view)
   double nearest = std::numeric_limits<double>::infinity();
   for (int corner = 0; corner < 8; ++corner)
   {
-    const glm::dvec3 local(corner & 1 ? caster.Mesh->BoundsMin.x : caster.Mesh->BoundsMax.x,
-      corner & 2 ? caster.Mesh->BoundsMin.y : caster.Mesh->BoundsMax.y,
-      corner & 4 ? caster.Mesh->BoundsMin.z : caster.Mesh->BoundsMax.z);
-    const glm::dvec3 point = Transform(caster.ToWorld, local) - view.GetEye();
+    const glm::dvec3 point = GetCorner(caster, corner) - view.GetEye();
     nearest = std::min(nearest, glm::dot(point, view.GetForward()));
   }
   return nearest < view.GetNear();
@@ -51,7 +81,7 @@ void ShadowVolumes::SetAnchor(const std::vector<Caster>& casters)
   }
   else if (!casters.empty())
   {
-    this->Anchor = Transform(casters[0].ToWorld, casters[0].Mesh->BoundsMin);
+    this->Anchor = FindAnchor(casters);
   }
   else if (!this->Others.empty())
   {

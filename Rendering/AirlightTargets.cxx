@@ -50,13 +50,16 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, cons
   if (width > most || height > most)
   {
     this->Error = "the viewport of " + std::to_string(width) + " x " + std::to_string(height) +
-      " pixels exceeds the largest texture of " + std::to_string(most);
+      " pixels exceeds the largest texture of " + std::to_string(most) +
+      ": make the window smaller, and large pictures of tiles with "
+      "vtkWindowToImageFilter::SetScale()";
     return false;
   }
   this->Window = window;
   this->Width = width;
   this->Height = height;
   this->Framebuffer->SetContext(window);
+  ForgetErrors();
   bool ok = this->Allocate(this->Distances, 1) && this->Allocate(this->Scene, 4) &&
     this->Allocate(this->Scattered, 4) &&
     this->Allocate(this->Lit, needs.Lamps > BitsPerChannel ? 4 : 1) &&
@@ -85,7 +88,10 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, cons
       this->Allocate(this->Airlight, 4) && this->Allocate(this->Surface, 4) &&
       this->Allocate(this->Transmittance, 4);
   }
-  this->Error = ok ? "" : "the graphics card refused a floating-point texture";
+  ok = ok && !IsOutOfMemory();
+  this->Error = ok ? ""
+                   : "no memory on the graphics card for textures of " + std::to_string(width) +
+      " x " + std::to_string(height) + " pixels: make the window smaller";
   return ok;
 }
 
@@ -134,7 +140,8 @@ bool Targets::Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObje
   const char* description = "";
   if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, description))
   {
-    this->Error = std::string("incomplete framebuffer: ") + description;
+    this->Error = std::string("the graphics card cannot draw into its floating-point textures (") +
+      description + "): make the window smaller, update the graphics driver, or use another";
     return false;
   }
   return true;

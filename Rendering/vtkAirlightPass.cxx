@@ -162,6 +162,7 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
     this->Impl->ReportedError = this->Impl->Error;
     vtkErrorMacro(<< "The scene is drawn without the medium: " << this->Impl->Error << ".");
   }
+  this->Impl->Recover();
   this->Impl->RenderPlain(s);
 }
 

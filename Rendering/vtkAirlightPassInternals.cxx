@@ -158,6 +158,10 @@ bool vtkAirlightPass::Internals::RenderOnce(
   this->Context->SetContext(window);
   this->ScenePass->PrepareLights(renderer);
 
+  if (!this->CheckOpenGL(window))
+  {
+    return false;
+  }
   const View view(renderer, width, height);
   if (!view.IsValid())
   {
@@ -237,10 +241,15 @@ bool vtkAirlightPass::Internals::RenderOnce(
   vtkOpenGLState::ScopedglEnableDisable depthSaver(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
   state->PushFramebufferBindings();
+  this->NotCompiled.clear();
   const bool ok = this->CurrentFrame.Upload(window, media, converted, lamps) &&
     this->CurrentFrame.Begin(renderer, converted, lamps, view, settings, width, height) &&
     this->RenderSteps(s);
   state->PopFramebufferBindings();
+  if (!this->CheckShaders())
+  {
+    return false;
+  }
   if (!ok)
   {
     this->Error = this->CurrentFrame.GetError();

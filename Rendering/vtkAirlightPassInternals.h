@@ -11,6 +11,7 @@
 #include "AirlightDelegate.h"
 #include "AirlightFrame.h"
 #include "AirlightMediaList.h"
+#include "AirlightProgram.h"
 #include "AirlightScenePass.h"
 #include "vtkAirlightPass.h"
 
@@ -29,6 +30,7 @@
 #include <string>
 #include <vector>
 
+class vtkAbstractMapper;
 class vtkActor;
 class vtkCamera;
 class vtkOpenGLRenderWindow;
@@ -90,6 +92,19 @@ public:
   bool MayAntialias(const vtkRenderState* s);
   void CheckCasters();
 
+  // Whether the window's OpenGL is new enough. False with a reason in Error.
+  bool CheckOpenGL(vtkOpenGLRenderWindow* window);
+
+  // Adds to a mapper's shaders, or leaves them as they are where that does not compile: NotCompiled
+  // then names the mapper, and the frame is lost.
+  using ShaderChange = std::function<void(std::string&)>;
+  void AddToShader(const std::string& vertex, const std::string& geometry, std::string& fragment,
+    vtkAbstractMapper* mapper, vtkProp* prop, const ShaderChange& change);
+  bool CheckShaders();
+
+  // After a frame that could not be done: frees what may be broken.
+  void Recover();
+
   // Whether each fragment of the opaque surfaces hides all that is behind it, as far as is known;
   // whether steps 1 and 3 of the frame may be one, of which Apart is the light whose shadows fall on
   // surfaces, if there is one.
@@ -111,6 +126,8 @@ public:
   std::set<vtkShaderProgram*> MapPrograms; // those used for the map that is drawn
   vtkTimeStamp ShaderTime;
   std::string Error;
+  airlight::ProgramMaker MapperPrograms;
+  std::string NotCompiled;
 
   vtkNew<AirlightContext> Context;
   vtkNew<AirlightScenePass> ScenePass;

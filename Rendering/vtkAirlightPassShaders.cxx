@@ -25,15 +25,22 @@ bool vtkAirlightPass::PreReplaceShaderValues(
 }
 
 //------------------------------------------------------------------------------
-bool vtkAirlightPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+bool vtkAirlightPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
 {
-  if (vtkVolume::SafeDownCast(prop))
-  {
-    InjectVolumeShader(fragmentShader, this->Impl->MapperText);
-    return true;
-  }
-  InjectSurfaceShader(fragmentShader, this->Impl->MapperText, AirlightScenePass::IsSplats(prop));
+  const SurfaceText& text = this->Impl->MapperText;
+  this->Impl->AddToShader(
+    vertexShader, geometryShader, fragmentShader, mapper, prop, [&](std::string& shader) {
+      if (vtkVolume::SafeDownCast(prop))
+      {
+        InjectVolumeShader(shader, text);
+      }
+      else
+      {
+        InjectSurfaceShader(shader, text, AirlightScenePass::IsSplats(prop));
+      }
+    });
   return true;
 }
 

@@ -8,6 +8,7 @@
 #   --with-doxygen   also install Doxygen, for making the class reference
 #   --with-checks    also install cppcheck, shellcheck and pyflakes, which read the code for mistakes
 #   --with-analysis  and clang-tidy, which does so thoroughly, and gcovr, for what tests run
+#   --with-clang     also install Clang and its sanitizers, for fuzzing
 set -euo pipefail
 
 packages=(
@@ -28,6 +29,7 @@ for option in "$@"; do
     --with-doxygen) packages+=(doxygen) ;;
     --with-checks) packages+=(cppcheck shellcheck pyflakes3) ;;
     --with-analysis) packages+=(cppcheck shellcheck pyflakes3 clang-tidy gcovr) ;;
+    --with-clang) packages+=(clang libclang-rt-dev llvm) ;;
     -h | --help)
       sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
       exit

@@ -61,3 +61,22 @@ on_virtual_display()
 {
   xvfb-run -a -s "-noreset -screen 0 1280x1024x24" "$@"
 }
+
+# configure_sanitized KIND [CMAKE OPTION...]: configures $build for sanitizers, KIND address or thread,
+# with Clang where there is one.
+configure_sanitized()
+{
+  local kind=$1 compiler=()
+  shift
+  if [[ ! -e $build/CMakeCache.txt ]] && command -v clang++ > /dev/null; then
+    compiler=(-DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++)
+  fi
+  configure "${compiler[@]}" -DAIRLIGHT_SANITIZER="$kind" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_C_FLAGS_RELEASE="-O1 -g1" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -g1" "$@"
+}
+
+# What LeakSanitizer is to leave out: Utilities/lsan.txt gives the reasons.
+leak_options()
+{
+  echo "suppressions=$root/Utilities/lsan.txt:print_suppressions=0"
+}

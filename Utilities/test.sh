@@ -8,8 +8,9 @@
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
-step_count=5
-dependencies=(--with-openvdb --with-doxygen --with-checks) # what is optional is tested, too
+step_count=6
+# What is optional is tested, too.
+dependencies=(--with-openvdb --with-doxygen --with-checks --with-clang)
 
 step "Installing what is missing"
 install_missing cmake ctest c++ xvfb-run xauth
@@ -22,6 +23,9 @@ compile all
 
 step "Building for ParaView, where it can be had"
 "$root/Utilities/paraview-test.sh" --build || (($? == 125)) || die "the ParaView plugin does not build."
+
+step "Building fuzzers, where there is Clang"
+"$root/Utilities/fuzz.sh" --build || (($? == 125)) || die "the fuzzers do not build."
 
 step "Testing"
 cd "$build"

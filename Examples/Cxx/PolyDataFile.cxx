@@ -3,6 +3,7 @@
 #include "PolyDataFile.h"
 
 #include "Files.h"
+#include "TextPLY.h"
 #include "UserError.h"
 #include "VTKMessages.h"
 
@@ -115,6 +116,10 @@ void CheckPolyData(vtkPolyData* mesh, const std::string& fileName)
 vtkSmartPointer<vtkPolyData> ReadPolyDataFile(const std::string& fileName)
 {
   CheckInputFile(fileName);
+  if (GetExtension(fileName) == "ply")
+  {
+    CheckTextPLY(fileName);
+  }
   const VTKMessages messages;
   vtkSmartPointer<vtkAlgorithm> reader = GetReaderMakers().at(GetExtension(fileName))(fileName);
   reader->Update();

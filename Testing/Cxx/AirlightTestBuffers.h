@@ -86,14 +86,20 @@ inline void CheckFinite(const Buffers& buffers, const std::string& what)
 // What the window shows, RGB.
 using Picture = std::vector<int>;
 
-inline Picture Capture(vtkRenderWindow* window)
+inline Picture ReadPicture(vtkRenderWindow* window)
 {
-  window->Render();
   const int* size = window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
   const unsigned char* first = pixels->GetPointer(0);
   return Picture(first, first + pixels->GetNumberOfValues());
+}
+
+// The same of another frame.
+inline Picture Capture(vtkRenderWindow* window)
+{
+  window->Render();
+  return ReadPicture(window);
 }
 
 // The largest difference of two pictures, in steps of 1/255.

@@ -7,8 +7,11 @@
 #ifdef AIRLIGHT_HAS_OPENVDB
 #include "AirlightTestReader.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <vector>
 #endif
 
@@ -108,6 +111,42 @@ void TestTruncated(const std::string& name)
   Check(Reader(cut).Read()->GetNumberOfPoints() > 0, name + ": the whole file is read");
   std::cout << name << ": refused at " << count << " lengths\n";
 }
+
+//------------------------------------------------------------------------------
+// Eight bytes anywhere become others, many times: an error and no image, or an image of numbers.
+void TestDamaged(const std::string& name)
+{
+  std::ifstream file(Folder + name, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::string damaged = Folder + "damaged.vdb";
+  std::mt19937 random(5);
+  int refused = 0;
+  for (int i = 0; i < 300; ++i)
+  {
+    std::string text = bytes;
+    const std::size_t place = random() % (bytes.size() - 8);
+    const char value = i % 3 == 0 ? '\xff' : static_cast<char>(random());
+    std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(place), 8, i % 3 == 1 ? '\0' : value);
+    std::ofstream(damaged, std::ios::binary)
+      .write(text.data(), static_cast<std::streamsize>(text.size()));
+    Reader reader(damaged);
+    reader->SetMaximumDimension(32);
+    reader->Update();
+    const int errors = reader.Errors.Take();
+    refused += errors;
+    const std::string what = Text(name, " damaged at byte ", place, ": ", reader.Errors.GetText());
+    Check(errors == (reader->GetOutput()->GetNumberOfPoints() == 0 ? 1 : 0), what);
+    vtkDataArray* values = reader->GetOutput()->GetPointData()->GetScalars();
+    double range[2] = { 0.0, 0.0 };
+    if (values)
+    {
+      values->GetRange(range);
+    }
+    Check(std::isfinite(range[0]) && std::isfinite(range[1]), what + ": numbers");
+  }
+  Check(refused > 0, name + ": some damage is noticed");
+  std::cout << name << ": refused " << refused << " of 300 times\n";
+}
 }
 #endif
 
@@ -123,6 +162,11 @@ int TestOpenVDBDensityReaderErrors(int argc, char* argv[])
   TestTruncated("half.vdb");
   TestTruncated("stream.vdb");
   TestTruncated("names.vdb");
+  TestTruncated("background.vdb"); // nodes that are half read hold its background, no pointers
+  for (const char* name : { "background.vdb", "half.vdb", "stream.vdb", "tiles.vdb" })
+  {
+    TestDamaged(name);
+  }
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 #else
   (void)argc;

@@ -123,6 +123,17 @@ void TestDistances()
   vtkNew<vtkParticipatingMedium> hazy;
   hazy->SetVisibility(1000.0);
   CheckNear3(hazy->GetScattering(), 0.003912, 0.003912, 0.003912, 1e-14, "scattering of haze");
+
+  // The largest and the smallest coefficients, scaled to a mean of 0.5: their ratios are kept.
+  for (double size : { 1e100, 1e-300 })
+  {
+    vtkNew<vtkParticipatingMedium> extreme;
+    extreme->SetScattering(size, size / 2.0, 0.0);
+    extreme->SetAbsorption(size, size / 2.0, 0.0);
+    extreme->SetMeanFreePath(2.0);
+    CheckNear3(extreme->GetScattering(), 0.5, 0.25, 0.0, 1e-14, "extreme scattering, scaled");
+    CheckNear3(extreme->GetAbsorption(), 0.5, 0.25, 0.0, 1e-14, "extreme absorption, scaled");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -169,7 +180,7 @@ void TestBadInput()
     values.insert(values.end(), m->GetAmbientRadiance(), m->GetAmbientRadiance() + 3);
     return values;
   };
-  const std::vector<double> notCoefficients = { -1.0, -1e-300, inf, -inf, nan };
+  const std::vector<double> notCoefficients = { -1.0, -1e-300, 1.01e100, inf, -inf, nan };
   // A bad value in any channel spoils all three.
   CheckRefused(
     m, "SetScattering red", notCoefficients, [&m](double v) { m->SetScattering(v, 7, 7); },
@@ -184,7 +195,7 @@ void TestBadInput()
     m, "SetAmbientRadiance green", notCoefficients,
     [&m](double v) { m->SetAmbientRadiance(7, v, 7); }, coefficients);
 
-  const std::vector<double> notDistances = { 0.0, -1.0, inf, -inf, nan };
+  const std::vector<double> notDistances = { 0.0, -1.0, 1e-100, inf, -inf, nan };
   CheckRefused(
     m, "SetVisibility", notDistances, [&m](double v) { m->SetVisibility(v); }, coefficients);
   CheckRefused(

@@ -65,7 +65,12 @@ class TestBadModels(ProgramTest):
     def test_impossible_models(self):
         for name, text, words in (
                 ("c.obj", TETRAHEDRON + "f 1 2 99\n", ["points that it does not hold"]),
-                ("c.ply", NOT_FINITE, ["not finite"]),
+                ("c.ply", NOT_FINITE, [":11: 'nan' of vertex 1", "not finite"]),
+                ("c.ply", NOT_FINITE.replace("nan", "1,"), [":11: ',' of vertex 2"]),
+                ("c.ply", NOT_FINITE.replace("nan", "0").replace("3 0 1 2", "4 0 1 2"),
+                 ["ends before the last number of face 0 of 1"]),
+                ("c.ply", NOT_FINITE.replace("nan", "0").replace("3 0 1 2", "3 0 1 9"),
+                 ["points that it does not hold"]),
                 ("c.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n", ["no extent"]),
                 ("c.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", ["no polygons"]),
                 ("c.txt", TETRAHEDRON, ["unknown kind of model", "gltf"])):

@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# Builds the fuzzers with Clang, in build-asan/, and runs them: programs that are given anything, and
+# must neither crash nor leak, hang or give numbers that are none.
+#
+# Usage: Utilities/fuzz.sh TARGET [RUNS | SECONDSs] [LIBFUZZER OPTION...]
+#        Utilities/fuzz.sh all RUNS | SECONDSs        each of them, one after the other
+#        Utilities/fuzz.sh --build                    builds only
+#        Utilities/fuzz.sh --replay [TARGET...]       their corpus and a few thousand runs more, as the
+#                                                     tests do; does not build
+#
+# Targets: Photometry Scene PhaseTable OpenVDB Medium Filters Pass Frames. For example
+# `Utilities/fuzz.sh Photometry 5000000` or `Utilities/fuzz.sh OpenVDB 60s`. What a run finds is kept
+# in build-asan/fuzz/<target>/, inputs that fail beside it. Frames needs a display, or starts one.
+#
+# Exits with 125 where there is no Clang: the tests then are skipped.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+build=$root/build-asan
+corpus=$root/Testing/Fuzz/Corpus
+targets=(Photometry Scene PhaseTable OpenVDB Medium Filters Pass Frames)
+
+skip()
+{
+  echo "skipped: $*" >&2
+  exit 125
+}
+
+build_fuzzers()
+{
+  command -v clang++ > /dev/null || skip "no clang++ to build fuzzers with."
+  echo 'int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long); int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |
+    clang -x c -fsanitize=fuzzer,address -o /dev/null - 2> /dev/null ||
+    skip "Clang has no libFuzzer: install its run-time libraries (Debian: libclang-rt-dev)."
+  configure_sanitized address -DAIRLIGHT_BUILD_FUZZERS=ON
+  compile fuzzers
+}
+
+# run TARGET [LIBFUZZER OPTION...]: the input that fails, if one does, is kept.
+run()
+{
+  local target=$1 found=$build/fuzz/$1
+  local program=$build/bin/Fuzz$target
+  shift
+  [[ -x $program ]] || skip "there is no $program; Utilities/fuzz.sh --build makes it."
+  mkdir -p "$found"
+  local command=(env "ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1}" "LSAN_OPTIONS=$(leak_options)"
+    "$program" -timeout=60 -rss_limit_mb=6000 -print_final_stats=1
+    "-artifact_prefix=$found-" "$@" "$found" "$corpus/$target")
+  if [[ $target == Frames && -z ${DISPLAY-} ]]; then
+    command=(on_virtual_display "${command[@]}")
+  fi
+  "${command[@]}" || die "Fuzz$target failed; its input is $found-*."
+}
+
+# limit NUMBER[s]: libFuzzer's option.
+limit()
+{
+  case $1 in
+    *s) echo "-max_total_time=${1%s}" ;;
+    *) echo "-runs=$1" ;;
+  esac
+}
+
+# How many runs besides the corpus --replay has: what takes a few seconds each.
+declare -A replays=([Photometry]=20000 [Scene]=1000 [PhaseTable]=1000 [OpenVDB]=1000 [Medium]=4000
+  [Filters]=4000 [Pass]=8000 [Frames]=0)
+
+replay()
+{
+  local target
+  for target in "$@"; do
+    echo "== $target"
+    rm -rf "$build/fuzz/$target"
+    run "$target" -seed=1 "-runs=${replays[$target]}"
+  done
+}
+
+case ${1-} in
+  "" | -h | --help) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  --build) build_fuzzers ;;
+  --replay)
+    shift
+    (($#)) || set -- "${targets[@]}"
+    replay "$@"
+    ;;
+  *)
+    target=$1
+    amount=${2:-60s}
+    shift $(($# < 2 ? $# : 2))
+    build_fuzzers
+    if [[ $target == all ]]; then
+      for target in "${targets[@]}"; do
+        run "$target" "$(limit "$amount")" "$@"
+      done
+    else
+      run "$target" "$(limit "$amount")" "$@"
+    fi
+    ;;
+esac

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# Builds Airlight and its tests with sanitizers and runs the tests.
+#
+# Usage: Utilities/sanitize.sh address [CTEST OPTION...]   AddressSanitizer, LeakSanitizer and
+#                                                          UndefinedBehaviorSanitizer, in build-asan/
+#        Utilities/sanitize.sh thread [CTEST OPTION...]    ThreadSanitizer, in build-tsan/
+#
+# Clang is used where there is one. `address` runs all tests but those that build other programs
+# or packages, which have no sanitizers; `thread` runs those of what vtkSMPTools shares among threads,
+# with VTK's backend STDThread, and four threads. VTK, Mesa, Python and OpenVDB are not instrumented:
+# what is wrong inside of them is found only where our calls of the C library show it; data races
+# through their locks are not known to ThreadSanitizer but for those of pthreads.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+step_count=4
+dependencies=(--with-openvdb --with-clang)
+
+# Tests of other builds, of packages, of style, and of ParaView.
+unfit='Consumer|TestPackage|TestDebianPackages|TestRemoteModule|TestImport|ParaView|Reference$|Fuzz|TestDocumentation'
+# What vtkSMPTools shares among threads.
+shared='TestSilhouette|TestClosedSurface$|TestClosedSurfaceRays|TestLitIntervals|TestOccluders|TestAirlightProbe|TestAirlightReference$|TestShadowPlanes|TestShadowSoup|TestDensityImage|TestRayFilterErrors'
+
+case ${1-} in
+  address)
+    build=$root/build-asan
+    options=(-E "$unfit")
+    export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1:detect_stack_use_after_return=1}
+    export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
+    LSAN_OPTIONS=$(leak_options)
+    export LSAN_OPTIONS
+    ;;
+  thread)
+    build=$root/build-tsan
+    options=(-R "Cxx-($shared)")
+    export TSAN_OPTIONS=${TSAN_OPTIONS:-halt_on_error=1:suppressions=$root/Utilities/tsan.txt}
+    export VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4
+    ;;
+  *)
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    exit
+    ;;
+esac
+kind=$1
+shift
+
+step "Installing what is missing"
+install_missing cmake ctest c++ xvfb-run xauth
+
+step "Configuring"
+wrap=()
+[[ $kind == address ]] || wrap=(-DAIRLIGHT_WRAP_PYTHON=OFF -DAIRLIGHT_BUILD_EXAMPLES=OFF)
+configure_sanitized "$kind" -DAIRLIGHT_BUILD_TESTING=ON "${wrap[@]}"
+
+step "Building"
+compile all
+
+step "Testing"
+cd "$build"
+on_virtual_display ctest --output-on-failure --no-tests=error --timeout 1800 --parallel "$jobs" \
+  "${options[@]}" "$@" || die "some tests failed; see above."
