@@ -66,7 +66,6 @@ struct Occluders::Tree : public OccluderTree
 Occluders::Occluders() = default;
 Occluders::~Occluders() = default;
 Occluders::Occluders(Occluders&&) noexcept = default;
-Occluders& Occluders::operator=(Occluders&&) noexcept = default;
 
 //------------------------------------------------------------------------------
 void Occluders::Add(vtkPolyData* data, vtkMatrix4x4* toWorld, int caster)

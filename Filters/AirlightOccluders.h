@@ -40,7 +40,6 @@ public:
   Occluders();
   ~Occluders();
   Occluders(Occluders&&) noexcept;
-  Occluders& operator=(Occluders&&) noexcept;
 
   // Polygons and strips as triangles; a null matrix leaves them where they are. Triangles without
   // area, with points that are not finite or with coordinates above 1e50 are left out.

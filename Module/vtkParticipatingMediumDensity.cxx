@@ -6,6 +6,7 @@
 #include "AirlightDensityGrid.h"
 #include "vtkImageData.h"
 
+#include <algorithm>
 #include <cmath>
 
 //------------------------------------------------------------------------------
@@ -37,14 +38,18 @@ void vtkParticipatingMedium::SetReferenceHeight(double height)
 
 void vtkParticipatingMedium::SetUp(double x, double y, double z)
 {
-  const double length = std::hypot(x, y, z);
-  if (!(length > 0.0))
+  // Its square may be beyond all numbers.
+  const double largest = std::max({ std::abs(x), std::abs(y), std::abs(z) });
+  const bool finite = std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
+  if (!finite || largest == 0.0)
   {
     vtkErrorMacro(<< "Up (" << x << ", " << y << ", " << z
                   << ") must be a direction: finite and not 0; the old one stays.");
     return;
   }
-  this->SetVector("Up", this->Up, x / length, y / length, z / length);
+  const double up[3] = { x / largest, y / largest, z / largest };
+  const double length = std::hypot(up[0], up[1], up[2]);
+  this->SetVector("Up", this->Up, up[0] / length, up[1] / length, up[2] / length);
 }
 
 void vtkParticipatingMedium::SetUp(const double up[3]) { this->SetUp(up[0], up[1], up[2]); }

@@ -12,6 +12,7 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 build=$root/build/coverage
+cd "$root" # gcovr takes its filters from here
 dependencies=(--with-openvdb --with-analysis)
 
 # A line per folder, from gcovr's JSON summary.

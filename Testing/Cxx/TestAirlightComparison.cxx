@@ -210,6 +210,9 @@ void TestErrors()
     { "vtkAirlightComparison (0x", "differ in size", "4x1 pixels of 1 channels", "3x1" });
   CheckRefused("channels", a, MakeRow({ 1, 2, 3, 4, 5, 6, 7, 8 }, 2), nullptr,
     { "4x1 pixels of 1 channels", "4x1 pixels of 2 channels" });
+  const auto tooFew = MakeRow({ 1, 2, 3, 4 });
+  tooFew->GetPointData()->GetScalars()->SetNumberOfTuples(3);
+  CheckRefused("scalars of another number", tooFew, b, nullptr, { "has 3 scalars for 4 points" });
   CheckRefused("no scalars", bare, b, nullptr, { "the image has no point scalars" });
   CheckRefused("no reference scalars", a, bare, nullptr, { "the reference has no point scalars" });
   CheckRefused("no mask scalars", a, b, bare, { "the mask has no point scalars" });

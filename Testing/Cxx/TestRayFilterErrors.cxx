@@ -9,6 +9,7 @@
 #include "AirlightTestLines.h"
 
 #include "vtkAirlightProbeFilter.h"
+#include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
 
@@ -159,6 +160,58 @@ void TestProbe()
   Check(errors.Take() == 0, "no points are no error");
 }
 
+//------------------------------------------------------------------------------
+// What was given is taken back; each change counts once.
+void TestProbeLists()
+{
+  const auto lights = MakeLights();
+  vtkNew<vtkParticipatingMedium> medium;
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkAirlightProbeFilter> probe;
+  probe->SetInputConnection(sphere->GetOutputPort());
+  probe->SetMedium(medium);
+  Check(probe->GetMedium() == medium, "the medium that was set");
+  probe->AddLight(lights[0].second);
+  probe->AddLight(lights[1].second);
+  vtkMTimeType time = probe->GetMTime();
+  probe->RemoveAllLights();
+  Check(probe->GetNumberOfLights() == 0 && probe->GetMTime() > time, "no lights are left");
+  time = probe->GetMTime();
+  probe->RemoveAllLights();
+  Check(probe->GetMTime() == time, "there were none to remove");
+  probe->AddInputConnection(1, sphere->GetOutputPort());
+  probe->RemoveAllOccluders();
+  Check(probe->GetNumberOfInputConnections(1) == 0, "no occluders are left");
+}
+
+//------------------------------------------------------------------------------
+// The glow of other densities has no closed form, and none is made up.
+void TestProbeDensity()
+{
+  vtkNew<vtkImageData> smoke;
+  smoke->SetDimensions(2, 2, 2);
+  smoke->AllocateScalars(VTK_FLOAT, 1);
+  smoke->GetPointData()->GetScalars()->Fill(1.0);
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetScattering(0.1, 0.1, 0.1);
+  medium->SetDensityImage(smoke);
+  medium->SetDensityToImage();
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkAirlightProbeFilter> probe;
+  probe->SetInputConnection(sphere->GetOutputPort());
+  probe->SetMedium(medium);
+  probe->AddLight(MakeLights()[0].second);
+  probe->ScatteredIrradianceOn();
+  ErrorListener warnings(probe, vtkCommand::WarningEvent);
+  probe->Update();
+  CheckTold(warnings, "scattered light of an image of density", "exponential height");
+  vtkPointData* found = probe->GetOutput()->GetPointData();
+  Check(!found->GetArray("ScatteredIrradiance"), "it is left out");
+  Check(found->GetArray("Radiance"), "the rest is there");
+  CheckFinite(found, "probe of an image");
+}
+
+//------------------------------------------------------------------------------
 // The lamp on the surface and right above it.
 void TestProbeLimits()
 {
@@ -190,6 +243,8 @@ int TestRayFilterErrors(int, char*[])
   TestSettings({ { 0, 0, 0 }, { 1, 0, 0 } });
   TestLines();
   TestProbe();
+  TestProbeLists();
+  TestProbeDensity();
   TestProbeLimits();
   std::cout << Failures << " failures\n";
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
