@@ -5,6 +5,7 @@
 
 #include "AirlightOccluders.h"
 #include "AirlightTestCheck.h"
+#include "AirlightTestTools.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
