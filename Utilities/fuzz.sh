@@ -45,7 +45,7 @@ run()
   [[ -x $program ]] || skip "there is no $program; Utilities/fuzz.sh --build makes it."
   mkdir -p "$found"
   local command=(env "ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1}" "LSAN_OPTIONS=$(leak_options)"
-    "$program" -timeout=60 -rss_limit_mb=6000 -print_final_stats=1
+    "$program" -timeout=120 -rss_limit_mb=6000 -print_final_stats=1
     "-artifact_prefix=$found-" "$@" "$found" "$corpus/$target")
   if [[ $target == Frames && -z ${DISPLAY-} ]]; then
     command=(on_virtual_display "${command[@]}")
