@@ -214,11 +214,13 @@ void ReferenceTracer::AddLayers(const PixelRay& ray, double end, glm::dvec3& rad
 }
 
 //------------------------------------------------------------------------------
-ReferencePixel ReferenceTracer::Trace(double x, double y) const
+ReferencePixel ReferenceTracer::Trace(
+  double x, double y, const glm::dvec3& shift, double wider) const
 {
   const PixelRays::Ray own = this->Rays.GetRay(x, y);
-  PixelRay ray{ own.Origin, own.Origin + this->Rays.GetEye(), own.Direction, own.Nearest,
-    own.Farthest, {} };
+  const glm::dvec3 origin = own.Origin + shift;
+  PixelRay ray{ origin, origin + this->Rays.GetEye(), own.Direction, own.Nearest / wider,
+    own.Farthest * wider, {} };
   ReferencePixel pixel;
   SurfaceHit hit{ Infinity, nullptr };
   if (this->FindSurface(this->Scene.GetOpaque(), ray, ray.Nearest, ray.Farthest, hit))

@@ -55,8 +55,10 @@ public:
   const ReferenceLights& GetLights() const { return this->Lights; }
 
   // At a point of the picture, in pixels from its lower left corner; the middle of the first pixel is
-  // at 0.5, 0.5.
-  ReferencePixel Trace(double x, double y) const;
+  // at 0.5, 0.5. `shift` moves the ray, in the world, and surfaces are seen in a clipping range that is
+  // so much wider: what rounding does to pictures can be found out.
+  ReferencePixel Trace(
+    double x, double y, const glm::dvec3& shift = glm::dvec3(0.0), double wider = 1.0) const;
 
 private:
   struct PixelRay;
