@@ -298,7 +298,7 @@ glm::dvec3 RandomDirection(Random& random)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeMesh(
-  const TriangleList& triangles, bool normals, bool shared, bool single)
+  const TriangleList& triangles, double normals, bool shared, bool single)
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(single ? VTK_FLOAT : VTK_DOUBLE);
@@ -321,13 +321,13 @@ vtkSmartPointer<vtkPolyData> MakeMesh(
       { glm::length(t[1] - t[0]), glm::length(t[2] - t[0]), glm::length(t[2] - t[1]), 1e-300 });
     const glm::dvec3 normal = glm::cross((t[1] - t[0]) / size, (t[2] - t[0]) / size);
     const double length = glm::length(normal);
-    const glm::dvec3 unit = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 unit = length > 0.0 ? normals * normal / length : glm::dvec3(0.0, 0.0, 1.0);
     directions->InsertNextTuple(&unit.x);
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetPolys(cells);
-  if (normals)
+  if (normals != 0.0)
   {
     data->GetCellData()->SetNormals(directions);
   }

@@ -138,6 +138,12 @@ RandomScene::RandomScene(std::uint64_t seed, airlighttest::Scene& scene)
   const bool background = random.Index(4) == 0;
   scene.Renderer->SetBackground(0.0, background ? 0.2 : 0.0, background ? 0.4 : 0.0);
   scene.Pass->SetSurfaceShadows(random.Index(8) != 0);
+  // The airlight of a lamp at the eye is without bounds but for the lamp's size.
+  const bool atEye = std::count(this->Group.Lights.begin(), this->Group.Lights.end(),
+                       static_cast<int>(LIGHT_HEADLAMP)) > 0;
+  const double radius = random.LogUniform(1e-3, 1e-1) * this->Unit;
+  scene.Pass->SetLightRadius(atEye || random.Index(4) == 0 ? radius : 0.0);
+  this->Text += airlight_test::Text(" radius ", scene.Pass->GetLightRadius());
 }
 
 //------------------------------------------------------------------------------
@@ -343,7 +349,9 @@ void RandomScene::AddPart(int kind)
     actor->SetOrientation(0, 0, 0);
   }
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(MakeMesh(triangles, this->Group.Normals, shared, single));
+  // VTK's mappers shade a mirrored mesh by its normals from behind.
+  const double side = byMatrix && stretch.x < 0.0 ? -1.0 : 1.0;
+  mapper->SetInputData(MakeMesh(triangles, this->Group.Normals ? side : 0.0, shared, single));
   actor->SetMapper(mapper);
   this->Scene.Renderer->AddActor(actor);
   this->Text += airlight_test::Text(" ", GetPartName(kind), " (", triangles.size(), ") at ",

@@ -10,9 +10,12 @@
 #include "vtkPointData.h"
 #include "vtkPropCollection.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ostream>
 
 namespace airlight_test
 {
@@ -20,7 +23,9 @@ namespace
 {
 constexpr double Tolerance = 0.01;
 constexpr double EdgePixels = 0.02;
-constexpr double Rounding = 1e-5; // of the airlight without shadows
+constexpr double LastPlace = 5e-7; // of single precision, some of them
+constexpr double Rounding = 1e-5;  // of the airlight without shadows
+constexpr double Black = 1e-6;    // radiance below which no picture is measured
 constexpr int Described = 3;
 
 constexpr const char* Names[] = { "Radiance", "Airlight", "Surface", "Transmittance", "Depth",
@@ -39,6 +44,12 @@ double GetQuantile(std::vector<double> values, double share)
     values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), place, values.end());
   return *place;
+}
+
+// Of buffers that hold radiance.
+bool IsLight(const std::string& name)
+{
+  return name == "Radiance" || name == "Airlight" || name == "Surface";
 }
 
 // The values of a pixel's trace in the order of Names.
@@ -108,7 +119,7 @@ void SceneComparison::AddBuffer(const char* name, vtkImageData* computed)
       sizes.push_back(value);
     }
   }
-  buffer.Floor = 1e-3 * GetQuantile(sizes, 0.99) + 1e-30;
+  buffer.Floor = std::max(1e-3 * GetQuantile(sizes, 0.99), IsLight(name) ? Black : 1e-30);
   this->Buffers.push_back(buffer);
 }
 
@@ -197,7 +208,10 @@ bool SceneComparison::IsRight(vtkIdType pixel)
     {
       continue;
     }
-    if (std::string(buffer.Name) != "Radiance" && std::string(buffer.Name) != "Airlight")
+    // What it is without shadows: the airlight's channels, or the length.
+    const std::string name = buffer.Name;
+    const bool isLight = name == "Radiance" || name == "Airlight";
+    if (!isLight && name != "LitLength")
     {
       return false;
     }
@@ -215,8 +229,7 @@ bool SceneComparison::IsRight(vtkIdType pixel)
     {
       const double a = buffer.Drawn->GetPointData()->GetScalars()->GetComponent(pixel, c);
       const double b = buffer.Computed->GetComponent(pixel, c);
-      // Of the airlight, whose channels follow the radiance's.
-      const double whole = unshadowed[3 + static_cast<size_t>(c)];
+      const double whole = isLight ? unshadowed[3 + static_cast<size_t>(c)] : unshadowed.back();
       if (!(std::abs(a - b) <=
             std::max(Tolerance * std::max(std::abs(b), buffer.Floor), Rounding * whole)))
       {
@@ -238,18 +251,63 @@ bool SceneComparison::IsExplained(vtkIdType pixel)
   const double y = 0.5 + static_cast<double>(pixel / this->Scene.Width); // a whole number
   std::vector<double> low = Flatten(this->Tracer->Trace(x, y));
   std::vector<double> high = low;
-  for (int i = 0; i < 16; ++i)
-  {
-    const double radius = i < 8 ? EdgePixels : 0.25 * EdgePixels;
-    const double angle = (i + 0.3) * std::acos(-1.0) / 4.0;
-    const std::vector<double> other =
-      Flatten(this->Tracer->Trace(x + radius * std::cos(angle), y + radius * std::sin(angle)));
+  const auto widen = [&](double angle, double radius, const glm::dvec3& shift, double wider) {
+    const std::vector<double> other = Flatten(this->Tracer->Trace(
+      x + radius * std::cos(angle), y + radius * std::sin(angle), shift, wider));
     for (size_t k = 0; k < other.size(); ++k)
     {
       low[k] = std::min(low[k], other[k]);
       high[k] = std::max(high[k], other[k]);
     }
+  };
+  for (int i = 0; i < 16; ++i)
+  {
+    const double angle = (i + 0.3) * std::acos(-1.0) / 4.0;
+    widen(angle, i < 8 ? EdgePixels : 0.25 * EdgePixels, glm::dvec3(0.0), 1.0);
   }
+  if (this->IsBetween(pixel, low, high))
+  {
+    return true;
+  }
+  const double reach = LastPlace * this->GetReach();
+  const double wider =
+    1.0 + 0.5 * reach / this->Scene.Renderer->GetActiveCamera()->GetClippingRange()[0];
+  for (int i = 0; i < 16; ++i)
+  {
+    const glm::dvec3 corner(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
+    widen(i, i < 8 ? 0.0 : EdgePixels, reach * corner, i % 2 ? wider : 1.0 / wider);
+  }
+  const bool rounded = this->IsBetween(pixel, low, high);
+  this->Figures.Rounded += rounded ? 1 : 0;
+  return rounded;
+}
+
+//------------------------------------------------------------------------------
+// The farthest corner of a box around any part, from the eye.
+double SceneComparison::GetReach()
+{
+  const glm::dvec3 eye = glm::make_vec3(this->Scene.Renderer->GetActiveCamera()->GetPosition());
+  double reach = 0.0;
+  vtkCollectionSimpleIterator it = nullptr;
+  vtkPropCollection* props = this->Scene.Renderer->GetViewProps();
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    const double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
+    for (int corner = 0; bounds && corner < 8; ++corner)
+    {
+      const glm::dvec3 point(
+        bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2 & 1)]);
+      reach = std::max(reach, glm::length(point - eye));
+    }
+  }
+  return reach;
+}
+
+//------------------------------------------------------------------------------
+bool SceneComparison::IsBetween(
+  vtkIdType pixel, const std::vector<double>& low, const std::vector<double>& high) const
+{
   size_t k = 0;
   for (const Buffer& buffer : this->Buffers)
   {
@@ -313,5 +371,19 @@ void SceneComparison::Describe(vtkIdType pixel)
     }
   }
   this->Figures.Worst += out.str() + "\n";
+}
+
+//------------------------------------------------------------------------------
+void SceneComparison::Print(const std::string& name, std::ostream& out) const
+{
+  for (const Buffer& buffer : this->Buffers)
+  {
+    for (int i = 0; i < this->Figures.Pixels && name == buffer.Name; ++i)
+    {
+      const double drawn = buffer.Drawn->GetPointData()->GetScalars()->GetComponent(i, 0);
+      out << i % this->Scene.Width << " " << i / this->Scene.Width << ": " << drawn << " ("
+          << buffer.Computed->GetComponent(i, 0) << ")\n";
+    }
+  }
 }
 }
