@@ -24,6 +24,7 @@ public:
   // Where all rays meet; in parallel projection the camera's position.
   const glm::dvec3& GetEye() const { return this->Eye; }
   double GetNear() const { return this->Near; }
+  double GetFar() const { return this->Far; }
   // The camera's axis.
   const glm::dvec3& GetForward() const { return this->Forward; }
 

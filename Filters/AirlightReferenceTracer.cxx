@@ -60,9 +60,9 @@ ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 ReferenceTracer::GetBackground(int row) const
+glm::dvec3 ReferenceTracer::GetBackground(double y) const
 {
-  return glm::mix(this->Bottom, this->Top, (row + 0.5) / this->Settings.Height);
+  return glm::mix(this->Bottom, this->Top, y / this->Settings.Height);
 }
 
 //------------------------------------------------------------------------------
@@ -214,11 +214,13 @@ void ReferenceTracer::AddLayers(const PixelRay& ray, double end, glm::dvec3& rad
 }
 
 //------------------------------------------------------------------------------
-ReferencePixel ReferenceTracer::Trace(int column, int row) const
+ReferencePixel ReferenceTracer::Trace(
+  double x, double y, const glm::dvec3& shift, double wider) const
 {
-  const PixelRays::Ray own = this->Rays.GetRay(column + 0.5, row + 0.5);
-  PixelRay ray{ own.Origin, own.Origin + this->Rays.GetEye(), own.Direction, own.Nearest,
-    own.Farthest, {} };
+  const PixelRays::Ray own = this->Rays.GetRay(x, y);
+  const glm::dvec3 origin = own.Origin + shift;
+  PixelRay ray{ origin, origin + this->Rays.GetEye(), own.Direction, own.Nearest / wider,
+    own.Farthest * wider, {} };
   ReferencePixel pixel;
   SurfaceHit hit{ Infinity, nullptr };
   if (this->FindSurface(this->Scene.GetOpaque(), ray, ray.Nearest, ray.Farthest, hit))
@@ -228,7 +230,7 @@ ReferencePixel ReferenceTracer::Trace(int column, int row) const
   this->FindLitParts(ray, hit.T);
   pixel.Airlight = this->Scatter(ray, hit.T, &pixel.LitLength);
   pixel.Transmittance = this->Pass(ray, hit.T);
-  glm::dvec3 behind = this->GetBackground(row);
+  glm::dvec3 behind = this->GetBackground(y);
   if (hit.Triangle)
   {
     behind = glm::dvec3(this->Shade(ray, hit));

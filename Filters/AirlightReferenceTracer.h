@@ -10,6 +10,7 @@
 #include "AirlightPixelRays.h"
 #include "AirlightReferenceLights.h"
 #include "AirlightReferenceScene.h"
+#include "vtkAirlightModule.h" // for export macro
 
 #include <glm/glm.hpp>
 
@@ -42,7 +43,7 @@ struct ReferenceSettings
 };
 
 // Reads the whole scene when it is made; Trace() may then run in many threads.
-class ReferenceTracer
+class VTKAIRLIGHT_EXPORT ReferenceTracer
 {
 public:
   ReferenceTracer(vtkRenderer* renderer, const std::vector<vtkParticipatingMedium*>& media,
@@ -53,8 +54,11 @@ public:
   const ReferenceScene& GetScene() const { return this->Scene; }
   const ReferenceLights& GetLights() const { return this->Lights; }
 
-  // Columns from the left, rows from below.
-  ReferencePixel Trace(int column, int row) const;
+  // At a point of the picture, in pixels from its lower left corner; the middle of the first pixel is
+  // at 0.5, 0.5. `shift` moves the ray, in the world, and surfaces are seen in a clipping range that is
+  // so much wider: what rounding does to pictures can be found out.
+  ReferencePixel Trace(
+    double x, double y, const glm::dvec3& shift = glm::dvec3(0.0), double wider = 1.0) const;
 
 private:
   struct PixelRay;
@@ -72,7 +76,7 @@ private:
   glm::dvec4 Shade(const PixelRay& ray, const SurfaceHit& hit) const;
   glm::dvec3 Pass(const PixelRay& ray, double end) const;
   void AddLayers(const PixelRay& ray, double end, glm::dvec3& radiance) const;
-  glm::dvec3 GetBackground(int row) const;
+  glm::dvec3 GetBackground(double y) const;
 
   ReferenceSettings Settings;
   PixelRays Rays;

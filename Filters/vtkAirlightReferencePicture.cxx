@@ -173,8 +173,9 @@ int vtkAirlightReference::RequestData(
     vtkSMPTools::For(first, last, 16, [&](vtkIdType from, vtkIdType to) {
       for (vtkIdType i = from; i < to; ++i)
       {
-        buffers.Set(i,
-          tracer.Trace(static_cast<int>(i % settings.Width), static_cast<int>(i / settings.Width)));
+        const double column = static_cast<double>(i % settings.Width);
+        const double row = static_cast<double>(i / settings.Width); // a whole number
+        buffers.Set(i, tracer.Trace(column + 0.5, row + 0.5));
       }
     });
     this->UpdateProgress(static_cast<double>(last) / image->GetNumberOfPoints());

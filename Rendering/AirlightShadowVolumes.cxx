@@ -63,12 +63,15 @@ bool NeedsCaps(const Caster& caster, const View& view)
     return true;
   }
   double nearest = std::numeric_limits<double>::infinity();
+  double farthest = -nearest;
   for (int corner = 0; corner < 8; ++corner)
   {
     const glm::dvec3 point = GetCorner(caster, corner) - view.GetEye();
-    nearest = std::min(nearest, glm::dot(point, view.GetForward()));
+    const double depth = glm::dot(point, view.GetForward());
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
   }
-  return nearest < view.GetNear();
+  return nearest < view.GetNear() || farthest > view.GetFar();
 }
 }
 
@@ -148,12 +151,13 @@ void ShadowVolumes::MakeCaps(Part& part) const
   const glm::dvec4 localLight = glm::inverse(caster.ToWorld) * this->Light;
   for (size_t f = 0; f < mesh.Triangles.size(); ++f)
   {
+    // A mirrored caster's triangles turn the other way in the world.
     const double side = glm::dot(mesh.Planes[f], localLight) * (mirrored ? -1.0 : 1.0);
     const float sign = static_cast<float>((side > 0.0) - (side < 0.0));
     const std::array<int, 3>& t = mesh.Triangles[f];
     part.Caps.push_back({ glm::vec4(glm::vec3(this->Place(caster, t[0])), sign),
-      glm::vec4(glm::vec3(this->Place(caster, t[mirrored ? 2 : 1])), 0.0f),
-      glm::vec4(glm::vec3(this->Place(caster, t[mirrored ? 1 : 2])), 0.0f) });
+      glm::vec4(glm::vec3(this->Place(caster, t[1])), 0.0f),
+      glm::vec4(glm::vec3(this->Place(caster, t[2])), 0.0f) });
   }
 }
 

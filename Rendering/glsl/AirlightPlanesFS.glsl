@@ -22,9 +22,12 @@ flat in int planeLayer;
 #endif
 
 #if AIRLIGHT_CAPS
-// The surface that the ray ends on is none that it goes through.
+// The surface that the ray ends on is none that it goes through. Its distance is as the mapper draws
+// it, which for triangles that are large or far from the eye has the rounding of their corners, the
+// more the more edge-on they are seen.
 uniform sampler2D distances;
 const float NEARER = 1.0 - 1e-5;
+flat in float planeRounding;
 #endif
 #if AIRLIGHT_NEAR_PLANES
 uniform vec3 anchor;    // from the eye
@@ -33,8 +36,10 @@ uniform vec4 fromLight; // directional: the light's direction and w 0; point: w 
 
 flat in vec4 planeRay; // AirlightPlanesVS.glsl
 flat in int planeWeight;
-#if AIRLIGHT_NEAR_PLANES
+#if AIRLIGHT_NEAR_PLANES || AIRLIGHT_CAPS
 flat in vec3 planeNormal;
+#endif
+#if AIRLIGHT_NEAR_PLANES
 flat in float planeOffset;
 flat in vec3 planeA;
 flat in vec3 planeB;
@@ -116,13 +121,16 @@ void main()
   ivec2 pixel = ivec2(p);
 #if AIRLIGHT_CAPS
   float surface = texelFetch(distances, pixel, 0).r;
-  if (surface >= 0.0 && !(t * airlightRayUnit(p) < NEARER * surface))
+  float unit = airlightRayUnit(p);
+  float cosine = abs(dot(planeNormal, airlightDirection(p))) / length(airlightDirection(p));
+  if (surface >= 0.0 && !(cosine * t * unit < cosine * NEARER * surface - planeRounding))
   {
     return;
   }
 #endif
-  // A plane seen edge-on can give no finite t; it is then as good as behind everything.
-  if (!(abs(t) < 1e18))
+  // A plane seen edge-on can give no finite t, or in a perspective one behind the eye, where the
+  // rasteriser has rounded its corners to fractions of a pixel; it is then as good as behind everything.
+  if (!(abs(t) < 1e18) || (airlightParallel == 0 && t < 0.0))
   {
     t = 1e18;
   }

@@ -31,6 +31,7 @@ flat out int planeWeight;
 flat out int planeLayer;
 flat out vec3 planeNormal; // the near planes' own: dot(normal, x) = offset, x from the eye
 flat out float planeOffset;
+flat out float planeRounding; // of a cap's corners
 flat out vec3 planeA; // the edge, from the anchor
 flat out vec3 planeB;
 
@@ -49,8 +50,13 @@ void drawCap()
 {
   int first = 3 * (gl_VertexID / 3);
   vec3 a = edges[first].xyz;
-  planeNormal = normalize(cross(edges[first + 1].xyz - a, edges[first + 2].xyz - a));
+  vec3 b = edges[first + 1].xyz;
+  vec3 c = edges[first + 2].xyz;
+  planeNormal = normalize(cross(b - a, c - a));
   planeWeight = int(edges[first].w);
+  // Some units of single precision's last place of the farthest corner.
+  planeRounding =
+    5e-7 * max(length(anchor + a), max(length(anchor + b), length(anchor + c)));
   planeOffset = dot(planeNormal, anchor + a);
   gl_Position = anchorToClip * vec4(edges[gl_VertexID].xyz, 1.0);
 }
@@ -89,6 +95,7 @@ void main()
 {
   planeA = vec3(0.0);
   planeB = vec3(0.0);
+  planeRounding = 0.0;
   places = givenPlaces;
   planeLayer = int(edges[3 * (gl_VertexID / (kind == 0 ? 6 : 3)) + 2].w);
   if (kind == 0)

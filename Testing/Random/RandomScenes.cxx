@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Random scenes, drawn by vtkAirlightPass and computed by vtkAirlightReference.
+//
+//   AirlightRandomScenes --scenes N --first SEED     N scenes from this seed on
+//   --step K                                         every K-th seed of them: more kinds, as many scenes
+//   AirlightRandomScenes --list FILE                 those whose seeds are in the file
+//   --verbose                                        says what each scene is
+//   --parts MASK                                     draws those parts alone whose bits are 1: to find
+//                                                    out which it takes
+//   --print BUFFER                                   writes the pixels' values, and the reference's
+//
+// Ends with 1 where a scene fails; its seed and what it is are written.
+
+#include "AirlightTestErrors.h"
+#include "RandomScene.h"
+#include "SceneComparison.h"
+
+#include "vtkPropCollection.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+
+using namespace airlight_test;
+
+namespace
+{
+constexpr int Width = 32;
+constexpr int Height = 24;
+
+struct Options
+{
+  std::vector<std::uint64_t> Seeds;
+  bool Verbose = false;
+  std::uint64_t Parts = ~std::uint64_t(0);
+  std::string Printed;
+};
+
+// Numbers, one a line; what follows # is not read.
+bool ReadSeeds(const std::string& file, std::vector<std::uint64_t>& seeds)
+{
+  std::ifstream stream(file);
+  std::string line;
+  while (std::getline(stream, line))
+  {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::uint64_t seed = 0;
+    while (words >> seed)
+    {
+      seeds.push_back(seed);
+    }
+  }
+  return stream.eof() && !seeds.empty();
+}
+
+bool Parse(int argc, char* argv[], Options& options)
+{
+  std::uint64_t first = 0;
+  std::uint64_t count = 0;
+  std::uint64_t step = 1;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string name = argv[i];
+    const bool hasValue = i + 1 < argc;
+    if (name == "--verbose")
+    {
+      options.Verbose = true;
+    }
+    else if (name == "--scenes" && hasValue)
+    {
+      count = std::strtoull(argv[++i], nullptr, 10);
+    }
+    else if (name == "--first" && hasValue)
+    {
+      first = std::strtoull(argv[++i], nullptr, 10);
+    }
+    else if (name == "--step" && hasValue)
+    {
+      step = std::strtoull(argv[++i], nullptr, 10);
+    }
+    else if (name == "--print" && hasValue)
+    {
+      options.Printed = argv[++i];
+    }
+    else if (name == "--parts" && hasValue)
+    {
+      options.Parts = std::strtoull(argv[++i], nullptr, 0);
+    }
+    else if (name != "--list" || !hasValue || !ReadSeeds(argv[++i], options.Seeds))
+    {
+      return false;
+    }
+  }
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    options.Seeds.push_back(first + i * step);
+  }
+  return !options.Seeds.empty();
+}
+
+void HideOthers(vtkRenderer* renderer, std::uint64_t parts)
+{
+  vtkCollectionSimpleIterator it = nullptr;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    prop->SetVisibility((parts & 1) != 0);
+    parts >>= 1;
+  }
+}
+
+struct Totals
+{
+  bool Pass() const { return this->Failed.empty() && this->Wrong <= 0.01 * this->Pixels; }
+
+  std::vector<double> Medians;
+  long Pixels = 0;
+  long Wrong = 0;
+  long Rounded = 0;
+  double P99 = 0.0;
+  double Largest = 0.0;
+  double Leak = 0.0;
+  std::vector<std::uint64_t> Failed;
+
+  void Add(std::uint64_t seed, const SceneFigures& figures, bool passes)
+  {
+    this->Medians.push_back(figures.Median);
+    this->Pixels += figures.Pixels;
+    this->Wrong += figures.Wrong;
+    this->Rounded += figures.Rounded;
+    this->P99 = std::max(this->P99, figures.P99);
+    this->Largest = std::max(this->Largest, figures.Largest);
+    this->Leak = std::max(this->Leak, figures.Leak);
+    if (!passes)
+    {
+      this->Failed.push_back(seed);
+    }
+  }
+
+  void Report()
+  {
+    std::sort(this->Medians.begin(), this->Medians.end());
+    std::cout << this->Medians.size() << " scenes, " << this->Pixels << " pixels, " << this->Wrong
+              << " at edges or wrong, " << this->Rounded
+              << " of them by rounding; scenes' medians: half below "
+              << this->Medians[this->Medians.size() / 2] << ", largest " << this->Medians.back()
+              << "; 99 % of a scene's pixels below " << this->P99 << ", but for edges all below "
+              << this->Largest << "; dark pixels below " << this->Leak << " of the bright ones\n"
+              << this->Failed.size() << " scenes fail:";
+    for (std::uint64_t seed : this->Failed)
+    {
+      std::cout << " " << seed;
+    }
+    std::cout << "\n";
+  }
+};
+}
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  if (!Parse(argc, argv, options))
+  {
+    std::cerr << "usage: " << argv[0]
+              << " [--verbose] [--scenes N] [--first SEED] [--step K] [--parts MASK] [--print "
+                 "BUFFER] [--list FILE]\n";
+    return EXIT_FAILURE;
+  }
+  airlighttest::Scene scene(Width, Height);
+  scene.Pass->SetShadowTechniqueToShadowPlanes();
+  ErrorListener errors(scene.Pass);
+  Totals totals;
+  for (std::uint64_t seed : options.Seeds)
+  {
+    const std::clock_t start = std::clock();
+    const RandomScene random(seed, scene);
+    if (options.Verbose)
+    {
+      std::cout << random.Describe() << "\n" << std::flush;
+    }
+    HideOthers(scene.Renderer, options.Parts);
+    scene.Window->Render();
+    const std::clock_t drawn = std::clock();
+    const SceneComparison comparison(scene, random.GetMedia(), random.HasImage());
+    comparison.Print(options.Printed, std::cout);
+    const std::clock_t end = std::clock();
+    const SceneFigures& figures = comparison.GetFigures();
+    const bool quiet = errors.Take() == 0;
+    const bool passes = figures.Passes() && quiet;
+    totals.Add(seed, figures, passes);
+    if (!passes || options.Verbose)
+    {
+      std::cout << (passes ? "ok      " : "FAILED  ") << "scene " << seed << ": median "
+                << figures.Median << ", p99 " << figures.P99 << ", largest " << figures.Largest
+                << ", leak " << figures.Leak << ", wrong " << figures.Wrong << ", by rounding "
+                << figures.Rounded << ", unexplained " << figures.Unexplained << ", improper "
+                << figures.Improper << "; drawn in "
+                << static_cast<double>(drawn - start) / CLOCKS_PER_SEC << " s, computed in "
+                << static_cast<double>(end - drawn) / CLOCKS_PER_SEC << " s\n"
+                << figures.Worst << (quiet ? "" : errors.GetText() + "\n");
+      if (!passes && !options.Verbose)
+      {
+        std::cout << random.Describe() << "\n";
+      }
+      std::cout << std::flush;
+    }
+  }
+  totals.Report();
+  scene.Pass->ReleaseGraphicsResources(scene.Window);
+  return totals.Pass() ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The pass's picture of a scene and vtkAirlightReference's, buffer by buffer and pixel by pixel.
+ *
+ * The error of a pixel in a buffer is |a - b|/max(|b|, floor), the largest of the channels; a is the
+ * pass's, b the reference's value, and floor 1e-3 of the 99th percentile of b, as in
+ * vtkAirlightComparison. A pixel is right where that is at most 1 % in all buffers. Of radiance,
+ * airlight and lit length 1e-5 of what the ray's airlight or lit length is without shadows is right, too,
+ * a tenth of what the pass promises: there is nothing else to measure a wholly dark picture by.
+ *
+ * A pixel that is not right is explained by an edge where each channel of each buffer lies between the
+ * least and the largest of what the reference says within 0.02 pixels of the pixel's middle, or within
+ * 1 % of these: rasterisers place corners to 1/256 of a pixel. It is explained by rounding, and counted
+ * apart, where that is so for rays that besides are moved by d = 5e-7 of the farthest corner of any part,
+ * and a clipping range that is wider or narrower by d over twice its beginning: surfaces are drawn and
+ * clipped in single precision, which shows where parts are large. All others are
+ * unexplained; there may be none.
+ *
+ * No radiance is measured by less than 1e-6 W/(m^2 sr), where lamps give surfaces some 1 to 100: the
+ * pass leaves out what is behind an optical depth of 20.
+ *
+ * A scene passes where no pixel is unexplained, and no value of the pass is negative, infinite or not a
+ * number; of all scenes' pixels together at least 99 % have to be right. (In one small picture an edge
+ * that runs through the middles of a column of pixels makes more than 1 %.) Pixels that the reference has dark are measured against
+ * the floor: what leaks there is at most 1e-5 of the 99th percentile.
+ */
+
+#ifndef SceneComparison_h
+#define SceneComparison_h
+
+#include "AirlightTestScene.h"
+
+#include "AirlightReferenceTracer.h"
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace airlight_test
+{
+struct SceneFigures
+{
+  int Pixels = 0;
+  int Wrong = 0;       // by more than 1 %
+  int Unexplained = 0; // of these
+  int Rounded = 0;     // explained not by pixels' edges but by single precision
+  int Improper = 0;    // negative or not finite
+  double Median = 0.0; // error of the radiance
+  double P99 = 0.0;
+  double Largest = 0.0; // of the pixels that no edge explains
+  double Leak = 0.0;    // largest difference where the reference is dark, of the 99th percentile
+  std::string Worst;    // the first unexplained or improper pixels
+
+  bool Passes() const { return this->Unexplained == 0 && this->Improper == 0; }
+};
+
+class SceneComparison
+{
+public:
+  // The scene has been drawn. `byBound`: where the pass promises less than 1 % by its "ErrorBound", that
+  // counts.
+  SceneComparison(airlighttest::Scene& scene,
+    const std::vector<vtkSmartPointer<vtkParticipatingMedium>>& media, bool byBound);
+
+  const SceneFigures& GetFigures() const { return this->Figures; }
+
+  // Writes the first channel of this buffer, the pass's and the reference's, as numbers.
+  void Print(const std::string& name, std::ostream& out) const;
+
+private:
+  struct Buffer
+  {
+    const char* Name;
+    int Components;
+    vtkSmartPointer<vtkImageData> Drawn;
+    vtkSmartPointer<vtkDataArray> Computed;
+    double Floor;
+    bool MayBeNegative;
+  };
+
+  void AddBuffer(const char* name, vtkImageData* computed);
+  double GetError(const Buffer& buffer, vtkIdType pixel) const;
+  void CountImproper(vtkIdType pixel);
+  bool IsRight(vtkIdType pixel);
+  bool IsExplained(vtkIdType pixel);
+  bool IsBetween(
+    vtkIdType pixel, const std::vector<double>& low, const std::vector<double>& high) const;
+  double GetReach();
+  std::unique_ptr<airlight::ReferenceTracer> MakeTracer();
+  std::unique_ptr<airlight::ReferenceTracer> MakeUnshadowedTracer();
+  void MeasureRadiance();
+  void Describe(vtkIdType pixel);
+
+  airlighttest::Scene& Scene;
+  bool ByBound;
+  std::vector<Buffer> Buffers;
+  std::vector<char> Excused; // pixels explained by edges
+  // Made when first asked.
+  std::unique_ptr<airlight::ReferenceTracer> Tracer;
+  std::unique_ptr<airlight::ReferenceTracer> Unshadowed;
+  std::vector<vtkParticipatingMedium*> Media;
+  SceneFigures Figures;
+};
+}
+
+#endif
