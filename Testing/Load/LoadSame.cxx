@@ -131,7 +131,14 @@ void ReorderActors(WindowScene& scene)
   actors->InitTraversal();
   while (vtkActor* actor = actors->GetNextActor())
   {
-    (actor->GetProperty()->GetOpacity() < 1.0 ? glass : solid).emplace_back(actor);
+    if (actor->GetProperty()->GetOpacity() < 1.0)
+    {
+      glass.emplace_back(actor);
+    }
+    else
+    {
+      solid.emplace_back(actor);
+    }
   }
   scene.Renderer->RemoveAllViewProps();
   for (const auto& actor : glass)
