@@ -108,7 +108,7 @@ private:
 
   std::istream& Stream;
   const std::int64_t& Size; // known once the file is open
-  char Scratch[4096];
+  char Scratch[4096] = {};
 };
 
 //------------------------------------------------------------------------------

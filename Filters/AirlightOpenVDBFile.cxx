@@ -193,12 +193,12 @@ private:
 
   void Load(std::size_t which)
   {
-    openvdb::GridBase& grid = *this->Grids[which];
     if (!this->Loaded[which])
     {
       this->ReadHead(which);
       if (!this->Descriptors[which].isInstance())
       {
+        openvdb::GridBase& grid = *this->Grids[which];
         const auto tree = this->Stream.tellg();
         this->CheckTree(which);
         this->Stream.seekg(tree);

@@ -90,7 +90,8 @@ bool TouchesBounds(const CasterMesh& mesh, const HomogeneousPoint& a, const Homo
 // What a triangle adds to the weight of an edge that it uses.
 int Contribution(const std::vector<signed char>& facings, CasterMesh::EdgeUse use)
 {
-  const auto facing = static_cast<int>(facings[use >> 1]);
+  // NOLINTNEXTLINE(bugprone-signed-char-misuse): a number that may be -1, no character
+  const int facing = facings[use >> 1];
   return (use & 1) != 0 ? facing : -facing;
 }
 

@@ -45,8 +45,9 @@ constexpr double Radius = 0.9, Rise = 0.332, Twist = 2.0 * Pi / 10.5, Groove = 1
 
 struct Base
 {
-  char Partner;
-  example::Colour Albedo;
+  // They are used, through the map.
+  char Partner;           // cppcheck-suppress unusedStructMember
+  example::Colour Albedo; // cppcheck-suppress unusedStructMember
 };
 const std::map<char, Base> Bases = { { 'A', { 'T', { 0.75, 0.2, 0.15 } } },
   { 'T', { 'A', { 0.85, 0.65, 0.15 } } }, { 'G', { 'C', { 0.15, 0.5, 0.25 } } },

@@ -120,7 +120,7 @@ double MeasureShadow(vtkLight* lens, vtkParticipatingMedium* smoke)
 // The pixel that sees Probe, and where its middle's ray meets the sheet, which is the plane z = 0.
 struct Place
 {
-  Place(vtkRenderer* renderer)
+  explicit Place(vtkRenderer* renderer)
   {
     renderer->SetWorldPoint(Probe[0], Probe[1], Probe[2], 1.0);
     renderer->WorldToDisplay();
