@@ -63,8 +63,8 @@ limit()
 }
 
 # How many runs besides the corpus --replay has: what takes a few seconds each.
-declare -A replays=([Photometry]=20000 [Scene]=1000 [PhaseTable]=1000 [OpenVDB]=1000 [Medium]=4000
-  [Filters]=4000 [Pass]=8000 [Frames]=0)
+declare -A replays=([Photometry]=20000 [Scene]=1000 [PhaseTable]=1000 [OpenVDB]=1000 [Medium]=1000
+  [Filters]=2000 [Pass]=4000 [Frames]=0)
 
 replay()
 {
