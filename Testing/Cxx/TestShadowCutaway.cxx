@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Rays that go on through a caster, because the camera does not show the side that they meet: the
-// ray then crosses the caster's own surface, not only the planes from its silhouette. Against brute
-// force (see AirlightBruteForce.h).
+// ray then crosses the caster's own surface, not only the planes from its silhouette; or because it
+// lies before or beyond the clipping range. Against brute force (see AirlightBruteForce.h).
 
 #include "AirlightCompareScene.h"
 
 #include "vtkCubeSource.h"
+#include "vtkPlaneSource.h"
 #include "vtkSphereSource.h"
 
 #include <cstdlib>
@@ -80,6 +81,44 @@ void TestParallelNearPlane()
   scene.Renderer->GetActiveCamera()->SetClippingRange(2.0, 50.0);
   CompareScene("parallel projection, bodies behind and cut by the near plane", scene);
 }
+
+// A mirrored body that the near plane cuts: its triangles run the other way round.
+void TestMirroredNearPlane()
+{
+  Scene scene;
+  scene.AddPointLight({ 3, 3, 12 });
+  AddBody(scene);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(16);
+  sphere->SetPhiResolution(16);
+  sphere->SetRadius(1.0);
+  scene.Add(sphere, [](vtkActor* actor) {
+    actor->SetScale(-1.0, 1.0, 1.0);
+    actor->SetPosition(0.4, 0.6, 7.0);
+  });
+  scene.Renderer->GetActiveCamera()->SetClippingRange(2.9, 200.0);
+  CompareScene("mirrored body cut by the near plane", scene);
+}
+
+// A plate beyond the far plane, which is not drawn and casts a shadow.
+void TestFarPlane()
+{
+  Scene scene;
+  scene.AddPointLight({ 1, 2, 4 });
+  AddBody(scene);
+  vtkNew<vtkPlaneSource> plate; // towards the camera
+  plate->SetOrigin(-4, -3, -8);
+  plate->SetPoint1(4, -3, -8);
+  plate->SetPoint2(-4, 3, -8);
+  const size_t first = scene.Triangles.size();
+  scene.Add(plate);
+  for (size_t i = first; i < scene.Triangles.size(); ++i)
+  {
+    scene.Triangles[i].FrontCulled = true;
+  }
+  scene.Renderer->GetActiveCamera()->SetClippingRange(0.1, 14.0);
+  CompareScene("plate beyond the far plane", scene);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -88,5 +127,7 @@ int TestShadowCutaway(int, char*[])
   TestCulledRoom();
   TestNearPlane();
   TestParallelNearPlane();
+  TestMirroredNearPlane();
+  TestFarPlane();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

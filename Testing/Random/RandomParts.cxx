@@ -327,10 +327,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetPolys(cells);
-  if (normals != 0.0)
-  {
-    data->GetCellData()->SetNormals(directions);
-  }
+  data->GetCellData()->SetNormals(directions);
   return data;
 }
 }

@@ -38,7 +38,7 @@ TriangleList MakePart(int kind, Random& random);
 glm::dvec3 RandomPoint(Random& random, double reach);
 glm::dvec3 RandomDirection(Random& random);
 
-// With a normal for each triangle, to its front (1), its back (-1), or without any (0). `shared`: points at one place are one point.
+// With a normal for each triangle, to its front (1) or its back (-1). `shared`: points at one place are one point.
 // `single`: coordinates in single precision.
 vtkSmartPointer<vtkPolyData> MakeMesh(
   const TriangleList& triangles, double normals, bool shared, bool single);

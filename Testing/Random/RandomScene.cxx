@@ -76,7 +76,6 @@ RandomGroup::RandomGroup(std::uint64_t number)
   , Density(TakeInTurn(Densities, number, 3))
   , Grey(TakeInTurn(std::array<int, 4>{ 0, 0, 0, 1 }, number, 4) == 1)
   , Parallel(TakeInTurn(std::array<int, 3>{ 0, 0, 1 }, number, 5) == 1)
-  , Normals(TakeInTurn(std::array<int, 3>{ 0, 1, 1 }, number, 6) == 1)
 {
   Random random(Mix(7, number));
   this->Regions.push_back(TakeInTurn(RegionKinds, number, 8));
@@ -105,7 +104,7 @@ std::string RandomGroup::Describe() const
   static const char* const densities[] = { "uniform", "height", "image" };
   std::string text = airlight_test::Text("group ", this->Number, ": ", GetPhaseName(this->Phase),
     " ", this->Anisotropy, ", ", densities[this->Density], this->Grey ? ", grey" : ", coloured",
-    this->Parallel ? ", parallel" : ", perspective", this->Normals ? ", normals" : "");
+    this->Parallel ? ", parallel" : ", perspective");
   for (int region : this->Regions)
   {
     text += std::string(", ") + GetRegionName(region);
@@ -349,9 +348,10 @@ void RandomScene::AddPart(int kind)
     actor->SetOrientation(0, 0, 0);
   }
   vtkNew<vtkPolyDataMapper> mapper;
-  // VTK's mappers shade a mirrored mesh by its normals from behind.
+  // VTK's mappers shade a mirrored mesh by its normals from behind; without normals they take
+  // differences between pixels, in single precision, which are no good where triangles are edge-on.
   const double side = byMatrix && stretch.x < 0.0 ? -1.0 : 1.0;
-  mapper->SetInputData(MakeMesh(triangles, this->Group.Normals ? side : 0.0, shared, single));
+  mapper->SetInputData(MakeMesh(triangles, side, shared, single));
   actor->SetMapper(mapper);
   this->Scene.Renderer->AddActor(actor);
   this->Text += airlight_test::Text(" ", GetPartName(kind), " (", triangles.size(), ") at ",

@@ -49,7 +49,6 @@ struct RandomGroup
   int Density;
   bool Grey;
   bool Parallel;
-  bool Normals;             // given by the meshes
   std::vector<int> Regions; // one for each medium
   std::vector<int> Lights;
 

@@ -25,7 +25,7 @@ constexpr double Tolerance = 0.01;
 constexpr double EdgePixels = 0.02;
 constexpr double LastPlace = 5e-7; // of single precision, some of them
 constexpr double Rounding = 1e-5;  // of the airlight without shadows
-constexpr double Black = 1e-6;    // radiance below which no picture is measured
+constexpr double Black = 1e-6;     // radiance below which no picture is measured
 constexpr int Described = 3;
 
 constexpr const char* Names[] = { "Radiance", "Airlight", "Surface", "Transmittance", "Depth",
