@@ -52,11 +52,7 @@ std::uint64_t BoundaryStore::GetSlotBytes() const
 //------------------------------------------------------------------------------
 bool BoundaryStore::Allocate(unsigned int buffer, std::uint64_t bytes, const std::string& what)
 {
-  ForgetErrors();
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-  if (glGetError() != GL_NO_ERROR)
+  if (!AllocateStorage(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY))
   {
     this->Error = "no memory on the graphics card for " + what +
       ": lower SetMemoryLimit(), make the window smaller or call SetShadowTechniqueToShadowMap()";

@@ -33,18 +33,10 @@ bool Dimming::Prepare(int width, int height, const std::vector<int>& slots)
   {
     glGenBuffers(1, &this->Handle);
   }
-  ForgetErrors();
   GLint64 most = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-  bool ok = bytes <= most;
-  if (ok)
-  {
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handle);
-    glBufferData(
-      GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-    ok = glGetError() == GL_NO_ERROR;
-  }
+  const bool ok = bytes <= most &&
+    AllocateStorage(this->Handle, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
   this->Bytes = ok ? bytes : 0;
   this->Error = ok ? ""
                    : "no memory on the graphics card for the translucent shadows of " +

@@ -27,12 +27,8 @@ std::string NoMemory(const std::string& what)
 //------------------------------------------------------------------------------
 bool LayerRecords::Reserve(std::uint32_t records)
 {
-  ForgetErrors();
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Records);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(records) * this->Words * 4,
-    nullptr, GL_DYNAMIC_COPY);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-  const bool ok = glGetError() == GL_NO_ERROR;
+  const bool ok = AllocateStorage(
+    this->Records, static_cast<GLsizeiptr>(records) * this->Words * 4, nullptr, GL_DYNAMIC_COPY);
   this->Capacity = ok ? records : 0;
   this->Error = ok ? "" : NoMemory(std::to_string(records) + " translucent fragments");
   return ok;
@@ -58,13 +54,9 @@ bool LayerRecords::Prepare(int width, int height, int words)
   if (this->Width != width || this->Height != height)
   {
     this->Width = this->Height = 0;
-    ForgetErrors();
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
-    glBufferData(GL_SHADER_STORAGE_BUFFER,
-      (static_cast<GLsizeiptr>(width) * height + 1) * static_cast<GLsizeiptr>(sizeof(GLuint)),
-      nullptr, GL_DYNAMIC_COPY);
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-    if (glGetError() != GL_NO_ERROR)
+    const GLsizeiptr count = static_cast<GLsizeiptr>(width) * height + 1;
+    if (!AllocateStorage(
+          this->Heads, count * static_cast<GLsizeiptr>(sizeof(GLuint)), nullptr, GL_DYNAMIC_COPY))
     {
       this->Error = NoMemory(
         "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");

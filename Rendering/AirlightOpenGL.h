@@ -20,6 +20,16 @@ inline void ForgetErrors()
   }
 }
 
+// Memory of a storage buffer, and what is in it where there is something. False where it is refused.
+inline bool AllocateStorage(GLuint buffer, GLsizeiptr bytes, const void* data, GLenum usage)
+{
+  ForgetErrors();
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, data, usage);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  return glGetError() == GL_NO_ERROR;
+}
+
 // After one that may have been refused. VTK's own calls in between may make other errors.
 inline bool IsOutOfMemory()
 {

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightProgram.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkProp.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 
 #include <algorithm>
 
@@ -14,6 +19,16 @@ namespace
 {
 // Calls between attempts: less than two to the power of this.
 constexpr int MostDoublings = 16;
+}
+
+//------------------------------------------------------------------------------
+bool IsLastToChange(const vtkObjectBase* pass, vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  const int count = keys && keys->Has(passes) ? keys->Length(passes) : 0;
+  return (count > 0 ? keys->Get(passes, count - 1) : nullptr) == pass &&
+    prop->GetShaderProperty()->GetNumberOfShaderReplacements() == 0;
 }
 
 //------------------------------------------------------------------------------

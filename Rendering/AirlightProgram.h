@@ -13,11 +13,17 @@
 
 #include <string>
 
+class vtkObjectBase;
 class vtkOpenGLRenderWindow;
+class vtkProp;
 class vtkShaderProgram;
 
 namespace airlight
 {
+// Whether `pass` is the last that changes a prop's shaders; null: whether no pass does. Where others do
+// later, or the user's replacements, what is compiled is known to the mapper alone.
+bool IsLastToChange(const vtkObjectBase* pass, vtkProp* prop);
+
 class ProgramMaker
 {
 public:

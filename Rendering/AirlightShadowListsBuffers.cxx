@@ -14,17 +14,13 @@ namespace airlight
 //------------------------------------------------------------------------------
 bool ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t size)
 {
-  ForgetErrors();
   if (buffer.Handle == 0)
   {
     glGenBuffers(1, &buffer.Handle);
   }
   buffer.Count = static_cast<int>(count);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.Handle);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(std::max<size_t>(count, 1) * size),
-    count > 0 ? data : nullptr, GL_STATIC_DRAW);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-  if (glGetError() != GL_NO_ERROR)
+  const auto bytes = static_cast<GLsizeiptr>(std::max<size_t>(count, 1) * size);
+  if (!AllocateStorage(buffer.Handle, bytes, count > 0 ? data : nullptr, GL_STATIC_DRAW))
   {
     this->Error = "no memory on the graphics card for " + std::to_string(count) +
       " silhouette edges: use coarser meshes, or call SetShadowTechniqueToShadowMap()";

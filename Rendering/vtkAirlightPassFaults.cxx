@@ -8,28 +8,10 @@
 #include "AirlightOpenGL.h"
 
 #include "vtkAbstractMapper.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkProp.h"
-#include "vtkShaderProperty.h"
 
 using namespace airlight;
-
-namespace
-{
-// Whether a pass or the user changes the mapper's shaders once more. What is compiled is then known to
-// the mapper alone.
-bool IsChangedLater(vtkProp* prop, const vtkAirlightPass* pass)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-  const int count = keys && keys->Has(passes) ? keys->Length(passes) : 0;
-  return count == 0 || keys->Get(passes, count - 1) != pass ||
-    prop->GetShaderProperty()->GetNumberOfShaderReplacements() > 0;
-}
-}
 
 //------------------------------------------------------------------------------
 bool vtkAirlightPass::Internals::CheckOpenGL(vtkOpenGLRenderWindow* window)
@@ -59,7 +41,7 @@ void vtkAirlightPass::Internals::AddToShader(const std::string& vertex, const st
   std::string changed = fragment;
   change(changed);
   vtkOpenGLRenderWindow* window = this->Context->GetContext();
-  if (window && !IsChangedLater(prop, this->Self) &&
+  if (window && IsLastToChange(this->Self, prop) &&
     !this->MapperPrograms.Ready(window, vertex, changed, geometry))
   {
     this->NotCompiled = mapper->GetClassName();

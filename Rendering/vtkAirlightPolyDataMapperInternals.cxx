@@ -5,13 +5,9 @@
 #include "AirlightOpenGL.h"
 
 #include "vtkActor.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProperty.h"
 
 #include <algorithm>
 
@@ -86,10 +82,8 @@ bool vtkAirlightPolyDataMapper::Internals::Prepare(vtkRenderer* renderer, double
 bool vtkAirlightPolyDataMapper::Internals::Compiles(
   vtkActor* actor, const std::string& vertex, std::string& fragment, const std::string& geometry)
 {
-  vtkInformation* keys = actor->GetPropertyKeys();
-  const bool changed = (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses())) ||
-    actor->GetShaderProperty()->GetNumberOfShaderReplacements() > 0;
-  const bool ok = changed || this->Programs.Ready(this->Window, vertex, fragment, geometry);
+  const bool ok = !IsLastToChange(nullptr, actor) ||
+    this->Programs.Ready(this->Window, vertex, fragment, geometry);
   this->NotCompiled = this->NotCompiled || !ok;
   return ok;
 }
