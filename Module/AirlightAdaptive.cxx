@@ -89,6 +89,14 @@ private:
       ends.push_back(std::clamp(this->Variable(this->T0 + step), from, to));
       ends.push_back(std::clamp(this->Variable(this->T1 - step), from, to));
     }
+    const glm::dvec2 part(this->T0, this->T1);
+    const glm::dvec3 toSun = f64::airlightToSun(this->Light);
+    for (double t = this->T0; t < this->T1;)
+    {
+      t = f64::airlightNextLayerEnd(
+        this->Media, this->Ray.origin, this->Ray.direction, part, toSun, t, this->T1);
+      ends.push_back(std::clamp(this->Variable(t), from, to));
+    }
     std::sort(ends.begin(), ends.end());
     return ends;
   }

@@ -36,6 +36,10 @@
 #undef AIRLIGHT_GLOW_MANY_STEP
 #undef AIRLIGHT_PI
 #undef AIRLIGHT_TURN_FADED
+#undef AIRLIGHT_DARK_HEIGHTS
+#undef AIRLIGHT_THIN_HEIGHTS
+#undef AIRLIGHT_SEEN_DEPTH
+#undef AIRLIGHT_SKIN_DEPTH
 
 #include "AirlightExponentialIntegral.glsl"
 #include "AirlightGauss.glsl"
@@ -46,6 +50,7 @@
 #include "AirlightMedium.glsl"
 #include "AirlightClosedSurface.glsl"
 #include "AirlightPath.glsl"
+#include "AirlightHeightFog.glsl"
 #include "AirlightMedia.glsl"
 #include "AirlightLight.glsl"
 #include "AirlightKinks.glsl"

@@ -28,6 +28,8 @@
 #define AIRLIGHT_FETCH(owner, i) ((owner).data[(i)])
 #define AIRLIGHT_HAS_SURFACE 1
 #define AIRLIGHT_MAY_TRY true
+#define AIRLIGHT_FEW_ROUNDS true
+#define AIRLIGHT_COUNT_ROUND
 #define AIRLIGHT_HAS_TABLE 1
 #define AIRLIGHT_HAS_PHOTOMETRY 1
 // So do images of density, in world coordinates.

@@ -22,9 +22,7 @@ namespace airlight
 {
 namespace
 {
-// A leaf's triangles are counted by two bits (glsl/AirlightClosedSurface.glsl).
-constexpr int LeafSize = 4;
-// Above it, numbers of triangles in texels are no longer exact in single precision.
+// Above it, numbers of nodes in texels are no longer exact in single precision.
 constexpr size_t MostTriangles = 4000000;
 }
 
@@ -149,10 +147,9 @@ void SurfaceTree::PackNodes(
   // Larger by what single precision loses, so that no ray slips between a box and its triangles.
   const double margin = 1e-6 * glm::distance(this->Least, this->Greatest);
   const size_t node = this->Texels.size();
-  const bool isLeaf = end - begin <= LeafSize;
-  const double leaf = isLeaf ? 4.0 * begin + (end - begin - 1) : -1.0;
+  const bool isLeaf = end - begin == 1;
   this->Texels.emplace_back(least - margin, 0.0);
-  this->Texels.emplace_back(greatest + margin, leaf);
+  this->Texels.emplace_back(greatest + margin, isLeaf ? begin : -1.0);
   if (!isLeaf)
   {
     const glm::dvec3 size = greatestCentre - leastCentre;

@@ -265,7 +265,7 @@ bool Frame::DrawPlanes()
   for (size_t k = 0; k < this->Lamps.size() && planes; ++k)
   {
     const Lamp& lamp = this->Lamps[k];
-    if (lamp.Scatters() && lamp.CastsShadows && this->Volumes[k].HasPlanes() &&
+    if (lamp.Scatters() && lamp.CastsShadows && this->Volumes[k].HasShadows() &&
       !this->Boundaries.DrawWireframe(
         static_cast<int>(k), this->Volumes[k], lamp.World, *this->Rays))
     {

@@ -29,7 +29,7 @@ bool Frame::ScatterLight(int index)
 {
   const bool shadows = this->Lamps[index].CastsShadows;
   const ShadowMethod method = this->Settings.Shadows;
-  if (shadows && method == ShadowMethod::Planes && this->Volumes[index].HasPlanes())
+  if (shadows && method == ShadowMethod::Planes && this->Volumes[index].HasShadows())
   {
     return this->ScatterWithLists(index);
   }

@@ -13,6 +13,7 @@
 #include "AirlightGrid.h"
 #include "AirlightGridRay.h"
 #include "AirlightIntegrate.h"
+#include "AirlightHeightFog.h"
 #include "AirlightKinks.h"
 #include "AirlightLight.h"
 #include "AirlightMath.h"
@@ -142,8 +143,8 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     DefineCommon(media) + (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") +
     AirlightExponentialIntegral + AirlightGauss + AirlightGoniometric + AirlightPhase +
     AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + AirlightMedium +
-    AirlightClosedSurface + AirlightPath + AirlightMedia + AirlightLight + AirlightKinks +
-    AirlightQuadrature + AirlightGoniometricRay + AirlightPieces + (grid ? AirlightGridRay : "") +
+    AirlightClosedSurface + AirlightPath + AirlightHeightFog + AirlightMedia + AirlightLight +
+    AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces + (grid ? AirlightGridRay : "") +
     AirlightScattering;
 }
 

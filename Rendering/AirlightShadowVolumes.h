@@ -29,6 +29,13 @@ struct ShadowEdge
   glm::vec4 Normal; // w: index of the layer
 };
 
+// An edge whose plane the eye lies on.
+struct NearEdge
+{
+  ShadowEdge Edge; // B.w: the plane's offset from the eye
+  glm::vec4 Sides; // the eye's place: from the sides that begin at A and at B, and beyond the edge
+};
+
 // A caster's triangle, for rays that go through it: where its front faces are culled, where it is
 // cut away, and before the near clipping plane.
 struct ShadowCap
@@ -50,9 +57,12 @@ public:
 
   const std::vector<ShadowEdge>& GetEdges() const { return this->Edges; }
   const std::vector<ShadowCap>& GetCaps() const { return this->Caps; }
-  bool HasPlanes() const
+  // Planes, or casters that enclose the light and leave none: then the start of the rays, and all else
+  // outside, is in their shadow.
+  bool HasShadows() const
   {
-    return !this->Edges.empty() || !this->NearEdges.empty() || !this->Caps.empty();
+    return !this->Edges.empty() || !this->NearEdges.empty() || !this->Caps.empty() ||
+      this->StartCount != 0;
   }
   // Shadow volumes that hold the start of the rays, and what their layers do together.
   int GetStartCount() const { return this->StartCount; }
@@ -63,7 +73,7 @@ public:
 
   // The edges whose planes the eye lies on or nearly so, which it sees edge-on. They are not among
   // GetEdges(). B.w is the plane's offset from the eye.
-  const std::vector<ShadowEdge>& GetNearEdges() const { return this->NearEdges; }
+  const std::vector<NearEdge>& GetNearEdges() const { return this->NearEdges; }
 
   // The world position that edges and caps are relative to: the light, or where it is at infinity
   // the first caster.
@@ -87,6 +97,7 @@ private:
   float GetLayerIndex(const ShadowLayer& layer);
   bool UpdateParts(const std::vector<Caster>& casters, const View& view, bool moved);
   bool IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) const;
+  NearEdge MakeNear(const ShadowEdge& edge, const glm::dvec3& eye) const;
   bool SplitNearEdges(const View& view);
   void CountAtStart(const View& view);
 
@@ -97,7 +108,7 @@ private:
   Remotes Others;
   bool OthersChanged = false;
   std::vector<ShadowEdge> Edges;
-  std::vector<ShadowEdge> NearEdges;
+  std::vector<NearEdge> NearEdges;
   std::vector<ShadowCap> Caps;
   std::vector<ShadowLayer> Layers;
   ShadowLayer StartLayers;

@@ -51,6 +51,28 @@ bool ShadowVolumes::IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) con
 }
 
 //------------------------------------------------------------------------------
+// With all that single precision could not find out of an eye so near: on which side of the plane it
+// is, and in it of the edge's ends, where the light, a vertex and the eye lie on a line.
+NearEdge ShadowVolumes::MakeNear(const ShadowEdge& edge, const glm::dvec3& eye) const
+{
+  const glm::dvec3 a(edge.A);
+  const glm::dvec3 b(edge.B);
+  const bool isPoint = this->Light.w != 0.0;
+  const glm::dvec3 away = -glm::dvec3(this->Light);
+  const glm::dvec3 normal = glm::normalize(glm::cross(isPoint ? a : away, b - a));
+  NearEdge near;
+  near.Edge = edge;
+  near.Edge.Normal = glm::vec4(glm::vec3(normal), edge.Normal.w);
+  near.Edge.B.w = static_cast<float>(glm::dot(normal, a - eye));
+  const glm::dvec3 fromA = glm::cross(isPoint ? a : away, isPoint ? eye : eye - a);
+  const glm::dvec3 fromB = glm::cross(isPoint ? eye : eye - b, isPoint ? b : away);
+  const glm::dvec3 beyond = glm::cross(eye - a, b - a);
+  near.Sides =
+    glm::vec4(glm::dot(fromA, normal), glm::dot(fromB, normal), glm::dot(beyond, normal), 0.0);
+  return near;
+}
+
+//------------------------------------------------------------------------------
 // Moves the edges whose planes the eye lies on to a list of their own. True where there are any.
 bool ShadowVolumes::SplitNearEdges(const View& view)
 {
@@ -62,18 +84,13 @@ bool ShadowVolumes::SplitNearEdges(const View& view)
   const glm::dvec3 eye = view.GetEye() - this->Anchor;
   const auto split = std::stable_partition(this->Edges.begin(), this->Edges.end(),
     [&](const ShadowEdge& edge) { return !this->IsOnPlane(edge, eye); });
-  this->NearEdges.assign(split, this->Edges.end());
-  this->Edges.erase(split, this->Edges.end());
   const glm::dvec3 aside = eye + AsideLength * glm::length(eye) * AsideDirection;
-  for (ShadowEdge& edge : this->NearEdges)
+  this->NearEdges.clear();
+  for (auto edge = split; edge != this->Edges.end(); ++edge)
   {
-    const glm::dvec3 a(edge.A);
-    const glm::dvec3 b(edge.B);
-    const glm::dvec3 away = this->Light.w != 0.0 ? a : -glm::dvec3(this->Light);
-    const glm::dvec3 normal = glm::normalize(glm::cross(away, b - a));
-    edge.Normal = glm::vec4(glm::vec3(normal), edge.Normal.w);
-    edge.B.w = static_cast<float>(glm::dot(normal, a - aside));
+    this->NearEdges.push_back(this->MakeNear(*edge, aside));
   }
+  this->Edges.erase(split, this->Edges.end());
   return !this->NearEdges.empty();
 }
 

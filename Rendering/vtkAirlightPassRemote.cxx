@@ -27,10 +27,10 @@ RemoteShadow Describe(const ShadowVolumes& volumes, const glm::dvec4& light)
   shadow.StartCount = volumes.GetStartCount();
   shadow.Edges = volumes.GetEdges();
   // Who takes them finds out by itself which of their planes the eye lies on.
-  for (ShadowEdge edge : volumes.GetNearEdges())
+  for (const NearEdge& near : volumes.GetNearEdges())
   {
-    edge.B.w = 0.0f;
-    shadow.Edges.push_back(edge);
+    shadow.Edges.push_back(near.Edge);
+    shadow.Edges.back().B.w = 0.0f;
   }
   shadow.Caps = volumes.GetCaps();
   return shadow;

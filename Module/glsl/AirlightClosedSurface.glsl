@@ -8,9 +8,8 @@
 // the length.
 //
 // The triangles lie in a tree of boxes. Texels: two for each node in depth-first order, (least
-// corner, node that follows the subtree) and (greatest corner, -1; of a leaf: 4 * its first
-// triangle + its number of triangles - 1); then three for each triangle, its corners, as seen from
-// the region's centre.
+// corner, node that follows the subtree) and (greatest corner, -1; of a leaf: its triangle); then
+// three for each triangle, its corners, as seen from the region's centre.
 
 // What rounding took from the product of a and b (Dekker 1971), of numbers in which nothing
 // underflows.
@@ -121,6 +120,11 @@ AIRLIGHT_FN real airlightInverse(real x)
 }
 
 #if AIRLIGHT_HAS_SURFACE
+#ifndef AIRLIGHT_COUNT_ROUND // in shaders: see AIRLIGHT_MOST_ROUNDS
+int airlightRounds = 0;
+#define AIRLIGHT_COUNT_ROUND airlightRounds++
+#endif
+
 // A ray on its way through the tree of a surface.
 struct AirlightTreeWalk
 {
@@ -173,12 +177,9 @@ AIRLIGHT_FN void airlightTestNode(
     real3(greatest.x, greatest.y, greatest.z), walk.margin);
   if (meets && greatest.w >= real(0.0))
   {
-    int leaf = int(greatest.w + real(0.5));
-    int triangle = medium.region.first + 2 * medium.region.nodes + 3 * (leaf / 4);
-    for (int i = 0; i <= leaf % 4; i++)
-    {
-      airlightTestTriangle(medium, walk, triangle + 3 * i);
-    }
+    int triangle = int(greatest.w + real(0.5));
+    airlightTestTriangle(
+      medium, walk, medium.region.first + 2 * medium.region.nodes + 3 * triangle);
   }
   walk.node = meets && greatest.w < real(0.0) ? walk.node + 1 : int(least.w + real(0.5));
 }
@@ -211,7 +212,7 @@ AIRLIGHT_FN real3 airlightSurfaceSums(
   walk.sums = real3(real(0.0), real(AIRLIGHT_FAR), real(0.0));
   while (walk.node < medium.region.nodes)
   {
-    // Several a round: see AIRLIGHT_MOST_TRIES.
+    AIRLIGHT_COUNT_ROUND; // several nodes each
     airlightTestNode(medium, walk);
     airlightTestNode(medium, walk);
     airlightTestNode(medium, walk);

@@ -66,19 +66,6 @@ AIRLIGHT_FN AirlightGlowFrame airlightGlowFrame(AIRLIGHT_IN(AirlightMedia) media
   return frame;
 }
 
-// How much of [t0, t1] matters in height fog: upwards density falls to nothing, downwards the depth
-// rises exponentially, and t1 - t0 is a length that is opaque at the density of t0.
-AIRLIGHT_FN real airlightGlowReach(AIRLIGHT_IN(AirlightMedium) medium, real3 direction, real way)
-{
-  real slope = dot(medium.up, direction) * medium.inverseScaleHeight;
-  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_UNIFORM || abs(slope) * way < real(1.0))
-  {
-    return way;
-  }
-  return slope > real(0.0) ? min(way, real(20.0) / slope)
-                           : log(real(1.0) - slope * way) / -slope;
-}
-
 // What a light that needs quadrature scatters into one piece of a ray, with few nodes: many rays are
 // summed.
 AIRLIGHT_FN real3 airlightGlowPiece(AIRLIGHT_IN(AirlightMedia) media,
@@ -87,10 +74,6 @@ AIRLIGHT_FN real3 airlightGlowPiece(AIRLIGHT_IN(AirlightMedia) media,
 {
   real t0 = piece.from;
   real t1 = airlightFadedAt(media, piece, ray.origin, ray.direction);
-  if (AIRLIGHT_MEDIUM_COUNT == 1)
-  {
-    t1 = t0 + airlightGlowReach(media.item[0], ray.direction, t1 - t0);
-  }
   real3 doubt;
   if (airlightIsDirectional(light))
   {

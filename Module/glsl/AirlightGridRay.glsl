@@ -4,11 +4,18 @@
 // (AirlightLightGrid.h), times the length.
 
 // Of a part: of what it changes the optical depth by, of its length over the distance from the
-// light, and of v = asinh(x/h) near the light.
+// light, and of v = asinh(x/h) near the light. The scattering angle changes by no more than the latter
+// two, and tables can have bumps of a degree.
 #define AIRLIGHT_PART_DEPTH 1.0
+#if AIRLIGHT_HAS_TABLE
+#define AIRLIGHT_PART_SLANT 0.05
+#define AIRLIGHT_PART_TURN 0.05
+#define AIRLIGHT_MOST_PARTS 200.0
+#else
 #define AIRLIGHT_PART_SLANT 0.3
 #define AIRLIGHT_PART_TURN 0.8
 #define AIRLIGHT_MOST_PARTS 40.0
+#endif
 
 // No ray has more: twelve edges of the region and of the image.
 #define AIRLIGHT_MOST_KINKS 24

@@ -33,6 +33,12 @@ AIRLIGHT_FN bool airlightIsDirectional(AIRLIGHT_IN(AirlightLight) light)
   return AIRLIGHT_LIGHT_KIND >= AIRLIGHT_DIRECTIONAL_CLOSED;
 }
 
+// Towards a light at infinity, else (0, 0, 0).
+AIRLIGHT_FN real3 airlightToSun(AIRLIGHT_IN(AirlightLight) light)
+{
+  return airlightIsDirectional(light) ? light.position : real3(real(0.0));
+}
+
 struct AirlightRay
 {
   real3 origin;

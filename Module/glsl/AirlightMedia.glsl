@@ -109,23 +109,35 @@ AIRLIGHT_FN real airlightFadedAt(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(A
 #else
   const real depth = real(20.0);
 #endif
-  real least = real(AIRLIGHT_FAR);
+  real3 point = origin + piece.from * direction;
+  real3 faded = real3(real(AIRLIGHT_FAR)); // by any medium
+  real thinned = real(0.0);                // of every medium
+  real3 extinction = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (airlightPieceHolds(piece, i) &&
-      AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_GRID)
+    if (!airlightPieceHolds(piece, i))
+    {
+      continue;
+    }
+    if (AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_GRID)
     {
       // It may be clear here and dense further on.
       return piece.to;
     }
-    if (airlightPieceHolds(piece, i))
-    {
-      // Where density falls with height, light fades over at least one scale height.
-      least = min(least, airlightLeastExtinction(media.item[i]) *
-          airlightDensity(media.item[i], origin + piece.from * direction));
-    }
+    real3 sigma = media.item[i].sigmaT;
+    extinction += sigma;
+    faded = min(faded,
+      real3(airlightFadingLength(media.item[i], point, direction, sigma.x, depth),
+        airlightFadingLength(media.item[i], point, direction, sigma.y, depth),
+        airlightFadingLength(media.item[i], point, direction, sigma.z, depth)));
+    thinned = max(thinned,
+      airlightThinningLength(
+        media.item[i], point, direction, max(sigma.x, max(sigma.y, sigma.z))));
   }
-  return min(piece.to, piece.from + depth / max(least, real(1e-15)));
+  // A channel that is clear scatters nothing and has no say.
+  faded *= sign(extinction);
+  real end = min(max(faded.x, max(faded.y, faded.z)), thinned);
+  return min(piece.to, piece.from + end);
 }
 
 // Optical depth before t, which lies in the piece.
@@ -144,8 +156,50 @@ AIRLIGHT_FN real3 airlightDepthInPiece(AIRLIGHT_IN(AirlightMedia) media,
   return depth;
 }
 
+// The first t in (t0, t1), else t1, at which a ray enters or leaves what counts of a medium whose
+// density falls with height (airlightLayerEnd); toLight: (0, 0, 0) for lights at a place.
+AIRLIGHT_FN real airlightNextLayerEnd(AIRLIGHT_IN(AirlightMedia) media, real3 origin,
+  real3 direction, real2 part, real3 toLight, real t0, real t1)
+{
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    real dim = airlightDimHeight(media.item[i], toLight);
+    t1 = airlightLayerEnd(media.item[i], origin, direction, part, dim, t0, t1);
+  }
+  return t1;
+}
+
+// Ambient radiance scattered into a part of a piece, by Gauss-Legendre quadrature.
+AIRLIGHT_FN real3 airlightAmbientPart(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction, real from, real to)
+{
+  real3 sum = real3(real(0.0));
+  real reach = to - from;
+  const int panels = 6;
+  for (int k = 0; k < panels * AIRLIGHT_GAUSS_COUNT; k++)
+  {
+    real2 node = airlightGaussNode((k % AIRLIGHT_GAUSS_COUNT) / 2);
+    real position = k % 2 == 0 ? node.x : -node.x;
+    real share = (real(k / AIRLIGHT_GAUSS_COUNT) + real(0.5) + real(0.5) * position) / real(panels);
+    // Squared: most of what matters is near the eye.
+    real t = from + reach * share * share;
+    real3 source = real3(real(0.0));
+    for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+    {
+      if (airlightPieceHolds(piece, i))
+      {
+        source += media.item[i].sigmaS * media.item[i].ambient *
+          airlightDensity(media.item[i], origin + t * direction);
+      }
+    }
+    sum += node.y * share * source *
+      exp(-airlightDepthInPiece(media, piece, origin, direction, t));
+  }
+  return sum * reach / real(panels);
+}
+
 // Ambient radiance that the media scatter into one piece of a ray: exact where their densities are
-// uniform, else by Gauss-Legendre quadrature.
+// uniform, else by quadrature.
 AIRLIGHT_FN real3 airlightAmbientInPiece(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
 {
@@ -166,30 +220,16 @@ AIRLIGHT_FN real3 airlightAmbientInPiece(AIRLIGHT_IN(AirlightMedia) media,
     return source * airlightFading3(piece.depth, sigmaT, piece.to - piece.from);
   }
   real3 sum = real3(real(0.0));
-  real reach = airlightFadedAt(media, piece, origin, direction) - piece.from;
-  const int panels = 6;
-  for (int k = 0; k < panels * AIRLIGHT_GAUSS_COUNT; k++)
+  real end = airlightFadedAt(media, piece, origin, direction);
+  for (real from = piece.from; from < end;)
   {
-    real2 node = airlightGaussNode((k % AIRLIGHT_GAUSS_COUNT) / 2);
-    real position = k % 2 == 0 ? node.x : -node.x;
-    real share = (real(k / AIRLIGHT_GAUSS_COUNT) + real(0.5) + real(0.5) * position) / real(panels);
-    // Squared: most of what matters is near the eye.
-    real t = piece.from + reach * share * share;
-    source = real3(real(0.0));
-    for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
-    {
-      if (airlightPieceHolds(piece, i))
-      {
-        source += media.item[i].sigmaS * media.item[i].ambient *
-          airlightDensity(media.item[i], origin + t * direction);
-      }
-    }
-    sum += node.y * share * source *
-      exp(-airlightDepthInPiece(media, piece, origin, direction, t));
+    real to = airlightNextLayerEnd(
+      media, origin, direction, real2(piece.from, end), real3(real(0.0)), from, end);
+    sum += airlightAmbientPart(media, piece, origin, direction, from, to);
+    from = to;
   }
-  return sum * reach / real(panels);
+  return sum;
 }
-
 // Ambient radiance scattered into a ray on [0, l]. One medium alone depends on its depth only,
 // wherever it is.
 AIRLIGHT_FN real3 airlightAmbient(

@@ -12,16 +12,19 @@
 #endif
 
 // So many panels may be halved, on all of a pixel's ray together. Mesa's software renderer ends all
-// loops of a shader, without a word, after 65 535 rounds together; with surfaces, where every node
-// walks through a tree, a panel takes some hundreds.
-#if AIRLIGHT_HAS_SURFACE
-#define AIRLIGHT_MOST_TRIES 150
-#else
+// loops of a shader, without a word, after 65 535 rounds together, counted for eight pixels at once
+// that wait for one another; with surfaces, where every node walks through a tree, a panel takes some
+// hundreds of them.
 #define AIRLIGHT_MOST_TRIES 800
-#endif
+#define AIRLIGHT_MOST_ROUNDS 6000
 #ifndef AIRLIGHT_MAY_TRY // in shaders
 int airlightTries = 0;
-#define AIRLIGHT_MAY_TRY (airlightTries++ < AIRLIGHT_MOST_TRIES)
+#if AIRLIGHT_HAS_SURFACE
+#define AIRLIGHT_FEW_ROUNDS (airlightRounds < AIRLIGHT_MOST_ROUNDS)
+#else
+#define AIRLIGHT_FEW_ROUNDS true
+#endif
+#define AIRLIGHT_MAY_TRY (airlightTries++ < AIRLIGHT_MOST_TRIES && AIRLIGHT_FEW_ROUNDS)
 #endif
 
 // So many times more panels where media are inside surfaces.

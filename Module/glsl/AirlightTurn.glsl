@@ -108,7 +108,9 @@ AIRLIGHT_FN AirlightTurn airlightTurn(
   turn.slope = AIRLIGHT_SHADE(medium.sigmaT) * (-log2e * turn.h);
   real2 half1 = airlightSineCosine(real(0.5) * turn.left);
   turn.s = half1.y / max(half1.x, real(1e-15));
-  real tau = airlightLeastExtinction(medium) * turn.h;
+  // In a clear medium nothing fades.
+  real least = airlightLeastExtinction(medium);
+  real tau = least < real(AIRLIGHT_FAR) ? least * turn.h : real(0.0);
   turn.end = min(airlightTurned(turn, ray, t1),
     turn.left -
       airlightTwiceAngle(half1.x * tau / (half1.y * tau + half1.x * real(AIRLIGHT_TURN_FADED))));

@@ -30,7 +30,6 @@ const float NEARER = 1.0 - 1e-5;
 flat in float planeRounding;
 #endif
 #if AIRLIGHT_NEAR_PLANES
-uniform vec3 anchor;    // from the eye
 uniform vec4 fromLight; // directional: the light's direction and w 0; point: w 1
 #endif
 
@@ -43,20 +42,20 @@ flat in vec3 planeNormal;
 flat in float planeOffset;
 flat in vec3 planeA;
 flat in vec3 planeB;
+flat in vec3 planeSides; // of the eye
 #endif
 
 #if AIRLIGHT_NEAR_PLANES
-// Whether a point of the plane, from the anchor, lies beyond the edge and between its two sides.
-bool isBehindEdge(vec3 point)
+// Whether the plane's point at t lies beyond the edge and between its two sides. From the eye's own
+// place on, which decides where all rays meet the plane right before it.
+bool isBehindEdge(float t, vec3 direction)
 {
-  bool isPoint = fromLight.w != 0.0;
-  vec3 sideA = isPoint ? planeA : fromLight.xyz;
-  vec3 sideB = isPoint ? planeB : fromLight.xyz;
-  vec3 apexA = isPoint ? vec3(0.0) : planeA;
-  vec3 apexB = isPoint ? vec3(0.0) : planeB;
-  return dot(cross(sideA, point - apexA), planeNormal) >= 0.0 &&
-    dot(cross(point - apexB, sideB), planeNormal) >= 0.0 &&
-    dot(cross(point - planeA, planeB - planeA), planeNormal) >= 0.0;
+  vec3 sideA = fromLight.w != 0.0 ? planeA : fromLight.xyz;
+  vec3 sideB = fromLight.w != 0.0 ? planeB : fromLight.xyz;
+  vec3 turns = vec3(dot(cross(sideA, direction), planeNormal),
+    dot(cross(direction, sideB), planeNormal),
+    dot(cross(direction, planeB - planeA), planeNormal));
+  return all(greaterThanEqual(planeSides + t * turns, vec3(0.0)));
 }
 #endif
 
@@ -113,7 +112,7 @@ void main()
   bool enters = gl_FrontFacing;
 #if AIRLIGHT_NEAR_PLANES
   enters = planeOffset < 0.0;
-  if (!(t > 0.0) || !isBehindEdge(t * airlightDirection(p) - anchor))
+  if (!(t > 0.0) || !isBehindEdge(t, airlightDirection(p)))
   {
     return;
   }

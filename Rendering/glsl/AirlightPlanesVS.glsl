@@ -7,7 +7,7 @@
 // Relative to the anchor (the light itself, or for a directional light any point). Per edge: A and
 // its weight, B, the plane's normal. Per cap: A and the side of the light (1: where the triangle's
 // normal points, -1: behind), B, C. Per near plane: as an edge, B with the plane's offset from the
-// eye, which single precision could not find out. The third's w is the kind of caster.
+// eye, and fourth the eye's place in the plane. The third's w is the kind of caster.
 layout(std430, binding = 0) readonly buffer AirlightEdges
 {
   vec4 edges[];
@@ -34,6 +34,7 @@ flat out float planeOffset;
 flat out float planeRounding; // of a cap's corners
 flat out vec3 planeA; // the edge, from the anchor
 flat out vec3 planeB;
+flat out vec3 planeSides; // the eye's place in a near plane (isBehindEdge() of the fragments)
 
 // Sets planeRay.
 void meetRays()
@@ -54,9 +55,10 @@ void drawCap()
   vec3 c = edges[first + 2].xyz;
   planeNormal = normalize(cross(b - a, c - a));
   planeWeight = int(edges[first].w);
-  // Some units of single precision's last place of the farthest corner.
-  planeRounding =
-    5e-7 * max(length(anchor + a), max(length(anchor + b), length(anchor + c)));
+  planeLayer = int(edges[first + 2].w);
+  // Some units of single precision's last place of the farthest corner, from the eye or the anchor.
+  float fromEye = max(length(anchor + a), max(length(anchor + b), length(anchor + c)));
+  planeRounding = 5e-7 * max(fromEye, max(length(a), max(length(b), length(c))));
   planeOffset = dot(planeNormal, anchor + a);
   gl_Position = anchorToClip * vec4(edges[gl_VertexID].xyz, 1.0);
 }
@@ -68,6 +70,7 @@ void drawPlane()
   vec4 b = edges[first + 1];
   planeNormal = edges[first + 2].xyz;
   planeWeight = int(a.w);
+  planeLayer = int(edges[first + 2].w);
   // Through the light, which spares the offset of the edge its rounding.
   planeOffset = dot(planeNormal, fromLight.w == 0.0 ? anchor + a.xyz : anchor);
 
@@ -81,13 +84,15 @@ void drawPlane()
 
 void drawNearPlane()
 {
-  int first = 3 * (gl_VertexID / 3);
+  int first = 4 * (gl_VertexID / 3);
   int corner = gl_VertexID % 3;
   planeA = edges[first].xyz;
   planeB = edges[first + 1].xyz;
   planeWeight = int(edges[first].w);
   planeOffset = edges[first + 1].w;
   planeNormal = edges[first + 2].xyz;
+  planeLayer = int(edges[first + 2].w);
+  planeSides = edges[first + 3].xyz;
   gl_Position = vec4(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0, -1.0, 1.0);
 }
 
@@ -95,9 +100,9 @@ void main()
 {
   planeA = vec3(0.0);
   planeB = vec3(0.0);
+  planeSides = vec3(0.0);
   planeRounding = 0.0;
   places = givenPlaces;
-  planeLayer = int(edges[3 * (gl_VertexID / (kind == 0 ? 6 : 3)) + 2].w);
   if (kind == 0)
   {
     drawPlane();

@@ -160,6 +160,39 @@ void TestCameraNearEdge()
   }
 }
 
+// A lamp in a closed body has no silhouette: nothing outside is lit, and all within.
+void TestLampInClosedBody()
+{
+  for (const bool inside : { false, true })
+  {
+    Scene scene;
+    scene.AddPointLight({ 0.2, 0.1, -0.1 });
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(2.0);
+    scene.Add(sphere);
+    const glm::dvec3 eye(0, 1, inside ? 0.5 : 10);
+    scene.Look(eye, { 1.5, 0, 0 });
+    scene.Window->Render();
+    vtkSmartPointer<vtkImageData> length = scene.GetBuffer("LitLength");
+    vtkSmartPointer<vtkImageData> depth = scene.GetBuffer("Depth");
+    vtkSmartPointer<vtkImageData> surface = scene.GetBuffer("Surface");
+    int wrong = 0;
+    for (int y = 0; y < scene.Height; ++y)
+    {
+      for (int x = 0; x < scene.Width; ++x)
+      {
+        const double expected = inside ? GetValue(depth, x, y) : 0.0;
+        const bool right = std::abs(GetValue(length, x, y) - expected) <= 1e-6 * expected &&
+          (GetColour(surface, x, y).x > 0.0) == inside;
+        wrong += right ? 0 : 1;
+      }
+    }
+    Check(wrong == 0,
+      std::string("lamp in a sphere, eye ") + (inside ? "inside: " : "outside: ") +
+        std::to_string(wrong) + " pixels are lit wrongly");
+  }
+}
+
 // Everything a million units from the origin.
 void TestFarFromOrigin()
 {
@@ -191,6 +224,7 @@ int TestShadowLights(int, char*[])
   TestPhaseFunction();
   TestCameraOnEdge();
   TestCameraNearEdge();
+  TestLampInClosedBody();
   TestFarFromOrigin();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

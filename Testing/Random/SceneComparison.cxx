@@ -52,6 +52,12 @@ bool IsLight(const std::string& name)
   return name == "Radiance" || name == "Airlight" || name == "Surface";
 }
 
+glm::dvec2 GetDirection(int i)
+{
+  const double angle = (i + 0.3) * std::acos(-1.0) / 4.0;
+  return { std::cos(angle), std::sin(angle) };
+}
+
 // The values of a pixel's trace in the order of Names.
 std::vector<double> Flatten(const airlight::ReferencePixel& p)
 {
@@ -221,9 +227,8 @@ bool SceneComparison::IsRight(vtkIdType pixel)
       {
         this->Unshadowed = this->MakeUnshadowedTracer();
       }
-      const double x = 0.5 + static_cast<double>(pixel % this->Scene.Width);
-      const double y = 0.5 + static_cast<double>(pixel / this->Scene.Width); // a whole number
-      unshadowed = Flatten(this->Unshadowed->Trace(x, y));
+      const glm::dvec2 middle = this->GetMiddle(pixel);
+      unshadowed = Flatten(this->Unshadowed->Trace(middle.x, middle.y));
     }
     for (int c = 0; c < buffer.Components; ++c)
     {
@@ -246,40 +251,70 @@ bool SceneComparison::IsExplained(vtkIdType pixel)
   if (!this->Tracer)
   {
     this->Tracer = this->MakeTracer();
+    this->Unshadowed = this->MakeUnshadowedTracer();
+    this->Triangles = std::make_unique<ScreenTriangles>(
+      this->Scene.Renderer, this->Scene.Width, this->Scene.Height);
   }
-  const double x = 0.5 + static_cast<double>(pixel % this->Scene.Width);
-  const double y = 0.5 + static_cast<double>(pixel / this->Scene.Width); // a whole number
-  std::vector<double> low = Flatten(this->Tracer->Trace(x, y));
-  std::vector<double> high = low;
-  const auto widen = [&](double angle, double radius, const glm::dvec3& shift, double wider) {
-    const std::vector<double> other = Flatten(this->Tracer->Trace(
-      x + radius * std::cos(angle), y + radius * std::sin(angle), shift, wider));
-    for (size_t k = 0; k < other.size(); ++k)
-    {
-      low[k] = std::min(low[k], other[k]);
-      high[k] = std::max(high[k], other[k]);
-    }
-  };
+  const glm::dvec2 middle = this->GetMiddle(pixel);
+  const std::vector<glm::dvec2> beside = this->Triangles->FindPlaces(middle, EdgePixels);
+  Range range;
+  range.Add(this->Tracer->Trace(middle.x, middle.y));
+  for (const glm::dvec2& place : beside)
+  {
+    range.Add(this->Tracer->Trace(place.x, place.y));
+  }
   for (int i = 0; i < 16; ++i)
   {
-    const double angle = (i + 0.3) * std::acos(-1.0) / 4.0;
-    widen(angle, i < 8 ? EdgePixels : 0.25 * EdgePixels, glm::dvec3(0.0), 1.0);
+    const glm::dvec2 place = middle + (i < 8 ? EdgePixels : 0.25 * EdgePixels) * GetDirection(i);
+    range.Add(this->Tracer->Trace(place.x, place.y));
   }
-  if (this->IsBetween(pixel, low, high))
+  if (this->IsBetween(pixel, range))
   {
     return true;
   }
+  Range outline = range;
+  for (const glm::dvec2& place : beside)
+  {
+    airlight::ReferencePixel lit = this->Tracer->Trace(place.x, place.y);
+    const glm::dvec3 more =
+      this->Unshadowed->Trace(place.x, place.y).Surface - lit.Surface;
+    lit.Surface += more;
+    lit.Radiance += more;
+    outline.Add(lit);
+  }
+  if (this->IsBetween(pixel, outline))
+  {
+    ++this->Figures.Outlines;
+    return true;
+  }
+  this->AddMoved(middle, range);
+  const bool rounded = this->IsBetween(pixel, range);
+  this->Figures.Rounded += rounded ? 1 : 0;
+  return rounded;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec2 SceneComparison::GetMiddle(vtkIdType pixel) const
+{
+  const auto x = static_cast<double>(pixel % this->Scene.Width);
+  const auto y = static_cast<double>(pixel / this->Scene.Width); // a whole number
+  return glm::dvec2(x, y) + 0.5;
+}
+
+//------------------------------------------------------------------------------
+// What rays find that begin elsewhere by roundings of single precision.
+void SceneComparison::AddMoved(const glm::dvec2& middle, Range& range)
+{
   const double reach = LastPlace * this->GetReach();
   const double wider =
     1.0 + 0.5 * reach / this->Scene.Renderer->GetActiveCamera()->GetClippingRange()[0];
   for (int i = 0; i < 16; ++i)
   {
     const glm::dvec3 corner(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
-    widen(i, i < 8 ? 0.0 : EdgePixels, reach * corner, i % 2 ? wider : 1.0 / wider);
+    const glm::dvec2 place = middle + (i < 8 ? 0.0 : EdgePixels) * GetDirection(i);
+    range.Add(
+      this->Tracer->Trace(place.x, place.y, reach * corner, i % 2 ? wider : 1.0 / wider));
   }
-  const bool rounded = this->IsBetween(pixel, low, high);
-  this->Figures.Rounded += rounded ? 1 : 0;
-  return rounded;
 }
 
 //------------------------------------------------------------------------------
@@ -305,8 +340,20 @@ double SceneComparison::GetReach()
 }
 
 //------------------------------------------------------------------------------
-bool SceneComparison::IsBetween(
-  vtkIdType pixel, const std::vector<double>& low, const std::vector<double>& high) const
+void SceneComparison::Range::Add(const airlight::ReferencePixel& pixel)
+{
+  const std::vector<double> values = Flatten(pixel);
+  this->Low.resize(values.size(), std::numeric_limits<double>::infinity());
+  this->High.resize(values.size(), -std::numeric_limits<double>::infinity());
+  for (size_t k = 0; k < values.size(); ++k)
+  {
+    this->Low[k] = std::min(this->Low[k], values[k]);
+    this->High[k] = std::max(this->High[k], values[k]);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SceneComparison::IsBetween(vtkIdType pixel, const Range& range) const
 {
   size_t k = 0;
   for (const Buffer& buffer : this->Buffers)
@@ -315,7 +362,8 @@ bool SceneComparison::IsBetween(
     {
       const double a = buffer.Drawn->GetPointData()->GetScalars()->GetComponent(pixel, c);
       const double room = Tolerance * std::max(std::abs(a), buffer.Floor);
-      if (!(a >= low[k] - room && a <= high[k] + room) && !(a > Endless && high[k] > Endless))
+      if (!(a >= range.Low[k] - room && a <= range.High[k] + room) &&
+        !(a > Endless && range.High[k] > Endless))
       {
         return false;
       }

@@ -11,10 +11,14 @@
  *
  * A pixel that is not right is explained by an edge where each channel of each buffer lies between the
  * least and the largest of what the reference says within 0.02 pixels of the pixel's middle, or within
- * 1 % of these: rasterisers place corners to 1/256 of a pixel. It is explained by rounding, and counted
+ * 1 % of these: rasterisers place corners to 1/256 of a pixel. Among the places are a ring and two in
+ * each triangle that comes so near. It is explained by rounding, and counted
  * apart, where that is so for rays that besides are moved by d = 5e-7 of the farthest corner of any part,
  * and a clipping range that is wider or narrower by d over twice its beginning: surfaces are drawn and
- * clipped in single precision, which shows where parts are large. All others are
+ * clipped in single precision, which shows where parts are large. It is explained by an outline, and
+ * counted apart, where the pixel's middle is beside a triangle that a rasteriser may draw there, and the
+ * surface is as it is without shadows: where a shadow ends with the surface that it is on, as it does where
+ * two faces meet, what is drawn beyond that edge is beyond the shadow, too. All others are
  * unexplained; there may be none.
  *
  * No radiance is measured by less than 1e-6 W/(m^2 sr), where lamps give surfaces some 1 to 100: the
@@ -30,6 +34,7 @@
 #define SceneComparison_h
 
 #include "AirlightTestScene.h"
+#include "ScreenTriangles.h"
 
 #include "AirlightReferenceTracer.h"
 
@@ -46,6 +51,7 @@ struct SceneFigures
   int Wrong = 0;       // by more than 1 %
   int Unexplained = 0; // of these
   int Rounded = 0;     // explained not by pixels' edges but by single precision
+  int Outlines = 0;    // explained by light on a surface's outline
   int Improper = 0;    // negative or not finite
   double Median = 0.0; // error of the radiance
   double P99 = 0.0;
@@ -85,8 +91,17 @@ private:
   void CountImproper(vtkIdType pixel);
   bool IsRight(vtkIdType pixel);
   bool IsExplained(vtkIdType pixel);
-  bool IsBetween(
-    vtkIdType pixel, const std::vector<double>& low, const std::vector<double>& high) const;
+  // What the reference finds at several places, channel by channel.
+  struct Range
+  {
+    std::vector<double> Low;
+    std::vector<double> High;
+
+    void Add(const airlight::ReferencePixel& pixel);
+  };
+  bool IsBetween(vtkIdType pixel, const Range& range) const;
+  void AddMoved(const glm::dvec2& middle, Range& range);
+  glm::dvec2 GetMiddle(vtkIdType pixel) const;
   double GetReach();
   std::unique_ptr<airlight::ReferenceTracer> MakeTracer();
   std::unique_ptr<airlight::ReferenceTracer> MakeUnshadowedTracer();
@@ -100,6 +115,7 @@ private:
   // Made when first asked.
   std::unique_ptr<airlight::ReferenceTracer> Tracer;
   std::unique_ptr<airlight::ReferenceTracer> Unshadowed;
+  std::unique_ptr<ScreenTriangles> Triangles;
   std::vector<vtkParticipatingMedium*> Media;
   SceneFigures Figures;
 };
