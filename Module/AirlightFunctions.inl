@@ -38,8 +38,6 @@
 #undef AIRLIGHT_TURN_FADED
 #undef AIRLIGHT_DARK_HEIGHTS
 #undef AIRLIGHT_THIN_HEIGHTS
-#undef AIRLIGHT_SEEN_DEPTH
-#undef AIRLIGHT_SKIN_DEPTH
 
 #include "AirlightExponentialIntegral.glsl"
 #include "AirlightGauss.glsl"
