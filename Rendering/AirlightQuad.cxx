@@ -12,8 +12,8 @@
 #include "AirlightGoniometricRay.h"
 #include "AirlightGrid.h"
 #include "AirlightGridRay.h"
-#include "AirlightIntegrate.h"
 #include "AirlightHeightFog.h"
+#include "AirlightIntegrate.h"
 #include "AirlightKinks.h"
 #include "AirlightLight.h"
 #include "AirlightMath.h"
@@ -144,8 +144,8 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     AirlightExponentialIntegral + AirlightGauss + AirlightGoniometric + AirlightPhase +
     AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + AirlightMedium +
     AirlightClosedSurface + AirlightPath + AirlightHeightFog + AirlightMedia + AirlightLight +
-    AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces + (grid ? AirlightGridRay : "") +
-    AirlightScattering;
+    AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces +
+    (grid ? AirlightGridRay : "") + AirlightScattering;
 }
 
 //------------------------------------------------------------------------------

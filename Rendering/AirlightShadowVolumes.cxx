@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightShadowVolumes.h"
 
+#include "AirlightCasterBox.h"
 #include "AirlightRemoteShadows.h"
 #include "AirlightSilhouette.h"
 #include "AirlightView.h"
@@ -21,70 +22,6 @@ glm::dvec3 Transform(const glm::dmat4& matrix, const glm::dvec3& point)
 }
 
 bool IsMirrored(const Caster& caster) { return glm::determinant(caster.ToWorld) < 0.0; }
-
-// Of eight, of the box around the caster.
-glm::dvec3 GetCorner(const Caster& caster, int corner)
-{
-  const glm::dvec3 local(corner & 1 ? caster.Mesh->BoundsMin.x : caster.Mesh->BoundsMax.x,
-    corner & 2 ? caster.Mesh->BoundsMin.y : caster.Mesh->BoundsMax.y,
-    corner & 4 ? caster.Mesh->BoundsMin.z : caster.Mesh->BoundsMax.z);
-  return Transform(caster.ToWorld, local);
-}
-
-// The upper one of two in the middle.
-double GetMedian(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// A place among the casters, the same in whichever order they come, and seldom another one when they
-// move: on a grid whose cells are from an eighth to a quarter as long as half of them reach. Medians, so
-// that a terrain or a far mountain does not cost the other casters their digits.
-glm::dvec3 FindAnchor(const std::vector<Caster>& casters)
-{
-  std::vector<glm::dvec3> centres;
-  std::vector<double> extents;
-  for (const Caster& caster : casters)
-  {
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high = -low;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const glm::dvec3 point = GetCorner(caster, corner);
-      low = glm::min(low, point);
-      high = glm::max(high, point);
-    }
-    const glm::dvec3 size = high - low;
-    if (std::isfinite(size.x + size.y + size.z))
-    {
-      centres.push_back(0.5 * (low + high));
-      extents.push_back(std::max({ size.x, size.y, size.z }));
-    }
-  }
-  if (centres.empty())
-  {
-    return glm::dvec3(0.0);
-  }
-  glm::dvec3 middle;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::vector<double> places;
-    for (const glm::dvec3& centre : centres)
-    {
-      places.push_back(centre[axis]);
-    }
-    middle[axis] = GetMedian(places);
-  }
-  for (size_t i = 0; i < centres.size(); ++i)
-  {
-    extents[i] += glm::distance(centres[i], middle);
-  }
-  const double extent = GetMedian(extents);
-  const double cell = std::exp2(std::ceil(std::log2(extent)) - 3.0);
-  return extent > 0.0 ? cell * glm::round(middle / cell) : middle;
-}
 
 // Whether rays may go through a part of the caster that is not drawn.
 bool NeedsCaps(const Caster& caster, const View& view)

@@ -72,11 +72,11 @@ public:
   const std::vector<ShadowLayer>& GetLayers() const { return this->Layers; }
 
   // The edges whose planes the eye lies on or nearly so, which it sees edge-on. They are not among
-  // GetEdges(). B.w is the plane's offset from the eye.
+  // GetEdges().
   const std::vector<NearEdge>& GetNearEdges() const { return this->NearEdges; }
 
   // The world position that edges and caps are relative to: the light, or where it is at infinity
-  // the first caster.
+  // a place among the casters.
   const glm::dvec3& GetAnchor() const { return this->Anchor; }
 
 private:

@@ -27,9 +27,8 @@ double GetExpected(const Ray& ray, const glm::dvec3& toSun, int k)
   const double sigmaT = SigmaS[k] + SigmaA[k];
   const double above = std::exp(-ray.Origin.y / ScaleHeight) * ScaleHeight;
   const double s = sigmaT * (1.0 - ray.Direction.y / toSun.y);
-  const double sight = ray.Direction.y > 0.0
-    ? -std::expm1(-s * above / ray.Direction.y) / s
-    : 1.0 / s; // downwards there is infinitely much
+  const double sight = ray.Direction.y > 0.0 ? -std::expm1(-s * above / ray.Direction.y) / s
+                                             : 1.0 / s; // downwards there is infinitely much
   const double phase = 0.25 / airlight_test::Pi;
   return SigmaS[k] * Irradiance[k] * phase * std::exp(-sigmaT * above / toSun.y) * sight;
 }
@@ -64,14 +63,13 @@ void Compare(double height, const glm::dvec3& toSun)
       {
         const Ray ray = scene.GetPixelRay({ x, y });
         visit(x, y,
-          glm::dvec3(GetExpected(ray, toSun, 0), GetExpected(ray, toSun, 1),
-            GetExpected(ray, toSun, 2)));
+          glm::dvec3(
+            GetExpected(ray, toSun, 0), GetExpected(ray, toSun, 1), GetExpected(ray, toSun, 2)));
       }
     }
   };
-  forEachPixel([&](int, int, const glm::dvec3& expected) {
-    brightest = glm::max(brightest, expected);
-  });
+  forEachPixel(
+    [&](int, int, const glm::dvec3& expected) { brightest = glm::max(brightest, expected); });
   double worst = 0.0;
   forEachPixel([&](int x, int y, const glm::dvec3& expected) {
     const glm::dvec3 seen = GetColour(drawn, x, y);

@@ -190,9 +190,8 @@ struct Totals
   {
     std::sort(this->Medians.begin(), this->Medians.end());
     std::cout << this->Medians.size() << " scenes, " << this->Pixels << " pixels, " << this->Wrong
-              << " at edges or wrong, " << this->Rounded
-              << " of them by rounding, " << this->Outlines
-              << " on outlines; scenes' medians: half below "
+              << " at edges or wrong, " << this->Rounded << " of them by rounding, "
+              << this->Outlines << " on outlines; scenes' medians: half below "
               << this->Medians[this->Medians.size() / 2] << ", largest " << this->Medians.back()
               << "; 99 % of a scene's pixels below " << this->P99 << ", but for edges all below "
               << this->Largest << "; dark pixels below " << this->Leak << " of the bright ones\n"
@@ -252,8 +251,8 @@ int main(int argc, char* argv[])
                 << "scene " << seed << ": median " << figures.Median << ", p99 " << figures.P99
                 << ", largest " << figures.Largest << ", leak " << figures.Leak << ", wrong "
                 << figures.Wrong << ", by rounding " << figures.Rounded << ", on outlines "
-                << figures.Outlines << ", unexplained "
-                << figures.Unexplained << ", improper " << figures.Improper << "; drawn in "
+                << figures.Outlines << ", unexplained " << figures.Unexplained << ", improper "
+                << figures.Improper << "; drawn in "
                 << static_cast<double>(drawn - start) / CLOCKS_PER_SEC << " s, computed in "
                 << static_cast<double>(end - drawn) / CLOCKS_PER_SEC << " s\n"
                 << figures.Worst << (quiet ? "" : errors.GetText() + "\n");

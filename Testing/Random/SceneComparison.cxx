@@ -276,8 +276,7 @@ bool SceneComparison::IsExplained(vtkIdType pixel)
   for (const glm::dvec2& place : beside)
   {
     airlight::ReferencePixel lit = this->Tracer->Trace(place.x, place.y);
-    const glm::dvec3 more =
-      this->Unshadowed->Trace(place.x, place.y).Surface - lit.Surface;
+    const glm::dvec3 more = this->Unshadowed->Trace(place.x, place.y).Surface - lit.Surface;
     lit.Surface += more;
     lit.Radiance += more;
     outline.Add(lit);
@@ -312,8 +311,7 @@ void SceneComparison::AddMoved(const glm::dvec2& middle, Range& range)
   {
     const glm::dvec3 corner(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
     const glm::dvec2 place = middle + (i < 8 ? 0.0 : EdgePixels) * GetDirection(i);
-    range.Add(
-      this->Tracer->Trace(place.x, place.y, reach * corner, i % 2 ? wider : 1.0 / wider));
+    range.Add(this->Tracer->Trace(place.x, place.y, reach * corner, i % 2 ? wider : 1.0 / wider));
   }
 }
 

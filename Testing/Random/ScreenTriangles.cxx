@@ -18,10 +18,7 @@ namespace airlight_test
 {
 namespace
 {
-double Cross(const glm::dvec2& a, const glm::dvec2& b)
-{
-  return a.x * b.y - a.y * b.x;
-}
+double Cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 // The nearest point of a polygon's border.
 glm::dvec2 FindNearest(const std::vector<glm::dvec2>& polygon, const glm::dvec2& p)
