@@ -75,6 +75,7 @@ glm::dvec3 FindAnchor(const std::vector<Caster>& casters)
   }
   const glm::dvec3 anchor(GetMedian(places[0]), GetMedian(places[1]), GetMedian(places[2]));
   std::vector<double> reaches;
+  reaches.reserve(boxes.size());
   for (const Box& box : boxes)
   {
     reaches.push_back(box.GetExtent() + glm::distance(box.GetMiddle(), anchor));

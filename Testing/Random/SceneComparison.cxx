@@ -295,9 +295,9 @@ bool SceneComparison::IsExplained(vtkIdType pixel)
 //------------------------------------------------------------------------------
 glm::dvec2 SceneComparison::GetMiddle(vtkIdType pixel) const
 {
-  const auto x = static_cast<double>(pixel % this->Scene.Width);
-  const auto y = static_cast<double>(pixel / this->Scene.Width); // a whole number
-  return glm::dvec2(x, y) + 0.5;
+  const vtkIdType column = pixel % this->Scene.Width;
+  const vtkIdType row = pixel / this->Scene.Width;
+  return glm::dvec2(column, row) + 0.5;
 }
 
 //------------------------------------------------------------------------------
