@@ -20,7 +20,7 @@
 namespace airlight_test
 {
 // A photometric file without TILT=INCLUDE as a table.
-inline TestTable ReadTable(const std::string& file)
+inline LampTable ReadTable(const std::string& file)
 {
   std::ifstream stream(file);
   std::string line;
@@ -35,7 +35,7 @@ inline TestTable ReadTable(const std::string& file)
     }
   };
   read(head);
-  TestTable table;
+  LampTable table;
   table.Type = static_cast<int>(head[5]);
   table.Vertical.resize(static_cast<size_t>(head[3]));
   table.Horizontal.resize(static_cast<size_t>(head[4]));
@@ -179,7 +179,7 @@ struct TestGoniometricLamp
     return cuts;
   }
 
-  TestTable Table;
+  LampTable Table;
   glm::dvec3 Position{ 0.0 };
   double Radius = 0.0;         // least distance to rays
   glm::dvec3 Intensity{ 0.0 }; // of the brightest direction

@@ -31,7 +31,7 @@ using airlighttest::Triangle;
 using FloatPicture = std::vector<float>; // RGBA
 
 // A pixel that shows the surface, and how far that is along the pixel's ray.
-struct Sample
+struct MapperSample
 {
   int I, J;
   PixelRay Ray;
@@ -123,9 +123,9 @@ public:
 
   // Every third pixel (the width is no multiple of three) that the surface covers with some margin:
   // rasterisation may round its edges.
-  std::vector<Sample> GetSamples()
+  std::vector<MapperSample> GetSamples()
   {
-    std::vector<Sample> samples;
+    std::vector<MapperSample> samples;
     for (int pixel = 0; pixel < Width * Height; pixel += 3)
     {
       const int i = pixel % Width;
@@ -176,18 +176,18 @@ public:
   }
 
   // Compares a frame with what the samples ought to show, against `limit` of it.
-  void Compare(const std::string& what, const std::vector<Sample>& samples, double limit,
+  void Compare(const std::string& what, const std::vector<MapperSample>& samples, double limit,
     Comparison& comparison)
   {
     const FloatPicture picture = this->Render();
-    for (const Sample& sample : samples)
+    for (const MapperSample& sample : samples)
     {
       CompareColour(what, sample, picture, this->Fog(sample.Ray, sample.Depth, this->Colour), limit,
         comparison);
     }
   }
 
-  static void CompareColour(const std::string& what, const Sample& sample,
+  static void CompareColour(const std::string& what, const MapperSample& sample,
     const FloatPicture& picture, const glm::dvec3& expected, double limit, Comparison& comparison)
   {
     for (int k = 0; k < 3; ++k)

@@ -23,7 +23,7 @@ namespace airlight_test
 {
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 
-struct TestTable
+struct LampTable
 {
   int Type; // 1 C, 2 B, 3 A
   std::vector<double> Vertical;
@@ -43,7 +43,7 @@ inline std::string Join(const std::vector<double>& numbers, const std::string& s
 
 // The numbers of a file of multiplier 2 and ballast factor 0.75: candela are 1.5 times the values.
 inline std::string TableNumbers(
-  const TestTable& table, const std::string& separator = " ", const char* lampFactor = "1")
+  const LampTable& table, const std::string& separator = " ", const char* lampFactor = "1")
 {
   const std::vector<double> head = { 1, 1000, 2, static_cast<double>(table.Vertical.size()),
     static_cast<double>(table.Horizontal.size()), static_cast<double>(table.Type), 2, 0.1, 0.2, 0,
@@ -53,7 +53,7 @@ inline std::string TableNumbers(
     Join(table.Candela, separator);
 }
 
-inline std::string TableText(const TestTable& table)
+inline std::string TableText(const LampTable& table)
 {
   return "IESNA:LM-63-2002\n[TEST] made up\nTILT=NONE\n" + TableNumbers(table, "\n");
 }
@@ -94,7 +94,7 @@ inline bool FindPlace(const std::vector<double>& angles, double x, size_t& index
 }
 
 // A horizontal angle of type C as the one of the table's range that shines alike.
-inline double FoldHorizontal(const TestTable& table, double h)
+inline double FoldHorizontal(const LampTable& table, double h)
 {
   const double last = table.Horizontal.back();
   h -= 360.0 * std::floor(h / 360.0);
@@ -110,7 +110,7 @@ inline double FoldHorizontal(const TestTable& table, double h)
 }
 
 // The value of the table at angles in degrees, by the rules of LM-63.
-inline double TableValue(TestTable table, double v, double h)
+inline double TableValue(LampTable table, double v, double h)
 {
   const size_t rows = table.Vertical.size();
   if (table.Type == 1)
@@ -217,13 +217,13 @@ inline std::vector<double> RandomAngles(Random& random, double first, double las
 // One of the kinds of symmetry and range that LM-63 has, with random values up to 1000.
 constexpr int TableKinds = 12;
 
-inline TestTable RandomTable(Random& random, int kind)
+inline LampTable RandomTable(Random& random, int kind)
 {
   constexpr double TypeC[7][2] = { { 0, 0 }, { 0, 90 }, { 0, 180 }, { 0, 360 }, { 0, 345 },
     { 0, 200 }, { 90, 270 } };
   constexpr double VerticalC[3][2] = { { 0, 90 }, { 90, 180 }, { 0, 180 } };
   constexpr double Front[5][2] = { { -90, 90 }, { 0, 90 }, { -90, 90 }, { 0, 90 }, { -30, 41 } };
-  TestTable table;
+  LampTable table;
   if (kind < 7)
   {
     const double* vertical = VerticalC[random.Index(3)];

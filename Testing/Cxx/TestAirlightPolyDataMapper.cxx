@@ -53,7 +53,7 @@ void TestKinds(Comparison& comparison)
     for (const bool parallel : { false, true })
     {
       scene.Renderer->GetActiveCamera()->SetParallelProjection(parallel);
-      const std::vector<Sample> samples = scene.GetSamples();
+      const std::vector<MapperSample> samples = scene.GetSamples();
       for (const MatrixCell& cell : cells)
       {
         cell.Apply(scene.Medium, light);
@@ -72,7 +72,7 @@ void TestLights(Comparison& comparison)
 {
   MapperScene scene;
   scene.Add(MakePlane(1));
-  const std::vector<Sample> samples = scene.GetSamples();
+  const std::vector<MapperSample> samples = scene.GetSamples();
   vtkNew<vtkLight> light;
   light->SetColor(0.5, 0.4, 0.3);
   light->SetAttenuationValues(0.3, 0.0, 0.2);
@@ -110,7 +110,7 @@ void TestLitSurface(Comparison& comparison)
   const glm::dvec3 normal =
     glm::normalize(glm::cross(triangle.B - triangle.A, triangle.C - triangle.A));
   const FloatPicture picture = scene.Render();
-  for (const Sample& sample : scene.GetSamples())
+  for (const MapperSample& sample : scene.GetSamples())
   {
     const glm::dvec3 point = sample.Ray.Origin + sample.Depth * sample.Ray.Direction;
     const double r = glm::distance(point, lamp);
@@ -135,14 +135,14 @@ void TestTranslucent(Comparison& comparison, Comparison& window)
   scene.Add(MakePlane(1, -3.0));
   const std::vector<Triangle> behind = scene.Triangles;
   scene.Add(MakePlane(1, 1.0))->GetProperty()->SetOpacity(alpha);
-  const std::vector<Sample> samples = scene.GetSamples();
+  const std::vector<MapperSample> samples = scene.GetSamples();
   const FloatPicture picture = scene.Render();
   scene.Renderer->SetPass(nullptr);
   const airlighttest::Picture weighted = airlighttest::Capture(scene.Window);
   scene.Renderer->UseDepthPeelingOn();
   const airlighttest::Picture peeled = airlighttest::Capture(scene.Window);
   scene.Triangles = behind;
-  for (const Sample& sample : samples)
+  for (const MapperSample& sample : samples)
   {
     const double depth = scene.GetDepth(sample.I, sample.J);
     if (!std::isfinite(depth))
@@ -169,7 +169,7 @@ void TestViewport(Comparison& comparison)
   scene.Window->SetSize(2 * PixelScene::Width, 2 * PixelScene::Height);
   scene.Renderer->SetViewport(0.25, 0.5, 0.75, 1.0);
   const airlighttest::Picture picture = airlighttest::Capture(scene.Window);
-  for (const Sample& sample : scene.GetSamples())
+  for (const MapperSample& sample : scene.GetSamples())
   {
     CompareWindow("viewport", picture, 2 * PixelScene::Width, sample.I + PixelScene::Width / 2,
       sample.J + PixelScene::Height, scene.Fog(sample.Ray, sample.Depth, scene.Colour), 1.0,
@@ -203,7 +203,7 @@ void TestLinesAndPoints(Comparison& comparison)
       int count = 0;
       for (int pixel = 0; pixel < PixelScene::Width * PixelScene::Height; ++pixel)
       {
-        const Sample sample{ pixel % PixelScene::Width, pixel / PixelScene::Width,
+        const MapperSample sample{ pixel % PixelScene::Width, pixel / PixelScene::Width,
           scene.GetRay(pixel % PixelScene::Width, pixel / PixelScene::Width), 10.0 };
         if (picture[4 * pixel] > 0.0f) // the background is black
         {
@@ -230,7 +230,7 @@ void TestNearLight(Comparison& comparison)
   scene.AddPointLight(lamp, { 4.0, 3.0, 2.0 });
   scene.Add(MakePlane(1));
   const FloatPicture picture = scene.Render();
-  for (const Sample& sample : scene.GetSamples())
+  for (const MapperSample& sample : scene.GetSamples())
   {
     const glm::dvec3 toLamp = lamp - sample.Ray.Origin;
     const double h = glm::length(glm::cross(toLamp, sample.Ray.Direction));

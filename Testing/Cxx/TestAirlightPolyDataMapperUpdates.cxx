@@ -175,7 +175,7 @@ void TestPass(Comparison& comparison)
 
   scene.Renderer->SetPass(scene.Pass);
   scene.Window->Render();
-  for (const Sample& sample : scene.GetSamples())
+  for (const MapperSample& sample : scene.GetSamples())
   {
     const float* rgb = scene.GetPixel("Radiance", sample.I, sample.J);
     MapperScene::CompareColour(

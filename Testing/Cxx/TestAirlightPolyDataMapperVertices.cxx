@@ -98,7 +98,7 @@ double GetLargestError(MapperScene& scene, const FloatPicture& picture, const gl
   {
     const int i = First + 1 + pixel % (Cells - 1);
     const int j = First + 1 + pixel / (Cells - 1);
-    const Sample sample{ i, j, scene.GetRay(i, j), 0.0 };
+    const MapperSample sample{ i, j, scene.GetRay(i, j), 0.0 };
     const glm::dvec3 point = MeetPlane(sample.Ray, centre);
     const glm::dvec3 exact =
       scene.Fog(sample.Ray, glm::distance(point, sample.Ray.Origin), scene.Colour);
@@ -138,13 +138,13 @@ double TestMesh(bool parallel, int step, const glm::dvec3& shift, Comparisons& c
     {
       const int i = First + step * a;
       const int j = First + step * b;
-      const Sample vertex{ i, j, scene.GetRay(i, j), 0.0 };
+      const MapperSample vertex{ i, j, scene.GetRay(i, j), 0.0 };
       const glm::dvec3 point = MeetPlane(vertex.Ray, shift);
       const glm::dvec3 exact =
         scene.Fog(vertex.Ray, glm::distance(point, vertex.Ray.Origin), scene.Colour);
       MapperScene::CompareColour(what, vertex, picture, exact, ClosedForm, comparisons.Vertices);
 
-      const Sample inner{ i + 1, j + 2, scene.GetRay(i + 1, j + 2), 0.0 };
+      const MapperSample inner{ i + 1, j + 2, scene.GetRay(i + 1, j + 2), 0.0 };
       const glm::dvec3 linear =
         Interpolate(scene, FindTriangle(scene, inner.Ray), MeetPlane(inner.Ray, shift), inner.Ray);
       MapperScene::CompareColour(what, inner, picture, linear, ClosedForm, comparisons.Between);

@@ -35,7 +35,7 @@ bool TestTables(const std::string& file)
   long dark = 0;
   for (int i = 0; i < 40 * TableKinds; ++i)
   {
-    const TestTable table = RandomTable(random, i % TableKinds);
+    const LampTable table = RandomTable(random, i % TableKinds);
     const std::shared_ptr<const Photometry> photometry = WriteAndRead(file, TableText(table));
     if (!photometry)
     {
@@ -138,11 +138,11 @@ bool TestFrame()
   const glm::dvec3 axis(0.0, 0.0, -1.0);
   const glm::dvec3 up(0.0, 1.0, 0.0);
   const glm::dvec3 right(1.0, 0.0, 0.0);
-  const TestTable tables[] = { { 1, { 0, 90 }, { 0, 80, 90, 100, 350 },
+  const LampTable tables[] = { { 1, { 0, 90 }, { 0, 80, 90, 100, 350 },
                                  { 0, 0, 0, 0, 0, 1, 0, 0, 0, 0 } },
     { 2, { -90, 90 }, { -90, 0, 90 }, { 0, 0, 0, 0, 1, 1 } },
     { 3, { -90, 0, 90 }, { -90, 0, 90 }, { 0, 0, 0, 0, 0, 0, 0, 1, 0 } } };
-  for (const TestTable& table : tables)
+  for (const LampTable& table : tables)
   {
     std::string error;
     const auto photometry = Photometry::Parse(TableText(table), "frame", error);
@@ -178,7 +178,7 @@ bool TestLumens()
   Random random(21);
   for (int i = 0; i < 20; ++i)
   {
-    const TestTable table = RandomTable(random, 0);
+    const LampTable table = RandomTable(random, 0);
     std::vector<long double> ends;
     double expected = 0.0;
     for (size_t k = 0; k < table.Vertical.size(); ++k)

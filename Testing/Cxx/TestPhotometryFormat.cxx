@@ -23,7 +23,7 @@ namespace
 bool TestStyles(const std::string& file)
 {
   Random random(3);
-  const TestTable table = RandomTable(random, 2);
+  const LampTable table = RandomTable(random, 2);
   const std::string numbers = TableNumbers(table);
   const std::string modern = "IESNA:LM-63-1995\n[TEST] made up\n";
   const std::string include = "TILT=INCLUDE\n2\n3 0 45\n90 1 0.9\n0.8\n";

@@ -60,10 +60,10 @@ public:
   }
 
   // False where the pass refuses the file.
-  bool Run(const TestTable& table, const std::string& file, double multiplier, Comparisons& found);
+  bool Run(const LampTable& table, const std::string& file, double multiplier, Comparisons& found);
 
 private:
-  void PlaceLamp(const TestTable& table);
+  void PlaceLamp(const LampTable& table);
   void PlaceFog();
   void Compare(int pixel, Comparisons& found);
 
@@ -81,7 +81,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void Experiment::PlaceLamp(const TestTable& table)
+void Experiment::PlaceLamp(const LampTable& table)
 {
   Random& random = this->Numbers;
   this->Lamp.Table = table;
@@ -162,7 +162,7 @@ void Experiment::Compare(int pixel, Comparisons& found)
 
 //------------------------------------------------------------------------------
 bool Experiment::Run(
-  const TestTable& table, const std::string& file, double multiplier, Comparisons& found)
+  const LampTable& table, const std::string& file, double multiplier, Comparisons& found)
 {
   Random& random = this->Numbers;
   ++this->Index;
@@ -207,7 +207,7 @@ bool RunAll(const std::string& data, const std::string& temporary)
   for (int i = 0; i < 5 * TableKinds; ++i)
   {
     // TableNumbers() writes candela 1.5 times the values.
-    const TestTable table = RandomTable(random, i % TableKinds);
+    const LampTable table = RandomTable(random, i % TableKinds);
     std::ofstream(temporary) << TableText(table);
     ok = experiment.Run(table, temporary, 1.5, found) && ok;
   }

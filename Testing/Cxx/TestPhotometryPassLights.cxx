@@ -75,7 +75,7 @@ void CheckLike(const Buffers& a, const Buffers& b, const char* name, double limi
   Check(difference <= limit, name);
 }
 
-std::string Write(const std::string& file, const airlight_test::TestTable& table)
+std::string Write(const std::string& file, const airlight_test::LampTable& table)
 {
   std::ofstream(file) << airlight_test::TableText(table);
   return file;
@@ -151,7 +151,7 @@ void TestFiles(const std::string& data)
 
 //------------------------------------------------------------------------------
 // A lamp that aims along -z and shines to its `up` side alone, less and less towards its sides.
-const airlight_test::TestTable HalfLit{ 1, { 0, 90 }, { 0, 90, 180 }, { 9, 6, 6, 3, 3, 0 } };
+const airlight_test::LampTable HalfLit{ 1, { 0, 90 }, { 0, 90, 180 }, { 9, 6, 6, 3, 3, 0 } };
 
 airlight_test::TestGoniometricLamp MakeLamp(vtkLight* light, const glm::dvec3& up)
 {

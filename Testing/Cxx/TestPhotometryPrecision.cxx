@@ -38,7 +38,7 @@ bool TestSinglePrecision()
   Random random(5);
   for (int i = 0; i < 20 * TableKinds; ++i)
   {
-    const TestTable table = RandomTable(random, i % TableKinds);
+    const LampTable table = RandomTable(random, i % TableKinds);
     std::string error;
     const auto photometry = Photometry::Parse(TableText(table), "single", error);
     if (!photometry)
