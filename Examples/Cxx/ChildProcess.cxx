@@ -20,6 +20,18 @@
 namespace airlight
 {
 
+// AddressSanitizer, which GCC and Clang tell of differently, reserves terabytes.
+#if defined(__SANITIZE_ADDRESS__)
+#define AIRLIGHT_LIMITS_MEMORY 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define AIRLIGHT_LIMITS_MEMORY 0
+#endif
+#endif
+#if !defined(AIRLIGHT_LIMITS_MEMORY) && defined(_SC_PHYS_PAGES)
+#define AIRLIGHT_LIMITS_MEMORY 1
+#endif
+
 namespace
 {
 constexpr int ExitUserError = 2;
@@ -31,7 +43,7 @@ void LimitResources()
 {
   const struct rlimit noCore = { 0, 0 };
   setrlimit(RLIMIT_CORE, &noCore);
-#if defined(_SC_PHYS_PAGES) && !defined(__SANITIZE_ADDRESS__)
+#if AIRLIGHT_LIMITS_MEMORY
   const rlim_t memory =
     static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
   const struct rlimit limit = { memory, memory };
