@@ -22,6 +22,21 @@ constexpr double PlaneTolerance = 2e-5;
 // in a direction without symmetry.
 constexpr double AsideLength = 1e-11;
 const glm::dvec3 AsideDirection{ 0.61, 0.47, 0.64 };
+
+// Where a point of the edge's plane is: from the sides that begin at A and at B, and beyond the edge,
+// each times the length of what it is measured from. The light is the anchor, or at infinity.
+glm::dvec3 GetSides(const ShadowEdge& edge, const glm::dvec4& light, const glm::dvec3& point,
+  const glm::dvec3& normal)
+{
+  const glm::dvec3 a(edge.A);
+  const glm::dvec3 b(edge.B);
+  const bool isPoint = light.w != 0.0;
+  const glm::dvec3 away = -glm::dvec3(light);
+  const glm::dvec3 fromA = glm::cross(isPoint ? a : away, isPoint ? point : point - a);
+  const glm::dvec3 fromB = glm::cross(isPoint ? point : point - b, isPoint ? b : away);
+  const glm::dvec3 beyond = glm::cross(point - a, b - a);
+  return { glm::dot(fromA, normal), glm::dot(fromB, normal), glm::dot(beyond, normal) };
+}
 }
 
 //------------------------------------------------------------------------------
@@ -44,10 +59,8 @@ bool ShadowVolumes::IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) con
   const glm::dvec3 sideB = isPoint ? b : away;
   const glm::dvec3 along = b - a;
   const double reach = tolerance * (glm::length(sideA) + glm::length(sideB));
-  const double fromA = glm::dot(glm::cross(sideA, isPoint ? eye : eye - a), n);
-  const double fromB = glm::dot(glm::cross(isPoint ? eye : eye - b, sideB), n);
-  const double beyond = glm::dot(glm::cross(eye - a, along), n);
-  return fromA >= -reach && fromB >= -reach && beyond >= -tolerance * glm::length(along);
+  const glm::dvec3 sides = GetSides(edge, this->Light, eye, n);
+  return sides.x >= -reach && sides.y >= -reach && sides.z >= -tolerance * glm::length(along);
 }
 
 //------------------------------------------------------------------------------
@@ -64,11 +77,7 @@ NearEdge ShadowVolumes::MakeNear(const ShadowEdge& edge, const glm::dvec3& eye) 
   near.Edge = edge;
   near.Edge.Normal = glm::vec4(glm::vec3(normal), edge.Normal.w);
   near.Edge.B.w = static_cast<float>(glm::dot(normal, a - eye));
-  const glm::dvec3 fromA = glm::cross(isPoint ? a : away, isPoint ? eye : eye - a);
-  const glm::dvec3 fromB = glm::cross(isPoint ? eye : eye - b, isPoint ? b : away);
-  const glm::dvec3 beyond = glm::cross(eye - a, b - a);
-  near.Sides =
-    glm::vec4(glm::dot(fromA, normal), glm::dot(fromB, normal), glm::dot(beyond, normal), 0.0);
+  near.Sides = glm::vec4(glm::vec3(GetSides(edge, this->Light, eye, normal)), 0.0f);
   return near;
 }
 

@@ -7,9 +7,10 @@
 #
 # Clang is used where there is one. `address` runs all tests but those that build other programs
 # or packages, which have no sanitizers, those in Python included; `thread` runs those of what
-# vtkSMPTools shares among threads, with VTK's backend STDThread, and four threads. VTK, Mesa, Python and OpenVDB are not instrumented:
-# what is wrong inside of them is found only where our calls of the C library show it; data races
-# through their locks are not known to ThreadSanitizer but for those of pthreads.
+# vtkSMPTools shares among threads, with VTK's backend STDThread, and four threads. VTK, Mesa, Python
+# and OpenVDB are not instrumented: what is wrong inside of them is found only where our calls of the
+# C library show it; data races through their locks are not known to ThreadSanitizer but for those of
+# pthreads.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

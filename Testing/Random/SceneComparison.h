@@ -91,6 +91,10 @@ private:
   void CountImproper(vtkIdType pixel);
   bool IsRight(vtkIdType pixel);
   bool IsExplained(vtkIdType pixel);
+  static constexpr double Tolerance = 0.01;
+  // Beyond this the pass and the reference mean "without end".
+  static constexpr double Endless = 1e15;
+
   // What the reference finds at several places, channel by channel.
   struct Range
   {
@@ -105,6 +109,7 @@ private:
   double GetReach();
   std::unique_ptr<airlight::ReferenceTracer> MakeTracer();
   std::unique_ptr<airlight::ReferenceTracer> MakeUnshadowedTracer();
+  airlight::ReferencePixel TraceUnshadowed(const glm::dvec2& place);
   void MeasureRadiance();
   void Describe(vtkIdType pixel);
 

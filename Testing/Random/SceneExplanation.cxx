@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What explains a pixel that is not right: edges, outlines, roundings.
+
+#include "SceneComparison.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkPropCollection.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace airlight_test
+{
+namespace
+{
+constexpr double EdgePixels = 0.02;
+constexpr double LastPlace = 5e-7; // of single precision, some of them
+
+glm::dvec2 GetDirection(int i)
+{
+  const double angle = (i + 0.3) * std::acos(-1.0) / 4.0;
+  return { std::cos(angle), std::sin(angle) };
+}
+
+// The values of a pixel's trace in the order of Names.
+std::vector<double> Flatten(const airlight::ReferencePixel& p)
+{
+  return { p.Radiance.x, p.Radiance.y, p.Radiance.z, p.Airlight.x, p.Airlight.y, p.Airlight.z,
+    p.Surface.x, p.Surface.y, p.Surface.z, p.Transmittance.x, p.Transmittance.y, p.Transmittance.z,
+    p.Depth, p.LitLength };
+}
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<airlight::ReferenceTracer> SceneComparison::MakeTracer()
+{
+  airlight::ReferenceSettings settings;
+  settings.Width = this->Scene.Width;
+  settings.Height = this->Scene.Height;
+  settings.LightRadius = this->Scene.Pass->GetLightRadius();
+  settings.SurfaceShadows = this->Scene.Pass->GetSurfaceShadows();
+  settings.Scatters = [](vtkLight*) { return true; };
+  return std::make_unique<airlight::ReferenceTracer>(this->Scene.Renderer, this->Media, settings);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<airlight::ReferenceTracer> SceneComparison::MakeUnshadowedTracer()
+{
+  vtkNew<vtkInformation> keys;
+  keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
+  const auto setKeys = [&](vtkInformation* information) {
+    vtkCollectionSimpleIterator it = nullptr;
+    vtkPropCollection* props = this->Scene.Renderer->GetViewProps();
+    props->InitTraversal(it);
+    while (vtkProp* prop = props->GetNextProp(it))
+    {
+      prop->SetPropertyKeys(information);
+    }
+  };
+  setKeys(keys);
+  auto tracer = this->MakeTracer();
+  setKeys(nullptr);
+  return tracer;
+}
+
+//------------------------------------------------------------------------------
+airlight::ReferencePixel SceneComparison::TraceUnshadowed(const glm::dvec2& place)
+{
+  if (!this->Unshadowed)
+  {
+    this->Unshadowed = this->MakeUnshadowedTracer();
+  }
+  return this->Unshadowed->Trace(place.x, place.y);
+}
+
+//------------------------------------------------------------------------------
+bool SceneComparison::IsExplained(vtkIdType pixel)
+{
+  if (!this->Tracer)
+  {
+    this->Tracer = this->MakeTracer();
+    this->Triangles = std::make_unique<ScreenTriangles>(
+      this->Scene.Renderer, this->Scene.Width, this->Scene.Height);
+  }
+  const glm::dvec2 middle = this->GetMiddle(pixel);
+  const std::vector<glm::dvec2> beside = this->Triangles->FindPlaces(middle, EdgePixels);
+  Range range;
+  range.Add(this->Tracer->Trace(middle.x, middle.y));
+  std::vector<airlight::ReferencePixel> there;
+  for (const glm::dvec2& place : beside)
+  {
+    there.push_back(this->Tracer->Trace(place.x, place.y));
+    range.Add(there.back());
+  }
+  for (int i = 0; i < 16; ++i)
+  {
+    const glm::dvec2 place = middle + (i < 8 ? EdgePixels : 0.25 * EdgePixels) * GetDirection(i);
+    range.Add(this->Tracer->Trace(place.x, place.y));
+  }
+  if (this->IsBetween(pixel, range))
+  {
+    return true;
+  }
+  Range outline = range;
+  for (size_t i = 0; i < beside.size(); ++i)
+  {
+    airlight::ReferencePixel lit = there[i];
+    const glm::dvec3 surface = this->TraceUnshadowed(beside[i]).Surface;
+    lit.Radiance += surface - lit.Surface;
+    lit.Surface = surface;
+    outline.Add(lit);
+  }
+  if (this->IsBetween(pixel, outline))
+  {
+    ++this->Figures.Outlines;
+    return true;
+  }
+  this->AddMoved(middle, range);
+  const bool rounded = this->IsBetween(pixel, range);
+  this->Figures.Rounded += rounded ? 1 : 0;
+  return rounded;
+}
+
+//------------------------------------------------------------------------------
+// What rays find that begin elsewhere by roundings of single precision.
+void SceneComparison::AddMoved(const glm::dvec2& middle, Range& range)
+{
+  const double reach = LastPlace * this->GetReach();
+  const double wider =
+    1.0 + 0.5 * reach / this->Scene.Renderer->GetActiveCamera()->GetClippingRange()[0];
+  for (int i = 0; i < 16; ++i)
+  {
+    const glm::dvec3 corner(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
+    const glm::dvec2 place = middle + (i < 8 ? 0.0 : EdgePixels) * GetDirection(i);
+    range.Add(this->Tracer->Trace(place.x, place.y, reach * corner, i % 2 ? wider : 1.0 / wider));
+  }
+}
+
+//------------------------------------------------------------------------------
+// The farthest corner of a box around any part, from the eye.
+double SceneComparison::GetReach()
+{
+  const glm::dvec3 eye = glm::make_vec3(this->Scene.Renderer->GetActiveCamera()->GetPosition());
+  double reach = 0.0;
+  vtkCollectionSimpleIterator it = nullptr;
+  vtkPropCollection* props = this->Scene.Renderer->GetViewProps();
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    const double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
+    for (int corner = 0; bounds && corner < 8; ++corner)
+    {
+      const glm::dvec3 point(
+        bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2 & 1)]);
+      reach = std::max(reach, glm::length(point - eye));
+    }
+  }
+  return reach;
+}
+
+//------------------------------------------------------------------------------
+void SceneComparison::Range::Add(const airlight::ReferencePixel& pixel)
+{
+  const std::vector<double> values = Flatten(pixel);
+  this->Low.resize(values.size(), std::numeric_limits<double>::infinity());
+  this->High.resize(values.size(), -std::numeric_limits<double>::infinity());
+  for (size_t k = 0; k < values.size(); ++k)
+  {
+    this->Low[k] = std::min(this->Low[k], values[k]);
+    this->High[k] = std::max(this->High[k], values[k]);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SceneComparison::IsBetween(vtkIdType pixel, const Range& range) const
+{
+  size_t k = 0;
+  for (const Buffer& buffer : this->Buffers)
+  {
+    for (int c = 0; c < buffer.Components; ++c, ++k)
+    {
+      const double a = buffer.Drawn->GetPointData()->GetScalars()->GetComponent(pixel, c);
+      const double room = Tolerance * std::max(std::abs(a), buffer.Floor);
+      if (!(a >= range.Low[k] - room && a <= range.High[k] + room) &&
+        !(a > Endless && range.High[k] > Endless))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+}
