@@ -14,22 +14,22 @@
 
 #include <fcntl.h>
 #include <sys/resource.h>
+#ifdef __linux__
+#include <sys/syscall.h>
+#endif
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace airlight
 {
 
-// AddressSanitizer, which GCC and Clang tell of differently, reserves terabytes.
+// GCC and Clang tell of AddressSanitizer differently.
 #if defined(__SANITIZE_ADDRESS__)
-#define AIRLIGHT_LIMITS_MEMORY 0
+#define AIRLIGHT_SANITIZED 1
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
-#define AIRLIGHT_LIMITS_MEMORY 0
+#define AIRLIGHT_SANITIZED 1
 #endif
-#endif
-#if !defined(AIRLIGHT_LIMITS_MEMORY) && defined(_SC_PHYS_PAGES)
-#define AIRLIGHT_LIMITS_MEMORY 1
 #endif
 
 namespace
@@ -43,12 +43,22 @@ void LimitResources()
 {
   const struct rlimit noCore = { 0, 0 };
   setrlimit(RLIMIT_CORE, &noCore);
-#if AIRLIGHT_LIMITS_MEMORY
+#if defined(_SC_PHYS_PAGES) && !defined(AIRLIGHT_SANITIZED) // which reserves terabytes
   const rlim_t memory =
     static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
   const struct rlimit limit = { memory, memory };
   setrlimit(RLIMIT_AS, &limit);
 #endif
+}
+
+// Without destructors: they belong to the parent.
+[[noreturn]] void Leave(int code)
+{
+#if defined(AIRLIGHT_SANITIZED) && defined(SYS_exit_group)
+  // _exit() has LeakSanitizer look for leaks, which it cannot in a child of several threads.
+  syscall(SYS_exit_group, code);
+#endif
+  _exit(code);
 }
 
 [[noreturn]] void RunChild(const std::function<void()>& task, int pipeEnd)
@@ -82,7 +92,7 @@ void LimitResources()
     code = ExitUserError;
   }
   std::fflush(stderr);
-  _exit(code); // without destructors: they belong to the parent
+  Leave(code);
 }
 
 // What the child prints. One that prints without end is reading a header gone wild: it is stopped.

@@ -32,13 +32,14 @@ AIRLIGHT_FN real airlightProductError(real a, real b, real product)
 }
 
 // p.x q.y - p.y q.x with its true sign, 0 where it is 0: without it, the triangles on a plane through
-// the line would not agree on which of them the line meets.
+// the line would not agree on which of them the line meets. And with most of its digits however
+// small it is: such a triangle is met at a mean of its corners, weighted by three of these.
 AIRLIGHT_FN real airlightCross(real2 p, real2 q)
 {
 #ifdef AIRLIGHT_DOUBLE
-  const real doubt = real(4e-16);
+  const real doubt = real(1e-6);
 #else
-  const real doubt = real(2.5e-7);
+  const real doubt = real(1e-2);
 #endif
   AIRLIGHT_PRECISE real a = p.x * q.y;
   AIRLIGHT_PRECISE real b = p.y * q.x;

@@ -85,9 +85,35 @@ AIRLIGHT_FN real airlightPhotometryCut(AIRLIGHT_IN(AirlightPhotometryLine) line,
   return airlightPlaneCut(line, planes.y, x, end);
 }
 
+// Where the ray passes the pole's axis: x and half the width, from whose ends the axis is seen in a
+// right angle. The angle around the pole is that of two linear functions of x, and turns here; as a
+// function of complex x it has its singularities at x +- i width.
+AIRLIGHT_FN real2 airlightPolePassage(AIRLIGHT_IN(AirlightPhotometryLine) line)
+{
+  real2 from = real2(line.first.x, line.second.x);
+  real2 along = real2(line.first.y, line.second.y);
+  real square = dot(along, along);
+  return square > real(1e-12)
+    ? real2(-dot(from, along), abs(from.x * along.y - from.y * along.x)) / square
+    : real2(AIRLIGHT_FAR, AIRLIGHT_FAR);
+}
+
+// How wide a panel from a on may be beside that passage, which both are given in its variable: no
+// wider than it is far away, so that nodes are as dense as the angle turns. What is nearer than
+// `least` counts as a jump.
+AIRLIGHT_FN real airlightPanelBesidePole(real2 passage, real a, real least)
+{
+  real gap = passage.x - a;
+  real away = gap > real(0.0) ? real(0.5) * gap : -gap;
+  return max(away, max(passage.y, least));
+}
+
 // Most cells are narrow: Gauss and Legendre's three nodes are enough where the panel is no wider
 // than this in v (the integrand's next singularities are pi/2 away from real v).
 #define AIRLIGHT_NARROW 0.2
+
+// The narrowest panels beside a pole, of the widest.
+#define AIRLIGHT_POLE 1e-4
 
 // Node k of a panel on [-1, 1]: position, weight, weights of what tells how rough the integrand is:
 // airlightRoughWeight(), or for three nodes what one node would make of a difference.
@@ -160,6 +186,10 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
   int type = int(AIRLIGHT_FETCH(light.photometry, light.photometry.first).z);
   AirlightPhotometryLine line =
     airlightPhotometryLine(light.photometry, type, foot, ray.direction);
+  real2 pole = airlightPolePassage(line);
+  real beyond = sqrt(ray.foot.h * ray.foot.h + pole.x * pole.x);
+  pole = straight ? real2(tL + pole.x, pole.y)
+                  : real2(airlightAsinh(pole.x / ray.foot.h), pole.y / beyond);
   real widest = straight ? w1 - w0 : real(1.0);
   real3 limit = real3(real(AIRLIGHT_FAR)); // of a panel's doubt; none at first
   real3 sum = real3(real(0.0));
@@ -193,6 +223,8 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
         a = end;
         continue;
       }
+      real most = airlightPanelBesidePole(pole, a, real(AIRLIGHT_POLE) * widest);
+      step = min(step, most);
       // The last one may be a rounding error wide.
       real b = end - a < real(1.01) * step ? end : a + step;
       real3 part;
@@ -207,6 +239,8 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
         sum += value;
         doubt += part;
         a = b;
+        // Beside a pole roundings can hide where a ray leaves its cell.
+        end = most < widest ? b : end;
         step = min(real(2.0) * step, widest);
       }
     }

@@ -154,7 +154,14 @@ struct TestGoniometricLamp
     const glm::dvec3 second = glm::cross(pole, first);
     const double zero = this->Table.Type == 1 ? 0.0 : 90.0; // from the pole
     const glm::dvec3 from = origin - this->Position;
-    std::vector<double> cuts;
+    // Where the ray passes the pole's axis: the angle around it turns there.
+    const glm::dvec3 across = direction - glm::dot(direction, pole) * pole;
+    std::vector<double> cuts = { -glm::dot(from, across) / glm::dot(across, across) };
+    const double least = glm::length(from + cuts[0] * direction);
+    for (double width = 1e-6 * least; width < 1e3 * least; width *= 4.0)
+    {
+      cuts.insert(cuts.end(), { cuts[0] - width, cuts[0] + width });
+    }
     for (const double angle : isB ? this->Table.Horizontal : this->Table.Vertical)
     {
       // (x.pole)^2 = cos^2 (x.x), x = from + t direction
