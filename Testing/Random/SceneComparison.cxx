@@ -48,6 +48,7 @@ SceneComparison::SceneComparison(airlighttest::Scene& scene,
   const std::vector<vtkSmartPointer<vtkParticipatingMedium>>& media, bool byBound)
   : Scene(scene)
   , ByBound(byBound)
+  , Bound(scene.GetBuffer("ErrorBound"))
   , Media(media.begin(), media.end())
 {
   vtkNew<vtkAirlightReference> reference;
@@ -122,8 +123,7 @@ double SceneComparison::GetError(const Buffer& buffer, vtkIdType pixel) const
     const std::string name = buffer.Name;
     if (this->ByBound && (name == "Airlight" || name == "Radiance"))
     {
-      allowed = std::max(allowed,
-        this->Scene.GetBuffer("ErrorBound")->GetPointData()->GetScalars()->GetComponent(pixel, c));
+      allowed = std::max(allowed, this->Bound->GetPointData()->GetScalars()->GetComponent(pixel, 0));
     }
     const double own = std::abs(a - b) / allowed;
     error = std::isnan(own) ? std::numeric_limits<double>::infinity() : std::max(error, own);

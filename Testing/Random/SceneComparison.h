@@ -115,6 +115,7 @@ private:
 
   airlighttest::Scene& Scene;
   bool ByBound;
+  vtkSmartPointer<vtkImageData> Bound; // of all channels
   std::vector<Buffer> Buffers;
   std::vector<char> Excused; // pixels explained by edges
   // Made when first asked.
