@@ -214,22 +214,44 @@ void ReferenceTracer::AddLayers(const PixelRay& ray, double end, glm::dvec3& rad
 }
 
 //------------------------------------------------------------------------------
-ReferencePixel ReferenceTracer::Trace(
-  double x, double y, const glm::dvec3& shift, double wider) const
+ReferenceTracer::PixelRay ReferenceTracer::MakeRay(
+  double x, double y, const ReferenceChange& change) const
 {
   const PixelRays::Ray own = this->Rays.GetRay(x, y);
-  const glm::dvec3 origin = own.Origin + shift;
-  PixelRay ray{ origin, origin + this->Rays.GetEye(), own.Direction, own.Nearest / wider,
-    own.Farthest * wider, {} };
+  const glm::dvec3 origin = own.Origin + change.Shift;
+  return { origin, origin + this->Rays.GetEye(), own.Direction,
+    std::max(own.Nearest / change.Wider, change.After), own.Farthest * change.Wider, {} };
+}
+
+//------------------------------------------------------------------------------
+void ReferenceTracer::TraceMedium(PixelRay& ray, double end, ReferencePixel& pixel) const
+{
+  this->FindLitParts(ray, end);
+  pixel.Airlight = this->Scatter(ray, end, &pixel.LitLength);
+  pixel.Transmittance = this->Pass(ray, end);
+}
+
+//------------------------------------------------------------------------------
+ReferencePixel ReferenceTracer::TraceTo(double x, double y, double end) const
+{
+  PixelRay ray = this->MakeRay(x, y, {});
+  ReferencePixel pixel;
+  pixel.Depth = end;
+  this->TraceMedium(ray, end, pixel);
+  return pixel;
+}
+
+//------------------------------------------------------------------------------
+ReferencePixel ReferenceTracer::Trace(double x, double y, const ReferenceChange& change) const
+{
+  PixelRay ray = this->MakeRay(x, y, change);
   ReferencePixel pixel;
   SurfaceHit hit{ Infinity, nullptr };
   if (this->FindSurface(this->Scene.GetOpaque(), ray, ray.Nearest, ray.Farthest, hit))
   {
     pixel.Depth = hit.T;
   }
-  this->FindLitParts(ray, hit.T);
-  pixel.Airlight = this->Scatter(ray, hit.T, &pixel.LitLength);
-  pixel.Transmittance = this->Pass(ray, hit.T);
+  this->TraceMedium(ray, hit.T, pixel);
   glm::dvec3 behind = this->GetBackground(y);
   if (hit.Triangle)
   {

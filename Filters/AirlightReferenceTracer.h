@@ -42,6 +42,14 @@ struct ReferenceSettings
   std::function<bool(vtkLight*)> Scatters;
 };
 
+// What is otherwise on a ray, to find out what rounding does to pictures.
+struct ReferenceChange
+{
+  glm::dvec3 Shift{ 0.0 }; // of the ray, in the world
+  double Wider = 1.0;      // the clipping range in which surfaces are seen
+  double After = 0.0;      // distance up to which surfaces are not seen
+};
+
 // Reads the whole scene when it is made; Trace() may then run in many threads.
 class VTKAIRLIGHT_EXPORT ReferenceTracer
 {
@@ -55,10 +63,11 @@ public:
   const ReferenceLights& GetLights() const { return this->Lights; }
 
   // At a point of the picture, in pixels from its lower left corner; the middle of the first pixel is
-  // at 0.5, 0.5. `shift` moves the ray, in the world, and surfaces are seen in a clipping range that is
-  // so much wider: what rounding does to pictures can be found out.
-  ReferencePixel Trace(
-    double x, double y, const glm::dvec3& shift = glm::dvec3(0.0), double wider = 1.0) const;
+  // at 0.5, 0.5.
+  ReferencePixel Trace(double x, double y, const ReferenceChange& change = {}) const;
+
+  // The medium before a surface at a distance that others found: airlight, transmittance and lit length.
+  ReferencePixel TraceTo(double x, double y, double end) const;
 
 private:
   struct PixelRay;
@@ -68,6 +77,8 @@ private:
     const OccluderTriangle* Triangle;
   };
 
+  PixelRay MakeRay(double x, double y, const ReferenceChange& change) const;
+  void TraceMedium(PixelRay& ray, double end, ReferencePixel& pixel) const;
   bool FindSurface(const Occluders& surfaces, const PixelRay& ray, double after, double before,
     SurfaceHit& hit) const;
   void FindLitParts(PixelRay& ray, double end) const;

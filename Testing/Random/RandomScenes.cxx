@@ -165,6 +165,7 @@ struct Totals
   long Wrong = 0;
   long Rounded = 0;
   long Outlines = 0;
+  long Borders = 0;
   double P99 = 0.0;
   double Largest = 0.0;
   double Leak = 0.0;
@@ -177,6 +178,7 @@ struct Totals
     this->Wrong += figures.Wrong;
     this->Rounded += figures.Rounded;
     this->Outlines += figures.Outlines;
+    this->Borders += figures.Borders;
     this->P99 = std::max(this->P99, figures.P99);
     this->Largest = std::max(this->Largest, figures.Largest);
     this->Leak = std::max(this->Leak, figures.Leak);
@@ -191,7 +193,8 @@ struct Totals
     std::sort(this->Medians.begin(), this->Medians.end());
     std::cout << this->Medians.size() << " scenes, " << this->Pixels << " pixels, " << this->Wrong
               << " at edges or wrong, " << this->Rounded << " of them by rounding, "
-              << this->Outlines << " on outlines; scenes' medians: half below "
+              << this->Outlines << " on outlines, " << this->Borders
+              << " at borders; scenes' medians: half below "
               << this->Medians[this->Medians.size() / 2] << ", largest " << this->Medians.back()
               << "; 99 % of a scene's pixels below " << this->P99 << ", but for edges all below "
               << this->Largest << "; dark pixels below " << this->Leak << " of the bright ones\n"
@@ -251,8 +254,8 @@ int main(int argc, char* argv[])
                 << "scene " << seed << ": median " << figures.Median << ", p99 " << figures.P99
                 << ", largest " << figures.Largest << ", leak " << figures.Leak << ", wrong "
                 << figures.Wrong << ", by rounding " << figures.Rounded << ", on outlines "
-                << figures.Outlines << ", unexplained " << figures.Unexplained << ", improper "
-                << figures.Improper << "; drawn in "
+                << figures.Outlines << ", at borders " << figures.Borders << ", unexplained "
+                << figures.Unexplained << ", improper " << figures.Improper << "; drawn in "
                 << static_cast<double>(drawn - start) / CLOCKS_PER_SEC << " s, computed in "
                 << static_cast<double>(end - drawn) / CLOCKS_PER_SEC << " s\n"
                 << figures.Worst << (quiet ? "" : errors.GetText() + "\n");

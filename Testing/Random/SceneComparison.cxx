@@ -21,6 +21,7 @@ constexpr double Rounding = 1e-5; // of the airlight without shadows
 constexpr double Black = 1e-6;    // radiance below which no picture is measured
 constexpr int Described = 3;
 
+// In the order of SceneComparison::BufferIndex.
 constexpr const char* Names[] = { "Radiance", "Airlight", "Surface", "Transmittance", "Depth",
   "LitLength" };
 
@@ -123,7 +124,8 @@ double SceneComparison::GetError(const Buffer& buffer, vtkIdType pixel) const
     const std::string name = buffer.Name;
     if (this->ByBound && (name == "Airlight" || name == "Radiance"))
     {
-      allowed = std::max(allowed, this->Bound->GetPointData()->GetScalars()->GetComponent(pixel, 0));
+      allowed =
+        std::max(allowed, this->Bound->GetPointData()->GetScalars()->GetComponent(pixel, 0));
     }
     const double own = std::abs(a - b) / allowed;
     error = std::isnan(own) ? std::numeric_limits<double>::infinity() : std::max(error, own);

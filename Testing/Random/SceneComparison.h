@@ -15,10 +15,18 @@
  * each triangle that comes so near. It is explained by rounding, and counted
  * apart, where that is so for rays that besides are moved by d = 5e-7 of the farthest corner of any part,
  * and a clipping range that is wider or narrower by d over twice its beginning: surfaces are drawn and
- * clipped in single precision, which shows where parts are large. It is explained by an outline, and
+ * clipped in single precision, which shows where parts are large; or for the surface behind the first one,
+ * if a depth buffer of 24 bits cannot tell which is the first. It is explained by an outline, and
  * counted apart, where the pixel's middle is beside a triangle that a rasteriser may draw there, and the
  * surface is as it is without shadows: where a shadow ends with the surface that it is on, as it does where
- * two faces meet, what is drawn beyond that edge is beyond the shadow, too. All others are
+ * two faces meet, what is drawn beyond that edge is beyond the shadow, too. It is explained by a border, and
+ * counted apart, where a triangle's border is within those 0.02 pixels and VTK has drawn another surface
+ * than the reference sees: a rasteriser that draws the triangle beside itself follows its plane, normals
+ * and colours beyond the border, far beyond, if it is a sliver, and in another order of depth, where two
+ * triangles meet in a fold; one that leaves it out shows what is behind. Then the surface is VTK's, and
+ * the medium before it has to be right, for the depth that was drawn: airlight, transmittance and lit
+ * length, and the radiance with the surface as it was drawn. The same holds where d is more than a
+ * thousandth of the depth: VTK places such surfaces by chance. All others are
  * unexplained; there may be none.
  *
  * No radiance is measured by less than 1e-6 W/(m^2 sr), where lamps give surfaces some 1 to 100: the
@@ -52,6 +60,7 @@ struct SceneFigures
   int Unexplained = 0; // of these
   int Rounded = 0;     // explained not by pixels' edges but by single precision
   int Outlines = 0;    // explained by light on a surface's outline
+  int Borders = 0;     // explained by VTK drawing another surface at a border
   int Improper = 0;    // negative or not finite
   double Median = 0.0; // error of the radiance
   double P99 = 0.0;
@@ -86,6 +95,16 @@ private:
     bool MayBeNegative;
   };
 
+  enum BufferIndex
+  {
+    RADIANCE,
+    AIRLIGHT,
+    SURFACE,
+    TRANSMITTANCE,
+    DEPTH,
+    LIT_LENGTH
+  };
+
   void AddBuffer(const char* name, vtkImageData* computed);
   double GetError(const Buffer& buffer, vtkIdType pixel) const;
   void CountImproper(vtkIdType pixel);
@@ -105,11 +124,15 @@ private:
   };
   bool IsBetween(vtkIdType pixel, const Range& range) const;
   void AddMoved(const glm::dvec2& middle, Range& range);
+  void AddBehind(const glm::dvec2& middle, Range& range);
+  bool AreSurfacesCoarse(vtkIdType pixel);
+  bool IsMediumRight(vtkIdType pixel);
   glm::dvec2 GetMiddle(vtkIdType pixel) const;
   double GetReach();
   std::unique_ptr<airlight::ReferenceTracer> MakeTracer();
   std::unique_ptr<airlight::ReferenceTracer> MakeUnshadowedTracer();
-  airlight::ReferencePixel TraceUnshadowed(const glm::dvec2& place);
+  airlight::ReferencePixel TraceUnshadowed(
+    const glm::dvec2& place, const airlight::ReferenceChange& change = {});
   void MeasureRadiance();
   void Describe(vtkIdType pixel);
 

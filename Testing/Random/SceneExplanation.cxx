@@ -21,6 +21,7 @@ namespace
 {
 constexpr double EdgePixels = 0.02;
 constexpr double LastPlace = 5e-7; // of single precision, some of them
+constexpr double DepthPlace = 1.0 / (1 << 24);
 
 glm::dvec2 GetDirection(int i)
 {
@@ -70,13 +71,14 @@ std::unique_ptr<airlight::ReferenceTracer> SceneComparison::MakeUnshadowedTracer
 }
 
 //------------------------------------------------------------------------------
-airlight::ReferencePixel SceneComparison::TraceUnshadowed(const glm::dvec2& place)
+airlight::ReferencePixel SceneComparison::TraceUnshadowed(
+  const glm::dvec2& place, const airlight::ReferenceChange& change)
 {
   if (!this->Unshadowed)
   {
     this->Unshadowed = this->MakeUnshadowedTracer();
   }
-  return this->Unshadowed->Trace(place.x, place.y);
+  return this->Unshadowed->Trace(place.x, place.y, change);
 }
 
 //------------------------------------------------------------------------------
@@ -122,9 +124,88 @@ bool SceneComparison::IsExplained(vtkIdType pixel)
     return true;
   }
   this->AddMoved(middle, range);
-  const bool rounded = this->IsBetween(pixel, range);
-  this->Figures.Rounded += rounded ? 1 : 0;
-  return rounded;
+  this->AddBehind(middle, range);
+  if (this->IsBetween(pixel, range))
+  {
+    ++this->Figures.Rounded;
+    return true;
+  }
+  const bool is =
+    (this->Triangles->IsNearBorder(middle, EdgePixels) || this->AreSurfacesCoarse(pixel)) &&
+    this->IsMediumRight(pixel);
+  this->Figures.Borders += is ? 1 : 0;
+  return is;
+}
+
+//------------------------------------------------------------------------------
+// Whether roundings of single precision can move surfaces by more than a thousandth of their distance.
+bool SceneComparison::AreSurfacesCoarse(vtkIdType pixel)
+{
+  const double depth =
+    this->Buffers[DEPTH].Drawn->GetPointData()->GetScalars()->GetComponent(pixel, 0);
+  return LastPlace * this->GetReach() > 1e-3 * depth;
+}
+
+//------------------------------------------------------------------------------
+// Surfaces that are behind the first by no more than what depth buffers of 24 bits resolve.
+void SceneComparison::AddBehind(const glm::dvec2& middle, Range& range)
+{
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+  const double* clip = camera->GetClippingRange();
+  const double first = this->Tracer->Trace(middle.x, middle.y).Depth;
+  const double slope =
+    camera->GetParallelProjection() ? clip[1] - clip[0] : first * first / clip[0];
+  airlight::ReferenceChange change;
+  change.After = first;
+  while (change.After > 0.0)
+  {
+    change.After *= 1.0 + 1e-12;
+    const airlight::ReferencePixel next = this->Tracer->Trace(middle.x, middle.y, change);
+    if (next.Depth - first > 2.0 * DepthPlace * slope)
+    {
+      return;
+    }
+    range.Add(next);
+    // Behind by so little, it is shadowed by the first or not.
+    airlight::ReferencePixel lit = next;
+    lit.Surface = this->TraceUnshadowed(middle, change).Surface;
+    lit.Radiance += lit.Surface - next.Surface;
+    range.Add(lit);
+    change.After = next.Depth; // -1: none
+  }
+}
+
+//------------------------------------------------------------------------------
+// The medium before the surface that VTK has drawn, with its depth.
+bool SceneComparison::IsMediumRight(vtkIdType pixel)
+{
+  const auto get = [&](int buffer, int c) {
+    return this->Buffers[static_cast<size_t>(buffer)]
+      .Drawn->GetPointData()
+      ->GetScalars()
+      ->GetComponent(pixel, c);
+  };
+  const double depth = get(DEPTH, 0);
+  if (!(depth > 0.0))
+  {
+    return false;
+  }
+  const glm::dvec2 middle = this->GetMiddle(pixel);
+  Range range;
+  for (int i = 0; i < 17; ++i)
+  {
+    const glm::dvec2 place = middle +
+      (i < 8       ? 1.0
+          : i < 16 ? 0.25
+                   : 0.0) *
+        EdgePixels * GetDirection(i);
+    airlight::ReferencePixel traced = this->Tracer->TraceTo(place.x, place.y, depth);
+    // As drawn: VTK shades what it has found.
+    traced.Surface = { get(SURFACE, 0), get(SURFACE, 1), get(SURFACE, 2) };
+    traced.Radiance = traced.Airlight + traced.Surface;
+    range.Add(traced);
+  }
+  return this->IsBetween(pixel, range);
 }
 
 //------------------------------------------------------------------------------
@@ -138,7 +219,10 @@ void SceneComparison::AddMoved(const glm::dvec2& middle, Range& range)
   {
     const glm::dvec3 corner(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
     const glm::dvec2 place = middle + (i < 8 ? 0.0 : EdgePixels) * GetDirection(i);
-    range.Add(this->Tracer->Trace(place.x, place.y, reach * corner, i % 2 ? wider : 1.0 / wider));
+    airlight::ReferenceChange change;
+    change.Shift = reach * corner;
+    change.Wider = i % 2 ? wider : 1.0 / wider;
+    range.Add(this->Tracer->Trace(place.x, place.y, change));
   }
 }
 

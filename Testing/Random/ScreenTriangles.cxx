@@ -152,4 +152,12 @@ std::vector<glm::dvec2> ScreenTriangles::FindPlaces(const glm::dvec2& pixel, dou
   }
   return places;
 }
+
+//------------------------------------------------------------------------------
+bool ScreenTriangles::IsNearBorder(const glm::dvec2& pixel, double reach) const
+{
+  return std::any_of(this->Polygons.begin(), this->Polygons.end(), [&](const Polygon& polygon) {
+    return glm::distance(FindNearest(polygon, pixel), pixel) < reach;
+  });
+}
 }

@@ -26,6 +26,9 @@ public:
   // from the picture's lower left corner.
   std::vector<glm::dvec2> FindPlaces(const glm::dvec2& pixel, double reach) const;
 
+  // Whether a triangle ends nearer to `pixel` than `reach`.
+  bool IsNearBorder(const glm::dvec2& pixel, double reach) const;
+
 private:
   using Polygon = std::vector<glm::dvec2>; // what lies before the eye of a triangle
 
