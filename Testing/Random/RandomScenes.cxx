@@ -35,14 +35,15 @@ namespace
 {
 constexpr int Width = 32;
 constexpr int Height = 24;
+constexpr std::uint64_t All = ~std::uint64_t(0);
 
 struct Options
 {
   std::vector<std::uint64_t> Seeds;
   std::vector<std::uint64_t> Open;
   bool Verbose = false;
-  std::uint64_t Parts = ~std::uint64_t(0);
-  std::uint64_t Triangles = ~std::uint64_t(0);
+  std::uint64_t Parts = All;
+  std::uint64_t Triangles = All;
   std::string Printed;
 };
 
@@ -134,7 +135,7 @@ void HideOthers(vtkRenderer* renderer, std::uint64_t parts)
 // Of each part the first 64, if its bit is 1.
 void HideTriangles(vtkRenderer* renderer, std::uint64_t triangles)
 {
-  if (~triangles == 0)
+  if (triangles == All)
   {
     return;
   }
