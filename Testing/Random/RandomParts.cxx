@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RandomParts.h"
 
-#include "vtkCellData.h"
-#include "vtkFloatArray.h"
-
 #include <algorithm>
 
 namespace airlight_test
@@ -46,12 +43,14 @@ TriangleList MakeSphere(Random& random)
     const double s = v == 0.0 || v == 1.0 ? 0.0 : std::sin(Pi * v);
     return glm::dvec3(s * std::cos(a), s * std::sin(a), -std::cos(Pi * v));
   };
-  return Tessellate(point, 4 + random.Index(13), 3 + random.Index(10));
+  const int rows = 3 + random.Index(10);
+  return Tessellate(point, 4 + random.Index(13), rows);
 }
 
 TriangleList MakeBox(Random& random)
 {
-  const glm::dvec3 size(random.Uniform(0.2, 1.0), random.Uniform(0.2, 1.0), 1.0);
+  const double depth = random.Uniform(0.2, 1.0);
+  const glm::dvec3 size(random.Uniform(0.2, 1.0), depth, 1.0);
   TriangleList triangles;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -76,7 +75,8 @@ TriangleList MakeSheet(Random& random)
   const auto point = [bend](double u, double v) {
     return glm::dvec3(2.0 * u - 1.0, bend * std::sin(3.0 * u + 2.0 * v), 2.0 * v - 1.0);
   };
-  return Tessellate(point, 1 + random.Index(6), 1 + random.Index(6));
+  const int rows = 1 + random.Index(6);
+  return Tessellate(point, 1 + random.Index(6), rows);
 }
 
 TriangleList MakeOpenCylinder(Random& random)
@@ -86,7 +86,8 @@ TriangleList MakeOpenCylinder(Random& random)
     const double a = 2.0 * Pi * (u == 1.0 ? 0.0 : u);
     return glm::dvec3(radius * std::cos(a), 2.0 * v - 1.0, radius * std::sin(a));
   };
-  return Tessellate(point, 3 + random.Index(18), 1 + random.Index(3));
+  const int rows = 1 + random.Index(3);
+  return Tessellate(point, 3 + random.Index(18), rows);
 }
 
 Triangle RandomTriangle(Random& random, double size)
@@ -109,8 +110,8 @@ TriangleList MakeSlivers(Random& random)
     const glm::dvec3 a = RandomPoint(random, 1.0);
     const glm::dvec3 b = RandomPoint(random, 1.0);
     const double width = random.LogUniform(1e-6, 3e-2);
-    triangles.push_back(
-      { a, b, glm::mix(a, b, random.Uniform(0.0, 1.0)) + width * RandomDirection(random) });
+    const glm::dvec3 beside = width * RandomDirection(random);
+    triangles.push_back({ a, b, glm::mix(a, b, random.Uniform(0.0, 1.0)) + beside });
   }
   return triangles;
 }
@@ -275,59 +276,5 @@ TriangleList MakePart(int kind, Random& random)
     default:
       return MakeFloor(random);
   }
-}
-
-//------------------------------------------------------------------------------
-glm::dvec3 RandomPoint(Random& random, double reach)
-{
-  const double x = random.Uniform(-reach, reach);
-  const double y = random.Uniform(-reach, reach);
-  return { x, y, random.Uniform(-reach, reach) };
-}
-
-//------------------------------------------------------------------------------
-glm::dvec3 RandomDirection(Random& random)
-{
-  glm::dvec3 v;
-  do
-  {
-    v = RandomPoint(random, 1.0);
-  } while (glm::length(v) < 0.1 || glm::length(v) > 1.0);
-  return glm::normalize(v);
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeMesh(
-  const TriangleList& triangles, double normals, bool shared, bool single)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataType(single ? VTK_FLOAT : VTK_DOUBLE);
-  vtkNew<vtkCellArray> cells;
-  vtkNew<vtkFloatArray> directions;
-  directions->SetNumberOfComponents(3);
-  std::map<Position, vtkIdType> known;
-  for (const Triangle& t : triangles)
-  {
-    vtkIdType ids[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto found = known.find(ToPosition(t[k]));
-      ids[k] = shared && found != known.end() ? found->second : points->InsertNextPoint(&t[k].x);
-      known[ToPosition(t[k])] = ids[k];
-    }
-    cells->InsertNextCell(3, ids);
-    // Of lengths that neither overflow nor vanish.
-    const double size = std::max(
-      { glm::length(t[1] - t[0]), glm::length(t[2] - t[0]), glm::length(t[2] - t[1]), 1e-300 });
-    const glm::dvec3 normal = glm::cross((t[1] - t[0]) / size, (t[2] - t[0]) / size);
-    const double length = glm::length(normal);
-    const glm::dvec3 unit = length > 0.0 ? normals * normal / length : glm::dvec3(0.0, 0.0, 1.0);
-    directions->InsertNextTuple(&unit.x);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  data->GetCellData()->SetNormals(directions);
-  return data;
 }
 }

@@ -5,117 +5,9 @@
 #include "RandomParts.h"
 
 #include <algorithm>
-#include <array>
 
 namespace airlight_test
 {
-namespace
-{
-std::uint64_t Mix(std::uint64_t a, std::uint64_t b)
-{
-  std::uint64_t x = a * 0x9e3779b97f4a7c15u + b * 0xbf58476d1ce4e5b9u + 0x94d049bb133111ebu;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  return x ^ (x >> 31);
-}
-
-// One of the values, each once in as many groups as there are, in an order that changes.
-template <typename T, size_t N>
-T TakeInTurn(const std::array<T, N>& values, std::uint64_t group, std::uint64_t salt)
-{
-  std::array<T, N> deck = values;
-  Random random(Mix(salt, group / N));
-  for (size_t i = N - 1; i > 0; --i)
-  {
-    std::swap(deck[i], deck[static_cast<size_t>(random.Index(static_cast<int>(i) + 1))]);
-  }
-  return deck[group % N];
-}
-
-using Medium = vtkParticipatingMedium;
-
-const std::array<int, 8> Phases = { Medium::ISOTROPIC, Medium::HENYEY_GREENSTEIN, Medium::RAYLEIGH,
-  Medium::SCHLICK, Medium::CORNETTE_SHANKS, Medium::MIE_HAZY, Medium::MIE_MURKY,
-  Medium::TABULATED };
-const std::array<int, 6> RegionKinds = { Medium::UNBOUNDED, Medium::UNBOUNDED, Medium::BOX,
-  Medium::BOX, Medium::SPHERE, Medium::SURFACE };
-const std::array<int, 8> Densities = { Medium::UNIFORM, Medium::UNIFORM, Medium::UNIFORM,
-  Medium::UNIFORM, Medium::UNIFORM, Medium::EXPONENTIAL_HEIGHT, Medium::EXPONENTIAL_HEIGHT,
-  Medium::IMAGE };
-const std::array<double, 6> Anisotropies = { 0.3, 0.6, 0.76, 0.85, 0.9, 0.95 };
-const std::array<int, 12> FirstLights = { LIGHT_POINT, LIGHT_POINT, LIGHT_POINT, LIGHT_SPOT,
-  LIGHT_SOFT_SPOT, LIGHT_ATTENUATED, LIGHT_SUN, LIGHT_SUN, LIGHT_HEADLIGHT, LIGHT_HEADLAMP,
-  LIGHT_CAMERA, LIGHT_CAMERA_SUN };
-const std::array<int, 6> Counts = { 1, 1, 1, 1, 1, 2 };
-
-const char* GetLightName(int kind)
-{
-  static const char* const names[] = { "point", "spot", "soft spot", "attenuated", "sun",
-    "headlight", "headlamp", "camera light", "camera sun" };
-  return names[kind];
-}
-
-const char* GetPhaseName(int phase)
-{
-  static const char* const names[] = { "isotropic", "Henyey-Greenstein", "Rayleigh", "Schlick",
-    "Cornette-Shanks", "hazy", "murky", "table" };
-  return names[phase];
-}
-
-const char* GetRegionName(int region)
-{
-  static const char* const names[] = { "everywhere", "box", "sphere", "surface" };
-  return names[region];
-}
-}
-
-//------------------------------------------------------------------------------
-RandomGroup::RandomGroup(std::uint64_t number)
-  : Number(number)
-  , Phase(TakeInTurn(Phases, number, 1))
-  , Anisotropy(TakeInTurn(Anisotropies, number, 2))
-  , Density(TakeInTurn(Densities, number, 3))
-  , Grey(TakeInTurn(std::array<int, 4>{ 0, 0, 0, 1 }, number, 4) == 1)
-  , Parallel(TakeInTurn(std::array<int, 3>{ 0, 0, 1 }, number, 5) == 1)
-{
-  Random random(Mix(7, number));
-  this->Regions.push_back(TakeInTurn(RegionKinds, number, 8));
-  this->Lights.push_back(TakeInTurn(FirstLights, number, 9));
-  // Images are alone, and in no surface.
-  const bool image = this->Density == Medium::IMAGE;
-  if (image && this->Regions[0] == Medium::SURFACE)
-  {
-    this->Regions[0] = Medium::UNBOUNDED;
-  }
-  const int media = image ? 1 : TakeInTurn(Counts, number, 10);
-  while (static_cast<int>(this->Regions.size()) < media)
-  {
-    this->Regions.push_back(random.Index(3)); // surfaces take compilers long
-  }
-  const int lights = TakeInTurn(Counts, number, 11);
-  while (static_cast<int>(this->Lights.size()) < lights)
-  {
-    this->Lights.push_back(random.Index(LIGHT_KINDS));
-  }
-}
-
-//------------------------------------------------------------------------------
-std::string RandomGroup::Describe() const
-{
-  static const char* const densities[] = { "uniform", "height", "image" };
-  std::string text = airlight_test::Text("group ", this->Number, ": ", GetPhaseName(this->Phase),
-    " ", this->Anisotropy, ", ", densities[this->Density], this->Grey ? ", grey" : ", coloured",
-    this->Parallel ? ", parallel" : ", perspective");
-  for (int region : this->Regions)
-  {
-    text += std::string(", ") + GetRegionName(region);
-  }
-  for (int light : this->Lights)
-  {
-    text += std::string(", ") + GetLightName(light);
-  }
-  return text;
-}
-
 //------------------------------------------------------------------------------
 RandomScene::RandomScene(std::uint64_t seed, airlighttest::Scene& scene)
   : Group(seed / GroupSize)
@@ -158,7 +50,8 @@ void RandomScene::PlaceCamera()
 {
   Random& random = this->Numbers;
   const int place = random.Index(4);
-  this->Eye = random.Uniform(2.5, 8.0) * RandomDirection(random);
+  const glm::dvec3 side = RandomDirection(random);
+  this->Eye = random.Uniform(2.5, 8.0) * side;
   this->Focus = RandomPoint(random, 0.7);
   if (place == 1)
   {
@@ -215,9 +108,15 @@ glm::dvec3 RandomScene::ChooseLightPosition()
     case 0:
       return { 1.0, 2.0, random.Index(3) - 1.0 };
     case 1:
-      return random.LogUniform(5.0, 300.0) * RandomDirection(random);
+    {
+      const glm::dvec3 side = RandomDirection(random);
+      return random.LogUniform(5.0, 300.0) * side;
+    }
     case 2:
-      return this->Eye + random.LogUniform(1e-3, 0.3) * RandomDirection(random);
+    {
+      const glm::dvec3 side = RandomDirection(random);
+      return this->Eye + random.LogUniform(1e-3, 0.3) * side;
+    }
     case 3:
       return this->Eye + random.Uniform(0.2, 1.5) * (this->Focus - this->Eye);
     default:
@@ -229,7 +128,8 @@ glm::dvec3 RandomScene::ChooseLightPosition()
 void RandomScene::PlaceLight(vtkLight* light, int kind)
 {
   Random& random = this->Numbers;
-  const glm::dvec3 colour(random.LogUniform(1.0, 100.0), 20.0, random.LogUniform(1.0, 100.0));
+  const double blue = random.LogUniform(1.0, 100.0);
+  const glm::dvec3 colour(random.LogUniform(1.0, 100.0), 20.0, blue);
   const glm::dvec3 intensity = this->Unit * this->Unit * colour;
   glm::dvec3 position = this->ChooseLightPosition();
   glm::dvec3 aim = RandomPoint(random, 1.0);
@@ -269,9 +169,11 @@ void RandomScene::PlaceLight(vtkLight* light, int kind)
   {
     // Of the colour as it is for the inverse square, in units of the scene.
     const double u = 1.0 / this->Unit;
-    light->SetAttenuationValues(
-      random.Index(3) ? random.Uniform(0.1, 1.0) * u * u * this->Unit * this->Unit : 0.0,
-      random.Uniform(0.05, 1.0) * u, random.Index(3) ? random.Uniform(0.1, 2.0) * u * u : 0.0);
+    const double square = random.Index(3) ? random.Uniform(0.1, 2.0) * u * u : 0.0;
+    const double linear = random.Uniform(0.05, 1.0) * u;
+    const double constant =
+      random.Index(3) ? random.Uniform(0.1, 1.0) * u * u * this->Unit * this->Unit : 0.0;
+    light->SetAttenuationValues(constant, linear, square);
     vtkNew<vtkLight> plain;
     vtkAirlight::SetRadiantIntensity(plain, &colour.x);
     light->SetColor(plain->GetDiffuseColor());
@@ -325,7 +227,8 @@ void RandomScene::AddPart(int kind)
   const bool byMatrix = random.Index(2) == 0;
   const glm::dvec3 axis = RandomDirection(random);
   const double angle = turned ? random.Uniform(0.0, 180.0) : 0.0;
-  const glm::dvec3 stretch(random.Index(4) ? 1.0 : -1.0, random.Index(4) ? 1.0 : 0.3, 1.0);
+  const double flat = random.Index(4) ? 1.0 : 0.3;
+  const glm::dvec3 stretch(random.Index(4) ? 1.0 : -1.0, flat, 1.0);
 
   vtkSmartPointer<vtkActor> actor =
     airlighttest::Scene::MakeActor(static_cast<vtkMapper*>(nullptr));
