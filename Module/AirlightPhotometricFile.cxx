@@ -19,7 +19,7 @@ constexpr double LeastStep = 1e-4;
 std::string_view Trim(std::string_view text)
 {
   const size_t first = text.find_first_not_of(" \t\f");
-  return first == text.npos ? std::string_view()
+  return first == std::string_view::npos ? std::string_view()
                             : text.substr(first, text.find_last_not_of(" \t\f") - first + 1);
 }
 
@@ -118,7 +118,7 @@ private:
         this->Scanner.Number({ "tilt factor", i, count });
       }
     }
-    else if (tilt != "NONE" && tilt.find('.') == tilt.npos)
+    else if (tilt != "NONE" && tilt.find('.') == std::string::npos)
     {
       this->Scanner.Fail("unknown TILT=" + Quote(value) +
         "; expected TILT=NONE, TILT=INCLUDE or TILT=<file> with a file name that has a dot");
