@@ -100,7 +100,7 @@ std::string_view Scanner::Token()
 {
   constexpr std::string_view Separators = " \t\v\f,";
   size_t start = this->Rest.find_first_not_of(Separators);
-  while (start == this->Rest.npos)
+  while (start == std::string_view::npos)
   {
     if (!this->NextLine())
     {

@@ -7,6 +7,7 @@
 #ifndef AirlightTestMatrix_h
 #define AirlightTestMatrix_h
 
+#include "AirlightTestDirections.h"
 #include "AirlightTestPhaseTable.h"
 #include "AirlightTestSurfaces.h"
 #include "AirlightTestTools.h"
@@ -43,16 +44,6 @@ enum MatrixPhase
   MATRIX_TABLE, // TABLE_SMOOTH of AirlightTestPhaseTable.h; MATRIX_TABLE + any other TestTable
   MATRIX_PHASES
 };
-
-inline glm::dvec3 RandomUnit(Random& random)
-{
-  glm::dvec3 v;
-  do
-  {
-    v = { random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1) };
-  } while (glm::length(v) < 0.1 || glm::length(v) > 1.0);
-  return glm::normalize(v);
-}
 
 struct MatrixCell
 {

@@ -7,6 +7,7 @@
 #ifndef AirlightTestRandomScene_h
 #define AirlightTestRandomScene_h
 
+#include "AirlightTestDirections.h"
 #include "AirlightTestPixels.h"
 #include "AirlightTestTools.h"
 
@@ -51,7 +52,6 @@ protected:
   PixelScene Scene;
 
 private:
-  glm::dvec3 RandomDirection();
   void PlaceCamera();
   void PlaceLight();
   void ChooseMedium();
@@ -66,25 +66,13 @@ private:
 };
 
 //------------------------------------------------------------------------------
-inline glm::dvec3 RandomPixelScene::RandomDirection()
-{
-  Random& random = this->Numbers;
-  glm::dvec3 v;
-  do
-  {
-    v = { random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1) };
-  } while (glm::length(v) < 0.1 || glm::length(v) > 1.0);
-  return glm::normalize(v);
-}
-
-//------------------------------------------------------------------------------
 inline void RandomPixelScene::PlaceCamera()
 {
   Random& random = this->Numbers;
   vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
-  const glm::dvec3 position = 3.0 * this->RandomDirection();
-  const glm::dvec3 focalPoint = position + random.Uniform(2.0, 10.0) * this->RandomDirection();
-  const glm::dvec3 up = this->RandomDirection();
+  const glm::dvec3 position = 3.0 * RandomUnit(this->Numbers);
+  const glm::dvec3 focalPoint = position + random.Uniform(2.0, 10.0) * RandomUnit(this->Numbers);
+  const glm::dvec3 up = RandomUnit(this->Numbers);
   camera->SetPosition(&position.x);
   camera->SetFocalPoint(&focalPoint.x);
   camera->SetViewUp(&up.x);
@@ -106,7 +94,7 @@ inline void RandomPixelScene::PlaceLight()
   switch (this->Index % 6)
   {
     case 0:
-      this->LightPosition = random.Uniform(0.5, 8.0) * this->RandomDirection();
+      this->LightPosition = random.Uniform(0.5, 8.0) * RandomUnit(this->Numbers);
       break;
     case 1:
     {
@@ -116,18 +104,18 @@ inline void RandomPixelScene::PlaceLight()
       break;
     }
     case 2:
-      this->LightPosition = eye + random.LogUniform(1e-4, 1e-2) * this->RandomDirection();
+      this->LightPosition = eye + random.LogUniform(1e-4, 1e-2) * RandomUnit(this->Numbers);
       break;
     case 3:
-      this->LightPosition = random.LogUniform(20.0, 1000.0) * this->RandomDirection();
+      this->LightPosition = random.LogUniform(20.0, 1000.0) * RandomUnit(this->Numbers);
       break;
     case 4:
       this->LightPosition =
-        eye - random.Uniform(0.5, 4.0) * middle.Direction + 0.3 * this->RandomDirection();
+        eye - random.Uniform(0.5, 4.0) * middle.Direction + 0.3 * RandomUnit(this->Numbers);
       break;
     default:
       this->LightPosition =
-        eye + random.Uniform(1.0, 6.0) * middle.Direction + 0.3 * this->RandomDirection();
+        eye + random.Uniform(1.0, 6.0) * middle.Direction + 0.3 * RandomUnit(this->Numbers);
   }
   this->Intensity[0] = random.LogUniform(1.0, 100.0);
   this->Light->SetPosition(&this->LightPosition.x);

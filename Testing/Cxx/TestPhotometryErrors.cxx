@@ -20,7 +20,7 @@ namespace
 {
 bool Contains(const std::string& text, const std::string& part)
 {
-  return text.find(part) != text.npos;
+  return text.find(part) != std::string::npos;
 }
 
 // The first line of these files is line 1.

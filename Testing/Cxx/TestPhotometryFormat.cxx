@@ -29,7 +29,7 @@ bool TestStyles(const std::string& file)
   const std::string include = "TILT=INCLUDE\n2\n3 0 45\n90 1 0.9\n0.8\n";
   std::string crlf = modern + "TILT=NONE\n" + TableNumbers(table, "\n");
   std::string cr = crlf;
-  for (size_t at = 0; (at = crlf.find('\n', at)) != crlf.npos; at += 2)
+  for (size_t at = 0; (at = crlf.find('\n', at)) != std::string::npos; at += 2)
   {
     crlf.replace(at, 1, "\r\n");
   }

@@ -5,6 +5,7 @@
 // the formula, with the intensity looked up by hand; random tables of every type and symmetry and
 // the files of Testing/Data/Photometry, fog everywhere, in a box and in a sphere.
 
+#include "AirlightTestDirections.h"
 #include "AirlightTestGoniometry.h"
 #include "AirlightTestPixels.h"
 
@@ -32,16 +33,6 @@ struct Comparisons
   long Bright = 0;  // rays with airlight
   long Shining = 0; // lit pixels of surfaces
 };
-
-glm::dvec3 RandomUnit(Random& random)
-{
-  glm::dvec3 v;
-  do
-  {
-    v = { random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1) };
-  } while (glm::length(v) < 0.1 || glm::length(v) > 1.0);
-  return glm::normalize(v);
-}
 
 class Experiment
 {

@@ -86,7 +86,7 @@ void RandomScene::ChooseRegion(vtkParticipatingMedium* medium, int region)
     vtkNew<vtkTransform> transform;
     transform->Scale(this->Unit, this->Unit, this->Unit);
     transform->Translate(&centre.x);
-    const glm::dvec3 axis = RandomDirection(random);
+    const glm::dvec3 axis = RandomUnit(random);
     transform->RotateWXYZ(random.Uniform(0.0, 180.0), &axis.x);
     transform->Scale(size, size, size);
     vtkNew<vtkTransformPolyDataFilter> filter;
@@ -106,7 +106,7 @@ void RandomScene::ChooseDensity(vtkParticipatingMedium* medium)
   medium->SetDensity(this->Group.Density);
   medium->SetScaleHeight(this->Unit * random.LogUniform(0.3, 10.0));
   medium->SetReferenceHeight(this->Unit * random.Uniform(-1.5, 1.5));
-  const glm::dvec3 up = random.Index(2) ? RandomDirection(random) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 up = random.Index(2) ? RandomUnit(random) : glm::dvec3(0.0, 1.0, 0.0);
   medium->SetUp(&up.x);
   if (this->Group.Density != vtkParticipatingMedium::IMAGE)
   {
@@ -125,7 +125,7 @@ void RandomScene::ChooseDensity(vtkParticipatingMedium* medium)
   const glm::dvec3 origin = this->Unit * (RandomPoint(random, 1.0) - glm::dvec3(1.5));
   image->SetOrigin(&origin.x);
   vtkNew<vtkTransform> turn;
-  const glm::dvec3 axis = RandomDirection(random);
+  const glm::dvec3 axis = RandomUnit(random);
   turn->RotateWXYZ(random.Index(2) ? 30.0 : 0.0, &axis.x);
   for (int i = 0; i < 9; ++i)
   {

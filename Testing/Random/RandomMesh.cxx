@@ -16,17 +16,6 @@ glm::dvec3 RandomPoint(Random& random, double reach)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 RandomDirection(Random& random)
-{
-  glm::dvec3 v;
-  do
-  {
-    v = RandomPoint(random, 1.0);
-  } while (glm::length(v) < 0.1 || glm::length(v) > 1.0);
-  return glm::normalize(v);
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeMesh(
   const TriangleList& triangles, double normals, bool shared, bool single)
 {

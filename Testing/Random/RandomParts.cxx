@@ -110,7 +110,7 @@ TriangleList MakeSlivers(Random& random)
     const glm::dvec3 a = RandomPoint(random, 1.0);
     const glm::dvec3 b = RandomPoint(random, 1.0);
     const double width = random.LogUniform(1e-6, 3e-2);
-    const glm::dvec3 beside = width * RandomDirection(random);
+    const glm::dvec3 beside = width * RandomUnit(random);
     triangles.push_back({ a, b, glm::mix(a, b, random.Uniform(0.0, 1.0)) + beside });
   }
   return triangles;

@@ -7,6 +7,7 @@
 #ifndef RandomParts_h
 #define RandomParts_h
 
+#include "AirlightTestDirections.h"
 #include "AirlightTestSoup.h"
 
 namespace airlight_test
@@ -36,7 +37,6 @@ TriangleList MakePart(int kind, Random& random);
 
 // A point in [-reach, reach]^3, and a direction.
 glm::dvec3 RandomPoint(Random& random, double reach);
-glm::dvec3 RandomDirection(Random& random);
 
 // With a normal for each triangle, to its front (1) or its back (-1). `shared`: points at one place are one point.
 // `single`: coordinates in single precision.

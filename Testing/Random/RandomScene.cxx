@@ -50,13 +50,13 @@ void RandomScene::PlaceCamera()
 {
   Random& random = this->Numbers;
   const int place = random.Index(4);
-  const glm::dvec3 side = RandomDirection(random);
+  const glm::dvec3 side = RandomUnit(random);
   this->Eye = random.Uniform(2.5, 8.0) * side;
   this->Focus = RandomPoint(random, 0.7);
   if (place == 1)
   {
     this->Eye = RandomPoint(random, 1.5);
-    this->Focus = this->Eye + RandomDirection(random);
+    this->Focus = this->Eye + RandomUnit(random);
   }
   else if (place == 2)
   {
@@ -81,7 +81,7 @@ void RandomScene::PlaceCamera()
   glm::dvec3 up(0.0, 1.0, 0.0);
   while (glm::length(glm::cross(up, along)) < 0.05 || (place != 2 && up == glm::dvec3(0, 1, 0)))
   {
-    up = RandomDirection(random);
+    up = RandomUnit(random);
   }
   vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
   camera->SetPosition(&eye.x);
@@ -109,12 +109,12 @@ glm::dvec3 RandomScene::ChooseLightPosition()
       return { 1.0, 2.0, random.Index(3) - 1.0 };
     case 1:
     {
-      const glm::dvec3 side = RandomDirection(random);
+      const glm::dvec3 side = RandomUnit(random);
       return random.LogUniform(5.0, 300.0) * side;
     }
     case 2:
     {
-      const glm::dvec3 side = RandomDirection(random);
+      const glm::dvec3 side = RandomUnit(random);
       return this->Eye + random.LogUniform(1e-3, 0.3) * side;
     }
     case 3:
@@ -225,7 +225,7 @@ void RandomScene::AddPart(int kind)
   const bool single = random.Index(3) == 0;
   const bool shared = random.Index(2) == 0;
   const bool byMatrix = random.Index(2) == 0;
-  const glm::dvec3 axis = RandomDirection(random);
+  const glm::dvec3 axis = RandomUnit(random);
   const double angle = turned ? random.Uniform(0.0, 180.0) : 0.0;
   const double flat = random.Index(4) ? 1.0 : 0.3;
   const glm::dvec3 stretch(random.Index(4) ? 1.0 : -1.0, flat, 1.0);
