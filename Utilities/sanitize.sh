@@ -35,7 +35,7 @@ case ${1-} in
   thread)
     build=$root/build-tsan
     target=vtkAirlightCxxTests
-    options=(-R Cxx-)
+    options=(-R Cxx- -E TestFaults)
     export TSAN_OPTIONS=${TSAN_OPTIONS:-halt_on_error=1:detect_deadlocks=0:suppressions=$root/Utilities/tsan.txt}
     export VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4
     ;;

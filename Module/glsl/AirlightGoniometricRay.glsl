@@ -206,24 +206,34 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
     // ends.
     for (; steps < 3000 && a < w1; steps++)
     {
+      real most = airlightPanelBesidePole(pole, a, real(AIRLIGHT_POLE) * widest);
       if (a >= end)
       {
-        // A little further on, where rounding does not lead back into the cell before.
+        step = min(widest, most);
         real h = ray.foot.h;
-        real x = straight ? a - tL : real(0.5) * h * (exp(a) - exp(-a));
-        x += real(1e-5) * (abs(x) + h);
-        cell = airlightPhotometryCell(light.photometry, normalize(foot + x * ray.direction));
-        x = airlightPhotometryCut(line, cell, x);
-        end = straight ? tL + x : airlightAsinh(x / h);
-        end = end > a ? min(end, w1) : w1;
-        step = widest;
+        // Beside a pole the cell just left and the next one differ by roundings: there the middle of
+        // the panel tells.
+        real place = a;
+        for (int look = most < widest ? 0 : 1; look < 2; look++)
+        {
+          // A little further on, where rounding does not lead back into the cell before.
+          real x = straight ? place - tL : real(0.5) * h * (exp(place) - exp(-place));
+          x += real(1e-5) * (abs(x) + h);
+          cell = airlightPhotometryCell(light.photometry, normalize(foot + x * ray.direction));
+          x = straight ? a - tL : real(0.5) * h * (exp(a) - exp(-a));
+          x = airlightPhotometryCut(line, cell, x + real(1e-5) * (abs(x) + h));
+          end = straight ? tL + x : airlightAsinh(x / h);
+          end = end > a ? min(end, w1) : w1;
+          // There cells are looked up for each panel, too: where a ray leaves one can be missed.
+          end = most < widest ? min(end, a + step) : end;
+          place = real(0.5) * (a + end);
+        }
       }
       if (cell.corners == real4(real(0.0)))
       {
         a = end;
         continue;
       }
-      real most = airlightPanelBesidePole(pole, a, real(AIRLIGHT_POLE) * widest);
       step = min(step, most);
       // The last one may be a rounding error wide.
       real b = end - a < real(1.01) * step ? end : a + step;
@@ -239,8 +249,6 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
         sum += value;
         doubt += part;
         a = b;
-        // Beside a pole roundings can hide where a ray leaves its cell.
-        end = most < widest ? b : end;
         step = min(real(2.0) * step, widest);
       }
     }
