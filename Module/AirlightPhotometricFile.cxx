@@ -19,8 +19,9 @@ constexpr double LeastStep = 1e-4;
 std::string_view Trim(std::string_view text)
 {
   const size_t first = text.find_first_not_of(" \t\f");
-  return first == std::string_view::npos ? std::string_view()
-                            : text.substr(first, text.find_last_not_of(" \t\f") - first + 1);
+  return first == std::string_view::npos
+    ? std::string_view()
+    : text.substr(first, text.find_last_not_of(" \t\f") - first + 1);
 }
 
 std::string UpperCase(std::string_view text)
