@@ -44,7 +44,7 @@ endif ()
 if (AIRLIGHT_COVERAGE)
   # Little optimization, so that lines stay apart. Threads may lose counts, but none becomes 0.
   vtk_module_compile_options("${_vtk_build_module}"
-    PRIVATE --coverage -O1)
+    PRIVATE --coverage -fprofile-update=atomic -O1)
   vtk_module_link_options("${_vtk_build_module}"
     PRIVATE --coverage)
 endif ()

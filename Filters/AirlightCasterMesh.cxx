@@ -35,25 +35,20 @@ vtkSmartPointer<vtkPolyData> GetTriangles(vtkPolyData* data)
   return HasOnlyTriangles(data) ? vtkSmartPointer<vtkPolyData>(data) : Triangulate(data);
 }
 
-// The point ids of all triangles in a row, in place where VTK keeps them so.
+// The point ids of cells that all are triangles, in a row where VTK keeps them.
 class Corners
 {
 public:
-  explicit Corners(vtkCellArray* cells)
+  explicit Corners(vtkCellArray* triangles)
+    : Count(triangles->GetNumberOfCells())
   {
-    if (cells->IsHomogeneous() != 3)
+    if (triangles->IsStorage64Bit())
     {
-      this->Copy(cells);
-    }
-    else if (cells->IsStorage64Bit())
-    {
-      this->Ids64 = cells->GetConnectivityArray64()->GetPointer(0);
-      this->Count = cells->GetNumberOfCells();
+      this->Ids64 = triangles->GetConnectivityArray64()->GetPointer(0);
     }
     else
     {
-      this->Ids32 = cells->GetConnectivityArray32()->GetPointer(0);
-      this->Count = cells->GetNumberOfCells();
+      this->Ids32 = triangles->GetConnectivityArray32()->GetPointer(0);
     }
   }
 
@@ -67,27 +62,8 @@ public:
   }
 
 private:
-  // Cells of other sizes are left out.
-  void Copy(vtkCellArray* cells)
-  {
-    auto cell = vtk::TakeSmartPointer(cells->NewIterator());
-    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-    {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      cell->GetCurrentCell(size, ids);
-      if (size == 3)
-      {
-        this->Copied.insert(this->Copied.end(), ids, ids + 3);
-      }
-    }
-    this->Ids64 = this->Copied.data();
-    this->Count = this->Copied.size() / 3;
-  }
-
   const vtkTypeInt64* Ids64 = nullptr;
   const vtkTypeInt32* Ids32 = nullptr;
-  std::vector<vtkTypeInt64> Copied;
   size_t Count = 0;
 };
 

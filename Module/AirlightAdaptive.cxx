@@ -11,8 +11,7 @@ namespace airlight
 namespace
 {
 // One piece of the quadrature, between ends of media. Panels are halved until two halves agree with
-// the whole: samples that see kinks (a way to the light that leaves a region through another face)
-// converge that way, too.
+// the whole: samples that see kinks converge that way, too.
 class AdaptivePiece
 {
 public:
@@ -95,6 +94,14 @@ private:
     {
       t = f64::airlightNextLayerEnd(
         this->Media, this->Ray.origin, this->Ray.direction, part, toSun, t, this->T1);
+      ends.push_back(std::clamp(this->Variable(t), from, to));
+    }
+    // Where the way to the light begins to leave a region through another face, what arrives can change on
+    // so short a part that no node sees it.
+    const f64::AirlightWay way = f64::airlightWay(this->Light, this->Ray);
+    for (double t = this->T0; t < this->T1;)
+    {
+      t = f64::airlightNextKink(this->Media, way, t, this->T1);
       ends.push_back(std::clamp(this->Variable(t), from, to));
     }
     std::sort(ends.begin(), ends.end());
