@@ -42,7 +42,7 @@ if (AIRLIGHT_WARNINGS) # not inside VTK, which has its own
     PRIVATE ${AIRLIGHT_WARNINGS})
 endif ()
 if (AIRLIGHT_COVERAGE)
-  # Little optimization, so that lines stay apart. Threads may lose counts, but none becomes 0.
+  # Little optimization, so that lines stay apart; counters that threads may share.
   vtk_module_compile_options("${_vtk_build_module}"
     PRIVATE --coverage -fprofile-update=atomic -O1)
   vtk_module_link_options("${_vtk_build_module}"

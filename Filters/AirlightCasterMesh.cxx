@@ -7,8 +7,6 @@
 #include "AirlightTriangulate.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 

@@ -16,18 +16,13 @@
 #define AirlightOpenVDBScanner_h
 
 #include <openvdb/io/Compression.h>
-#include <openvdb/io/io.h>
 #include <openvdb/openvdb.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <istream>
-#include <map>
 #include <stdexcept>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace airlight
 {

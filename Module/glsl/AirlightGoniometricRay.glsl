@@ -174,6 +174,13 @@ AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
   return reach * sum;
 }
 
+// t - tL a little further on than w, where rounding does not lead back into the cell before.
+AIRLIGHT_FN real airlightJustAfter(bool straight, real tL, real h, real w)
+{
+  real x = straight ? w - tL : real(0.5) * h * (exp(w) - exp(-w));
+  return x + real(1e-5) * (abs(x) + h);
+}
+
 // One piece from w0 to w1 of a light with a photometric table, cell by cell; where that leaves too
 // much in doubt, again with panels halved.
 AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
@@ -210,23 +217,19 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
       if (a >= end)
       {
         step = min(widest, most);
-        real h = ray.foot.h;
+        real after = airlightJustAfter(straight, tL, ray.foot.h, a);
         // Beside a pole the cell just left and the next one differ by roundings: there the middle of
-        // the panel tells.
-        real place = a;
-        for (int look = most < widest ? 0 : 1; look < 2; look++)
+        // the panel tells. And cells are looked up for each panel: where a ray leaves one can be missed.
+        bool beside = most < widest;
+        real x = after;
+        for (int look = beside ? 0 : 1; look < 2; look++)
         {
-          // A little further on, where rounding does not lead back into the cell before.
-          real x = straight ? place - tL : real(0.5) * h * (exp(place) - exp(-place));
-          x += real(1e-5) * (abs(x) + h);
           cell = airlightPhotometryCell(light.photometry, normalize(foot + x * ray.direction));
-          x = straight ? a - tL : real(0.5) * h * (exp(a) - exp(-a));
-          x = airlightPhotometryCut(line, cell, x + real(1e-5) * (abs(x) + h));
-          end = straight ? tL + x : airlightAsinh(x / h);
+          x = airlightPhotometryCut(line, cell, after);
+          end = straight ? tL + x : airlightAsinh(x / ray.foot.h);
           end = end > a ? min(end, w1) : w1;
-          // There cells are looked up for each panel, too: where a ray leaves one can be missed.
-          end = most < widest ? min(end, a + step) : end;
-          place = real(0.5) * (a + end);
+          end = beside ? min(end, a + step) : end;
+          x = airlightJustAfter(straight, tL, ray.foot.h, real(0.5) * (a + end));
         }
       }
       if (cell.corners == real4(real(0.0)))

@@ -71,6 +71,17 @@ inline std::shared_ptr<const airlight::Photometry> ReadOrTell(const std::string&
   return photometry;
 }
 
+inline std::shared_ptr<const airlight::Photometry> ParseOrTell(const LampTable& table)
+{
+  std::string error;
+  auto photometry = airlight::Photometry::Parse(TableText(table), "table", error);
+  if (!photometry)
+  {
+    std::cerr << "FAILED: " << error << "\n";
+  }
+  return photometry;
+}
+
 inline std::shared_ptr<const airlight::Photometry> WriteAndRead(
   const std::string& file, const std::string& text)
 {

@@ -70,9 +70,9 @@ inline void RandomPixelScene::PlaceCamera()
 {
   Random& random = this->Numbers;
   vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
-  const glm::dvec3 position = 3.0 * RandomUnit(this->Numbers);
-  const glm::dvec3 focalPoint = position + random.Uniform(2.0, 10.0) * RandomUnit(this->Numbers);
-  const glm::dvec3 up = RandomUnit(this->Numbers);
+  const glm::dvec3 position = 3.0 * RandomUnit(random);
+  const glm::dvec3 focalPoint = position + random.Uniform(2.0, 10.0) * RandomUnit(random);
+  const glm::dvec3 up = RandomUnit(random);
   camera->SetPosition(&position.x);
   camera->SetFocalPoint(&focalPoint.x);
   camera->SetViewUp(&up.x);
@@ -94,7 +94,7 @@ inline void RandomPixelScene::PlaceLight()
   switch (this->Index % 6)
   {
     case 0:
-      this->LightPosition = random.Uniform(0.5, 8.0) * RandomUnit(this->Numbers);
+      this->LightPosition = random.Uniform(0.5, 8.0) * RandomUnit(random);
       break;
     case 1:
     {
@@ -104,18 +104,18 @@ inline void RandomPixelScene::PlaceLight()
       break;
     }
     case 2:
-      this->LightPosition = eye + random.LogUniform(1e-4, 1e-2) * RandomUnit(this->Numbers);
+      this->LightPosition = eye + random.LogUniform(1e-4, 1e-2) * RandomUnit(random);
       break;
     case 3:
-      this->LightPosition = random.LogUniform(20.0, 1000.0) * RandomUnit(this->Numbers);
+      this->LightPosition = random.LogUniform(20.0, 1000.0) * RandomUnit(random);
       break;
     case 4:
       this->LightPosition =
-        eye - random.Uniform(0.5, 4.0) * middle.Direction + 0.3 * RandomUnit(this->Numbers);
+        eye - random.Uniform(0.5, 4.0) * middle.Direction + 0.3 * RandomUnit(random);
       break;
     default:
       this->LightPosition =
-        eye + random.Uniform(1.0, 6.0) * middle.Direction + 0.3 * RandomUnit(this->Numbers);
+        eye + random.Uniform(1.0, 6.0) * middle.Direction + 0.3 * RandomUnit(random);
   }
   this->Intensity[0] = random.LogUniform(1.0, 100.0);
   this->Light->SetPosition(&this->LightPosition.x);

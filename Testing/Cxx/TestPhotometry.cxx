@@ -144,11 +144,9 @@ bool TestFrame()
     { 3, { -90, 0, 90 }, { -90, 0, 90 }, { 0, 0, 0, 0, 0, 0, 0, 1, 0 } } };
   for (const LampTable& table : tables)
   {
-    std::string error;
-    const auto photometry = Photometry::Parse(TableText(table), "frame", error);
+    const auto photometry = ParseOrTell(table);
     if (!photometry)
     {
-      std::cerr << "FAILED: " << error << "\n";
       return false;
     }
     const TestLamp lamp(*photometry, axis, up);
@@ -195,11 +193,9 @@ bool TestLumens()
             (atB - atA) / (b - a) * (std::sin(b) - std::sin(a)));
       }
     }
-    std::string error;
-    const auto photometry = Photometry::Parse(TableText(table), "lumens", error);
+    const auto photometry = ParseOrTell(table);
     if (!photometry)
     {
-      std::cerr << "FAILED: " << error << "\n";
       return false;
     }
     glm::dvec3 axis;

@@ -39,11 +39,9 @@ bool TestSinglePrecision()
   for (int i = 0; i < 20 * TableKinds; ++i)
   {
     const LampTable table = RandomTable(random, i % TableKinds);
-    std::string error;
-    const auto photometry = Photometry::Parse(TableText(table), "single", error);
+    const auto photometry = ParseOrTell(table);
     if (!photometry)
     {
-      std::cerr << "FAILED: " << error << "\n";
       return false;
     }
     const glm::dvec2 slopes = SteepestSlopes(photometry->Pack());

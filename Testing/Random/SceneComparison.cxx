@@ -114,7 +114,7 @@ double SceneComparison::GetError(const Buffer& buffer, vtkIdType pixel) const
   double error = 0.0;
   for (int c = 0; c < buffer.Components; ++c)
   {
-    const double a = buffer.Drawn->GetPointData()->GetScalars()->GetComponent(pixel, c);
+    const double a = buffer.Get(pixel, c);
     const double b = buffer.Computed->GetComponent(pixel, c);
     if (a > Endless && b > Endless)
     {
@@ -140,7 +140,7 @@ void SceneComparison::CountImproper(vtkIdType pixel)
   {
     for (int c = 0; c < buffer.Components; ++c)
     {
-      const double a = buffer.Drawn->GetPointData()->GetScalars()->GetComponent(pixel, c);
+      const double a = buffer.Get(pixel, c);
       if (!std::isfinite(a) || (a < 0.0 && !(buffer.MayBeNegative && a == -1.0)))
       {
         ++this->Figures.Improper;
@@ -173,7 +173,7 @@ bool SceneComparison::IsRight(vtkIdType pixel)
     }
     for (int c = 0; c < buffer.Components; ++c)
     {
-      const double a = buffer.Drawn->GetPointData()->GetScalars()->GetComponent(pixel, c);
+      const double a = buffer.Get(pixel, c);
       const double b = buffer.Computed->GetComponent(pixel, c);
       const double whole = isLight ? unshadowed->Airlight[c] : unshadowed->LitLength;
       if (!(std::abs(a - b) <=
@@ -210,7 +210,7 @@ void SceneComparison::MeasureRadiance()
     this->Figures.Largest = std::max(this->Figures.Largest, error);
     for (int c = 0; c < 3; ++c)
     {
-      const double a = radiance.Drawn->GetPointData()->GetScalars()->GetComponent(pixel, c);
+      const double a = radiance.Get(pixel, c);
       const double b = radiance.Computed->GetComponent(pixel, c);
       if (b <= radiance.Floor)
       {
@@ -236,8 +236,7 @@ void SceneComparison::Describe(vtkIdType pixel)
     out << "; " << buffer.Name << (this->GetError(buffer, pixel) <= 1.0 ? "" : " WRONG");
     for (int c = 0; c < buffer.Components; ++c)
     {
-      out << " " << buffer.Drawn->GetPointData()->GetScalars()->GetComponent(pixel, c) << " ("
-          << buffer.Computed->GetComponent(pixel, c) << ")";
+      out << " " << buffer.Get(pixel, c) << " (" << buffer.Computed->GetComponent(pixel, c) << ")";
     }
   }
   this->Figures.Worst += out.str() + "\n";
@@ -250,7 +249,7 @@ void SceneComparison::Print(const std::string& name, std::ostream& out) const
   {
     for (int i = 0; i < this->Figures.Pixels && name == buffer.Name; ++i)
     {
-      const double drawn = buffer.Drawn->GetPointData()->GetScalars()->GetComponent(i, 0);
+      const double drawn = buffer.Get(i, 0);
       out << i % this->Scene.Width << " " << i / this->Scene.Width << ": " << drawn << " ("
           << buffer.Computed->GetComponent(i, 0) << ")\n";
     }

@@ -45,6 +45,7 @@
 #include "ScreenTriangles.h"
 
 #include "AirlightReferenceTracer.h"
+#include "vtkPointData.h"
 
 #include <iosfwd>
 #include <memory>
@@ -93,6 +94,11 @@ private:
     vtkSmartPointer<vtkDataArray> Computed;
     double Floor;
     bool MayBeNegative;
+
+    double Get(vtkIdType pixel, int component) const
+    {
+      return this->Drawn->GetPointData()->GetScalars()->GetComponent(pixel, component);
+    }
   };
 
   enum BufferIndex
@@ -128,6 +134,10 @@ private:
   bool AreSurfacesCoarse(vtkIdType pixel);
   bool IsMediumRight(vtkIdType pixel);
   glm::dvec2 GetMiddle(vtkIdType pixel) const;
+  double GetDrawn(BufferIndex buffer, vtkIdType pixel, int component = 0) const
+  {
+    return this->Buffers[buffer].Get(pixel, component);
+  }
   double GetReach();
   std::unique_ptr<airlight::ReferenceTracer> MakeTracer();
   std::unique_ptr<airlight::ReferenceTracer> MakeUnshadowedTracer();

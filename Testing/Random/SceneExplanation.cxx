@@ -29,6 +29,17 @@ glm::dvec2 GetDirection(int i)
   return { std::cos(angle), std::sin(angle) };
 }
 
+// The middle of a pixel and two rings around it.
+std::vector<glm::dvec2> GetPlaces(const glm::dvec2& middle)
+{
+  std::vector<glm::dvec2> places = { middle };
+  for (int i = 0; i < 16; ++i)
+  {
+    places.push_back(middle + (i < 8 ? EdgePixels : 0.25 * EdgePixels) * GetDirection(i));
+  }
+  return places;
+}
+
 // The values of a pixel's trace in the order of Names.
 std::vector<double> Flatten(const airlight::ReferencePixel& p)
 {
@@ -93,16 +104,14 @@ bool SceneComparison::IsExplained(vtkIdType pixel)
   const glm::dvec2 middle = this->GetMiddle(pixel);
   const std::vector<glm::dvec2> beside = this->Triangles->FindPlaces(middle, EdgePixels);
   Range range;
-  range.Add(this->Tracer->Trace(middle.x, middle.y));
   std::vector<airlight::ReferencePixel> there;
   for (const glm::dvec2& place : beside)
   {
     there.push_back(this->Tracer->Trace(place.x, place.y));
     range.Add(there.back());
   }
-  for (int i = 0; i < 16; ++i)
+  for (const glm::dvec2& place : GetPlaces(middle))
   {
-    const glm::dvec2 place = middle + (i < 8 ? EdgePixels : 0.25 * EdgePixels) * GetDirection(i);
     range.Add(this->Tracer->Trace(place.x, place.y));
   }
   if (this->IsBetween(pixel, range))
@@ -141,9 +150,7 @@ bool SceneComparison::IsExplained(vtkIdType pixel)
 // Whether roundings of single precision can move surfaces by more than a thousandth of their distance.
 bool SceneComparison::AreSurfacesCoarse(vtkIdType pixel)
 {
-  const double depth =
-    this->Buffers[DEPTH].Drawn->GetPointData()->GetScalars()->GetComponent(pixel, 0);
-  return LastPlace * this->GetReach() > 1e-3 * depth;
+  return LastPlace * this->GetReach() > 1e-3 * this->GetDrawn(DEPTH, pixel);
 }
 
 //------------------------------------------------------------------------------
@@ -179,29 +186,20 @@ void SceneComparison::AddBehind(const glm::dvec2& middle, Range& range)
 // The medium before the surface that VTK has drawn, with its depth.
 bool SceneComparison::IsMediumRight(vtkIdType pixel)
 {
-  const auto get = [&](int buffer, int c) {
-    return this->Buffers[static_cast<size_t>(buffer)]
-      .Drawn->GetPointData()
-      ->GetScalars()
-      ->GetComponent(pixel, c);
-  };
-  const double depth = get(DEPTH, 0);
+  const double depth = this->GetDrawn(DEPTH, pixel);
   if (!(depth > 0.0))
   {
     return false;
   }
-  const glm::dvec2 middle = this->GetMiddle(pixel);
   Range range;
-  for (int i = 0; i < 17; ++i)
+  for (const glm::dvec2& place : GetPlaces(this->GetMiddle(pixel)))
   {
-    const glm::dvec2 place = middle +
-      (i < 8       ? 1.0
-          : i < 16 ? 0.25
-                   : 0.0) *
-        EdgePixels * GetDirection(i);
     airlight::ReferencePixel traced = this->Tracer->TraceTo(place.x, place.y, depth);
     // As drawn: VTK shades what it has found.
-    traced.Surface = { get(SURFACE, 0), get(SURFACE, 1), get(SURFACE, 2) };
+    for (int c = 0; c < 3; ++c)
+    {
+      traced.Surface[c] = this->GetDrawn(SURFACE, pixel, c);
+    }
     traced.Radiance = traced.Airlight + traced.Surface;
     range.Add(traced);
   }
@@ -269,7 +267,7 @@ bool SceneComparison::IsBetween(vtkIdType pixel, const Range& range) const
   {
     for (int c = 0; c < buffer.Components; ++c, ++k)
     {
-      const double a = buffer.Drawn->GetPointData()->GetScalars()->GetComponent(pixel, c);
+      const double a = buffer.Get(pixel, c);
       const double room = Tolerance * std::max(std::abs(a), buffer.Floor);
       if (!(a >= range.Low[k] - room && a <= range.High[k] + room) &&
         !(a > Endless && range.High[k] > Endless))
