@@ -7,6 +7,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,11 @@ namespace
 {
 // What double precision resolves of the distance between a ray and a light, with some room.
 constexpr double RelativeRadius = 1e-12;
+
+// The least cosine by which VTK's mappers shade what is turned away from a headlight, since 9.2, and
+// the least of a gleam, since 9.3.
+constexpr double LeastToHeadlight = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0) ? 1e-6 : 0.0;
+constexpr double LeastGleam = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 1e-5 : 0.0;
 
 ReferenceLight Convert(
   vtkLight* light, const f64::AirlightMedia& media, const glm::dvec3& eye, double radius)
@@ -171,8 +177,9 @@ glm::dvec4 ReferenceLights::Shade(const ReferencePart& part, const OccluderTrian
     const glm::dvec3 colour = this->Lights[k].Colour * arriving[k];
     double attenuation = 0.0;
     const glm::dvec3 way = GetDirection(this->Lights[k], position, attenuation);
-    const double towards =
-      std::max(0.0, attenuation * glm::dot(normal, this->IsHeadlight ? -this->Forward : -way));
+    const double towards = this->IsHeadlight
+      ? std::max(LeastToHeadlight, glm::dot(normal, -this->Forward))
+      : std::max(0.0, attenuation * glm::dot(normal, -way));
     diffuse += towards * colour;
     if (this->IsHeadlight)
     {
@@ -180,7 +187,7 @@ glm::dvec4 ReferenceLights::Shade(const ReferencePart& part, const OccluderTrian
     }
     else if (towards > 0.0)
     {
-      const double gleam = std::max(0.0, glm::dot(glm::reflect(way, normal), toEye));
+      const double gleam = std::max(LeastGleam, glm::dot(glm::reflect(way, normal), toEye));
       specular += attenuation * std::pow(gleam, material.SpecularPower) * colour;
     }
   }

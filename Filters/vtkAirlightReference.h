@@ -40,7 +40,7 @@
  * Cost: pixels times lights times boundaries of shadows; tenths of a second for 160 x 120 pixels
  * in uniform media, see Documentation/accuracy.md. Pixels are computed in parallel by vtkSMPTools; the result is
  * the same to the last bit with any number of threads. Progress is reported, and SetAbortExecute()
- * from an observer ends the work at the next row: rows not yet computed are 0.
+ * from an observer ends the work at the next rows and leaves an output without points.
  *
  * Errors: a missing renderer, an unknown size, a camera without valid matrices and more than eight
  * media give an error that says so, and an output without points.

@@ -180,5 +180,9 @@ int vtkAirlightReference::RequestData(
     });
     this->UpdateProgress(static_cast<double>(last) / image->GetNumberOfPoints());
   }
+  if (airlight::IsAborted(this))
+  {
+    image->Initialize();
+  }
   return 1;
 }

@@ -8,12 +8,14 @@
 #include "AirlightVolume.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <numeric>
 #include <regex>
 
 namespace airlight
@@ -70,13 +72,17 @@ bool AddMedium(std::string& shader)
   return shader != whole;
 }
 
-// Every mention of a light's colour in VTK's shading; where there are some, in computeLighting().
+// Every mention of a light's colour in VTK's shading; where there are some, in computeLighting(). VTK
+// 9.1 numbers lights as the renderer has them, 9.2 and later those with a position first.
 void AddLights(std::string& shader)
 {
   static const std::regex colour("in_light(Diffuse|Specular)Color\\[(lightNum|0)\\]");
-  if (std::regex_search(shader, colour))
+  static const std::regex sorted("in_light(Diffuse|Specular)Color\\[(posNum|dirNum)\\]");
+  const std::string whole = shader;
+  shader = std::regex_replace(shader, colour, "($& * airlightArrived[$2])");
+  shader = std::regex_replace(shader, sorted, "($& * airlightArrived[airlightSortedLamps[$2]])");
+  if (shader != whole)
   {
-    shader = std::regex_replace(shader, colour, "($& * airlightArrived[$2])");
     Replace(shader, "vec4 finalColor = vec4(0.0);",
       "vec4 finalColor = vec4(0.0);\n  airlightReceiveSample();");
   }
@@ -113,6 +119,21 @@ bool IsVolumeProgram(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
+// Shaders that number lights as the renderer has them do not have these.
+void SetSortedLamps(vtkShaderProgram* program, const std::vector<Lamp>& lamps)
+{
+  if (!program->IsUniformUsed("airlightSortedLamps"))
+  {
+    return;
+  }
+  std::vector<int> sorted(lamps.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::stable_partition(
+    sorted.begin(), sorted.end(), [&lamps](int k) { return lamps[k].Light->GetPositional() != 0; });
+  program->SetUniform1iv("airlightSortedLamps", static_cast<int>(sorted.size()), sorted.data());
+}
+
+//------------------------------------------------------------------------------
 void SetVolumeUniforms(vtkShaderProgram* program, vtkVolume* volume, const SurfaceUniforms& values)
 {
   glm::dmat4 shift(1.0);
@@ -122,6 +143,7 @@ void SetVolumeUniforms(vtkShaderProgram* program, vtkVolume* volume, const Surfa
   program->SetUniformMatrix4x4("airlightVolumeToEye", &place[0][0]);
   program->SetUniform2f("airlightVolumeSize", size);
   program->SetUniformi("airlightNodeCount", values.VolumeNodes);
+  SetSortedLamps(program, *values.Lamps);
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,8 @@ packages=(
   libvtk9-dev libeigen3-dev libglm-dev libcli11-dev nlohmann-json3-dev
   # to measure
   libbenchmark-dev
+  # to make packages
+  file
   # Python
   python3-vtk9 python3-numpy
   # to render without a screen

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataFile.h"
 
+#include "CheckedPLY.h"
 #include "Files.h"
-#include "TextPLY.h"
 #include "UserError.h"
 #include "VTKMessages.h"
 
@@ -118,7 +118,7 @@ vtkSmartPointer<vtkPolyData> ReadPolyDataFile(const std::string& fileName)
   CheckInputFile(fileName);
   if (GetExtension(fileName) == "ply")
   {
-    CheckTextPLY(fileName);
+    CheckPLY(fileName);
   }
   const VTKMessages messages;
   vtkSmartPointer<vtkAlgorithm> reader = GetReaderMakers().at(GetExtension(fileName))(fileName);

@@ -49,6 +49,7 @@ const std::map<std::string, int> Techniques = {
 std::vector<std::string> GetTechniqueNames()
 {
   std::vector<std::string> names;
+  names.reserve(Techniques.size());
   for (const auto& technique : Techniques)
   {
     names.push_back(technique.first);

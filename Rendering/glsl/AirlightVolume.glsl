@@ -10,6 +10,7 @@ uniform int airlightNodeCount;    // 2 to AIRLIGHT_NODES
 uniform mat4 airlightVolumeToEye; // from the data set's coordinates to those of the rays
 uniform vec2 airlightVolumeSize;  // of the viewport, pixels
 uniform int airlightEncodedInput; // 1: colours are encoded for display
+uniform int airlightSortedLamps[AIRLIGHT_LAMPS]; // those with a position first, as VTK may number them
 
 vec3 airlightVolumeOrigin; // of the ray, as airlightOrigin()
 vec3 airlightVolumeAlong;  // unit

@@ -149,7 +149,7 @@ void RunRounds(benchmark::State& state, vtkPolyData* mesh, bool withFeatures)
   planesFilter->Update();
   vtkIdType edgeCount = 0;
   double angle = 0.0;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     angle += 0.3;
     const glm::dvec4 light(3.0 * std::cos(angle), 1.5, 3.0 * std::sin(angle), 1.0);

@@ -114,7 +114,7 @@ public:
     {
       this->OpenGLInit();
     }
-    this->vtkOpenGLRenderWindow::Render();
+    this->vtkOpenGLRenderWindow::Render(); // NOLINT(bugprone-parent-virtual-call)
   }
 
   // GLEW loads OpenGL's functions first and GLX's then, which fails without an X server. That is

@@ -99,8 +99,10 @@ vtkSmartPointer<vtkPolyData> MakeGrid(int n, double half, double height)
   const int side = 2 * n + 1;
   for (int i = 0; i < side * side; ++i)
   {
+    const int row = i / side;
+    const int column = i % side;
     points->InsertNextPoint(
-      half * ((i % side) / double(n) - 1.0), height, half * ((i / side) / double(n) - 1.0));
+      half * (column / double(n) - 1.0), height, half * (row / double(n) - 1.0));
   }
   for (int j = 0; j + 1 < side; ++j)
   {
@@ -166,7 +168,8 @@ vtkSmartPointer<vtkPolyData> MakeDisc(int edges, int triangles, double radius, d
   for (int i = 0; i < rings * edges; ++i)
   {
     const double turn = 2.0 * 3.14159265358979324 * (i % edges) / edges;
-    const double r = radius * (i / edges + 1) / rings;
+    const int ring = i / edges + 1;
+    const double r = radius * ring / rings;
     points->InsertNextPoint(r * std::cos(turn), height, r * std::sin(turn));
   }
   for (int i = 0; i < rings * edges; ++i)
@@ -197,7 +200,7 @@ void FillDisc(FrameScene& scene, int edges, int triangles)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Way> AllWays(std::vector<int> steps)
+std::vector<Way> AllWays(const std::vector<int>& steps)
 {
   std::vector<Way> ways = { MakePlain(), MakeUnshadowed(), MakePlanes(), MakeShadowMap(64) };
   for (int n : steps)

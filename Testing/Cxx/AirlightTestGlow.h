@@ -62,7 +62,7 @@ public:
     {
       ends.push_back(gamma);
     }
-    return this->Sum(ends, this->Largest, fineness,
+    return Sum(ends, this->Largest, fineness,
       [&](double gamma) { return std::sin(gamma) * this->Ring(gamma, fineness); });
   }
 

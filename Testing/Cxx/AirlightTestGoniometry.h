@@ -118,8 +118,8 @@ struct TestGoniometricLamp
     const double a = glm::dot(d, this->Axis);
     const double u = glm::dot(d, this->Up);
     const double r = glm::dot(d, this->Right);
-    double v;
-    double h;
+    double v = 0.0;
+    double h = 0.0;
     if (this->Table.Type == 1)
     {
       v = std::atan2(std::hypot(u, r), a);

@@ -168,11 +168,11 @@ FloatGrid::Ptr MakeCloud(const Transform::Ptr& transform, const openvdb::CoordBB
 {
   const FloatGrid::Ptr grid = MakeGrid("cloud");
   grid->setTransform(transform);
-  for (auto voxel = box.begin(); voxel != box.end(); ++voxel)
+  for (const Coord& voxel : box)
   {
-    const Vec3d world = transform->indexToWorld(*voxel);
+    const Vec3d world = transform->indexToWorld(voxel);
     const double value = Cloud(world.asPointer(), CloudCentre, CloudWidth);
-    grid->tree().setValue(*voxel, static_cast<float>(value));
+    grid->tree().setValue(voxel, static_cast<float>(value));
   }
   return grid;
 }
@@ -210,14 +210,14 @@ FloatGrid::Ptr MakePlume()
   const openvdb::CoordBBox box(
     Coord(0), Coord(PlumeSize[0] - 1, PlumeSize[1] - 1, PlumeSize[2] - 1));
   FloatGrid::Accessor accessor = grid->getAccessor();
-  for (auto voxel = box.begin(); voxel != box.end(); ++voxel)
+  for (const Coord& voxel : box)
   {
-    const Vec3d place = (*voxel).asVec3d() + Vec3d(0.5) - axis;
+    const Vec3d place = voxel.asVec3d() + Vec3d(0.5) - axis;
     const double value =
       Plume(place[0] / PlumeSize[0], place[1] / PlumeSize[1], place[2] / PlumeSize[2]);
     if (value > 0.002)
     {
-      accessor.setValue(*voxel, static_cast<float>(value));
+      accessor.setValue(voxel, static_cast<float>(value));
     }
   }
   return grid;

@@ -143,10 +143,10 @@ inline double TableValue(LampTable table, double v, double h)
   {
     h = std::abs(h);
   }
-  size_t i;
-  size_t j;
-  double s;
-  double t;
+  size_t i = 0;
+  size_t j = 0;
+  double s = 0.0;
+  double t = 0.0;
   if (!FindPlace(table.Vertical, v, i, s) || !FindPlace(table.Horizontal, h, j, t))
   {
     return 0.0;

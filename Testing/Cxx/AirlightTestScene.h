@@ -85,8 +85,8 @@ inline glm::dvec3 TransformPoint(vtkMatrix4x4* matrix, const double p[3])
 inline std::vector<Triangle> GetTriangles(vtkPolyData* data, vtkMatrix4x4* matrix)
 {
   std::vector<Triangle> result;
-  vtkIdType size;
-  const vtkIdType* ids;
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
   const auto corner = [&](int i) {
     double p[3];
     data->GetPoint(ids[i], p);

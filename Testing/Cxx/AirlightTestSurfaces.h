@@ -110,8 +110,8 @@ inline Mesh MakeTorus(double tube, int resolution)
 {
   std::vector<glm::dvec3> corners;
   std::vector<std::vector<vtkIdType>> triangles;
-  const auto corner = [&](int i, int j) {
-    return static_cast<vtkIdType>(i % resolution * resolution + j % resolution);
+  const auto corner = [&](vtkIdType i, vtkIdType j) {
+    return i % resolution * resolution + j % resolution;
   };
   for (int i = 0; i < resolution; ++i)
   {

@@ -36,7 +36,7 @@ void CheckShot(const std::string& what, const Picture& direct, const Picture& sh
   std::cout << what << ": differs by " << steps << "/255 at most, " << different << " of "
             << direct.size() / 3 << " pixels by more than 1/255\n";
   Check(ShowsScene(direct), what + ": something is seen");
-  Check(direct.size() == static_cast<size_t>(3 * Scale * Scale * Width * Height) && steps <= 1,
+  Check(direct.size() == size_t(3) * Scale * Scale * Width * Height && steps <= 1,
     what + ": the picture of a large window");
 }
 

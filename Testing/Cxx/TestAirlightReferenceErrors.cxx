@@ -272,9 +272,8 @@ void CheckProgress()
   watch.Abort = true;
   reference->Modified();
   reference->Update();
-  radiance = reference->GetOutput()->GetPointData()->GetArray("Radiance");
-  Check(radiance->GetComponent(0, 0) == 0.5, "the first row is there after an abort");
-  Check(radiance->GetComponent(399, 0) == 0.0, "the last row is not");
+  Check(watch.Calls > 20 && watch.Calls < 45, "it ends before all is done");
+  Check(reference->GetOutput()->GetNumberOfPoints() == 0, "no picture after an abort");
   reference->SetAbortExecute(0);
   reference->Modified();
   watch.Abort = false;

@@ -71,7 +71,7 @@ public:
   {
     const int first = 2 * this->Tree->GetNodeCount();
     const int count = (static_cast<int>(this->Texels.size()) - first) / 3;
-    const size_t at = static_cast<size_t>(first + 3 * random.Index(count));
+    const auto at = static_cast<size_t>(first) + 3 * random.Index(count);
     std::array<glm::dvec3, 3> triangle;
     for (size_t k = 0; k < 3; ++k)
     {

@@ -152,7 +152,12 @@ bool TestSun()
   scene.AddDirectionalLight({ 0.3, 1.0, 1.0 }, glm::dvec3(1.0));
   Slab slab;
   slab.Lit = true;
-  return CompareSlab("sun, edge of the fog in the slab", scene, slab, 60, { 1e-5, 1e-4 }, 6);
+  const Limits limits = { 1e-5, 1e-4 };
+  const bool ok = CompareSlab("sun, edge of the fog in the slab", scene, slab, 60, limits, 6);
+  // VTK 9.2 and later number those with a position first.
+  scene.AddPointLight({ 2, 4, 3 }, { 8.0, 6.0, 4.0 });
+  slab.Colour *= 0.5; // its samples stay below 1, at which VTK clips them
+  return CompareSlab("sun and lamp", scene, slab, 60, limits, 6) && ok;
 }
 }
 

@@ -6,6 +6,7 @@ Run it like TestAirlightProgram.py.
 """
 
 import os
+import struct
 import unittest
 
 import numpy as np
@@ -61,6 +62,23 @@ class TestBadModels(ProgramTest):
                 bad = self.write(f"{stem}{i}.{extension}", piece)
                 self.fail_with([bad], "render", bad, "-o", self.path("x.png"))
                 self.assertFalse(os.path.exists(self.path("x.png")))
+
+    def test_binary_models(self):
+        """A triangle as .ply in both orders of bytes, whole and each time with less of its end."""
+        for order, name in ((">", "big"), ("<", "little")):
+            header = NOT_FINITE.replace("ascii", f"binary_{name}_endian")
+            header = header[:header.index("0 0 0")].encode()
+            face = struct.pack(order + "B3i", 3, 0, 1, 2)
+            vertices = struct.pack(order + "9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+            good = self.write(f"{name}.ply", header + vertices + face)
+            self.succeed("render", good, "-o", self.path("x.png"), "--size", "16x12")
+            for left, words in ((12, "face 0 of 1"), (0, "face 0 of 1"), (-1, "vertex 2 of 3")):
+                content = header + (vertices + face)[:len(vertices) + left]
+                bad = self.write(f"{name}.ply", content)
+                self.fail_with([bad, "ends before the last number of " + words], "render", bad,
+                               "-o", self.path("x.png"))
+            bad = self.write(f"{name}.ply", header[:-1])
+            self.fail_with([bad, "vertex 0 of 3"], "render", bad, "-o", self.path("x.png"))
 
     def test_impossible_models(self):
         for name, text, words in (

@@ -53,6 +53,12 @@ class Scene:
         lines = add(self.renderer, ball, (0.9, 0.6, -3))
         lines.SetScale(1.5)
         lines.GetProperty().SetRepresentationToWireframe()
+        coarse = vtkSphereSource()  # lines far enough apart to see others through
+        coarse.SetThetaResolution(9)
+        self.lines = add(self.renderer, coarse, (1.5, -0.2, -2))
+        self.lines.SetScale(3)
+        self.lines.GetProperty().SetRepresentationToWireframe()
+        self.lines.VisibilityOff()
         self.text = vtkTextActor()
         self.text.SetInput("Airlight")
         self.text.SetPosition(5, 70)
@@ -135,6 +141,7 @@ class TestComposition(unittest.TestCase):
             title = section.split("\n", 1)[0]
             # Two ways blend in two ways, and FXAA outside smooths texts, too.
             scene.ball.SetVisibility(title == "Depth peeling")
+            scene.lines.SetVisibility(title == "Hidden line removal")
             scene.text.SetVisibility(title == "Annotations")
             plain = scene.picture()
             for block in re.findall(r"```python\n(.*?)```", section, re.DOTALL):
