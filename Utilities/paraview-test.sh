@@ -34,6 +34,17 @@ find_in()
   find "$1" -path "*/$2" -printf '%h\n' -quit 2> /dev/null || true
 }
 
+# name_modules FOLDER: ParaView's CMake package asks for Python modules without the suffix that Debian 13
+# gives them.
+name_modules()
+{
+  local module name
+  while IFS= read -r module; do
+    name=${module%%.cpython-*}.so
+    [[ -e $name ]] || ln -s "$(basename "$module")" "$name"
+  done < <(find "$1" -name '*.cpython-*.so')
+}
+
 download()
 {
   (cd "$1" && timeout 600 apt-get -q download "${packages[@]}")
@@ -58,6 +69,7 @@ fetch()
   for package in "$temporary"/*.deb; do
     dpkg-deb -x "$package" "$temporary/prefix" || skip "$(basename "$package") does not unpack."
   done
+  name_modules "$temporary/prefix"
   mv "$temporary/prefix" "$paraview/prefix"
   rm -rf "$temporary"
   trap - EXIT

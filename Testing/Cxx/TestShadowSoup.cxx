@@ -83,8 +83,8 @@ void TestFlipped()
   vtkSmartPointer<vtkPolyData> sphere = MakeSphere({ 0, 0, 0 }, 1.6, 16);
   std::mt19937 random(11);
   vtkNew<vtkCellArray> cells;
-  vtkIdType size;
-  const vtkIdType* ids;
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
   for (sphere->GetPolys()->InitTraversal(); sphere->GetPolys()->GetNextCell(size, ids);)
   {
     const bool flip = random() % 2 == 0;
