@@ -173,9 +173,10 @@ int vtkAirlightReference::RequestData(
     vtkSMPTools::For(first, last, 16, [&](vtkIdType from, vtkIdType to) {
       for (vtkIdType i = from; i < to; ++i)
       {
-        const double column = static_cast<double>(i % settings.Width);
-        const double row = static_cast<double>(i / settings.Width); // a whole number
-        buffers.Set(i, tracer.Trace(column + 0.5, row + 0.5));
+        const vtkIdType column = i % settings.Width;
+        const vtkIdType row = i / settings.Width;
+        buffers.Set(
+          i, tracer.Trace(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5));
       }
     });
     this->UpdateProgress(static_cast<double>(last) / image->GetNumberOfPoints());

@@ -197,7 +197,7 @@ void ReadAll(const Header& header, Numbers numbers)
       {
         const bool list = property.CountBytes > 0;
         const double count = list ? numbers.Next(property.CountBytes, element, i) : 1.0;
-        for (double j = 0.0; j < count; ++j)
+        for (long long j = 0; static_cast<double>(j) < count; ++j)
         {
           numbers.Next(property.Bytes, element, i);
         }

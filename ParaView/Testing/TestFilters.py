@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filters from ParaView's server manager, against numbers from derivations."""
 
+import os
+import subprocess
 import sys
+import tempfile
 import unittest
 
 import numpy as np
@@ -10,6 +13,8 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import paraviewtest as test
+
+WRITE = os.environ.get("AIRLIGHT_WRITE_OPENVDB")
 
 
 def fetch(source, port=0):
@@ -120,6 +125,21 @@ class Filters(unittest.TestCase):
         difference = vtk_to_numpy(fetch(found, 1).GetPointData().GetScalars())
         data = vtk_to_numpy(fetch(image).GetPointData().GetScalars())
         np.testing.assert_allclose(difference.ravel(), 0.01 * data.ravel(), rtol=1e-3)
+
+    @unittest.skipUnless(WRITE, "built without OpenVDB")
+    def test_density_reader(self):
+        """A file that ParaView opens by its name: a ball of fog, its sum, and its place."""
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([WRITE, folder + "/"], check=True, timeout=60)
+            reader = simple.OpenDataFile(folder + "/types.vdb")
+            self.assertEqual(reader.GetXMLName(), "OpenVDBDensityReader")
+            reader.GridName = "fog"
+            image = fetch(reader)
+        values = vtk_to_numpy(image.GetPointData().GetArray("fog"))
+        # The volumes of balls, 4/3 pi r^3, averaged over the radii 1.2 to 1.5 between which the fog rises.
+        expected = np.pi / 3 * (1.5**4 - 1.2**4) / 0.3
+        self.assertAlmostEqual(values.sum() * 0.1**3 / expected, 1, delta=2e-3)
+        self.assertEqual(values[image.FindPoint(1, 2, 3)], 1)
 
 
 if __name__ == "__main__":
