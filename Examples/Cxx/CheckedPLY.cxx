@@ -71,11 +71,11 @@ bool ReadProperty(std::istream& words, Property& property)
   return property.Bytes > 0 && (!list || property.CountBytes > 0);
 }
 
-// Leaves the stream behind the header.
-Header ReadHeader(std::istream& stream)
+Header ReadHeader(const std::string& text)
 {
   Header header;
-  for (std::string line; std::getline(stream, line) && line.rfind("end_header", 0) != 0;)
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
   {
     std::istringstream words(line);
     std::string key;
@@ -116,7 +116,21 @@ public:
   {
   }
 
-  double Next(std::size_t, const Element& element, long long index)
+  double TakeCount(const Property&, const Element& element, long long index)
+  {
+    return this->Next(element, index);
+  }
+
+  void Pass(double count, const Property&, const Element& element, long long index)
+  {
+    for (long long i = 0; static_cast<double>(i) < count; ++i)
+    {
+      this->Next(element, index);
+    }
+  }
+
+private:
+  double Next(const Element& element, long long index)
   {
     char* end = nullptr;
     const double number = std::strtod(this->At, &end);
@@ -128,7 +142,6 @@ public:
     return number;
   }
 
-private:
   [[noreturn]] void Fail(const Element& element, long long index) const
   {
     const std::string place = element.Name + " " + std::to_string(index);
@@ -149,7 +162,8 @@ private:
   const char* At;
 };
 
-// The same of a binary file. What is no length may be a number of any type and is not looked at.
+// The same of a binary file, in which any bytes are numbers: of those that are no lengths it is enough
+// that they are there.
 class BinaryNumbers
 {
 public:
@@ -162,23 +176,35 @@ public:
   {
   }
 
-  double Next(std::size_t size, const Element& element, long long index)
+  double TakeCount(const Property& property, const Element& element, long long index)
   {
-    if (this->Bytes.size() - this->At < size)
-    {
-      FailAtEnd(this->FileName, element, index);
-    }
+    const std::size_t size = property.CountBytes;
+    const std::size_t first = this->At;
+    this->Pass(static_cast<double>(size), element, index);
     double number = 0.0;
     for (std::size_t i = 0; i < size; ++i)
     {
-      const std::size_t place = this->BigEndian ? i : size - 1 - i;
-      number = 256.0 * number + static_cast<unsigned char>(this->Bytes[this->At + place]);
+      const std::size_t place = first + (this->BigEndian ? i : size - 1 - i);
+      number = 256.0 * number + static_cast<unsigned char>(this->Bytes[place]);
     }
-    this->At += size;
     return number;
   }
 
+  void Pass(double count, const Property& property, const Element& element, long long index)
+  {
+    this->Pass(count * static_cast<double>(property.Bytes), element, index);
+  }
+
 private:
+  void Pass(double bytes, const Element& element, long long index)
+  {
+    if (static_cast<double>(this->Bytes.size() - this->At) < bytes)
+    {
+      FailAtEnd(this->FileName, element, index);
+    }
+    this->At += static_cast<std::size_t>(bytes);
+  }
+
   std::string FileName;
   const std::string& Bytes;
   std::size_t At;
@@ -196,11 +222,8 @@ void ReadAll(const Header& header, Numbers numbers)
       for (const Property& property : element.Properties)
       {
         const bool list = property.CountBytes > 0;
-        const double count = list ? numbers.Next(property.CountBytes, element, i) : 1.0;
-        for (long long j = 0; static_cast<double>(j) < count; ++j)
-        {
-          numbers.Next(property.Bytes, element, i);
-        }
+        const double count = list ? numbers.TakeCount(property, element, i) : 1.0;
+        numbers.Pass(count, property, element, i);
       }
     }
   }
@@ -211,14 +234,17 @@ void ReadAll(const Header& header, Numbers numbers)
 void CheckPLY(const std::string& fileName)
 {
   const std::string bytes = ReadTextFile(fileName);
-  std::istringstream stream(bytes);
-  const Header header = ReadHeader(stream);
-  if (!header.Known || !stream)
+  const std::size_t last = bytes.find("\nend_header");
+  if (last == std::string::npos)
   {
     return;
   }
-  const std::streamoff place = stream.tellg(); // below 0 where nothing follows
-  const std::size_t start = place < 0 ? bytes.size() : static_cast<std::size_t>(place);
+  const Header header = ReadHeader(bytes.substr(0, last));
+  if (!header.Known)
+  {
+    return;
+  }
+  const std::size_t start = std::min(bytes.find('\n', last + 1), bytes.size() - 1) + 1;
   if (header.Format == "ascii")
   {
     ReadAll(header, TextNumbers(fileName, bytes, start));
