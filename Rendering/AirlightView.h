@@ -37,7 +37,7 @@ public:
   glm::mat4 GetClipMatrix(const glm::dvec3& origin) const;
 
   // Where a light at `position` [from the eye] is in the picture: the pixel, its whole part and the
-  // rest, and what the distance of a pixel's ray from the light grows by per pixel away from it. It
+  // rest, and what its moment about a pixel's ray grows by per pixel away from it (airlightMoment). It
   // vanishes, linearly, at the light's own pixel, and is taken from there: as a cross product of
   // long vectors it would be lost in single precision near the light.
   struct LightPixel

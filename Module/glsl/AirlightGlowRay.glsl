@@ -81,8 +81,8 @@ AIRLIGHT_FN real3 airlightGlowPiece(AIRLIGHT_IN(AirlightMedia) media,
   }
   // One panel on each side of the light's foot, where the peak is.
   real3 sum = real3(real(0.0));
-  real v0 = airlightAsinh((t0 - ray.range.x - ray.foot.tL) / ray.foot.h);
-  real v1 = airlightAsinh((t1 - ray.range.x - ray.foot.tL) / ray.foot.h);
+  real v0 = airlightAsinh(airlightFromFoot(ray, t0) / ray.foot.h);
+  real v1 = airlightAsinh(airlightFromFoot(ray, t1) / ray.foot.h);
   real middle = clamp(real(0.0), v0, v1);
   if (middle > v0)
   {

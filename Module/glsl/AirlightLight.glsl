@@ -45,24 +45,56 @@ struct AirlightRay
   real3 direction;
   real2 range;       // inside media, as distances from the origin
   real2 lit;         // the part of it inside a spot's cone
+  real2 litFromFoot; // and from the light's foot, which a cone's ends can be much closer to: with
+  real litWay;       // digits that `lit` has not, and how long it is
   AirlightFoot foot; // of the light, from range.x
 };
 
-// The part of [range.x, range.y] inside a spot's cone. The cone is convex, so there is one. With
-// y = (t - tL)/h and the components (axisH, axisD) of the axis towards the light's perpendicular
-// and along the ray, inside means axisH + y axisD >= cosCone sqrt(1 + y^2).
-AIRLIGHT_FN real2 airlightConeRange(
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray)
+// How far after the light's foot t is.
+AIRLIGHT_FN real airlightFromFoot(AIRLIGHT_IN(AirlightRay) ray, real t)
 {
-  real3 fromLight = ray.origin + (ray.range.x + ray.foot.tL) * ray.direction - light.position;
+#ifndef AIRLIGHT_NO_CONE
+  if (t == ray.lit.x)
+  {
+    return ray.litFromFoot.x;
+  }
+  if (t == ray.lit.y)
+  {
+    return ray.litFromFoot.y;
+  }
+#endif
+  return (t - ray.range.x) - ray.foot.tL;
+}
+
+// How long [t0, t1] is.
+AIRLIGHT_FN real airlightWayBetween(AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
+{
+#ifndef AIRLIGHT_NO_CONE
+  if (t0 == ray.lit.x && t1 == ray.lit.y)
+  {
+    return ray.litWay;
+  }
+#endif
+  return t1 - t0;
+}
+
+// Keeps of [range.x, range.y] what is inside a spot's cone. The cone is convex, so there is one. With
+// y = (t - tL)/h and the components (axisH, axisD) of the axis towards the light's perpendicular
+// and along the ray, inside means axisH + y axisD >= cosCone sqrt(1 + y^2). `moment` as in
+// airlightRayBeside().
+AIRLIGHT_FN void airlightClipToCone(
+  AIRLIGHT_IN(AirlightLight) light, real3 moment, AIRLIGHT_INOUT(AirlightRay) ray)
+{
   real axisD = dot(light.axis, ray.direction);
-  real axisH = dot(light.axis, fromLight) / ray.foot.h;
+  real axisH = dot(light.axis, cross(moment, ray.direction)) / ray.foot.h;
   real c2 = light.cosCone * light.cosCone;
-  real2 empty = real2(ray.range.x, ray.range.x);
+  ray.lit.y = ray.range.x;
+  ray.litFromFoot.y = ray.litFromFoot.x;
+  ray.litWay = real(0.0);
   real discriminant = axisD * axisD + axisH * axisH - c2;
   if (discriminant <= real(0.0))
   {
-    return empty;
+    return;
   }
   // (axisD^2 - c^2) y^2 + 2 axisH axisD y + (axisH^2 - c^2) = 0, roots without cancellation.
   real a = axisD * axisD - c2;
@@ -90,26 +122,32 @@ AIRLIGHT_FN real2 airlightConeRange(
   }
   else
   {
-    return empty;
+    return;
   }
   real foot = ray.range.x + ray.foot.tL;
-  real first = clamp(foot + ray.foot.h * from, ray.range.x, ray.range.y);
-  return real2(first, clamp(foot + ray.foot.h * to, first, ray.range.y));
+  ray.litFromFoot = clamp(ray.foot.h * real2(from, to), real2(-ray.foot.tL),
+    real2((ray.range.y - ray.range.x) - ray.foot.tL));
+  ray.lit.x = clamp(foot + ray.litFromFoot.x, ray.range.x, ray.range.y);
+  ray.lit.y = clamp(foot + ray.litFromFoot.y, ray.lit.x, ray.range.y);
+  bool close = abs(ray.litFromFoot.x) + abs(ray.litFromFoot.y) < abs(ray.lit.x) + abs(ray.lit.y);
+  ray.litWay = close ? ray.litFromFoot.y - ray.litFromFoot.x : ray.lit.y - ray.lit.x;
 }
 
-// The light's distance from a pixel's ray, h of its foot, where the light stands for a pixel of its
-// own: its whole part and the rest, `perX` and `perY` what the distance grows by per pixel away from
-// it, for a direction of length `unit`. Near the light this keeps digits that airlightRay() loses.
-AIRLIGHT_FN real airlightFootDistance(real2 p, real2 pixel, real2 pixelRest, real3 perX, real3 perY,
-  real unit, real radius)
+// The light's moment about a pixel's ray where the light stands for a pixel of its own: its whole part
+// and the rest, `perX` and `perY` what the moment grows by per pixel away from it, for a direction of
+// length `unit`. Near the light this keeps digits that airlightRay() loses.
+AIRLIGHT_FN real3 airlightMoment(
+  real2 p, real2 pixel, real2 pixelRest, real3 perX, real3 perY, real unit)
 {
   real2 q = (p - pixel) - pixelRest;
-  return max(length(q.x * perX + q.y * perY) / unit, radius);
+  return (q.x * perX + q.y * perY) / unit;
 }
 
-// The ray from origin to t1 and the foot of the light's perpendicular on it.
-AIRLIGHT_FN AirlightRay airlightRay(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, real3 origin, real3 direction, real t1)
+// The ray from origin to t1 and the foot of the light's perpendicular on it, given the light's moment
+// (light - origin) x direction: its length is the light's distance, and with the direction it says to
+// which side the light is.
+AIRLIGHT_FN AirlightRay airlightRayBeside(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, real3 origin, real3 direction, real t1, real3 moment)
 {
   AirlightRay ray;
   ray.origin = origin;
@@ -124,15 +162,23 @@ AIRLIGHT_FN AirlightRay airlightRay(AIRLIGHT_IN(AirlightMedia) media,
     }
   }
   ray.range = real2(min(ray.range.x, t1), max(ray.range.y, min(ray.range.x, t1)));
-  real3 toLight = light.position - origin;
-  ray.foot.tL = dot(toLight, direction) - ray.range.x;
-  ray.foot.h = max(length(cross(toLight, direction)), light.radius);
+  ray.foot.tL = dot(light.position - origin, direction) - ray.range.x;
+  ray.foot.h = max(length(moment), light.radius);
   ray.lit = ray.range;
 #ifndef AIRLIGHT_NO_CONE
+  ray.litFromFoot = (ray.range - ray.range.x) - ray.foot.tL;
+  ray.litWay = ray.range.y - ray.range.x;
   if (light.cosCone > real(0.0))
   {
-    ray.lit = airlightConeRange(light, ray);
+    airlightClipToCone(light, moment, ray);
   }
 #endif
   return ray;
+}
+
+AIRLIGHT_FN AirlightRay airlightRay(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, real3 origin, real3 direction, real t1)
+{
+  return airlightRayBeside(
+    media, light, origin, direction, t1, cross(light.position - origin, direction));
 }

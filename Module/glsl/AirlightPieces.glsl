@@ -5,8 +5,8 @@ AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
   AIRLIGHT_IN(AirlightPiece) piece, real t0, real t1)
 {
-  real x0 = t0 - ray.range.x - ray.foot.tL;
-  real x1 = t1 - ray.range.x - ray.foot.tL;
+  real x0 = airlightFromFoot(ray, t0);
+  real x1 = airlightFromFoot(ray, t1);
   bool straight = airlightIsDirectional(light) ||
     x1 - x0 < real(0.05) * max(abs(x0), ray.foot.h);
   real v0 = straight ? t0 : airlightAsinh(x0 / ray.foot.h);

@@ -33,10 +33,10 @@ struct AirlightFoot
   real h;  // distance of the light from the ray, above 0
 };
 
+// x = t - tL.
 AIRLIGHT_FN real airlightTail(
-  AIRLIGHT_IN(AirlightPhase) phase, real sigmaT, AIRLIGHT_IN(AirlightFoot) foot, real t)
+  AIRLIGHT_IN(AirlightPhase) phase, real sigmaT, AIRLIGHT_IN(AirlightFoot) foot, real t, real x)
 {
-  real x = t - foot.tL;
   real r = sqrt(foot.h * foot.h + x * x);
   // h s(t); before the foot the sum cancels, its conjugate does not.
   real hs = x >= real(0.0) ? x + r : foot.h * foot.h / (r - x);
@@ -57,17 +57,16 @@ AIRLIGHT_FN real3 airlightTurnedSample(AIRLIGHT_IN(AirlightPhase) phase, real3 s
   return airlightPhase(phase, -sinPhi) * exp(-sigmaT * (foot.tL + r * sinPhi + r));
 }
 
-// The integral over [t0, t1] by Gauss-Legendre quadrature in the angle seen from the light, where
-// the inverse square is a constant. For short intervals, in which the difference of two tails
-// would cancel.
+// The integral from x0 on by Gauss-Legendre quadrature in the angle seen from the light, where the
+// inverse square is a constant. For short intervals, in which the difference of two tails would
+// cancel.
 AIRLIGHT_FN real3 airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real3 sigmaT,
-  AIRLIGHT_IN(AirlightFoot) foot, real t0, real t1, bool needed)
+  AIRLIGHT_IN(AirlightFoot) foot, real x0, real way, bool needed)
 {
-  real x0 = t0 - foot.tL;
-  real x1 = t1 - foot.tL;
+  real x1 = x0 + way;
   real r0 = sqrt(foot.h * foot.h + x0 * x0);
   // From cross and dot product of the two directions: a difference of two angles would cancel.
-  real turn = airlightAngle(foot.h * (t1 - t0), foot.h * foot.h + x0 * x1);
+  real turn = airlightAngle(foot.h * way, foot.h * foot.h + x0 * x1);
   // A wide angle with little in it: the phase function's peak lies beyond it (strong backward
   // scattering), and its flank takes more nodes.
   int panels = turn > real(AIRLIGHT_WIDE_TURN) ? 4 : 1;
@@ -86,23 +85,24 @@ AIRLIGHT_FN real3 airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real3 s
   return sum * (reach / foot.h);
 }
 
-// The integral over [t0, t1] per unit sigmaS I, given the tails at its ends, for each channel.
+// The integral from x0 = t0 - tL along a way of this length per unit sigmaS I, given the tails at its
+// ends, for each channel.
 AIRLIGHT_FN real3 airlightSegmentFromTails(AIRLIGHT_IN(AirlightPhase) phase, real3 sigmaT,
-  AIRLIGHT_IN(AirlightFoot) foot, real t0, real3 tail0, real t1, real3 tail1)
+  AIRLIGHT_IN(AirlightFoot) foot, real x0, real way, real3 tail0, real3 tail1)
 {
   real3 result = tail0 - tail1;
   real3 least = airlightShortFraction(phase) * tail0;
   // Written so that differences that are not numbers count as short, too.
   bool3 enough = greaterThan(result, least);
   return mix(
-    airlightShortSegment(phase, sigmaT, foot, t0, t1, !all(enough)), result, enough);
+    airlightShortSegment(phase, sigmaT, foot, x0, way, !all(enough)), result, enough);
 }
 
 // The integral over [t0, t1] per unit sigmaS I, for one channel. t0 >= 0.
 AIRLIGHT_FN real airlightSegment(AIRLIGHT_IN(AirlightPhase) phase, real sigmaT,
   AIRLIGHT_IN(AirlightFoot) foot, real t0, real t1)
 {
-  return airlightSegmentFromTails(phase, real3(sigmaT), foot, t0,
-    real3(airlightTail(phase, sigmaT, foot, t0)), t1,
-    real3(airlightTail(phase, sigmaT, foot, t1))).x;
+  return airlightSegmentFromTails(phase, real3(sigmaT), foot, t0 - foot.tL, t1 - t0,
+    real3(airlightTail(phase, sigmaT, foot, t0, t0 - foot.tL)),
+    real3(airlightTail(phase, sigmaT, foot, t1, t1 - foot.tL))).x;
 }

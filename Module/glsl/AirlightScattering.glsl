@@ -16,14 +16,15 @@ AIRLIGHT_FN real3 airlightTail3(AIRLIGHT_IN(AirlightMedia) media,
   {
     return real3(real(0.0));
   }
-  real x = t - ray.range.x;
-  real red = airlightTail(media.item[0].phase, media.item[0].sigmaT.x, ray.foot, x);
+  real x = airlightFromFoot(ray, t);
+  t -= ray.range.x;
+  real red = airlightTail(media.item[0].phase, media.item[0].sigmaT.x, ray.foot, t, x);
   if (airlightIsGrey(media.item[0]))
   {
     return real3(red);
   }
-  return real3(red, airlightTail(media.item[0].phase, media.item[0].sigmaT.y, ray.foot, x),
-    airlightTail(media.item[0].phase, media.item[0].sigmaT.z, ray.foot, x));
+  return real3(red, airlightTail(media.item[0].phase, media.item[0].sigmaT.y, ray.foot, t, x),
+    airlightTail(media.item[0].phase, media.item[0].sigmaT.z, ray.foot, t, x));
 #endif
 }
 
@@ -122,9 +123,11 @@ AIRLIGHT_FN real3 airlightInterval3(AIRLIGHT_IN(AirlightMedia) media,
 #else
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED)
   {
+    real x0 = airlightFromFoot(ray, t0);
+    real way = airlightWayBetween(ray, t0, t1);
     integral = media.item[0].sigmaS *
-      airlightSegmentFromTails(media.item[0].phase, media.item[0].sigmaT, ray.foot,
-        t0 - ray.range.x, tail0, t1 - ray.range.x, tail1);
+      airlightSegmentFromTails(
+        media.item[0].phase, media.item[0].sigmaT, ray.foot, x0, way, tail0, tail1);
   }
   else if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_CLOSED)
   {

@@ -79,9 +79,9 @@ AIRLIGHT_FN real2 airlightSineCosine(real a)
 AIRLIGHT_FN real airlightTurned(
   AIRLIGHT_IN(AirlightTurn) turn, AIRLIGHT_IN(AirlightRay) ray, real t)
 {
-  real l = max(t - turn.from, real(0.0));
-  real x = max((t - ray.range.x) - ray.foot.tL, turn.x);
-  return airlightAngle(turn.h * l, turn.h * turn.h + turn.x * x);
+  real x = max(airlightFromFoot(ray, t), turn.x);
+  real way = max(airlightWayBetween(ray, turn.from, t), real(0.0));
+  return airlightAngle(turn.h * way, turn.h * turn.h + turn.x * x);
 }
 
 // Twice the arctangent to some percent, of what is not below 0.
@@ -101,7 +101,7 @@ AIRLIGHT_FN AirlightTurn airlightTurn(
   const real log2e = real(1.4426950408889634);
   AirlightTurn turn;
   turn.from = t0;
-  turn.x = (t0 - ray.range.x) - ray.foot.tL;
+  turn.x = airlightFromFoot(ray, t0);
   turn.h = ray.foot.h;
   turn.left = airlightAngle(turn.h, turn.x);
   turn.start = AIRLIGHT_SHADE(medium.sigmaT) * (-log2e * ray.foot.tL);

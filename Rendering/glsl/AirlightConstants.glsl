@@ -13,11 +13,14 @@ void airlightTakeConstants(int k, inout AirlightMedia media, inout AirlightLight
   media.item[0].sigmaT = airlightFlatConstants[6 * k + 2].xyz;
 }
 
-// The k-th light's distance from the pixel's ray; `known` where the light is far outside the view.
-float airlightOwnFoot(int k, vec2 p, float unit, float radius, float known)
+// The k-th light's moment about the pixel's ray.
+vec3 airlightOwnMoment(int k, vec2 p, float unit, AirlightLight light, vec3 origin, vec3 direction)
 {
+  if (airlightFlatConstants[6 * k + 2].w == 0.0) // far outside the view
+  {
+    return cross(light.position - origin, direction);
+  }
   vec4 pixel = airlightFlatConstants[6 * k + 3];
-  float own = airlightFootDistance(p, pixel.xy, pixel.zw, airlightFlatConstants[6 * k + 4].xyz,
-    airlightFlatConstants[6 * k + 5].xyz, unit, radius);
-  return airlightFlatConstants[6 * k + 2].w != 0.0 ? own : known;
+  return airlightMoment(p, pixel.xy, pixel.zw, airlightFlatConstants[6 * k + 4].xyz,
+    airlightFlatConstants[6 * k + 5].xyz, unit);
 }

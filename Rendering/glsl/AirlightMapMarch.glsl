@@ -129,8 +129,8 @@ AirlightMarch airlightMarch(AirlightRay ray, bool clipped)
   march.turn = 0.0;
   if (march.point)
   {
-    march.from = ray.lit.x - ray.range.x - ray.foot.tL;
-    march.to = ray.lit.y - ray.range.x - ray.foot.tL;
+    march.from = airlightFromFoot(ray, ray.lit.x);
+    march.to = airlightFromFoot(ray, ray.lit.y);
     march.turn = airlightAngle(ray.foot.h * (march.to - march.from),
       ray.foot.h * ray.foot.h + march.from * march.to);
   }

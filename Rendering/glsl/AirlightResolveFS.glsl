@@ -1,8 +1,8 @@
 // One light's airlight along each pixel's ray: the sum over the ray's lit intervals. Blended
 // additively, light by light.
 
-// The light's own pixel, its whole part and the rest, and what the distance between light and ray
-// grows by per pixel away from it.
+// The light's own pixel, its whole part and the rest, and what its moment about the ray grows by per
+// pixel away from it.
 uniform int lightHasPixel;
 uniform vec2 lightPixel;
 uniform vec2 lightPixelRest;
@@ -26,14 +26,13 @@ void main()
   ivec2 pixel = ivec2(p);
   float surface = texelFetch(distances, pixel, 0).r;
   float unit = airlightRayUnit(p);
-  AirlightRay ray = airlightRay(media, light, airlightOrigin(p), airlightDirection(p) / unit,
-    surface >= 0.0 ? surface : AIRLIGHT_FAR);
-
-  if (lightHasPixel != 0)
-  {
-    ray.foot.h = airlightFootDistance(
-      p, lightPixel, lightPixelRest, lightPerX, lightPerY, unit, light.radius);
-  }
+  vec3 origin = airlightOrigin(p);
+  vec3 direction = airlightDirection(p) / unit;
+  vec3 moment = lightHasPixel != 0
+    ? airlightMoment(p, lightPixel, lightPixelRest, lightPerX, lightPerY, unit)
+    : cross(light.position - origin, direction);
+  AirlightRay ray = airlightRayBeside(
+    media, light, origin, direction, surface >= 0.0 ? surface : AIRLIGHT_FAR, moment);
 
 #ifdef AIRLIGHT_RAY_MARCH
   float litLength;

@@ -67,9 +67,11 @@ bool airlightTurnPixel(vec2 p, float unit, float surface, out AirlightTurnedPixe
   {
     return false;
   }
-  AirlightRay ray = airlightRay(media, light, airlightOrigin(p), airlightDirection(p) / unit,
-    surface >= 0.0 ? surface : AIRLIGHT_FAR);
-  ray.foot.h = airlightOwnFoot(0, p, unit, light.radius, ray.foot.h);
+  vec3 origin = airlightOrigin(p);
+  vec3 direction = airlightDirection(p) / unit;
+  AirlightRay ray =
+    airlightRayBeside(media, light, origin, direction, surface >= 0.0 ? surface : AIRLIGHT_FAR,
+      airlightOwnMoment(0, p, unit, light, origin, direction));
   pixel = airlightTurnedRay(ray, unit);
   return true;
 }

@@ -14,8 +14,8 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
 #if !AIRLIGHT_CONES
   light.cosCone = 0.0;
 #endif
-  AirlightRay ray = airlightRay(medium, light, origin, direction, end);
-  ray.foot.h = airlightOwnFoot(k, p, unit, light.radius, ray.foot.h);
+  AirlightRay ray = airlightRayBeside(medium, light, origin, direction, end,
+    airlightOwnMoment(k, p, unit, light, origin, direction));
   AirlightTurn turn = airlightTurn(medium.item[0], ray, ray.lit.x, ray.lit.y);
   AirlightShade sum = AirlightShade(0.0);
   float psi = 0.0;
@@ -31,8 +31,8 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
 
 #else
 
-// A light's own pixel, its whole part and the rest, and what the distance between light and ray grows
-// by per pixel away from it.
+// A light's own pixel, its whole part and the rest, and what its moment about the ray grows by per
+// pixel away from it.
 struct AirlightOwnPixel
 {
   int HasPixel;
@@ -49,12 +49,10 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
 #if !AIRLIGHT_CONES
   light.cosCone = 0.0;
 #endif
-  AirlightRay ray = airlightRay(media, light, origin, direction, end);
-  if (own[k].HasPixel != 0)
-  {
-    ray.foot.h = airlightFootDistance(
-      p, own[k].Pixel, own[k].PixelRest, own[k].PerX, own[k].PerY, unit, light.radius);
-  }
+  vec3 moment = own[k].HasPixel != 0
+    ? airlightMoment(p, own[k].Pixel, own[k].PixelRest, own[k].PerX, own[k].PerY, unit)
+    : cross(light.position - origin, direction);
+  AirlightRay ray = airlightRayBeside(media, light, origin, direction, end, moment);
   vec3 tail = airlightTail3(media, light, ray, ray.lit.x);
   vec3 sum = airlightInterval3(media, light, ray, ray.lit.x, tail, ray.lit.y,
     airlightTail3(media, light, ray, ray.lit.y));

@@ -59,53 +59,6 @@ bool TestG()
 }
 
 //------------------------------------------------------------------------------
-// A light's distance from rays close by: pixel p's ray goes along d + p.x x + p.y y, the light lies on
-// that of the pixel q, which need not be whole. Expected is the distance between the light and its
-// projection on the ray, with 64 bits of mantissa. In single precision the light's place within its
-// pixel is rounded to 3e-8 of a pixel.
-bool TestFootDistance()
-{
-  using Vector = glm::vec<3, long double>;
-  const glm::dvec3 d(-0.6, -0.4, -1.0);
-  const glm::dvec3 x(1.25e-3, 0.0, 1e-5);
-  const glm::dvec3 y(0.0, 1.25e-3, -2e-5);
-  Comparison inDouble("distance from a light's own pixel in double precision, relative");
-  Comparison inFloat("the same in single precision");
-  Random random(8);
-  for (int i = 0; i < 2000; ++i)
-  {
-    const glm::dvec2 q(random.Uniform(0.0, 960.0), random.Uniform(0.0, 640.0));
-    const glm::dvec3 light = random.LogUniform(1e-3, 1e3) * (d + q.x * x + q.y * y);
-    const glm::dvec2 whole = glm::floor(q);
-    const glm::dvec2 p = whole + glm::dvec2(random.Index(9) - 4, random.Index(9) - 4) + 0.5;
-    const Vector ray = glm::normalize(Vector(d + p.x * x + p.y * y));
-    const auto expected =
-      static_cast<double>(glm::length(Vector(light) - glm::dot(Vector(light), ray) * ray));
-    const glm::dvec3 perX = glm::cross(light, x);
-    const glm::dvec3 perY = glm::cross(light, y);
-    const double unit = glm::length(d + p.x * x + p.y * y);
-    const auto describe = [&] {
-      return Text("pixel ", p.x, ", ", p.y, ", light's ", q.x, ", ", q.y);
-    };
-    inDouble.Add(
-      std::abs(
-        f64::airlightFootDistance(p, whole, q - whole, perX, perY, unit, 0.0) / expected - 1.0),
-      1e-9, describe);
-    inFloat.Add(
-      std::abs(f32::airlightFootDistance(glm::vec2(p), glm::vec2(whole), glm::vec2(q - whole),
-                 glm::vec3(perX), glm::vec3(perY), static_cast<float>(unit), 0.0f) /
-          expected -
-        1.0),
-      5e-7 + 1e-7 / glm::length(p - q), describe);
-  }
-  const double kept = f64::airlightFootDistance(
-    { 3.5, 0.5 }, { 3.0, 0.0 }, { 0.5, 0.5 }, glm::dvec3(1.0), glm::dvec3(1.0), 1.0, 0.25);
-  Comparison radius("a light's radius is the least distance");
-  radius.Add(std::abs(kept - 0.25), 0.0, [] { return "its own pixel"; });
-  return AllOk({ &inDouble, &inFloat, &radius });
-}
-
-//------------------------------------------------------------------------------
 // A light on the ray and outside the interval: r = |x|, and cosTheta is 1 in front of the light
 // (x < 0) and -1 behind it, so the integrand is p(cosTheta) exp(-sigmaT (tL + x + |x|))/x^2.
 bool TestLightOnRay()
@@ -270,7 +223,6 @@ bool TestSpecialCases()
 int TestClosedFormLimits(int, char*[])
 {
   bool ok = TestG();
-  ok = TestFootDistance() && ok;
   ok = TestLightOnRay() && ok;
   ok = TestSpecialCases() && ok;
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;

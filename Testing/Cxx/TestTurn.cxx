@@ -84,6 +84,8 @@ void Prepare(const Setting& s, const Phase& phase, Medium& medium, Ray& ray)
   ray.lit = ray.range;
   ray.foot.tL = s.TL;
   ray.foot.h = s.H;
+  ray.litFromFoot = ray.lit - ray.foot.tL;
+  ray.litWay = ray.lit.y - ray.lit.x;
 }
 
 std::vector<glm::dvec3> SumDouble(const Setting& s, const f64::AirlightPhase& phase)
