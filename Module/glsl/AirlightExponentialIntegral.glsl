@@ -16,16 +16,14 @@ AIRLIGHT_FN real airlightAngle(real y, real x)
   real ax = abs(x);
   real big = max(ax, y);
   real q = min(ax, y) / max(big, real(1e-37));
+  // Pair by pair: each step of a chain waits for the one before it.
   real p = q * q;
-  real a = q *
-    (real(1.0) +
-      p * (real(-0.3333314528) +
-      p * (real(0.1999355085) +
-      p * (real(-0.1420889944) +
-      p * (real(0.1065626393) +
-      p * (real(-0.0752896400) +
-      p * (real(0.0429096138) +
-      p * (real(-0.0161657367) + p * real(0.0028662257)))))))));
+  real p2 = p * p;
+  real low = (real(-0.3333314528) + p * real(0.1999355085)) +
+    p2 * (real(-0.1420889944) + p * real(0.1065626393));
+  real high = (real(-0.0752896400) + p * real(0.0429096138)) +
+    p2 * (real(-0.0161657367) + p * real(0.0028662257));
+  real a = q + q * p * (low + p2 * p2 * high);
   a = y > ax ? real(1.5707963267948966) - a : a;
   return x < real(0.0) ? real(3.1415926535897932) - a : a;
 #endif

@@ -85,13 +85,16 @@ bool airlightOpenKeys(ivec2 pixel, float end)
   keysTotal = 0;
   keysLeft = 0;
   int all = int(heads[airlightCountIndex(pixel)]);
-  int count = all > AIRLIGHT_SLOTS ? 0 : all;
+  // Without min(count, 16): compilers unroll loops whose greatest length they see, and software renderers
+  // run through all of an unrolled one for every pixel.
+  int count = all * int(all <= AIRLIGHT_SLOTS);
+  int far = max(count - 16, 0);
   uint first = airlightFirstSlot(pixel);
-  for (int i = 0; i < min(count, 16); i++)
+  for (int i = 0; i < count - far; i++)
   {
     airlightInsertNear(airlightReadSlot(first + uint(64 * i), end));
   }
-  for (int i = 16; i < count; i++)
+  for (int i = count - far; i < count; i++)
   {
     airlightInsertFar(airlightInsertNear(airlightReadSlot(first + uint(64 * i), end)));
   }
