@@ -27,6 +27,14 @@ int airlightTries = 0;
 #define AIRLIGHT_MAY_TRY (airlightTries++ < AIRLIGHT_MOST_TRIES && AIRLIGHT_FEW_ROUNDS)
 #endif
 
+// Panels narrower than this, of where they are, have nodes that rounding moves: halving them helps no
+// more.
+#ifdef AIRLIGHT_DOUBLE
+#define AIRLIGHT_NARROWEST 1e-15
+#else
+#define AIRLIGHT_NARROWEST 1e-6
+#endif
+
 // So many times more panels where media are inside surfaces.
 #define AIRLIGHT_SURFACE_PANELS 2
 
@@ -211,7 +219,8 @@ AIRLIGHT_FN real3 airlightHalvedPanels(AIRLIGHT_IN(AirlightMedia) media,
     real3 value = airlightPanel(media, light, ray, piece, straight, a, b, doubt);
     // Written so that what is not a number ends it, too.
     bool few = any(greaterThan(doubt, real(AIRLIGHT_PANEL_TOLERANCE) * total));
-    if (few && step > width * real(1.0 / 512.0) && AIRLIGHT_MAY_TRY)
+    if (few && step > width * real(1.0 / 512.0) && step > real(AIRLIGHT_NARROWEST) * abs(a) &&
+      AIRLIGHT_MAY_TRY)
     {
       step *= real(0.5);
     }
