@@ -45,8 +45,10 @@ struct AirlightRay
   real3 direction;
   real2 range;       // inside media, as distances from the origin
   real2 lit;         // the part of it inside a spot's cone
-  real2 litFromFoot; // and from the light's foot, which a cone's ends can be much closer to: with
-  real litWay;       // digits that `lit` has not, and how long it is
+  // The same from the light's foot, to which a cone's ends can be much closer than to the origin: with
+  // digits that `lit` has not. And how long that part is.
+  real2 litFromFoot;
+  real litWay;
   AirlightFoot foot; // of the light, from range.x
 };
 

@@ -35,11 +35,11 @@ struct AirlightTurn
   real h;
   real left; // the angle at the light between the ray's beginning and its direction
   real s;    // at the ray's beginning
-  real later; // see airlightTurnPartEnd()
   real end;  // psi where the ray ends, or the light is gone
   // sigmaT (t + r) in powers of two, negative: at the foot's s = 0, and per unit of s.
   AirlightShade start;
   AirlightShade slope;
+  real later; // see airlightTurnPartEnd()
 };
 
 struct AirlightTurnPart
@@ -75,16 +75,6 @@ AIRLIGHT_FN real2 airlightSineCosine(real a)
 #endif
 }
 
-// The angle by which the light sees the ray turn from its beginning to t, from cross and dot product
-// of the two directions: a difference of two angles would cancel.
-AIRLIGHT_FN real airlightTurned(
-  AIRLIGHT_IN(AirlightTurn) turn, AIRLIGHT_IN(AirlightRay) ray, real t)
-{
-  real x = max(airlightFromFoot(ray, t), turn.x);
-  real way = max(airlightWayBetween(ray, turn.from, t), real(0.0));
-  return airlightAngle(turn.h * way, turn.h * turn.h + turn.x * x);
-}
-
 // The same in [0, 0.79], errors 3e-9 and 3e-8.
 AIRLIGHT_FN real2 airlightSineCosineOfLess(real a)
 {
@@ -98,6 +88,16 @@ AIRLIGHT_FN real2 airlightSineCosineOfLess(real a)
         z2 * (real(0.00833200691) + z * real(-0.000195001381))),
     (real(0.99999997) + z * real(-0.49999852)) + z2 * (real(0.04165476) + z * real(-0.00135824)));
 #endif
+}
+
+// The angle by which the light sees the ray turn from its beginning to t, from cross and dot product
+// of the two directions: a difference of two angles would cancel.
+AIRLIGHT_FN real airlightTurned(
+  AIRLIGHT_IN(AirlightTurn) turn, AIRLIGHT_IN(AirlightRay) ray, real t)
+{
+  real x = max(airlightFromFoot(ray, t), turn.x);
+  real way = max(airlightWayBetween(ray, turn.from, t), real(0.0));
+  return airlightAngle(turn.h * way, turn.h * turn.h + turn.x * x);
 }
 
 // Twice the arctangent of y/x to a percent, x and y not below 0.
