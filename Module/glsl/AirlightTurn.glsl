@@ -75,21 +75,6 @@ AIRLIGHT_FN real2 airlightSineCosine(real a)
 #endif
 }
 
-// The same in [0, 0.79], errors 3e-9 and 3e-8.
-AIRLIGHT_FN real2 airlightSineCosineOfLess(real a)
-{
-#ifdef AIRLIGHT_DOUBLE
-  return real2(sin(a), cos(a));
-#else
-  real z = a * a;
-  real z2 = z * z;
-  return real2(a *
-      ((real(0.999999997) + z * real(-0.166666501)) +
-        z2 * (real(0.00833200691) + z * real(-0.000195001381))),
-    (real(0.99999997) + z * real(-0.49999852)) + z2 * (real(0.04165476) + z * real(-0.00135824)));
-#endif
-}
-
 // The angle by which the light sees the ray turn from its beginning to t, from cross and dot product
 // of the two directions: a difference of two angles would cancel.
 AIRLIGHT_FN real airlightTurned(
@@ -211,7 +196,7 @@ AIRLIGHT_FN void airlightTurnPair(AIRLIGHT_IN(AirlightMedium) medium,
   AIRLIGHT_IN(AirlightTurn) turn, real2 half1, real off, AIRLIGHT_OUT(AirlightShade) sum,
   AIRLIGHT_OUT(AirlightShade) gap)
 {
-  real2 o = airlightSineCosineOfLess(real(0.5) * off);
+  real2 o = airlightSineCosine(real(0.5) * off);
   real sc = half1.x * o.y;
   real cs = half1.y * o.x;
   real cc = half1.y * o.y;
