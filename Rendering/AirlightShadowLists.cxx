@@ -64,11 +64,15 @@ bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height, 
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* ShadowLists::ReadyPlanes(const std::string& fragment,
+vtkShaderProgram* ShadowLists::ReadyPlanes(PlaneKind kind, const std::string& fragment,
   const ShadowVolumes& volumes, const glm::dvec4& light, const View& view)
 {
-  std::string source = "#version 430\n" + fragment;
-  vtkShaderProgram* program = this->PlanePrograms.Ready(this->Window, AirlightPlanesVS, source);
+  const std::string head = "#version 430\n#define AIRLIGHT_NEAR_PLANES " +
+    std::to_string(kind == PlaneKind::Near) + "\n#define AIRLIGHT_CAPS " +
+    std::to_string(kind == PlaneKind::Cap) + "\n";
+  std::string source = head + fragment;
+  vtkShaderProgram* program =
+    this->PlanePrograms.Ready(this->Window, head + AirlightPlanesVS, source);
   if (!program)
   {
     this->Error = std::string("the shader of shadow planes") + ProgramMaker::GetReason();
@@ -86,15 +90,22 @@ vtkShaderProgram* ShadowLists::ReadyPlanes(const std::string& fragment,
 }
 
 //------------------------------------------------------------------------------
-std::string ShadowLists::GetPlanesSource(PlaneKind kind, const View& view) const
+std::string ShadowLists::GetPlanesSource(const View& view) const
 {
-  const bool near = kind == PlaneKind::Near;
   // The near planes' fragments need all of the view, the others little.
   return BoundaryStore::DefineNodes(this->Store.IsDimmed()) + "#define AIRLIGHT_PLACES_IN\n" +
-    this->Store.GetSource() + "#define AIRLIGHT_NEAR_PLANES " + std::to_string(near) +
-    "\n#define AIRLIGHT_CAPS " + std::to_string(kind == PlaneKind::Cap) +
-    "\n#define AIRLIGHT_PARALLEL " + std::to_string(view.IsParallel()) +
+    this->Store.GetSource() + "#define AIRLIGHT_PARALLEL " + std::to_string(view.IsParallel()) +
     "\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n" + AirlightViewShader + AirlightPlanesFS;
+}
+
+//------------------------------------------------------------------------------
+// Two triangles a plane, (A, A far, B) and (B, A far, B far): front faces are seen from outside the
+// volume. By indices, a plane takes four vertices instead of six, and software renderers take few planes at a
+// time: after every fifty vertices that are clipped they go through all that they took.
+void ShadowLists::DrawPlanes(int count) const
+{
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Corners.Handle);
+  glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_INT, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -108,20 +119,26 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
     return true;
   }
   vtkShaderProgram* program = this->ReadyPlanes(
-    this->GetPlanesSource(kind, source.Rays), source.Volumes, source.Light, source.Rays);
+    kind, this->GetPlanesSource(source.Rays), source.Volumes, source.Light, source.Rays);
   if (!program)
   {
     return false;
   }
   program->SetUniformi("distances", source.Distances->GetTextureUnit());
-  program->SetUniformi("kind", static_cast<int>(kind));
   program->SetUniformi("inParallel", source.Rays.IsParallel() ? 1 : 0);
   this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
   this->Store.Use(program);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LayerBinding, this->Layers[source.Slot].Handle);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, buffer.Handle);
   glBindVertexArray(this->VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, (kind == PlaneKind::Plane ? 6 : 3) * buffer.Count);
+  if (kind == PlaneKind::Plane)
+  {
+    this->DrawPlanes(buffer.Count);
+  }
+  else
+  {
+    glDrawArrays(GL_TRIANGLES, 0, 3 * buffer.Count);
+  }
   glBindVertexArray(0);
   return true;
 }
@@ -216,7 +233,8 @@ int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& 
 bool ShadowLists::DrawWireframe(
   int slot, const ShadowVolumes& volumes, const glm::dvec4& light, const View& view)
 {
-  vtkShaderProgram* program = this->ReadyPlanes(AirlightOutlineFS, volumes, light, view);
+  vtkShaderProgram* program =
+    this->ReadyPlanes(PlaneKind::Plane, AirlightOutlineFS, volumes, light, view);
   if (!program)
   {
     return false;
@@ -229,8 +247,7 @@ bool ShadowLists::DrawWireframe(
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glBindVertexArray(this->VertexArray);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, this->Edges[slot].Handle);
-  program->SetUniformi("kind", static_cast<int>(PlaneKind::Plane));
-  glDrawArrays(GL_TRIANGLES, 0, 6 * this->Edges[slot].Count);
+  this->DrawPlanes(this->Edges[slot].Count);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
   glBindVertexArray(0);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);

@@ -104,8 +104,6 @@ private:
 
   bool Upload(Buffer& buffer, const void* data, size_t count, size_t size);
   bool UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers);
-  vtkShaderProgram* ReadyPlanes(const std::string& fragment, const ShadowVolumes& volumes,
-    const glm::dvec4& light, const View& view);
   // As in AirlightPlanesVS.glsl.
   enum class PlaneKind
   {
@@ -114,7 +112,11 @@ private:
     Near
   };
 
-  std::string GetPlanesSource(PlaneKind kind, const View& view) const;
+  vtkShaderProgram* ReadyPlanes(PlaneKind kind, const std::string& fragment,
+    const ShadowVolumes& volumes, const glm::dvec4& light, const View& view);
+  bool ReserveCorners(int planes);
+  void DrawPlanes(int count) const;
+  std::string GetPlanesSource(const View& view) const;
   bool DrawFragments(const Source& source, PlaneKind kind, int row, int rows);
   bool DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts);
   int DrawRows(const Source& source, int row, int rows);
@@ -128,6 +130,7 @@ private:
   bool OverBudget = false;
   std::uint32_t Longest = 0; // list
   unsigned int VertexArray = 0;
+  Buffer Corners;            // of how many planes
   std::vector<Buffer> Edges; // by slot
   std::vector<Buffer> NearEdges;
   std::vector<Buffer> Caps;

@@ -30,6 +30,28 @@ bool ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t 
 }
 
 //------------------------------------------------------------------------------
+// The same for all lights. A quarter more than asked for, so that a scene in motion does not grow it
+// each frame.
+bool ShadowLists::ReserveCorners(int planes)
+{
+  if (planes <= this->Corners.Count)
+  {
+    return true;
+  }
+  const GLuint count = static_cast<GLuint>(planes) + static_cast<GLuint>(planes) / 4;
+  std::vector<GLuint> corners;
+  corners.reserve(6 * static_cast<size_t>(count));
+  for (GLuint plane = 0; plane < count; ++plane)
+  {
+    for (const GLuint corner : { 0u, 1u, 2u, 2u, 1u, 3u })
+    {
+      corners.push_back(4 * plane + corner);
+    }
+  }
+  return this->Upload(this->Corners, corners.data(), count, 6 * sizeof(GLuint));
+}
+
+//------------------------------------------------------------------------------
 bool ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers)
 {
   std::vector<glm::ivec4> values;
@@ -55,6 +77,7 @@ bool ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
     return this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
   };
   return upload(this->Edges[slot], volumes.GetEdges()) &&
+    this->ReserveCorners(this->Edges[slot].Count) &&
     upload(this->NearEdges[slot], volumes.GetNearEdges()) &&
     upload(this->Caps[slot], volumes.GetCaps()) &&
     this->UploadLayers(this->Layers[slot], volumes.GetLayers());
@@ -69,6 +92,8 @@ void ShadowLists::Release()
   }
   glDeleteVertexArrays(1, &this->VertexArray);
   this->Store.Release();
+  glDeleteBuffers(1, &this->Corners.Handle);
+  this->Corners = Buffer();
   for (size_t slot = 0; slot < this->Edges.size(); ++slot)
   {
     glDeleteBuffers(1, &this->Edges[slot].Handle);

@@ -1,8 +1,7 @@
-#version 430
 // Shadow planes: each silhouette edge, pulled out of a buffer, becomes the quadrilateral from the
-// edge to infinity, away from the light. Caps: a caster's own triangles, where rays go through
-// them. Near planes: those that the eye lies on, which it would see edge-on; a triangle over the
-// whole view lets the fragments find out which rays cross them.
+// edge to infinity, away from the light. AIRLIGHT_CAPS: a caster's own triangles, where rays go through
+// them. AIRLIGHT_NEAR_PLANES: those that the eye lies on, which it would see edge-on; a triangle over
+// the whole view lets the fragments find out which rays cross them.
 
 // Relative to the anchor (the light itself, or for a directional light any point). Per edge: A and
 // its weight, B, the plane's normal. Per cap: A and the side of the light (1: where the triangle's
@@ -16,7 +15,6 @@ layout(std430, binding = 0) readonly buffer AirlightEdges
 uniform mat4 anchorToClip;
 uniform vec3 anchor;     // from the eye
 uniform vec4 fromLight;  // directional: the light's direction and w 0; point: w 1
-uniform int kind; // 0: planes, 1: caps, 2: near planes
 uniform int inParallel; // 1: the projection is parallel
 uniform ivec4 givenPlaces; // what all fragments need, see AirlightSlots.glsl and AirlightHeads.glsl
 // As in AirlightViewShader.glsl.
@@ -47,7 +45,8 @@ void meetRays()
   planeRay.x += inParallel != 0 ? planeOffset : 0.0;
 }
 
-void drawCap()
+#if AIRLIGHT_CAPS
+void draw()
 {
   int first = 3 * (gl_VertexID / 3);
   vec3 a = edges[first].xyz;
@@ -62,27 +61,8 @@ void drawCap()
   planeOffset = dot(planeNormal, anchor + a);
   gl_Position = anchorToClip * vec4(edges[gl_VertexID].xyz, 1.0);
 }
-
-void drawPlane()
-{
-  int first = 3 * (gl_VertexID / 6);
-  vec4 a = edges[first];
-  vec4 b = edges[first + 1];
-  planeNormal = edges[first + 2].xyz;
-  planeWeight = int(a.w);
-  planeLayer = int(edges[first + 2].w);
-  // Through the light, which spares the offset of the edge its rounding.
-  planeOffset = dot(planeNormal, fromLight.w == 0.0 ? anchor + a.xyz : anchor);
-
-  // Two triangles (A, A far, B), (B, A far, B far): front faces are seen from outside the volume.
-  int corner = gl_VertexID % 6;
-  vec3 near = corner == 0 || corner == 1 || corner == 4 ? a.xyz : b.xyz;
-  bool far = corner == 1 || corner == 4 || corner == 5;
-  gl_Position = anchorToClip *
-    (far ? vec4(fromLight.w == 0.0 ? fromLight.xyz : near, 0.0) : vec4(near, 1.0));
-}
-
-void drawNearPlane()
+#elif AIRLIGHT_NEAR_PLANES
+void draw()
 {
   int first = 4 * (gl_VertexID / 3);
   int corner = gl_VertexID % 3;
@@ -95,6 +75,25 @@ void drawNearPlane()
   planeSides = edges[first + 3].xyz;
   gl_Position = vec4(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0, -1.0, 1.0);
 }
+#else
+// The four corners of an edge's plane: A, A far, B, B far.
+void draw()
+{
+  int first = 3 * (gl_VertexID / 4);
+  vec4 a = edges[first];
+  vec4 b = edges[first + 1];
+  planeNormal = edges[first + 2].xyz;
+  planeWeight = int(a.w);
+  planeLayer = int(edges[first + 2].w);
+  // Through the light, which spares the offset of the edge its rounding.
+  planeOffset = dot(planeNormal, fromLight.w == 0.0 ? anchor + a.xyz : anchor);
+
+  vec3 near = gl_VertexID % 4 < 2 ? a.xyz : b.xyz;
+  bool far = gl_VertexID % 2 == 1;
+  gl_Position = anchorToClip *
+    (far ? vec4(fromLight.w == 0.0 ? fromLight.xyz : near, 0.0) : vec4(near, 1.0));
+}
+#endif
 
 void main()
 {
@@ -103,17 +102,6 @@ void main()
   planeSides = vec3(0.0);
   planeRounding = 0.0;
   places = givenPlaces;
-  if (kind == 0)
-  {
-    drawPlane();
-  }
-  else if (kind == 1)
-  {
-    drawCap();
-  }
-  else
-  {
-    drawNearPlane();
-  }
+  draw();
   meetRays();
 }
