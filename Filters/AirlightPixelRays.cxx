@@ -29,6 +29,8 @@ bool IsFinite(const glm::dmat4& m)
 
 //------------------------------------------------------------------------------
 PixelRays::PixelRays(vtkCamera* camera, double aspect, int width, int height)
+  : Width(width)
+  , Height(height)
 {
   this->WorldToView = ToGlm(camera->GetModelViewTransformMatrix());
   const glm::dmat4 viewToClip = ToGlm(camera->GetProjectionTransformMatrix(aspect, -1, 1));
@@ -81,5 +83,14 @@ PixelRays::Ray PixelRays::GetRay(double x, double y) const
   }
   const double perDepth = glm::length(point);
   return { glm::dvec3(0.0), point / perDepth, perDepth * this->Near, perDepth * this->Far };
+}
+
+//------------------------------------------------------------------------------
+std::array<PixelRays::Ray, 4> PixelRays::GetCornerRays() const
+{
+  const double right = this->Width + 1.0;
+  const double top = this->Height + 1.0;
+  return { this->GetRay(-1.0, -1.0), this->GetRay(right, -1.0), this->GetRay(right, top),
+    this->GetRay(-1.0, top) };
 }
 }

@@ -2,18 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The rays through the pixels of a camera's picture, in double precision.
+ *
+ * Not installed; exported for the module's own tests.
  */
 
 #ifndef AirlightPixelRays_h
 #define AirlightPixelRays_h
 
+#include "vtkAirlightModule.h" // for export macro
+
 #include <glm/glm.hpp>
+
+#include <array>
 
 class vtkCamera;
 
 namespace airlight
 {
-class PixelRays
+class VTKAIRLIGHT_EXPORT PixelRays
 {
 public:
   // For a picture of this size in pixels. `aspect` is its width by its height.
@@ -25,6 +31,9 @@ public:
   const glm::dvec3& GetEye() const { return this->Eye; }
   double GetNear() const { return this->Near; }
   double GetFar() const { return this->Far; }
+  // Of the picture, in pixels.
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
   // The camera's axis.
   const glm::dvec3& GetForward() const { return this->Forward; }
 
@@ -39,9 +48,14 @@ public:
   // Through a point of the picture, in pixels from its lower left corner.
   Ray GetRay(double x, double y) const;
 
+  // A pixel outside the picture's corners, counterclockwise.
+  std::array<Ray, 4> GetCornerRays() const;
+
 protected:
   bool Valid = false;
   bool Parallel = false;
+  int Width = 0;
+  int Height = 0;
   glm::dvec3 Eye{ 0.0 };
   glm::dvec3 Forward{ 0.0 };
   double Near = 0.0;

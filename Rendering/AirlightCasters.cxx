@@ -79,6 +79,13 @@ void EraseUnused(Map& map)
   }
 }
 
+// Whether a mapper draws all cells of this input. Of blocks, some may look otherwise than the actor.
+bool ShowsAll(vtkDataObject* input)
+{
+  auto* data = vtkDataSet::SafeDownCast(input);
+  return data && !data->HasAnyGhostCells() && !data->HasAnyBlankCells();
+}
+
 // A flattened or undefined object has no shadow volume.
 bool HasVolume(const glm::dmat4& toWorld)
 {
@@ -173,6 +180,7 @@ CasterCache::Look CasterCache::GetLook(vtkActor* actor, vtkProp* owner)
   vtkMapper* mapper = actor->GetMapper();
   vtkProperty* property = actor->GetProperty();
   Look look;
+  look.Owner = owner;
   look.Culled = property->GetBackfaceCulling() || property->GetFrontfaceCulling() ||
     (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0);
   look.HidesFaces = look.Culled;
@@ -204,13 +212,14 @@ void CasterCache::AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix
   {
     return;
   }
-  const Look look = this->GetLook(actor, owner);
+  Look look = this->GetLook(actor, owner);
   if (glyphs)
   {
     this->AddGlyphs(glyphs, matrix, look);
     return;
   }
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  look.ShowsAll = owner == actor && ShowsAll(input);
   if (auto* data = vtkPolyData::SafeDownCast(input))
   {
     this->AddData(data, matrix, look);
@@ -265,6 +274,7 @@ void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Look& l
 {
   Caster caster;
   caster.HidesFaces = look.HidesFaces;
+  caster.Owner = look.Owner;
   caster.Layer = GetShadowLayer(look.Opacity);
   caster.ToWorld = ToGlm(matrix);
   if (!HasVolume(caster.ToWorld) || caster.Layer == ShadowLayer{})
@@ -285,11 +295,14 @@ void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Look& l
     entry.Data = data;
     entry.Time = time;
     entry.Mesh = std::make_shared<CasterMesh>(data);
+    entry.Faces = std::make_shared<std::vector<FlatFace>>(FindFlatFaces(*entry.Mesh));
   }
   entry.Used = true;
   if (!entry.Mesh->Triangles.empty())
   {
     caster.Mesh = entry.Mesh;
+    const bool hides = look.ShowsAll && !look.HidesFaces && !translucent && !entry.Faces->empty();
+    caster.Faces = hides ? entry.Faces : nullptr;
     this->Casters.push_back(caster);
   }
 }

@@ -8,6 +8,7 @@
 #define AirlightCasters_h
 
 #include "AirlightCasterMesh.h"
+#include "AirlightFlatFaces.h"
 #include "AirlightShadowLayer.h"
 
 #include "vtkSmartPointer.h"
@@ -39,6 +40,9 @@ struct Caster
   bool HidesFaces =
     false;           // culled, clipped or translucent: rays can go through parts of it that cast
   ShadowLayer Layer; // what each of its triangles does to light
+  // What of it hides what lies behind, where the prop draws its triangles as they are; else null.
+  std::shared_ptr<const std::vector<FlatFace>> Faces;
+  const vtkProp* Owner = nullptr; // in the renderer; to be compared only
 
   bool HasSameShape(const Caster& other) const
   {
@@ -81,6 +85,7 @@ private:
     vtkWeakPointer<vtkPolyData> Data;
     vtkMTimeType Time = 0;
     std::shared_ptr<const CasterMesh> Mesh;
+    std::shared_ptr<const std::vector<FlatFace>> Faces;
     bool Used = false;
   };
 
@@ -98,6 +103,8 @@ private:
     bool HidesFaces = false;
     bool Culled = false;  // or clipped
     bool FromKey = false; // the opacity, which then is that of all blocks
+    const vtkProp* Owner = nullptr;
+    bool ShowsAll = false; // the mapper's input and nothing else
   };
 
   void AddProp(vtkProp* prop);

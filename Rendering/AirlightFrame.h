@@ -20,6 +20,7 @@
 
 #include "AirlightCasters.h"
 #include "AirlightDimming.h"
+#include "AirlightHidingFaces.h"
 #include "AirlightLamps.h"
 #include "AirlightLayerRecords.h"
 #include "AirlightQuad.h"
@@ -44,6 +45,7 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkParticipatingMedium;
+class vtkProp;
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -85,6 +87,7 @@ struct FrameSettings
   int Apart = -1;                  // then: the light whose shadows fall on them; none below 0
   bool Whole = false;              // no light's airlight has shadows: steps 2 and 4 are one
   bool Solid = false;              // each fragment of opaque surfaces hides all behind it
+  std::vector<vtkProp*> Solids;    // the props of which that is true and that are drawn as they are
   int VolumeNodes = 2;             // on the rays through volumes
   bool Record = false;
   bool EncodedInput = false;     // the scene's colours are encoded for display
@@ -208,6 +211,7 @@ private:
   ShadowVolumes::Remotes GetRemotes(int index) const;
   bool ScatterLight(int index);
   bool ScatterReference();
+  ShadowLists::Source GetPlanesSource(int index);
   bool ScatterWithLists(int index);
   bool ResolveLong(int index, int row, int rows);
   bool RecordSingle(int index);
@@ -281,6 +285,7 @@ private:
   std::optional<View> Rays;
   const View* MapRays = nullptr;
   const std::vector<Caster>* FoundCasters = nullptr; // null: without shadows
+  std::vector<HidingFace> Faces;                     // behind which no shadow planes are drawn
   std::vector<Caster> OpaqueCasters;                 // those for maps
   bool Dimmed = false;
   int MapX = 0;

@@ -35,6 +35,9 @@ bool Frame::PrepareCasters()
   {
     this->FoundCasters = &this->OpaqueCasters;
   }
+  this->Faces = planes
+    ? FindHidingFaces(this->Casters.GetCasters(), this->Settings.Solids, *this->Rays)
+    : std::vector<HidingFace>();
   this->Dimmed = planes && this->Settings.TranslucentShadows && this->Casters.MetTranslucent();
   std::vector<int> slots(this->Lamps.size(), -1);
   int count = 0;

@@ -266,8 +266,7 @@ bool Frame::DrawPlanes()
   {
     const Lamp& lamp = this->Lamps[k];
     if (lamp.Scatters() && lamp.CastsShadows && this->Volumes[k].HasShadows() &&
-      !this->Boundaries.DrawWireframe(
-        static_cast<int>(k), this->Volumes[k], lamp.World, *this->Rays))
+      !this->Boundaries.DrawWireframe(this->GetPlanesSource(static_cast<int>(k))))
     {
       return this->Fail(this->Boundaries.GetError());
     }

@@ -69,17 +69,24 @@ bool Frame::ScatterReference()
 }
 
 //------------------------------------------------------------------------------
+ShadowLists::Source Frame::GetPlanesSource(int index)
+{
+  const Lamp& lamp = this->Lamps[index];
+  return { index, this->Volumes[index], lamp.World, *this->Rays, this->Textures.Distances,
+    FindPlaneEnds(*this->FoundCasters, this->Faces, lamp.World, this->Rays->GetEye()) };
+}
+
+//------------------------------------------------------------------------------
 bool Frame::ScatterWithLists(int index)
 {
-  const ShadowVolumes& volumes = this->Volumes[index];
+  const ShadowLists::Source source = this->GetPlanesSource(index);
   for (int row = 0; row < this->Height;)
   {
     if (!this->Textures.Bind({}, this->Textures.Depth))
     {
       return this->Fail(this->Textures.GetError());
     }
-    const int rows = this->Boundaries.Fill(index, volumes, this->Lamps[index].World, *this->Rays,
-      this->Textures.Distances, row, this->Height - row);
+    const int rows = this->Boundaries.Fill(source, row, this->Height - row);
     if (rows == 0)
     {
       this->OverBudget = this->Boundaries.IsOverBudget();

@@ -25,6 +25,7 @@ namespace
 {
 // Bindings of the shaders' buffers.
 constexpr GLuint EdgeBinding = 0;
+constexpr GLuint EndBinding = 3;
 constexpr GLuint LayerBinding = 6;
 }
 
@@ -39,7 +40,7 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
   {
     glGetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &vertexBlocks);
   }
-  return vertexBlocks > 0;
+  return vertexBlocks >= 2;
 }
 
 //------------------------------------------------------------------------------
@@ -64,25 +65,26 @@ bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height, 
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* ShadowLists::ReadyPlanes(PlaneKind kind, const std::string& fragment,
-  const ShadowVolumes& volumes, const glm::dvec4& light, const View& view)
+vtkShaderProgram* ShadowLists::ReadyPlanes(
+  PlaneKind kind, const std::string& fragment, const Source& source)
 {
   const std::string head = "#version 430\n#define AIRLIGHT_NEAR_PLANES " +
     std::to_string(kind == PlaneKind::Near) + "\n#define AIRLIGHT_CAPS " +
     std::to_string(kind == PlaneKind::Cap) + "\n";
-  std::string source = head + fragment;
+  std::string text = head + fragment;
   vtkShaderProgram* program =
-    this->PlanePrograms.Ready(this->Window, head + AirlightPlanesVS, source);
+    this->PlanePrograms.Ready(this->Window, head + AirlightPlanesVS, text);
   if (!program)
   {
     this->Error = std::string("the shader of shadow planes") + ProgramMaker::GetReason();
     return nullptr;
   }
+  const View& view = source.Rays;
   view.SetUniforms(program, 0, 0);
-  glm::mat4 clip = view.GetClipMatrix(volumes.GetAnchor());
-  const glm::vec3 anchor(volumes.GetAnchor() - view.GetEye());
-  const glm::vec4 fromLight =
-    light.w != 0.0 ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : glm::vec4(-glm::vec3(light), 0.0f);
+  glm::mat4 clip = view.GetClipMatrix(source.Volumes.GetAnchor());
+  const glm::vec3 anchor(source.Volumes.GetAnchor() - view.GetEye());
+  const glm::vec4 fromLight = source.Light.w != 0.0 ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)
+                                                    : glm::vec4(-glm::vec3(source.Light), 0.0f);
   program->SetUniformMatrix4x4("anchorToClip", &clip[0][0]);
   program->SetUniform3f("anchor", &anchor.x);
   program->SetUniform4f("fromLight", &fromLight.x);
@@ -118,8 +120,7 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
   {
     return true;
   }
-  vtkShaderProgram* program = this->ReadyPlanes(
-    kind, this->GetPlanesSource(source.Rays), source.Volumes, source.Light, source.Rays);
+  vtkShaderProgram* program = this->ReadyPlanes(kind, this->GetPlanesSource(source.Rays), source);
   if (!program)
   {
     return false;
@@ -130,6 +131,7 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
   this->Store.Use(program);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LayerBinding, this->Layers[source.Slot].Handle);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, buffer.Handle);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, this->Ends.Handle);
   glBindVertexArray(this->VertexArray);
   if (kind == PlaneKind::Plane)
   {
@@ -204,10 +206,13 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
 }
 
 //------------------------------------------------------------------------------
-int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& light,
-  const View& view, vtkTextureObject* distances, int row, int rows)
+int ShadowLists::Fill(const Source& source, int row, int rows)
 {
-  distances->Activate();
+  if (!this->UploadEnds(source))
+  {
+    return 0;
+  }
+  source.Distances->Activate();
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
@@ -219,23 +224,22 @@ int ShadowLists::Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& 
   // Lenient: what the depth buffer's rounding leaves open, the shader's own test decides.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(-2.0f, -8.0f);
-  const int done = this->DrawRows({ slot, volumes, light, view, distances }, row, rows);
+  const int done = this->DrawRows(source, row, rows);
   glPolygonOffset(0.0f, 0.0f);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_DEPTH_CLAMP);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, 0);
   state->vtkglDepthMask(GL_TRUE);
-  distances->Deactivate();
+  source.Distances->Deactivate();
   return done;
 }
 
 //------------------------------------------------------------------------------
-bool ShadowLists::DrawWireframe(
-  int slot, const ShadowVolumes& volumes, const glm::dvec4& light, const View& view)
+bool ShadowLists::DrawWireframe(const Source& source)
 {
-  vtkShaderProgram* program =
-    this->ReadyPlanes(PlaneKind::Plane, AirlightOutlineFS, volumes, light, view);
-  if (!program)
+  vtkShaderProgram* program = this->ReadyPlanes(PlaneKind::Plane, AirlightOutlineFS, source);
+  if (!program || !this->UploadEnds(source))
   {
     return false;
   }
@@ -246,9 +250,11 @@ bool ShadowLists::DrawWireframe(
   glEnable(GL_DEPTH_CLAMP);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glBindVertexArray(this->VertexArray);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, this->Edges[slot].Handle);
-  this->DrawPlanes(this->Edges[slot].Count);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, this->Edges[source.Slot].Handle);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, this->Ends.Handle);
+  this->DrawPlanes(this->Edges[source.Slot].Count);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, 0);
   glBindVertexArray(0);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_DEPTH_CLAMP);

@@ -55,17 +55,26 @@ public:
   // where there is no memory for them.
   bool SetVolumes(int slot, const ShadowVolumes& volumes);
 
+  // What a light's planes are drawn from.
+  struct Source
+  {
+    int Slot;
+    const ShadowVolumes& Volumes;
+    const glm::dvec4& Light;
+    const View& Rays;
+    vtkTextureObject* Distances;
+    std::vector<glm::vec4> Ends; // of planes, FindPlaneEnds()
+  };
+
   // Fills the lists of the rows [row, row + rows) into the bound framebuffer, which has the
   // scene's depth. Returns the number of rows done, fewer where the memory limit asks for it; 0
   // with a reason in GetError() where nothing could be drawn.
-  int Fill(int slot, const ShadowVolumes& volumes, const glm::dvec4& light, const View& view,
-    vtkTextureObject* distances, int row, int rows);
+  int Fill(const Source& source, int row, int rows);
 
   // Draws the outlines of a light's planes into the bound framebuffer, where nothing hides them; red
   // where the view enters a shadow through a plane, blue where it leaves it. False with a reason in
   // GetError() where the shader does not compile.
-  bool DrawWireframe(
-    int slot, const ShadowVolumes& volumes, const glm::dvec4& light, const View& view);
+  bool DrawWireframe(const Source& source);
 
   // Whether Fill() failed since there are too many boundaries.
   bool IsOverBudget() const { return this->OverBudget; }
@@ -92,17 +101,8 @@ private:
     int Count = 0;
   };
 
-  // What a light's planes are drawn from.
-  struct Source
-  {
-    int Slot;
-    const ShadowVolumes& Volumes;
-    const glm::dvec4& Light;
-    const View& Rays;
-    vtkTextureObject* Distances;
-  };
-
   bool Upload(Buffer& buffer, const void* data, size_t count, size_t size);
+  bool UploadEnds(const Source& source);
   bool UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers);
   // As in AirlightPlanesVS.glsl.
   enum class PlaneKind
@@ -112,8 +112,7 @@ private:
     Near
   };
 
-  vtkShaderProgram* ReadyPlanes(PlaneKind kind, const std::string& fragment,
-    const ShadowVolumes& volumes, const glm::dvec4& light, const View& view);
+  vtkShaderProgram* ReadyPlanes(PlaneKind kind, const std::string& fragment, const Source& source);
   bool ReserveCorners(int planes);
   void DrawPlanes(int count) const;
   std::string GetPlanesSource(const View& view) const;
@@ -130,7 +129,8 @@ private:
   bool OverBudget = false;
   std::uint32_t Longest = 0; // list
   unsigned int VertexArray = 0;
-  Buffer Corners;            // of how many planes
+  Buffer Corners; // of how many planes
+  Buffer Ends;
   std::vector<Buffer> Edges; // by slot
   std::vector<Buffer> NearEdges;
   std::vector<Buffer> Caps;

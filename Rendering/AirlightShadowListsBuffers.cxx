@@ -22,6 +22,7 @@ bool ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t 
   const auto bytes = static_cast<GLsizeiptr>(std::max<size_t>(count, 1) * size);
   if (!AllocateStorage(buffer.Handle, bytes, count > 0 ? data : nullptr, GL_STATIC_DRAW))
   {
+    buffer.Count = 0;
     this->Error = "no memory on the graphics card for " + std::to_string(count) +
       " silhouette edges: use coarser meshes, or call SetShadowTechniqueToShadowMap()";
     return false;
@@ -49,6 +50,13 @@ bool ShadowLists::ReserveCorners(int planes)
     }
   }
   return this->Upload(this->Corners, corners.data(), count, 6 * sizeof(GLuint));
+}
+
+//------------------------------------------------------------------------------
+// They change with the view, and are few.
+bool ShadowLists::UploadEnds(const Source& source)
+{
+  return this->Upload(this->Ends, source.Ends.data(), source.Ends.size(), sizeof(source.Ends[0]));
 }
 
 //------------------------------------------------------------------------------
@@ -86,14 +94,16 @@ bool ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
 //------------------------------------------------------------------------------
 void ShadowLists::Release()
 {
-  if (this->VertexArray == 0)
+  // Edges come before all else.
+  if (this->Edges.empty())
   {
     return;
   }
   glDeleteVertexArrays(1, &this->VertexArray);
   this->Store.Release();
   glDeleteBuffers(1, &this->Corners.Handle);
-  this->Corners = Buffer();
+  glDeleteBuffers(1, &this->Ends.Handle);
+  this->Corners = this->Ends = Buffer();
   for (size_t slot = 0; slot < this->Edges.size(); ++slot)
   {
     glDeleteBuffers(1, &this->Edges[slot].Handle);

@@ -3,6 +3,7 @@
 #include "AirlightShadowVolumes.h"
 
 #include "AirlightCasterBox.h"
+#include "AirlightClippedView.h"
 #include "AirlightRemoteShadows.h"
 #include "AirlightSilhouette.h"
 #include "AirlightView.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace airlight
 {
@@ -22,25 +22,6 @@ glm::dvec3 Transform(const glm::dmat4& matrix, const glm::dvec3& point)
 }
 
 bool IsMirrored(const Caster& caster) { return glm::determinant(caster.ToWorld) < 0.0; }
-
-// Whether rays may go through a part of the caster that is not drawn.
-bool NeedsCaps(const Caster& caster, const View& view)
-{
-  if (caster.HidesFaces)
-  {
-    return true;
-  }
-  double nearest = std::numeric_limits<double>::infinity();
-  double farthest = -nearest;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::dvec3 point = GetCorner(caster, corner) - view.GetEye();
-    const double depth = glm::dot(point, view.GetForward());
-    nearest = std::min(nearest, depth);
-    farthest = std::max(farthest, depth);
-  }
-  return nearest < view.GetNear() || farthest > view.GetFar();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -130,14 +111,16 @@ void ShadowVolumes::MakeCaps(Part& part) const
 }
 
 //------------------------------------------------------------------------------
-bool ShadowVolumes::UpdateParts(const std::vector<Caster>& casters, const View& view, bool moved)
+bool ShadowVolumes::UpdateParts(
+  const std::vector<Caster>& casters, const ClippedView& view, bool moved)
 {
   bool changed = casters.size() != this->Parts.size();
   this->Parts.resize(casters.size());
   for (size_t i = 0; i < casters.size(); ++i)
   {
     Part& part = this->Parts[i];
-    const bool capped = NeedsCaps(casters[i], view);
+    // Rays may go through parts that are not drawn.
+    const bool capped = casters[i].HidesFaces || view.MayCutOff(casters[i]);
     const bool remake = moved || !part.Source.HasSameShape(casters[i]);
     changed = changed || !(part.Source.Layer == casters[i].Layer);
     part.Source = casters[i];
@@ -174,15 +157,18 @@ void ShadowVolumes::CollectEdges()
   this->Edges.clear();
   this->NearEdges.clear();
   this->Caps.clear();
-  for (const Part& part : this->Parts)
+  for (size_t i = 0; i < this->Parts.size(); ++i)
   {
+    const Part& part = this->Parts[i];
     const size_t edges = this->Edges.size();
     const size_t caps = this->Caps.size();
     this->Edges.insert(this->Edges.end(), part.Edges.begin(), part.Edges.end());
     this->Caps.insert(this->Caps.end(), part.Caps.begin(), part.Caps.end());
     const float layer = this->GetLayerIndex(part.Source.Layer);
-    std::for_each(this->Edges.begin() + edges, this->Edges.end(),
-      [layer](ShadowEdge& edge) { edge.Normal.w = layer; });
+    std::for_each(this->Edges.begin() + edges, this->Edges.end(), [layer, i](ShadowEdge& edge) {
+      edge.B.w = static_cast<float>(i);
+      edge.Normal.w = layer;
+    });
     std::for_each(
       this->Caps.begin() + caps, this->Caps.end(), [layer](ShadowCap& cap) { cap.C.w = layer; });
   }
@@ -201,6 +187,7 @@ void ShadowVolumes::CollectRemotes()
     {
       edge.A += shift;
       edge.B += shift;
+      edge.B.w = static_cast<float>(this->Parts.size());
       edge.Normal.w = layer;
       this->Edges.push_back(edge);
     }
@@ -216,14 +203,14 @@ void ShadowVolumes::CollectRemotes()
 
 //------------------------------------------------------------------------------
 bool ShadowVolumes::Update(
-  const std::vector<Caster>& casters, const glm::dvec4& light, const View& view)
+  const std::vector<Caster>& casters, const glm::dvec4& light, const View& view, bool anyPicture)
 {
   const glm::dvec3 oldAnchor = this->Anchor;
   const bool lightMoved = this->Light != light;
   this->Light = light;
   this->SetAnchor(casters);
-  const bool partsChanged =
-    this->UpdateParts(casters, view, lightMoved || oldAnchor != this->Anchor);
+  const bool partsChanged = this->UpdateParts(
+    casters, ClippedView(view, anyPicture), lightMoved || oldAnchor != this->Anchor);
   const bool viewMoved = this->Start != view.GetStart();
   this->Start = view.GetStart();
   // Edges that were near at the old eye go back among the others.

@@ -18,14 +18,15 @@
 
 namespace airlight
 {
+class ClippedView;
 class View;
 struct RemoteShadow;
 
 // As glsl/AirlightPlanesVS.glsl reads it. Positions are relative to the anchor.
 struct ShadowEdge
 {
-  glm::vec4 A; // w: weight
-  glm::vec4 B;
+  glm::vec4 A;      // w: weight
+  glm::vec4 B;      // w: number of the caster in Update(), after the last one for those of others
   glm::vec4 Normal; // w: index of the layer
 };
 
@@ -48,8 +49,10 @@ struct ShadowCap
 class ShadowVolumes
 {
 public:
-  // `light` is the homogeneous world position. Returns true where edges, near edges or caps changed.
-  bool Update(const std::vector<Caster>& casters, const glm::dvec4& light, const View& view);
+  // `light` is the homogeneous world position; `anyPicture`: for views of any width and height. Returns
+  // true where edges, near edges or caps changed.
+  bool Update(const std::vector<Caster>& casters, const glm::dvec4& light, const View& view,
+    bool anyPicture = false);
 
   // What the casters of other processes do in this light, for Update() to add.
   using Remotes = std::vector<std::shared_ptr<const RemoteShadow>>;
@@ -95,7 +98,7 @@ private:
   void CollectEdges();
   void CollectRemotes();
   float GetLayerIndex(const ShadowLayer& layer);
-  bool UpdateParts(const std::vector<Caster>& casters, const View& view, bool moved);
+  bool UpdateParts(const std::vector<Caster>& casters, const ClippedView& view, bool moved);
   bool IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) const;
   NearEdge MakeNear(const ShadowEdge& edge, const glm::dvec3& eye) const;
   bool SplitNearEdges(const View& view);

@@ -216,6 +216,7 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
   settings.Once = this->MayDrawOnce(s, lamps, settings.Apart);
   settings.Solid = this->IsSolid(s);
+  settings.Solids = this->FindSolids(s);
   settings.VolumeNodes =
     GetVolumeNodeCount(GetVolumes(s->GetPropArray(), s->GetPropArrayCount()).size(), width, height,
       static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20);

@@ -108,7 +108,10 @@ public:
   // Whether each fragment of the opaque surfaces hides all that is behind it, as far as is known;
   // whether steps 1 and 3 of the frame may be one, of which Apart is the light whose shadows fall on
   // surfaces, if there is one.
+  bool MayBeSolid(const vtkRenderState* s) const;
   bool IsSolid(const vtkRenderState* s) const;
+  // Actors that are drawn as their mappers' inputs are, opaque everywhere.
+  std::vector<vtkProp*> FindSolids(const vtkRenderState* s) const;
   bool MayDrawOnce(
     const vtkRenderState* s, const std::vector<airlight::Lamp>& lamps, int& apart) const;
 

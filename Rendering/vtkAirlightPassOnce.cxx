@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 using namespace airlight;
 
@@ -70,18 +71,52 @@ bool IsSolidProp(vtkProp* prop)
   return !actor->GetForceOpaque() && !actor->GetTexture() && property->GetNumberOfTextures() == 0 &&
     !shader->HasFragmentShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
 }
+
+// Whether a prop's mapper draws its input where it is, of which nothing shines through. Not one that draws
+// something coarser while the scene is turned.
+bool DrawsAllOfIt(vtkProp* prop)
+{
+  if (!IsAnyOf(prop, { "vtkOpenGLActor", "vtkActor" }) || !IsKnown(prop) || !IsSolidProp(prop) ||
+    HasForeignPass(prop))
+  {
+    return false;
+  }
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  return IsAnyOf(actor->GetMapper(), { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper" }) &&
+    prop->HasOpaqueGeometry() && !shader->HasVertexShaderCode() && !shader->HasGeometryShaderCode();
+}
+}
+
+//------------------------------------------------------------------------------
+// As far as that does not depend on single props.
+bool vtkAirlightPass::Internals::MayBeSolid(const vtkRenderState* s) const
+{
+  vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
+  return !this->Self->DelegatePass && !window->GetLineSmoothing() && !window->GetPointSmoothing() &&
+    !window->GetPolygonSmoothing();
 }
 
 //------------------------------------------------------------------------------
 bool vtkAirlightPass::Internals::IsSolid(const vtkRenderState* s) const
 {
-  vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
   vtkProp** first = s->GetPropArray();
-  return !this->Self->DelegatePass && !window->GetLineSmoothing() && !window->GetPointSmoothing() &&
-    !window->GetPolygonSmoothing() &&
+  return this->MayBeSolid(s) &&
     std::all_of(first, first + s->GetPropArrayCount(), [](vtkProp* prop) {
       return IsKnown(prop) && IsSolidProp(prop) && !AirlightScenePass::IsSplats(prop);
     });
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkProp*> vtkAirlightPass::Internals::FindSolids(const vtkRenderState* s) const
+{
+  std::vector<vtkProp*> solids;
+  if (this->MayBeSolid(s) && !s->GetRenderer()->GetUseHiddenLineRemoval())
+  {
+    vtkProp** first = s->GetPropArray();
+    std::copy_if(first, first + s->GetPropArrayCount(), std::back_inserter(solids), DrawsAllOfIt);
+  }
+  return solids;
 }
 
 //------------------------------------------------------------------------------

@@ -61,7 +61,7 @@ bool vtkAirlightPass::Internals::CollectSilhouettes(
     if (lamps[k].Scatters() && lamps[k].CastsShadows)
     {
       this->OwnShadows[k].Update(
-        this->CurrentFrame.GetCasters().GetCasters(), lamps[k].World, view);
+        this->CurrentFrame.GetCasters().GetCasters(), lamps[k].World, view, true);
       shadows[k] = Describe(this->OwnShadows[k], lamps[k].World);
     }
   }

@@ -1,10 +1,10 @@
 // Shadow planes: each silhouette edge, pulled out of a buffer, becomes the quadrilateral from the
-// edge to infinity, away from the light. AIRLIGHT_CAPS: a caster's own triangles, where rays go through
+// edge to infinity, away from the light, or to where all that follows is hidden. AIRLIGHT_CAPS: a caster's own triangles, where rays go through
 // them. AIRLIGHT_NEAR_PLANES: those that the eye lies on, which it would see edge-on; a triangle over
 // the whole view lets the fragments find out which rays cross them.
 
 // Relative to the anchor (the light itself, or for a directional light any point). Per edge: A and
-// its weight, B, the plane's normal. Per cap: A and the side of the light (1: where the triangle's
+// its weight, B and the number of its caster, the plane's normal. Per cap: A and the side of the light (1: where the triangle's
 // normal points, -1: behind), B, C. Per near plane: as an edge, B with the plane's offset from the
 // eye, and fourth the eye's place in the plane. The third's w is the kind of caster.
 layout(std430, binding = 0) readonly buffer AirlightEdges
@@ -76,6 +76,23 @@ void draw()
   gl_Position = vec4(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0, -1.0, 1.0);
 }
 #else
+// By caster, from the eye: the plane of a surface that hides all behind it (AirlightHidingFaces.h), or 0.
+layout(std430, binding = 3) readonly buffer AirlightPlaneEnds
+{
+  vec4 planeEnds[];
+};
+
+// Where the ray from the light through a point is hidden for good, or at infinity. Of nothing but that point
+// and its caster: planes that meet there have the same end.
+vec4 getEnd(vec3 point, vec4 end)
+{
+  vec3 away = fromLight.w == 0.0 ? fromLight.xyz : point;
+  float speed = -dot(end.xyz, away);
+  // Behind the surface by some units of single precision's last place.
+  float height = dot(end.xyz, anchor + point) + end.w + 1e-6 * (length(anchor) + length(point));
+  return speed > 0.0 ? vec4(point + max(height, 0.0) / speed * away, 1.0) : vec4(away, 0.0);
+}
+
 // The four corners of an edge's plane: A, A far, B, B far.
 void draw()
 {
@@ -90,8 +107,7 @@ void draw()
 
   vec3 near = gl_VertexID % 4 < 2 ? a.xyz : b.xyz;
   bool far = gl_VertexID % 2 == 1;
-  gl_Position = anchorToClip *
-    (far ? vec4(fromLight.w == 0.0 ? fromLight.xyz : near, 0.0) : vec4(near, 1.0));
+  gl_Position = anchorToClip * (far ? getEnd(near, planeEnds[int(b.w)]) : vec4(near, 1.0));
 }
 #endif
 

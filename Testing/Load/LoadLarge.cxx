@@ -6,6 +6,7 @@
 #include "LoadTools.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkShaderProperty.h"
 
 #include <iomanip>
 
@@ -96,12 +97,20 @@ void RunLights(const Options& options)
 //------------------------------------------------------------------------------
 namespace
 {
-void FillActors(Scene& scene, int count, bool merged)
+// `known`: that nothing is seen through the floor, behind which casters' planes may then end, all of one
+// caster together.
+void FillActors(Scene& scene, int count, bool merged, bool known)
 {
   scene.AddPointLight({ 5, 9, 4 }, { 200, 180, 160 });
   vtkNew<vtkCubeSource> floor;
   floor->SetBounds(-9, 9, -3.1, -3, -9, 9);
-  scene.Add(floor);
+  scene.Add(floor, [known](vtkActor* actor) {
+    if (!known)
+    {
+      actor->GetShaderProperty()->AddFragmentShaderReplacement(
+        "//VTK::Color::Impl", true, "//VTK::Color::Impl\n // as it was\n", false);
+    }
+  });
   vtkNew<vtkAppendPolyData> all;
   const int side = static_cast<int>(std::ceil(std::cbrt(count)));
   for (int i = 0; i < count; ++i)
@@ -129,21 +138,37 @@ void FillActors(Scene& scene, int count, bool merged)
 }
 }
 
-// Each caster of its own, or all in one mesh: the same shadows to the last bit.
+namespace
+{
+Buffers DrawActors(const int size[2], int count, bool merged, bool known)
+{
+  Scene scene(size[0], size[1]);
+  FillActors(scene, count, merged, known);
+  scene.Window->Render();
+  return scene.CopyBuffers();
+}
+}
+
+// Each caster of its own, or all in one mesh: the same shadows, to the last bit where all planes have the
+// same ends. Where they have not, their sides are rounded otherwise, which some pixels on them see.
 void RunActors(const Options& options)
 {
   int size[2];
   SetDefaultSize(options, 320, 240, size);
   Scene scene(size[0], size[1]);
-  FillActors(scene, options.Actors, false);
+  FillActors(scene, options.Actors, false, true);
   TimeFrames(scene, std::to_string(options.Actors) + " actors", 2);
   const Buffers many = scene.CopyBuffers();
-  Scene one(size[0], size[1]);
-  FillActors(one, options.Actors, true);
-  TimeFrames(one, "the same in one actor", 2);
-  CheckSame(one.CopyBuffers(), many, "many actors are one");
   CheckFinite(many, "many actors");
   TimePlain(scene, std::to_string(options.Actors) + " actors");
+  Scene one(size[0], size[1]);
+  FillActors(one, options.Actors, true, true);
+  TimeFrames(one, "the same in one actor", 2);
+  const double off = CompareShare(one.GetBuffer("Airlight"), many.at("Airlight"), 1e-3);
+  std::cout << "of the airlight " << 100.0 * off << " % are off by more than a thousandth\n";
+  Check(off < 1e-3, "many actors are one");
+  CheckSame(DrawActors(size, options.Actors, true, false),
+    DrawActors(size, options.Actors, false, false), "many actors are one, planes without ends");
 }
 
 //------------------------------------------------------------------------------
