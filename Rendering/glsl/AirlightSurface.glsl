@@ -17,6 +17,24 @@ uniform int airlightGoniometric[AIRLIGHT_LAMPS]; // 1: light k shines by its tab
 uint airlightLayer = 0u; // this fragment's record, 0: none
 #endif
 
+#if AIRLIGHT_READS_LIT
+// Read once for all lights: to fetch a texel takes software renderers longer than a light's share.
+vec4 airlightLitBits;
+
+// All bits set where no lights' shadows are to be seen.
+void airlightReadLit()
+{
+  airlightLitBits = vec4(exp2(float(AIRLIGHT_BITS)) - 1.0);
+  if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_COLOUR)
+  {
+    // A delegate may draw some pixels beyond the viewport.
+    ivec2 pixel = ivec2(airlightPixel());
+    pixel = clamp(pixel, ivec2(0), textureSize(airlightLit, 0) - 1);
+    airlightLitBits = texelFetch(airlightLit, pixel, 0);
+  }
+}
+#endif
+
 // The share of each light that arrives; see airlightReceive().
 vec3 airlightArrived[AIRLIGHT_LAMPS];
 float airlightApart = 1.0; // of one of them; see SurfaceText::Apart
@@ -87,13 +105,9 @@ vec3 airlightShare(int k, bool sun, vec3 point)
   }
 #endif
 #if AIRLIGHT_READS_LIT
-  if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_COLOUR && k < 4 * AIRLIGHT_BITS)
+  if (k < 4 * AIRLIGHT_BITS)
   {
-    // A delegate may draw some pixels beyond the viewport.
-    ivec2 pixel = ivec2(airlightPixel());
-    pixel = clamp(pixel, ivec2(0), textureSize(airlightLit, 0) - 1);
-    vec4 bits = texelFetch(airlightLit, pixel, 0);
-    float word = bits[k / AIRLIGHT_BITS];
+    float word = airlightLitBits[k / AIRLIGHT_BITS];
     if (mod(floor(word * exp2(-float(k % AIRLIGHT_BITS))), 2.0) < 0.5)
     {
       return vec3(0.0);
@@ -114,6 +128,9 @@ void airlightReceive()
   vec2 p = airlightPixel();
   vec3 point =
     airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
+#if AIRLIGHT_READS_LIT
+  airlightReadLit();
+#endif
 #ifdef AIRLIGHT_EACH_LAMP
   AIRLIGHT_EACH_LAMP(point)
 #else
