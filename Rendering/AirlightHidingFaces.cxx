@@ -6,7 +6,9 @@
 #include "AirlightPixelRays.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace airlight
@@ -72,10 +74,9 @@ int CountHiddenRays(const HidingFace& face, const PixelRays& rays)
   int count = 0;
   for (int i = 0; i < Probes * Probes; ++i)
   {
-    const glm::dvec3 ray = rays
-                             .GetRay(rays.GetWidth() * (i % Probes + 0.5) / Probes,
-                               rays.GetHeight() * (i / Probes + 0.5) / Probes)
-                             .Direction;
+    const glm::dvec2 place = (glm::dvec2(i % Probes, i / Probes) + 0.5) / double(Probes);
+    const glm::dvec3 ray =
+      rays.GetRay(place.x * rays.GetWidth(), place.y * rays.GetHeight()).Direction;
     count += glm::dot(glm::dvec3(face.Plane), ray) < 0.0 &&
       std::all_of(face.Sides.begin(), face.Sides.end(),
         [&](const glm::dvec3& side) { return glm::dot(side, ray) >= 0.0; });
@@ -95,6 +96,21 @@ void LimitToView(HidingFace& face, const std::array<PixelRays::Ray, 4>& corners)
       side = -glm::dvec3(face.Plane);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+using Candidate = std::pair<int, HidingFace>; // with the number of rays that it hides
+
+// Whatever the order of the casters.
+bool ComesBefore(const Candidate& a, const Candidate& b)
+{
+  const auto key = [](const Candidate& candidate) {
+    const glm::dvec4& plane = candidate.second.Plane;
+    const glm::dvec3& side = candidate.second.Sides[0];
+    return std::make_tuple(
+      -candidate.first, plane.w, plane.x, plane.y, plane.z, side.x, side.y, side.z);
+  };
+  return key(a) < key(b);
 }
 
 //------------------------------------------------------------------------------
@@ -123,11 +139,11 @@ bool HidesShadow(const HidingFace& face, const std::array<glm::dvec3, 8>& box,
 std::vector<HidingFace> FindHidingFaces(
   const std::vector<Caster>& casters, const std::vector<vtkProp*>& solid, const PixelRays& rays)
 {
-  std::vector<std::pair<int, HidingFace>> found;
+  std::vector<Candidate> found;
   for (const Caster& caster : casters)
   {
     if (rays.IsParallel() || !caster.Faces ||
-      std::find(solid.begin(), solid.end(), caster.Owner) == solid.end())
+      !std::binary_search(solid.begin(), solid.end(), caster.Owner, std::less<const vtkProp*>()))
     {
       continue;
     }
@@ -146,11 +162,10 @@ std::vector<HidingFace> FindHidingFaces(
       }
     }
   }
-  std::stable_sort(
-    found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::sort(found.begin(), found.end(), ComesBefore);
   found.resize(std::min(found.size(), MostHidingFaces));
   std::vector<HidingFace> faces;
-  for (auto& candidate : found)
+  for (Candidate& candidate : found)
   {
     LimitToView(candidate.second, rays.GetCornerRays());
     faces.push_back(candidate.second);

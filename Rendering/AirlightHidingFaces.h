@@ -29,8 +29,9 @@ class PixelRays;
 //   behind its plane, dot(Plane.xyz, x) + Plane.w < 0, and
 //   between its sides, dot(side, x) >= 0 for each:
 //
-// planes through the eye and its edges, or the lines where the clipping planes cut the face off. A side
-// that the whole view is inside of is left out, 0: pixels are not outside of it.
+// planes through the eye and its edges, or the lines where the clipping planes cut the face off. In place
+// of a side that the whole view is inside of, and of those that a triangle lacks, there is one that all
+// behind the plane is inside of: pixels are not outside of it, though places beside the view are.
 struct HidingFace
 {
   static constexpr size_t SideCount = 6;
@@ -39,15 +40,16 @@ struct HidingFace
 };
 
 // The faces of these casters that hide most of the view, the most first, at most MostHidingFaces. A caster
-// counts if its prop is among `solid`, those whose triangles all are drawn by now, each fragment opaque.
+// counts if its prop is among `solid`, in order: those whose triangles all are drawn by now, each fragment
+// opaque.
 // None in parallel projection: there what moves away behind a face leaves its outline.
 constexpr size_t MostHidingFaces = 3;
 VTKAIRLIGHT_EXPORT std::vector<HidingFace> FindHidingFaces(
   const std::vector<Caster>& casters, const std::vector<vtkProp*>& solid, const PixelRays& rays);
 
 // For each caster the plane of a face that hides all of its shadow planes from where they meet it, for a
-// light at a homogeneous position in the world; 0 where there is none, and once more after the last. All planes of a caster end at the
-// same face, so that they meet along their sides to the last bit.
+// light at a homogeneous position in the world; 0 where there is none, and once more after the last. All
+// planes of a caster end at the same face, so that they meet along their sides to the last bit.
 VTKAIRLIGHT_EXPORT std::vector<glm::vec4> FindPlaneEnds(const std::vector<Caster>& casters,
   const std::vector<HidingFace>& faces, const glm::dvec4& light, const glm::dvec3& eye);
 }

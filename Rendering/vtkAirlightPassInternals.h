@@ -110,7 +110,7 @@ public:
   // surfaces, if there is one.
   bool MayBeSolid(const vtkRenderState* s) const;
   bool IsSolid(const vtkRenderState* s) const;
-  // Actors that are drawn as their mappers' inputs are, opaque everywhere.
+  // Actors that are drawn as their mappers' inputs are, opaque everywhere; in order.
   std::vector<vtkProp*> FindSolids(const vtkRenderState* s) const;
   bool MayDrawOnce(
     const vtkRenderState* s, const std::vector<airlight::Lamp>& lamps, int& apart) const;

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <iterator>
 
 using namespace airlight;
@@ -115,6 +116,7 @@ std::vector<vtkProp*> vtkAirlightPass::Internals::FindSolids(const vtkRenderStat
   {
     vtkProp** first = s->GetPropArray();
     std::copy_if(first, first + s->GetPropArrayCount(), std::back_inserter(solids), DrawsAllOfIt);
+    std::sort(solids.begin(), solids.end(), std::less<const vtkProp*>());
   }
   return solids;
 }
