@@ -101,13 +101,17 @@ std::string ShadowLists::GetPlanesSource(const View& view) const
 }
 
 //------------------------------------------------------------------------------
-// Two triangles a plane, (A, A far, B) and (B, A far, B far): front faces are seen from outside the
-// volume. By indices, a plane takes four vertices instead of six, and software renderers take few planes at a
-// time: after every fifty vertices that are clipped they go through all that they took.
+// Front faces are seen from outside the volume. By indices, a plane takes four vertices instead of six, and
+// software renderers take few planes at a time: after every fifty vertices that they have clipped they go
+// through all that they took.
 void ShadowLists::DrawPlanes(int count) const
 {
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Corners.Handle);
-  glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_INT, nullptr);
+  for (int first = 0; first < count; first += PlanesPerDraw)
+  {
+    glDrawElementsBaseVertex(GL_TRIANGLES, 6 * std::min(count - first, PlanesPerDraw),
+      GL_UNSIGNED_SHORT, nullptr, 4 * first);
+  }
 }
 
 //------------------------------------------------------------------------------

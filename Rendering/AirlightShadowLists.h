@@ -31,6 +31,8 @@ class ShadowLists
 {
 public:
   static constexpr std::uint64_t MostBands = 16;
+  // What indices of 16 bits reach, four vertices a plane.
+  static constexpr int PlanesPerDraw = 16383;
 
   // Whether the window's OpenGL has what this needs: 4.3.
   static bool IsSupported(vtkOpenGLRenderWindow* window);
@@ -113,7 +115,7 @@ private:
   };
 
   vtkShaderProgram* ReadyPlanes(PlaneKind kind, const std::string& fragment, const Source& source);
-  bool ReserveCorners(int planes);
+  bool MakeCorners();
   void DrawPlanes(int count) const;
   std::string GetPlanesSource(const View& view) const;
   bool DrawFragments(const Source& source, PlaneKind kind, int row, int rows);

@@ -31,25 +31,24 @@ bool ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t 
 }
 
 //------------------------------------------------------------------------------
-// The same for all lights. A quarter more than asked for, so that a scene in motion does not grow it
-// each frame.
-bool ShadowLists::ReserveCorners(int planes)
+// The corners of the two triangles of each plane, (A, A far, B) and (B, A far, B far), among four vertices a
+// plane. Of as many planes as a draw takes, for all lights.
+bool ShadowLists::MakeCorners()
 {
-  if (planes <= this->Corners.Count)
+  if (this->Corners.Count > 0)
   {
     return true;
   }
-  const GLuint count = static_cast<GLuint>(planes) + static_cast<GLuint>(planes) / 4;
-  std::vector<GLuint> corners;
-  corners.reserve(6 * static_cast<size_t>(count));
-  for (GLuint plane = 0; plane < count; ++plane)
+  std::vector<GLushort> corners;
+  corners.reserve(6 * PlanesPerDraw);
+  for (int plane = 0; plane < PlanesPerDraw; ++plane)
   {
-    for (const GLuint corner : { 0u, 1u, 2u, 2u, 1u, 3u })
+    for (const int corner : { 0, 1, 2, 2, 1, 3 })
     {
-      corners.push_back(4 * plane + corner);
+      corners.push_back(static_cast<GLushort>(4 * plane + corner));
     }
   }
-  return this->Upload(this->Corners, corners.data(), count, 6 * sizeof(GLuint));
+  return this->Upload(this->Corners, corners.data(), PlanesPerDraw, 6 * sizeof(GLushort));
 }
 
 //------------------------------------------------------------------------------
@@ -84,8 +83,7 @@ bool ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
   const auto upload = [this](Buffer& buffer, const auto& records) {
     return this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
   };
-  return upload(this->Edges[slot], volumes.GetEdges()) &&
-    this->ReserveCorners(this->Edges[slot].Count) &&
+  return this->MakeCorners() && upload(this->Edges[slot], volumes.GetEdges()) &&
     upload(this->NearEdges[slot], volumes.GetNearEdges()) &&
     upload(this->Caps[slot], volumes.GetCaps()) &&
     this->UploadLayers(this->Layers[slot], volumes.GetLayers());
