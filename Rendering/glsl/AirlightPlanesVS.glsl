@@ -1,12 +1,14 @@
 // Shadow planes: each silhouette edge, pulled out of a buffer, becomes the quadrilateral from the
-// edge to infinity, away from the light, or to where all that follows is hidden. AIRLIGHT_CAPS: a caster's own triangles, where rays go through
-// them. AIRLIGHT_NEAR_PLANES: those that the eye lies on, which it would see edge-on; a triangle over
-// the whole view lets the fragments find out which rays cross them.
+// edge to infinity, away from the light, or to where all that follows is hidden. AIRLIGHT_CAPS: a
+// caster's own triangles, where rays go through them. AIRLIGHT_NEAR_PLANES: those that the eye lies on,
+// which it would see edge-on; a triangle over the whole view lets the fragments find out which rays cross
+// them.
 
 // Relative to the anchor (the light itself, or for a directional light any point). Per edge: A and
-// its weight, B and the number of its caster, the plane's normal. Per cap: A and the side of the light (1: where the triangle's
-// normal points, -1: behind), B, C. Per near plane: as an edge, B with the plane's offset from the
-// eye, and fourth the eye's place in the plane. The third's w is the kind of caster.
+// its weight, B and the number of its caster, the plane's normal. Per cap: A and the side of the light
+// (1: where the triangle's normal points, -1: behind), B, C. Per near plane: as an edge, B with the
+// plane's offset from the eye, and fourth the eye's place in the plane. The third's w is the kind of
+// caster.
 layout(std430, binding = 0) readonly buffer AirlightEdges
 {
   vec4 edges[];
