@@ -22,11 +22,12 @@ struct Box
 {
   explicit Box(const Caster& caster)
   {
-    for (int corner = 0; corner < 8; ++corner)
+    const std::array<glm::dvec3, 8> corners = GetCorners(caster);
+    this->Low = this->High = corners[0];
+    for (const glm::dvec3& corner : corners)
     {
-      const glm::dvec3 point = GetCorner(caster, corner);
-      this->Low = corner == 0 ? point : glm::min(this->Low, point);
-      this->High = corner == 0 ? point : glm::max(this->High, point);
+      this->Low = glm::min(this->Low, corner);
+      this->High = glm::max(this->High, corner);
     }
   }
 
@@ -43,12 +44,18 @@ struct Box
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 GetCorner(const Caster& caster, int corner)
+std::array<glm::dvec3, 8> GetCorners(const Caster& caster)
 {
-  const glm::dvec3 local(corner & 1 ? caster.Mesh->BoundsMin.x : caster.Mesh->BoundsMax.x,
-    corner & 2 ? caster.Mesh->BoundsMin.y : caster.Mesh->BoundsMax.y,
-    corner & 4 ? caster.Mesh->BoundsMin.z : caster.Mesh->BoundsMax.z);
-  return glm::dvec3(caster.ToWorld * glm::dvec4(local, 1.0));
+  const glm::dvec3& low = caster.Mesh->BoundsMin;
+  const glm::dvec3& high = caster.Mesh->BoundsMax;
+  std::array<glm::dvec3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec4 local(
+      i & 1 ? low.x : high.x, i & 2 ? low.y : high.y, i & 4 ? low.z : high.z, 1.0);
+    corners[i] = glm::dvec3(caster.ToWorld * local);
+  }
+  return corners;
 }
 
 //------------------------------------------------------------------------------

@@ -11,12 +11,14 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <vector>
 
 namespace airlight
 {
-// Of eight, of the box around the caster's mesh, in the world.
-glm::dvec3 GetCorner(const Caster& caster, int corner);
+// Of the box around the caster's mesh, in the world: bit by bit of a corner's number, 1 is the lower end of an
+// axis of the mesh.
+std::array<glm::dvec3, 8> GetCorners(const Caster& caster);
 
 // A place among the casters, the same in whichever order they come, and seldom another one when they
 // move: on a grid whose cells are from an eighth to a quarter as long as half of them reach. Medians, so

@@ -98,11 +98,10 @@ bool ClippedView::IsApart(const Box& box, const Region& region) const
 //------------------------------------------------------------------------------
 bool ClippedView::MayCutOff(const Caster& caster) const
 {
+  const std::array<glm::dvec3, 8> corners = GetCorners(caster);
   Box box;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    box[corner] = glm::dvec4(GetCorner(caster, corner) - this->Eye, 1.0);
-  }
+  std::transform(corners.begin(), corners.end(), box.begin(),
+    [this](const glm::dvec3& corner) { return glm::dvec4(corner - this->Eye, 1.0); });
   return !this->IsApart(box, this->Before) || !this->IsApart(box, this->Behind);
 }
 }

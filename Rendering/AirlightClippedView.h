@@ -40,7 +40,7 @@ private:
     std::vector<glm::dvec4> Corners; // or directions in which it has no end, w = 0
     glm::dvec4 End{ 0.0 };           // the clipping plane, positive outside
   };
-  using Box = std::array<glm::dvec4, 8>; // corners from the eye, as GetCorner() numbers them
+  using Box = std::array<glm::dvec4, 8>; // corners from the eye, as GetCorners() numbers them
 
   bool IsApart(const Box& box, const Region& region) const;
 

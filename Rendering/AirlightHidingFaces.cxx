@@ -177,19 +177,17 @@ std::vector<HidingFace> FindHidingFaces(
 std::vector<glm::vec4> FindPlaneEnds(const std::vector<Caster>& casters,
   const std::vector<HidingFace>& faces, const glm::dvec4& light, const glm::dvec3& eye)
 {
-  std::vector<glm::vec4> ends;
-  for (const Caster& caster : casters)
+  std::vector<glm::vec4> ends(casters.size() + 1, glm::vec4(0.0f));
+  for (size_t i = 0; i < casters.size() && !faces.empty(); ++i)
   {
-    std::array<glm::dvec3, 8> box;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      box[corner] = GetCorner(caster, corner);
-    }
+    const std::array<glm::dvec3, 8> box = GetCorners(casters[i]);
     const auto face = std::find_if(faces.begin(), faces.end(),
       [&](const HidingFace& other) { return HidesShadow(other, box, light, eye); });
-    ends.push_back(face != faces.end() ? glm::vec4(face->Plane) : glm::vec4(0.0f));
+    if (face != faces.end())
+    {
+      ends[i] = glm::vec4(face->Plane);
+    }
   }
-  ends.emplace_back(0.0f);
   return ends;
 }
 }
