@@ -7,8 +7,8 @@
 #include "AirlightCasters.h"
 #include "AirlightClippedView.h"
 #include "AirlightPixelRays.h"
+#include "AirlightTestCasters.h"
 #include "AirlightTestCheck.h"
-#include "AirlightTestDirections.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 
@@ -37,9 +37,7 @@ airlight::Caster MakeBox(const glm::dmat4& toWorld)
 glm::dmat4 RandomPlace(Random& random)
 {
   glm::dmat4 matrix(1.0);
-  const glm::dvec3 x = RandomUnit(random);
-  const glm::dvec3 y = glm::normalize(glm::cross(x, RandomUnit(random)));
-  const glm::dvec3 axes[3] = { x, y, glm::cross(x, y) };
+  const glm::dmat3 axes = RandomAxes(random);
   for (int i = 0; i < 3; ++i)
   {
     matrix[i] = glm::dvec4(random.LogUniform(0.01, 30.0) * axes[i], 0.0);
@@ -63,18 +61,10 @@ void PlaceCamera(Random& random, vtkCamera* camera)
   camera->SetClippingRange(nearest, nearest * random.LogUniform(2.0, 200.0));
 }
 
-// Whether a point is in the picture and cut off, by VTK's own matrix: in clip coordinates a perspective has
-// the depth as w.
 bool IsCutOff(vtkCamera* camera, const glm::dvec3& point)
 {
-  vtkMatrix4x4* matrix =
-    camera->GetCompositeProjectionTransformMatrix(Width / double(Height), -1, 1);
-  const double in[4] = { point.x, point.y, point.z, 1.0 };
-  double clip[4];
-  matrix->MultiplyPoint(in, clip);
-  // Behind the eye no ray of a perspective comes along.
-  return clip[3] > 0.0 && std::abs(clip[0]) < clip[3] && std::abs(clip[1]) < clip[3] &&
-    std::abs(clip[2]) > clip[3];
+  const glm::dvec4 clip = Project(camera, Width / double(Height), point);
+  return IsInPicture(clip) && std::abs(clip.z) > clip.w;
 }
 
 //------------------------------------------------------------------------------

@@ -7,8 +7,8 @@
 #include "AirlightCasters.h"
 #include "AirlightHidingFaces.h"
 #include "AirlightPixelRays.h"
+#include "AirlightTestCasters.h"
 #include "AirlightTestCheck.h"
-#include "AirlightTestDirections.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 
@@ -17,7 +17,6 @@
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
-#include "vtkShaderProperty.h"
 
 #include <cstdlib>
 
@@ -44,9 +43,7 @@ airlight::Caster MakeCaster(vtkPolyData* data, const glm::dmat4& toWorld, const 
 glm::dmat4 RandomPlace(Random& random, const glm::dvec3& centre, double size)
 {
   glm::dmat4 matrix(1.0);
-  const glm::dvec3 x = RandomUnit(random);
-  const glm::dvec3 y = glm::normalize(glm::cross(x, RandomUnit(random)));
-  const glm::dvec3 axes[3] = { x, y, glm::cross(x, y) };
+  const glm::dmat3 axes = RandomAxes(random);
   for (int i = 0; i < 3; ++i)
   {
     matrix[i] = glm::dvec4(size * random.Uniform(0.3, 2.0) * axes[i], 0.0);
@@ -71,11 +68,7 @@ void PlaceCamera(Random& random, vtkCamera* camera)
 // for what is not in the picture.
 bool IsHidden(vtkCamera* camera, const std::vector<Triangle>& triangles, const glm::dvec3& point)
 {
-  const double in[4] = { point.x, point.y, point.z, 1.0 };
-  double clip[4];
-  camera->GetCompositeProjectionTransformMatrix(Width / double(Height), -1, 1)
-    ->MultiplyPoint(in, clip);
-  if (!(clip[3] > 0.0) || std::abs(clip[0]) > clip[3] || std::abs(clip[1]) > clip[3])
+  if (!IsInPicture(Project(camera, Width / double(Height), point)))
   {
     return true;
   }
@@ -195,16 +188,15 @@ enum class Look
   Glass
 };
 
-// A room's corner, and a box and a ball that throw their shadows on it. `replaced`: its shaders have a
-// replacement that changes nothing, of which the pass cannot know.
+// A room's corner, and a box and a ball that throw their shadows on it. `replaced`: the corner's shaders have
+// a replacement.
 vtkSmartPointer<vtkImageData> Draw(Look look, bool replaced, bool sun)
 {
   Scene scene;
   const auto change = [=](vtkActor* actor) {
     if (replaced)
     {
-      actor->GetShaderProperty()->AddFragmentShaderReplacement(
-        "//VTK::Color::Impl", true, "//VTK::Color::Impl\n // as it was\n", false);
+      MakeUnknown(actor);
     }
     if (look == Look::Clipped)
     {

@@ -5,8 +5,9 @@
 
 #include "LoadTools.h"
 
+#include "AirlightTestCasters.h"
+
 #include "vtkAppendPolyData.h"
-#include "vtkShaderProperty.h"
 
 #include <iomanip>
 
@@ -107,8 +108,7 @@ void FillActors(Scene& scene, int count, bool merged, bool known)
   scene.Add(floor, [known](vtkActor* actor) {
     if (!known)
     {
-      actor->GetShaderProperty()->AddFragmentShaderReplacement(
-        "//VTK::Color::Impl", true, "//VTK::Color::Impl\n // as it was\n", false);
+      airlight_test::MakeUnknown(actor);
     }
   });
   vtkNew<vtkAppendPolyData> all;
