@@ -158,11 +158,15 @@ std::vector<vtkTextureObject*> Frame::GetScatterTargets()
   {
     return { this->Textures.Reference };
   }
-  std::vector<vtkTextureObject*> targets = { this->Textures.Scattered, this->Textures.Lit };
+  std::vector<vtkTextureObject*> targets = { this->Textures.Scattered };
   if (this->Settings.Record)
   {
     targets.push_back(this->Textures.Counts);
     targets.push_back(this->Textures.Single);
+  }
+  if (this->HasMoreLit())
+  {
+    targets.push_back(this->Textures.Lit);
   }
   return targets;
 }

@@ -196,6 +196,7 @@ public:
   // Brings them to the target that a delegate has bound, which may be of another size, and binds
   // the textures again whose units it may have used.
   void FitToTarget(SurfaceUniforms& values);
+  vtkOpenGLRenderWindow* GetWindow() const { return this->Window; }
   vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Textures.GetFramebuffer(); }
   const std::string& GetError() const { return this->Error; }
 
@@ -248,6 +249,7 @@ private:
   vtkShaderProgram* ReadyCopy(int x, int y);
   std::vector<std::pair<const char*, vtkTextureObject*>> GetCompositeTextures();
   std::vector<vtkTextureObject*> GetScatterTargets();
+  bool HasMoreLit() const { return this->Lamps.size() > BitsPerChannel; }
   void ClearTarget(float value);
   void ClearDepth();
   void BlendColours();

@@ -50,7 +50,7 @@ std::vector<std::pair<const char*, vtkTextureObject*>> Frame::GetCompositeTextur
   if (this->Settings.Apart >= 0)
   {
     textures.emplace_back("dark", this->Textures.Dark);
-    if (leftOver)
+    if (leftOver && this->Settings.Apart >= BitsPerChannel)
     {
       textures.emplace_back("lit", this->Textures.Lit);
     }
@@ -175,14 +175,13 @@ bool Frame::Record()
   this->Buffers["Surface"] = this->Textures.Read(2, 0, 3);
   this->Buffers["Transmittance"] = this->Textures.Read(3, 0, 3);
   this->Buffers["ErrorBound"] = this->Textures.Read(1, 3, 1);
-  if (!this->Textures.Bind(
-        { this->Textures.Scattered, this->Textures.Counts, this->Textures.Distances }, nullptr))
+  if (!this->Textures.Bind({ this->Textures.Counts, this->Textures.Distances }, nullptr))
   {
     return this->Fail(this->Textures.GetError());
   }
-  this->Buffers["LitLength"] = this->Textures.Read(0, 3, 1);
-  this->Buffers["BoundaryCount"] = this->Textures.Read(1, 0, 1);
-  this->Buffers["Depth"] = this->Textures.Read(2, 0, 1);
+  this->Buffers["BoundaryCount"] = this->Textures.Read(0, 0, 1);
+  this->Buffers["LitLength"] = this->Textures.Read(0, 2, 1);
+  this->Buffers["Depth"] = this->Textures.Read(1, 0, 1);
   return true;
 }
 

@@ -84,6 +84,7 @@ std::string Frame::GetResolveHead(int index, bool storage) const
   const f64::AirlightLight& light = this->Lamps[index].Values;
   return std::string(storage ? "#version 430\n" : "#version 330\n") +
     BoundaryStore::DefineNodes(this->Dimmed) + (this->Settings.Record ? RecordDefinition : "") +
+    "#define AIRLIGHT_MORE_LIT " + std::to_string(this->HasMoreLit()) + "\n" +
     "#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define AIRLIGHT_PARALLEL " +
     std::to_string(this->Rays->IsParallel()) + "\n" +
     (light.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +

@@ -121,7 +121,8 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.VolumeNodes = this->Settings.VolumeNodes;
   values.Media = &this->Media;
   values.Lamps = &this->Lamps;
-  values.Lit = this->Textures.Lit;
+  values.Lit = this->Textures.Scattered;
+  values.MoreLit = this->HasMoreLit() ? this->Textures.Lit : this->Textures.Scattered;
   values.Data = this->Data.GetTexture();
   values.Glow = this->Settings.SurfaceGlow;
   values.EncodedInput = this->Settings.EncodedInput;
@@ -136,7 +137,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
 //------------------------------------------------------------------------------
 void Frame::FitToTarget(SurfaceUniforms& values)
 {
-  for (vtkTextureObject* texture : { values.Lit, values.Data })
+  for (vtkTextureObject* texture : { values.Lit, values.MoreLit, values.Data })
   {
     if (texture)
     {

@@ -16,6 +16,8 @@
 #include "AirlightVertexMedium.h"
 #include "AirlightViewShader.h"
 
+#include "vtkLight.h"
+
 #include <algorithm>
 #include <regex>
 
@@ -48,12 +50,12 @@ bool IsDimmed(const SurfaceText& text) { return text.InPass && text.Dimmed; }
 std::string DefineLamps(const SurfaceText& text)
 {
   std::string lines;
-  for (size_t k = 0; k < text.Suns.size(); ++k)
+  for (size_t k = 0; k < text.Known.size(); ++k)
   {
     const std::string index = std::to_string(k);
     const bool apart = static_cast<int>(k) == text.Apart;
     lines += " airlightArrived[" + index + "] = " + (apart ? "airlightApart * " : "") +
-      "airlightShare(" + index + ", " + (text.Suns[k] ? "true" : "false") + ", point);";
+      "airlightShare(" + index + ", " + (text.Known[k].Sun ? "true" : "false") + ", point);";
   }
   return lines.empty() ? "" : "#define AIRLIGHT_EACH_LAMP(point)" + lines + "\n";
 }
@@ -66,7 +68,9 @@ std::string CommonDeclarations(const SurfaceText& text)
   };
   return text.Mathematics + DefineStages() + define("LAYER_RECORDS", HasRecords(text)) +
     define("DIMMED", IsDimmed(text)) + define("LAMPS", text.LampCount) +
-    define("BITS", BitsPerChannel) + define("IN_PASS", text.InPass) +
+    define("BITS", BitsPerChannel) +
+    define("ONLY_COLOURS", text.Once && text.KnownView && !text.Translucent) +
+    define("MORE_LIT", text.LampCount > BitsPerChannel) + define("IN_PASS", text.InPass) +
     define("READS_LIT", text.InPass && text.ReadsLit) + define("AT_VERTICES", text.AtVertices) +
     (text.KnownView ? define("PARALLEL", text.Parallel) + define("FRAGMENT_IS_PIXEL", 1) : "") +
     DefineLamps(text) + AirlightSurfaceLights;
@@ -127,28 +131,55 @@ bool MayLeaveEarly(const std::string& commented)
 
 // In the pass, that is. VTK's own text knows the number of lights, too, and is made anew where
 // another number shines; a mapper without the pass is to stay as it is.
-std::vector<bool> FindSuns(const std::vector<Lamp>& lamps)
+std::vector<KnownLamp> FindKnown(const std::vector<Lamp>& lamps)
 {
-  std::vector<bool> suns;
+  std::vector<KnownLamp> known;
   for (size_t k = 0; k < lamps.size() && lamps.size() <= MaximumKnownLamps; ++k)
   {
-    suns.push_back(f64::airlightIsDirectional(lamps[k].Values));
+    vtkLight* light = lamps[k].Light;
+    // VTK compares in single precision.
+    known.push_back({ f64::airlightIsDirectional(lamps[k].Values), light->GetPositional() != 0,
+      static_cast<float>(light->GetConeAngle()) < 90.0f });
   }
-  return suns;
+  return known;
 }
+
+// VTK asks uniforms for a light's type. A software renderer runs what there is for all types.
+std::string TellTypes(std::string body, const std::vector<KnownLamp>& known)
+{
+  for (size_t k = 0; k < known.size(); ++k)
+  {
+    const std::string index = std::to_string(k) + "\\b";
+    body = std::regex_replace(
+      body, std::regex("\\blightPositional" + index), known[k].Positional ? "1" : "0");
+    if (!known[k].Spot)
+    {
+      body = std::regex_replace(body, std::regex("\\blightConeAngle" + index), "90.0");
+    }
+  }
+  return body;
+}
+
+// Below 0 in green: no shader that writes colours does that.
+const char* WriteDistance =
+  "    gl_FragData[0] = vec4(airlightFragmentDistance(), -1.0, 0.0, 1.0);\n";
 
 // What is drawn where no colours are.
 std::string OtherStages(bool records, bool leave)
 {
   const std::string end = leave ? "    return;\n  }\n" : "  }\n";
-  return "  if (airlightStage == AIRLIGHT_STAGE_DISTANCE)\n  {\n"
-         // Below 0 in green: no shader that writes colours does that.
-         "    gl_FragData[0] = vec4(airlightFragmentDistance(), -1.0, 0.0, 1.0);\n" +
-    end +
+  return std::string("  if (airlightStage == AIRLIGHT_STAGE_DISTANCE)\n  {\n") + WriteDistance + end +
     // Discarded: opaque splats would hide one another.
     (records ? "  if (airlightStage == AIRLIGHT_STAGE_COLLECT)\n  {\n    airlightCollect();\n"
                "    discard;\n  }\n"
              : "");
+}
+
+// For AirlightDistancePrograms.h.
+std::string OnlyDistances(const std::string& hide, const std::string& shade)
+{
+  return "#ifdef AIRLIGHT_ONLY_DISTANCES\nvoid main()\n{\n" + hide + WriteDistance +
+    "}\n#else\n" + shade + "\n#endif\n";
 }
 
 // main() where all that is known of a fragment is drawn at once. Shades in a function, which may have
@@ -165,6 +196,12 @@ std::string DrawOnce(const SurfaceText& text)
                      "    gl_FragData[1] = vec4(airlightFragmentDistance(), 0.0, 0.0, 1.0);\n") +
     (text.Apart >= 0 ? dark : "") + "  }\n}\n";
 }
+}
+
+//------------------------------------------------------------------------------
+bool operator==(const KnownLamp& a, const KnownLamp& b)
+{
+  return a.Sun == b.Sun && a.Positional == b.Positional && a.Spot == b.Spot;
 }
 
 //------------------------------------------------------------------------------
@@ -207,7 +244,8 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
   // VTK names the lights lightColor0, lightColor1, ...
   static const std::regex lightColor("\\blightColor([0-9]+)\\b");
   const bool anyLight = std::regex_search(body, lightColor);
-  std::string lit = std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])");
+  std::string lit = TellTypes(
+    std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])"), text.Known);
   lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
   lit = text.Translucent ? AddMedium(lit) : lit;
   const bool records = HasRecords(text);
@@ -218,11 +256,13 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
     : "";
   const bool early = MayLeaveEarly(body);
   const std::string others = text.InPass ? OtherStages(records, early) : "";
+  const std::string shade =
+    (text.Once ? "void airlightShade()\n{\n" : "void main()\n{\n") + hide +
+    (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
+    (early ? "" : others) + fragmentShader.substr(bodyEnd) + (text.Once ? DrawOnce(text) : "");
   fragmentShader.replace(mainStart, fragmentShader.size(),
     Declarations(text) + (hides ? "uniform int airlightHidden;\n" : "") +
-      (text.Once ? "void airlightShade()\n{\n" : "void main()\n{\n") + hide +
-      (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
-      (early ? "" : others) + fragmentShader.substr(bodyEnd) + (text.Once ? DrawOnce(text) : ""));
+      (early && text.InPass ? OnlyDistances(hide, shade) : shade));
   AddExtensions(fragmentShader, text);
 }
 
@@ -252,13 +292,14 @@ bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
     lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
   const std::string source =
     GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
-  const std::vector<bool> suns = text.InPass ? FindSuns(lamps) : std::vector<bool>();
+  const std::vector<KnownLamp> known =
+    text.InPass ? FindKnown(lamps) : std::vector<KnownLamp>();
   if (lampCount <= text.LampCount && source == text.Mathematics &&
-    translucent == text.Translucent && suns == text.Suns)
+    translucent == text.Translucent && known == text.Known)
   {
     return false;
   }
-  text.Suns = suns;
+  text.Known = known;
   text.Translucent = translucent;
   // Some more, so that another lamp does not make other shaders.
   text.LampCount = std::max(text.LampCount, (lampCount + 7) / 8 * 8);

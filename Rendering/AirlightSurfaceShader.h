@@ -42,11 +42,21 @@ constexpr int MaximumGlowLights = 32;
 // So many lamps have lines of their own in the shaders; more share a loop.
 constexpr size_t MaximumKnownLamps = 4;
 
+// What the shaders are told of a lamp when they are made.
+struct KnownLamp
+{
+  bool Sun = false; // at infinity, for the medium
+  // As VTK's shading has it.
+  bool Positional = false;
+  bool Spot = false;
+};
+bool operator==(const KnownLamp& a, const KnownLamp& b);
+
 // What a mapper's shaders are rewritten for.
 struct SurfaceText
 {
   int LampCount = 4;         // at most
-  std::vector<bool> Suns;    // of each lamp: at infinity; empty where there are many
+  std::vector<KnownLamp> Known; // each lamp; empty where there are many
   int GlowLightCount = 0;    // at most; 0: surfaces get no scattered light
   bool Translucent = false;  // fragments may be put behind the medium before them
   bool LayerRecords = false; // and have records (AirlightLayerRecords.h)
@@ -97,6 +107,7 @@ struct SurfaceUniforms
   const f64::AirlightMedia* Media = nullptr;
   const std::vector<Lamp>* Lamps = nullptr;
   vtkTextureObject* Lit = nullptr;       // in the pass, an active texture in any case
+  vtkTextureObject* MoreLit = nullptr;   // likewise; the same where there are few lights
   vtkTextureObject* Data = nullptr;      // an active texture, or null where the shaders read none
   const LayerRecords* Records = nullptr; // null: there are none
   const Dimming* Dims = nullptr;         // what casters leave of lights on opaque surfaces

@@ -64,6 +64,7 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
     program->SetUniformi("airlightStage", static_cast<int>(values.Stage));
     // A sampler left at unit 0 would clash with the mapper's own.
     program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
+    program->SetUniformi("airlightMoreLit", values.MoreLit->GetTextureUnit());
     program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
   }
   values.Rays->SetUniforms(program, values.ViewportX, values.ViewportY, values.Pixels);

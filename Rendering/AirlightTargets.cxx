@@ -62,7 +62,7 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, cons
   ForgetErrors();
   bool ok = this->Allocate(this->Distances, 1) && this->Allocate(this->Scene, 4) &&
     this->Allocate(this->Scattered, 4) &&
-    this->Allocate(this->Lit, needs.Lamps > BitsPerChannel ? 4 : 1) &&
+    (needs.Lamps <= BitsPerChannel || this->Allocate(this->Lit, 4)) &&
     (!needs.Drawn || this->Allocate(this->Drawn, 2)) &&
     (!needs.Dark || this->Allocate(this->Dark, 4));
   if (this->Depth->GetHandle() == 0)
@@ -84,7 +84,7 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, cons
   }
   if (needs.Record)
   {
-    ok = ok && this->Allocate(this->Counts, 2) && this->Allocate(this->Single, 4) &&
+    ok = ok && this->Allocate(this->Counts, 4) && this->Allocate(this->Single, 4) &&
       this->Allocate(this->Airlight, 4) && this->Allocate(this->Surface, 4) &&
       this->Allocate(this->Transmittance, 4);
   }

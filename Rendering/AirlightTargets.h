@@ -60,9 +60,9 @@ public:
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkTextureObject> Scene;
   vtkNew<vtkTextureObject> Dark;      // the scene without the light that casts shadows on it
-  vtkNew<vtkTextureObject> Scattered; // RGB: airlight, A: lit length
-  vtkNew<vtkTextureObject> Lit;       // bits of lights, 24 a channel; one channel for so few
-  vtkNew<vtkTextureObject> Counts;    // R: boundaries; G: error bound, recorded only
+  vtkNew<vtkTextureObject> Scattered; // RGB: airlight, A: bits of the first 24 lights (litBit)
+  vtkNew<vtkTextureObject> Lit;       // RGB: those of others, 24 a channel; only where there are any
+  vtkNew<vtkTextureObject> Counts;    // recorded only: boundaries; error bound; lit length
   vtkNew<vtkTextureObject> Single;    // recorded: one light's airlight
   vtkNew<vtkTextureObject> Radiance;  // recorded, or to draw translucent surfaces into
   vtkNew<vtkTextureObject> Airlight;

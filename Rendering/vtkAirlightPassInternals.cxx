@@ -43,6 +43,7 @@ vtkAirlightPass::Internals::Internals(vtkAirlightPass* self)
   this->Context->SetRelease([this](vtkWindow* window) {
     this->CurrentFrame.Release(window);
     this->ScenePass->ReleaseGraphicsResources(window);
+    this->OnlyDistances.Release();
   });
   this->ScenePass->SetAroundOpaque(
     [this] { this->CurrentFrame.BeginSurfaces(); }, [this] { this->CurrentFrame.EndSurfaces(); });

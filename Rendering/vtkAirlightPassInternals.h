@@ -9,6 +9,7 @@
 
 #include "AirlightContext.h"
 #include "AirlightDelegate.h"
+#include "AirlightDistancePrograms.h"
 #include "AirlightFrame.h"
 #include "AirlightMediaList.h"
 #include "AirlightProgram.h"
@@ -142,6 +143,8 @@ public:
   std::vector<vtkProp*> FrameProps; // those that the frame began with
   airlight::DelegateProps Shown;    // what a delegate is shown of them
   std::set<vtkProp*> Hidden;        // those kept from the stage of colours
+
+  airlight::DistancePrograms OnlyDistances;
 
   std::set<vtkProp*> NotedVolumes;
 

@@ -46,7 +46,7 @@ bool vtkAirlightPass::PostReplaceShaderValues(std::string& vertexShader,
 
 //------------------------------------------------------------------------------
 bool vtkAirlightPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   SurfaceUniforms values = this->Impl->CurrentFrame.GetSurfaceUniforms(this->Impl->Stage);
   if (auto* volume = vtkVolume::SafeDownCast(prop))
@@ -76,6 +76,10 @@ bool vtkAirlightPass::SetShaderParameters(
   if (this->Impl->DrawsMap)
   {
     this->Impl->MapPrograms.insert(program);
+  }
+  if (this->Impl->Stage == SurfaceStage::Distance)
+  {
+    this->Impl->OnlyDistances.Watch(this->Impl->CurrentFrame.GetWindow(), mapper);
   }
   return true;
 }

@@ -226,7 +226,7 @@ void vtkAirlightPass::Internals::RenderStage(
 {
   this->Stage = stage;
   const SurfaceUniforms values = this->CurrentFrame.GetSurfaceUniforms(stage);
-  for (vtkTextureObject* texture : { values.Lit, values.Data })
+  for (vtkTextureObject* texture : { values.Lit, values.MoreLit, values.Data })
   {
     if (texture)
     {
@@ -234,7 +234,8 @@ void vtkAirlightPass::Internals::RenderStage(
     }
   }
   render();
-  for (vtkTextureObject* texture : { values.Lit, values.Data })
+  this->OnlyDistances.Unwatch();
+  for (vtkTextureObject* texture : { values.Lit, values.MoreLit, values.Data })
   {
     if (texture)
     {

@@ -22,7 +22,7 @@ uniform sampler2D scattered;
 #if AIRLIGHT_APART >= 0
 // The scene without the one light that casts shadows on it, and where that light reaches surfaces.
 uniform sampler2D dark;
-#if AIRLIGHT_LEFT_OVER
+#if AIRLIGHT_LEFT_OVER && AIRLIGHT_APART >= AIRLIGHT_BITS
 uniform sampler2D lit;
 #endif
 #endif
@@ -41,8 +41,12 @@ layout(location = 3) out vec4 transmittance;
 #if AIRLIGHT_APART >= 0 && AIRLIGHT_LEFT_OVER
 bool airlightIsLit(ivec2 pixel)
 {
-  float bits = texelFetch(lit, pixel, 0)[AIRLIGHT_APART / AIRLIGHT_BITS];
-  return mod(floor(bits * exp2(-float(AIRLIGHT_APART % AIRLIGHT_BITS))), 2.0) >= 0.5;
+#if AIRLIGHT_APART >= AIRLIGHT_BITS
+  float bits = texelFetch(lit, pixel, 0)[AIRLIGHT_APART / AIRLIGHT_BITS - 1];
+#else
+  float bits = texelFetch(scattered, pixel, 0).a;
+#endif
+  return fract(bits * exp2(-float(AIRLIGHT_APART % AIRLIGHT_BITS) - 1.0)) >= 0.5;
 }
 #endif
 

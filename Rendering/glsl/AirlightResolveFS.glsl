@@ -136,8 +136,8 @@ void main()
   {
     sigmaS += media.item[i].sigmaS;
   }
-  airlight = vec4(mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0))), litLength);
-  lit = state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)) ? litBit : vec4(0.0);
+  airlightGive(mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0))),
+    state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)));
 #ifdef AIRLIGHT_RECORD
   single = airlight;
   vec3 whole = shadowless ? sum : unshadowed(ray);
@@ -145,6 +145,6 @@ void main()
   // A ray that takes several draws has this error once.
   float bound = phaseError * brightest(airlight.rgb) +
     (state == AIRLIGHT_PAUSE ? 0.0 : error * brightest(whole));
-  counts = vec4(float(boundaries), bound, 0.0, 0.0);
+  counts = vec4(float(boundaries), bound, litLength, 0.0);
 #endif
 }

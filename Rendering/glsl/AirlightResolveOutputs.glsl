@@ -7,12 +7,27 @@ uniform float phaseError; // of the medium's fitted phase function, relative
 uniform float error;      // of the integration, of the ray's airlight without shadows
 #endif
 
-layout(location = 0) out vec4 airlight; // radiance; lit length
-layout(location = 1) out vec4 lit;
+layout(location = 0) out vec4 airlight; // radiance; the bits of litBit's first channel
 #ifdef AIRLIGHT_RECORD
-layout(location = 2) out vec4 counts; // boundaries; error bound
-layout(location = 3) out vec4 single; // this light's own
+layout(location = 1) out vec4 counts; // boundaries; error bound; lit length
+layout(location = 2) out vec4 single; // this light's own
+#if AIRLIGHT_MORE_LIT
+layout(location = 3) out vec4 lit; // those of the other channels
+#endif
+#elif AIRLIGHT_MORE_LIT
+layout(location = 1) out vec4 lit;
+#endif
 
+void airlightGive(vec3 radiance, bool surfaceLit)
+{
+  vec4 bits = surfaceLit ? litBit : vec4(0.0);
+  airlight = vec4(radiance, bits.x);
+#if AIRLIGHT_MORE_LIT
+  lit = vec4(bits.yzw, 0.0);
+#endif
+}
+
+#ifdef AIRLIGHT_RECORD
 float brightest(vec3 colour)
 {
   return max(colour.r, max(colour.g, colour.b));

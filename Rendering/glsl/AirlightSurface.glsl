@@ -2,8 +2,17 @@
 // this fragment.
 
 #if AIRLIGHT_IN_PASS
-uniform int airlightStage;     // what is drawn: see SurfaceStage in AirlightSurfaceShader.h
-uniform sampler2D airlightLit; // bits of the lights that reach the pixel's surface
+// What is drawn: see SurfaceStage in AirlightSurfaceShader.h.
+#if AIRLIGHT_ONLY_COLOURS
+const int airlightStage = AIRLIGHT_STAGE_COLOUR;
+#else
+uniform int airlightStage;
+#endif
+// In alpha, bits of the first lights that reach the pixel's surface; and those of others.
+uniform sampler2D airlightLit;
+#if AIRLIGHT_MORE_LIT
+uniform sampler2D airlightMoreLit;
+#endif
 uniform int airlightUseLit;
 #else
 const int airlightStage = AIRLIGHT_STAGE_LAYER;
@@ -30,7 +39,10 @@ void airlightReadLit()
     // A delegate may draw some pixels beyond the viewport.
     ivec2 pixel = ivec2(airlightPixel());
     pixel = clamp(pixel, ivec2(0), textureSize(airlightLit, 0) - 1);
-    airlightLitBits = texelFetch(airlightLit, pixel, 0);
+    airlightLitBits.x = texelFetch(airlightLit, pixel, 0).a;
+#if AIRLIGHT_MORE_LIT
+    airlightLitBits.yzw = texelFetch(airlightMoreLit, pixel, 0).rgb;
+#endif
   }
 }
 #endif
@@ -108,7 +120,7 @@ vec3 airlightShare(int k, bool sun, vec3 point)
   if (k < 4 * AIRLIGHT_BITS)
   {
     float word = airlightLitBits[k / AIRLIGHT_BITS];
-    if (mod(floor(word * exp2(-float(k % AIRLIGHT_BITS))), 2.0) < 0.5)
+    if (fract(word * exp2(-float(k % AIRLIGHT_BITS) - 1.0)) < 0.5)
     {
       return vec3(0.0);
     }

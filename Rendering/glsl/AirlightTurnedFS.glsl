@@ -11,11 +11,10 @@ void main()
   {
     discard;
   }
-  airlight = vec4(pixel.sum, pixel.litLength);
-  lit = pixel.surfaceLit ? litBit : vec4(0.0);
+  airlightGive(pixel.sum, pixel.surfaceLit);
 #ifdef AIRLIGHT_RECORD
   single = airlight;
   float bound = phaseError * brightest(airlight.rgb) + error * brightest(pixel.whole);
-  counts = vec4(float(pixel.boundaries), bound, 0.0, 0.0);
+  counts = vec4(float(pixel.boundaries), bound, pixel.litLength, 0.0);
 #endif
 }
