@@ -69,8 +69,7 @@ void DistancePrograms::Watch(vtkOpenGLRenderWindow* window, vtkAbstractMapper* m
     static_cast<DistancePrograms*>(self)->Use(static_cast<vtkShaderProgram*>(program));
   });
   constexpr float last = -1000.0f;
-  this->Watched[mapper] =
-    mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Command, last);
+  this->Watched[mapper] = mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Command, last);
 }
 
 //------------------------------------------------------------------------------

@@ -168,7 +168,8 @@ const char* WriteDistance =
 std::string OtherStages(bool records, bool leave)
 {
   const std::string end = leave ? "    return;\n  }\n" : "  }\n";
-  return std::string("  if (airlightStage == AIRLIGHT_STAGE_DISTANCE)\n  {\n") + WriteDistance + end +
+  return std::string("  if (airlightStage == AIRLIGHT_STAGE_DISTANCE)\n  {\n") + WriteDistance +
+    end +
     // Discarded: opaque splats would hide one another.
     (records ? "  if (airlightStage == AIRLIGHT_STAGE_COLLECT)\n  {\n    airlightCollect();\n"
                "    discard;\n  }\n"
@@ -178,8 +179,8 @@ std::string OtherStages(bool records, bool leave)
 // For AirlightDistancePrograms.h.
 std::string OnlyDistances(const std::string& hide, const std::string& shade)
 {
-  return "#ifdef AIRLIGHT_ONLY_DISTANCES\nvoid main()\n{\n" + hide + WriteDistance +
-    "}\n#else\n" + shade + "\n#endif\n";
+  return "#ifdef AIRLIGHT_ONLY_DISTANCES\nvoid main()\n{\n" + hide + WriteDistance + "}\n#else\n" +
+    shade + "\n#endif\n";
 }
 
 // main() where all that is known of a fragment is drawn at once. Shades in a function, which may have
@@ -256,8 +257,7 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
     : "";
   const bool early = MayLeaveEarly(body);
   const std::string others = text.InPass ? OtherStages(records, early) : "";
-  const std::string shade =
-    (text.Once ? "void airlightShade()\n{\n" : "void main()\n{\n") + hide +
+  const std::string shade = (text.Once ? "void airlightShade()\n{\n" : "void main()\n{\n") + hide +
     (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
     (early ? "" : others) + fragmentShader.substr(bodyEnd) + (text.Once ? DrawOnce(text) : "");
   fragmentShader.replace(mainStart, fragmentShader.size(),
@@ -292,8 +292,7 @@ bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
     lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
   const std::string source =
     GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
-  const std::vector<KnownLamp> known =
-    text.InPass ? FindKnown(lamps) : std::vector<KnownLamp>();
+  const std::vector<KnownLamp> known = text.InPass ? FindKnown(lamps) : std::vector<KnownLamp>();
   if (lampCount <= text.LampCount && source == text.Mathematics &&
     translucent == text.Translucent && known == text.Known)
   {

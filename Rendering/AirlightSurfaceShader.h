@@ -55,16 +55,16 @@ bool operator==(const KnownLamp& a, const KnownLamp& b);
 // What a mapper's shaders are rewritten for.
 struct SurfaceText
 {
-  int LampCount = 4;         // at most
+  int LampCount = 4;            // at most
   std::vector<KnownLamp> Known; // each lamp; empty where there are many
-  int GlowLightCount = 0;    // at most; 0: surfaces get no scattered light
-  bool Translucent = false;  // fragments may be put behind the medium before them
-  bool LayerRecords = false; // and have records (AirlightLayerRecords.h)
-  bool Hides = false;        // all fragments may be left out of a stage, as those of splats
-  bool Dimmed = false;       // casters may let light through (AirlightDimming.h)
-  bool ReadsLit = true;      // on opaque surfaces, by bits of a texture
-  bool Once = false;         // colours and distances of opaque surfaces are drawn at once
-  int Apart = -1;            // then: the light without which colours are drawn, too
+  int GlowLightCount = 0;       // at most; 0: surfaces get no scattered light
+  bool Translucent = false;     // fragments may be put behind the medium before them
+  bool LayerRecords = false;    // and have records (AirlightLayerRecords.h)
+  bool Hides = false;           // all fragments may be left out of a stage, as those of splats
+  bool Dimmed = false;          // casters may let light through (AirlightDimming.h)
+  bool ReadsLit = true;         // on opaque surfaces, by bits of a texture
+  bool Once = false;            // colours and distances of opaque surfaces are drawn at once
+  int Apart = -1;               // then: the light without which colours are drawn, too
   // The viewport is the target, and whether the projection is parallel is known when the shaders are
   // made.
   bool KnownView = false;

@@ -61,10 +61,10 @@ public:
   vtkNew<vtkTextureObject> Scene;
   vtkNew<vtkTextureObject> Dark;      // the scene without the light that casts shadows on it
   vtkNew<vtkTextureObject> Scattered; // RGB: airlight, A: bits of the first 24 lights (litBit)
-  vtkNew<vtkTextureObject> Lit;       // RGB: those of others, 24 a channel; only where there are any
-  vtkNew<vtkTextureObject> Counts;    // recorded only: boundaries; error bound; lit length
-  vtkNew<vtkTextureObject> Single;    // recorded: one light's airlight
-  vtkNew<vtkTextureObject> Radiance;  // recorded, or to draw translucent surfaces into
+  vtkNew<vtkTextureObject> Lit;      // RGB: those of others, 24 a channel; only where there are any
+  vtkNew<vtkTextureObject> Counts;   // recorded only: boundaries; error bound; lit length
+  vtkNew<vtkTextureObject> Single;   // recorded: one light's airlight
+  vtkNew<vtkTextureObject> Radiance; // recorded, or to draw translucent surfaces into
   vtkNew<vtkTextureObject> Airlight;
   vtkNew<vtkTextureObject> Surface;
   vtkNew<vtkTextureObject> Reference; // as Scattered, of the ray march, for the difference from it
