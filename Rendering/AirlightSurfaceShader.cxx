@@ -50,7 +50,7 @@ bool IsDimmed(const SurfaceText& text) { return text.InPass && text.Dimmed; }
 std::string DefineLamps(const SurfaceText& text)
 {
   std::string lines;
-  for (size_t k = 0; k < text.Known.size(); ++k)
+  for (size_t k = 0; k < text.Known.size() && text.Known.size() <= MaximumOwnLines; ++k)
   {
     const std::string index = std::to_string(k);
     const bool apart = static_cast<int>(k) == text.Apart;
@@ -134,12 +134,15 @@ bool MayLeaveEarly(const std::string& commented)
 std::vector<KnownLamp> FindKnown(const std::vector<Lamp>& lamps)
 {
   std::vector<KnownLamp> known;
-  for (size_t k = 0; k < lamps.size() && lamps.size() <= MaximumKnownLamps; ++k)
+  if (lamps.size() > MaximumKnownLamps)
   {
-    vtkLight* light = lamps[k].Light;
+    return known;
+  }
+  for (const Lamp& lamp : lamps)
+  {
     // VTK compares in single precision.
-    known.push_back({ f64::airlightIsDirectional(lamps[k].Values), light->GetPositional() != 0,
-      static_cast<float>(light->GetConeAngle()) < 90.0f });
+    known.push_back({ f64::airlightIsDirectional(lamp.Values), lamp.Light->GetPositional() != 0,
+      static_cast<float>(lamp.Light->GetConeAngle()) < 90.0f });
   }
   return known;
 }

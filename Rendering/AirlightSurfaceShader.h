@@ -40,7 +40,11 @@ constexpr int MaximumShadowingLights = 4 * BitsPerChannel;
 constexpr int MaximumGlowLights = 32;
 
 // So many lamps have lines of their own in the shaders; more share a loop.
-constexpr size_t MaximumKnownLamps = 4;
+constexpr size_t MaximumOwnLines = 4;
+
+// Of so many the shaders know the types. Of sixteen, Mesa's compiler takes twice as long for what is then
+// shorter.
+constexpr size_t MaximumKnownLamps = 8;
 
 // What the shaders are told of a lamp when they are made.
 struct KnownLamp

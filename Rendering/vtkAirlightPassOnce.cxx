@@ -149,7 +149,7 @@ bool vtkAirlightPass::Internals::MayDrawOnce(
   }
   const bool dims = this->EffectiveTechnique == SHADOW_PLANES && this->Self->TranslucentShadows &&
     this->CurrentFrame.MetTranslucent();
-  if (casting > 1 || lamps.size() > MaximumKnownLamps || dims || !this->IsSolid(s))
+  if (casting > 1 || lamps.size() > MaximumOwnLines || dims || !this->IsSolid(s))
   {
     return false;
   }

@@ -53,6 +53,24 @@ struct Stage : Scene
 };
 
 //------------------------------------------------------------------------------
+// A light that was of each other type is again what it was.
+void TestLightTypes()
+{
+  Stage stage;
+  const Buffers before = stage.Render();
+  stage.Light->SetConeAngle(25.0);
+  const Buffers spot = stage.Render();
+  stage.Light->PositionalOff();
+  const Buffers sun = stage.Render();
+  stage.Light->PositionalOn();
+  stage.Light->SetConeAngle(90.0);
+  CheckSame(before, stage.Render(), "a light through all types");
+  Check(!AreSame(before.at("Surface"), spot.at("Surface")) &&
+      !AreSame(spot.at("Surface"), sun.at("Surface")),
+    "types of light differ");
+}
+
+//------------------------------------------------------------------------------
 // Draws, changes, draws; and changes before the first frame.
 void CheckUpdate(const std::string& name, const std::function<void(Stage&)>& change)
 {
@@ -87,6 +105,13 @@ void TestScene()
   CheckUpdate("light removed", [](Stage& s) { s.Renderer->RemoveLight(s.Light); });
   CheckUpdate("light added", [](Stage& s) { s.AddPointLight({ 0, 3, 3 }, { 5, 5, 5 }); });
   CheckUpdate("light made directional", [](Stage& s) { s.Light->PositionalOff(); });
+  CheckUpdate("light made a spot", [](Stage& s) { s.Light->SetConeAngle(25.0); });
+  CheckUpdate("lights in another order", [](Stage& s) {
+    const vtkSmartPointer<vtkLight> first = s.Light;
+    first->PositionalOff();
+    s.Renderer->RemoveLight(first);
+    s.Renderer->AddLight(first);
+  });
   CheckUpdate("actor moved", [](Stage& s) { s.Body->SetPosition(-2, 0.5, 0); });
   CheckUpdate("actor mirrored", [](Stage& s) { s.Body->SetScale(-1, 2, 1); });
   CheckUpdate("actor hidden", [](Stage& s) { s.Body->VisibilityOff(); });
@@ -259,6 +284,7 @@ int TestAirlightPassUpdates(int, char*[])
   TestScene();
   TestPassItself();
   TestThereAndBack();
+  TestLightTypes();
   TestViewports();
   TestPicking();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
