@@ -57,7 +57,7 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   this->Height = height;
   Targets::Needs needs;
   needs.Lamps = lamps.size();
-  needs.Drawn = !settings.Once;
+  needs.Drawn = !settings.Known;
   needs.Dark = settings.Apart >= 0;
   needs.Record = settings.Record;
   needs.Layers = settings.Layers;
@@ -81,7 +81,9 @@ void Frame::ClearTarget(float value)
 //------------------------------------------------------------------------------
 bool Frame::BindDistances()
 {
-  if (!this->Textures.Bind({ this->Textures.Drawn }, this->Textures.Depth))
+  const vtkNew<vtkTextureObject>& target =
+    this->Settings.Known ? this->Textures.Distances : this->Textures.Drawn;
+  if (!this->Textures.Bind({ target }, this->Textures.Depth))
   {
     return this->Fail(this->Textures.GetError());
   }
@@ -120,6 +122,10 @@ bool Frame::BindCollect()
 //------------------------------------------------------------------------------
 bool Frame::FinishDistances()
 {
+  if (this->Settings.Known)
+  {
+    return true;
+  }
   if (!this->Textures.Bind({ this->Textures.Distances }, nullptr))
   {
     return this->Fail(this->Textures.GetError());

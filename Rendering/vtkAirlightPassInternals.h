@@ -110,6 +110,8 @@ public:
   // whether steps 1 and 3 of the frame may be one, of which Apart is the light whose shadows fall on
   // surfaces, if there is one.
   bool MayBeSolid(const vtkRenderState* s) const;
+  // Whether all that is drawn as opaque is drawn by shaders that the pass adds to.
+  bool KnowsAll(const vtkRenderState* s) const;
   bool IsSolid(const vtkRenderState* s) const;
   // Actors that are drawn as their mappers' inputs are, opaque everywhere; in order.
   std::vector<vtkProp*> FindSolids(const vtkRenderState* s) const;

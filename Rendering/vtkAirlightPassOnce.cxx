@@ -122,18 +122,24 @@ std::vector<vtkProp*> vtkAirlightPass::Internals::FindSolids(const vtkRenderStat
 }
 
 //------------------------------------------------------------------------------
-bool vtkAirlightPass::Internals::MayDrawOnce(
-  const vtkRenderState* s, const std::vector<Lamp>& lamps, int& apart) const
+bool vtkAirlightPass::Internals::KnowsAll(const vtkRenderState* s) const
 {
   vtkRenderer* renderer = s->GetRenderer();
   vtkProp** first = s->GetPropArray();
-  vtkProp** end = first + s->GetPropArrayCount();
-  if (this->Self->DelegatePass || renderer->GetUseSSAO() ||
-    (renderer->GetUseHiddenLineRemoval() &&
-      vtkHiddenLineRemovalPass::WireframePropsExist(first, s->GetPropArrayCount())) ||
-    !std::all_of(first, end, [](vtkProp* prop) {
+  const int count = s->GetPropArrayCount();
+  return !this->Self->DelegatePass && !renderer->GetUseSSAO() &&
+    !(renderer->GetUseHiddenLineRemoval() &&
+      vtkHiddenLineRemovalPass::WireframePropsExist(first, count)) &&
+    std::all_of(first, first + count, [](vtkProp* prop) {
       return IsKnown(prop) && !HasForeignPass(prop) && !AirlightScenePass::IsSplats(prop);
-    }))
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::Internals::MayDrawOnce(
+  const vtkRenderState* s, const std::vector<Lamp>& lamps, int& apart) const
+{
+  if (!this->KnowsAll(s))
   {
     return false;
   }
