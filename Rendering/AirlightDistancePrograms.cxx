@@ -10,7 +10,6 @@
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 

@@ -57,7 +57,7 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   this->Height = height;
   Targets::Needs needs;
   needs.Lamps = lamps.size();
-  needs.Drawn = !settings.Known;
+  needs.Drawn = !settings.KnowsAll;
   needs.Dark = settings.Apart >= 0;
   needs.Record = settings.Record;
   needs.Layers = settings.Layers;
@@ -82,7 +82,7 @@ void Frame::ClearTarget(float value)
 bool Frame::BindDistances()
 {
   const vtkNew<vtkTextureObject>& target =
-    this->Settings.Known ? this->Textures.Distances : this->Textures.Drawn;
+    this->Settings.KnowsAll ? this->Textures.Distances : this->Textures.Drawn;
   if (!this->Textures.Bind({ target }, this->Textures.Depth))
   {
     return this->Fail(this->Textures.GetError());
@@ -122,7 +122,7 @@ bool Frame::BindCollect()
 //------------------------------------------------------------------------------
 bool Frame::FinishDistances()
 {
-  if (this->Settings.Known)
+  if (this->Settings.KnowsAll)
   {
     return true;
   }

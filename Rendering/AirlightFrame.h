@@ -83,7 +83,7 @@ struct FrameSettings
   bool SurfaceGlow = false;        // surfaces are lit by scattered light, too
   bool Layers = false;             // translucent surfaces or volumes are drawn over the medium
   bool LayerRecords = false;       // and their fragments have records
-  bool Known = false;              // shaders that the pass adds to draw all that is opaque
+  bool KnowsAll = false;           // shaders that the pass adds to draw all that is opaque
   bool Once = false;               // opaque surfaces are drawn once: steps 1 and 3 are one
   int Apart = -1;                  // then: the light whose shadows fall on them; none below 0
   bool Whole = false;              // no light's airlight has shadows: steps 2 and 4 are one

@@ -215,7 +215,7 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.SurfaceGlow = this->IsGlowing(converted);
   settings.Layers = layers;
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
-  settings.Known = this->KnowsAll(s);
+  settings.KnowsAll = this->KnowsAll(s);
   settings.Once = this->MayDrawOnce(s, lamps, settings.Apart);
   settings.Solid = this->IsSolid(s);
   settings.Solids = this->FindSolids(s);

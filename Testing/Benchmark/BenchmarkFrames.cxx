@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Times whole frames of the pass, all techniques of a scene interleaved at random in one process,
-// against the plain VTK frame of the same scene. Only ratios within one run mean anything: the
-// milliseconds are this machine's, and of what else it did meanwhile.
+// Times whole frames of the pass, all techniques of a scene, or of scenes that are compared, interleaved
+// at random in one process, against the plain VTK frame of the same scene. Only ratios within one run
+// mean anything: the milliseconds are this machine's, and of what else it did meanwhile.
 
 #include "FrameErrors.h"
 #include "FrameOptions.h"
@@ -23,6 +23,8 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -79,8 +81,15 @@ void MakeRows(
   }
 }
 
+// A scene that waits for its frames to be timed.
+struct ReadyScene
+{
+  SceneRecipe Recipe;
+  std::unique_ptr<FrameScene> Scene;
+};
+
 //------------------------------------------------------------------------------
-void TimeFrames(const SceneRecipe& recipe, FrameScene& scene, int frames, Rows& rows)
+void AddFrames(const SceneRecipe& recipe, FrameScene& scene, int frames)
 {
   for (const Way& way : recipe.Ways)
   {
@@ -103,27 +112,68 @@ void TimeFrames(const SceneRecipe& recipe, FrameScene& scene, int frames, Rows& 
       ->Iterations(1)
       ->Repetitions(frames);
   }
+}
+
+// The frames of all of them in turn.
+void TimeFrames(const std::vector<ReadyScene>& scenes, int frames, Rows& rows)
+{
+  for (const ReadyScene& ready : scenes)
+  {
+    AddFrames(ready.Recipe, *ready.Scene, frames);
+  }
   benchmarks::RowReporter reporter(rows);
   benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::ClearRegisteredBenchmarks();
 }
 
-void RunScene(
+ReadyScene MakeScene(
   SceneRecipe recipe, const benchmarks::WindowMaker& windows, const Options& options, Rows& rows)
 {
   std::cerr << recipe.Name << " ...\n";
-  FrameScene scene(windows.Make(recipe.Width, recipe.Height));
-  recipe.Fill(scene);
+  auto scene = std::make_unique<FrameScene>(windows.Make(recipe.Width, recipe.Height));
+  recipe.Fill(*scene);
+  std::unique_ptr<benchmarks::FrameErrors> errors; // before the camera turns
+  if (options.Errors)
   {
-    std::unique_ptr<benchmarks::FrameErrors> errors; // before the camera turns
-    if (options.Errors)
-    {
-      errors = std::make_unique<benchmarks::FrameErrors>(scene);
-    }
-    FindSteps(errors.get(), recipe.Ways);
-    MakeRows(recipe, scene, errors.get(), rows);
+    errors = std::make_unique<benchmarks::FrameErrors>(*scene);
   }
-  TimeFrames(recipe, scene, options.Frames, rows);
+  FindSteps(errors.get(), recipe.Ways);
+  MakeRows(recipe, *scene, errors.get(), rows);
+  return { std::move(recipe), std::move(scene) };
+}
+
+// Scenes that are timed together: those of which the figures compare single frames, lest the machine's
+// speed changes between them. With EGL there is one window at a time.
+std::vector<std::vector<SceneRecipe>> GroupRecipes(const Options& options)
+{
+  std::vector<std::vector<SceneRecipe>> groups;
+  for (const SceneRecipe& recipe : benchmarks::ChooseRecipes(options))
+  {
+    const bool joins = !options.Egl && !groups.empty() &&
+      std::any_of(benchmarks::ComparedScenes.begin(), benchmarks::ComparedScenes.end(),
+        [&](const char* compared) {
+          return benchmarks::IsOneOf(recipe.Name, compared) &&
+            benchmarks::IsOneOf(groups.back().front().Name, compared);
+        });
+    if (!joins)
+    {
+      groups.emplace_back();
+    }
+    groups.back().push_back(recipe);
+  }
+  return groups;
+}
+
+void RunScenes(const std::vector<SceneRecipe>& recipes, const benchmarks::WindowMaker& windows,
+  const Options& options, Rows& rows)
+{
+  std::vector<ReadyScene> scenes;
+  scenes.reserve(recipes.size());
+  for (const SceneRecipe& recipe : recipes)
+  {
+    scenes.push_back(MakeScene(recipe, windows, options, rows));
+  }
+  TimeFrames(scenes, options.Frames, rows);
 }
 
 //------------------------------------------------------------------------------
@@ -181,9 +231,9 @@ int Run(const Options& options)
   }
   Rows rows;
   const benchmarks::FrameOutput output(machine, rows);
-  for (const SceneRecipe& recipe : benchmarks::ChooseRecipes(options))
+  for (const std::vector<SceneRecipe>& recipes : GroupRecipes(options))
   {
-    RunScene(recipe, windows, options, rows);
+    RunScenes(recipes, windows, options, rows);
     // cppcheck-suppress unreadVariable // the output refers to it
     machine.LoadAfter = GetLoad();
     Write(options.Markdown, output.GetMarkdown()); // after each, lest all be lost with one

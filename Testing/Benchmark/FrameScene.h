@@ -16,6 +16,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -106,6 +107,9 @@ struct SceneRecipe
   int Height = 600;
   std::vector<Way> Ways;
 };
+
+// Names, or their part before the slash, of scenes whose frames FrameFigures.h sets against each other.
+constexpr std::array<const char*, 2> ComparedScenes = { "lights", "sizes" };
 
 // All there are; see Documentation/benchmarks.md for what each is for.
 std::vector<SceneRecipe> MakeRecipes();

@@ -7,6 +7,7 @@
 #include "FaultTrial.h"
 
 #include "vtkAirlightPolyDataMapper.h"
+#include "vtkAxesActor.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOutputWindow.h"
 
@@ -65,7 +66,34 @@ void TestLists()
   Trial trial(scene);
   TryShader(trial, "the shader of long lists", "uint sortRun(");
   TryShader(trial, "the airlight shader", "airlightTurnPixel(p, airlightRayUnit(p), texelFetch");
+}
+
+// What shaders that the pass does not add to have drawn has its distance from the depth buffer.
+void TestOthers()
+{
+  WindowScene scene(48, 36, 2);
+  vtkNew<vtkAxesActor> axes;
+  axes->AxisLabelsOff();
+  scene.Renderer->AddActor(axes);
+  Trial trial(scene);
   TryShader(trial, "the shader of distances", "uniform sampler2D drawn");
+}
+
+// The mappers' own programs draw distances, too.
+void TestDistances()
+{
+  WindowScene scene(48, 36, 2);
+  Trial trial(scene);
+  Restart(scene);
+  const std::string word = "#define AIRLIGHT_ONLY_DISTANCES";
+  RefuseShaders(word);
+  scene.Window->Render();
+  trial.CheckGood("no programs for distances alone");
+  Check(RefuseShaders("") > 0, "programs for distances were refused");
+  trial.CheckGood("no programs for distances alone, second frame");
+  Restart(scene);
+  scene.Window->Render();
+  trial.CheckGood("programs for distances again");
 }
 
 // VTK alone blends translucent surfaces otherwise in a window's second context than in its first, by
@@ -145,6 +173,8 @@ int TestFaultsShaders(int, char*[])
   vtkOutputWindow::SetInstance(output);
   TestOnce();
   TestLists();
+  TestOthers();
+  TestDistances();
   TestLayers();
   TestMap();
   TestMapper();
