@@ -148,19 +148,24 @@ std::vector<KnownLamp> FindKnown(const std::vector<Lamp>& lamps)
 }
 
 // VTK asks uniforms for a light's type. A software renderer runs what there is for all types.
-std::string TellTypes(std::string body, const std::vector<KnownLamp>& known)
+std::string TellTypes(const std::string& body, const std::vector<KnownLamp>& known)
 {
-  for (size_t k = 0; k < known.size(); ++k)
+  static const std::regex type("\\blight(Positional|ConeAngle)([0-9]+)\\b");
+  std::string told;
+  auto rest = body.begin();
+  for (std::sregex_iterator it(body.begin(), body.end(), type), end; it != end; ++it)
   {
-    const std::string index = std::to_string(k) + "\\b";
-    body = std::regex_replace(
-      body, std::regex("\\blightPositional" + index), known[k].Positional ? "1" : "0");
-    if (!known[k].Spot)
-    {
-      body = std::regex_replace(body, std::regex("\\blightConeAngle" + index), "90.0");
-    }
+    const std::smatch& match = *it;
+    const size_t k = std::stoul(match[2]);
+    const bool positional = match[1] == "Positional";
+    told.append(rest, match[0].first);
+    told += k >= known.size() || (!positional && known[k].Spot) ? match.str()
+      : !positional                                             ? "90.0"
+      : known[k].Positional                                     ? "1"
+                                                                : "0";
+    rest = match[0].second;
   }
-  return body;
+  return told.append(rest, body.end());
 }
 
 // Below 0 in green: no shader that writes colours does that.

@@ -103,6 +103,9 @@ public:
     vtkAbstractMapper* mapper, vtkProp* prop, const ShaderChange& change);
   bool CheckShaders();
 
+  // InjectSurfaceShader() with the mappers' text. Of many actors' shaders most are the same.
+  void ChangeSurfaceShader(std::string& shader, bool splats);
+
   // After a frame that could not be done: frees what may be broken.
   void Recover();
 
@@ -134,6 +137,14 @@ public:
   std::string Error;
   airlight::ProgramMaker MapperPrograms;
   std::string NotCompiled;
+  struct
+  {
+    std::string Before;
+    std::string After;
+    bool Splats = false;
+    bool Records = false;
+    vtkMTimeType Time = 0;
+  } LastChange; // of a surface's shader
 
   vtkNew<AirlightContext> Context;
   vtkNew<AirlightScenePass> ScenePass;

@@ -38,10 +38,25 @@ bool vtkAirlightPass::PostReplaceShaderValues(std::string& vertexShader,
       }
       else
       {
-        InjectSurfaceShader(shader, text, AirlightScenePass::IsSplats(prop));
+        this->Impl->ChangeSurfaceShader(shader, AirlightScenePass::IsSplats(prop));
       }
     });
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::Internals::ChangeSurfaceShader(std::string& shader, bool splats)
+{
+  const vtkMTimeType time = this->ShaderTime;
+  const bool records = this->MapperText.LayerRecords;
+  auto& last = this->LastChange;
+  if (last.Time != time || last.Splats != splats || last.Records != records ||
+    last.Before != shader)
+  {
+    last = { shader, shader, splats, records, time };
+    InjectSurfaceShader(last.After, this->MapperText, splats);
+  }
+  shader = last.After;
 }
 
 //------------------------------------------------------------------------------
