@@ -16,8 +16,6 @@
 #include "AirlightVertexMedium.h"
 #include "AirlightViewShader.h"
 
-#include "vtkLight.h"
-
 #include <algorithm>
 #include <regex>
 
@@ -45,21 +43,6 @@ bool HasRecords(const SurfaceText& text)
 
 bool IsDimmed(const SurfaceText& text) { return text.InPass && text.Dimmed; }
 
-// The lines for each lamp where they are few. A loop of a length that the compiler does not know, and
-// arrays in it, cost several times as much.
-std::string DefineLamps(const SurfaceText& text)
-{
-  std::string lines;
-  for (size_t k = 0; k < text.Known.size() && text.Known.size() <= MaximumOwnLines; ++k)
-  {
-    const std::string index = std::to_string(k);
-    const bool apart = static_cast<int>(k) == text.Apart;
-    lines += " airlightArrived[" + index + "] = " + (apart ? "airlightApart * " : "") +
-      "airlightShare(" + index + ", " + (text.Known[k].Sun ? "true" : "false") + ", point);";
-  }
-  return lines.empty() ? "" : "#define AIRLIGHT_EACH_LAMP(point)" + lines + "\n";
-}
-
 // What both shaders begin with.
 std::string CommonDeclarations(const SurfaceText& text)
 {
@@ -73,7 +56,7 @@ std::string CommonDeclarations(const SurfaceText& text)
     define("MORE_LIT", text.LampCount > BitsPerChannel) + define("IN_PASS", text.InPass) +
     define("READS_LIT", text.InPass && text.ReadsLit) + define("AT_VERTICES", text.AtVertices) +
     (text.KnownView ? define("PARALLEL", text.Parallel) + define("FRAGMENT_IS_PIXEL", 1) : "") +
-    DefineLamps(text) + AirlightSurfaceLights;
+    DefineLamps(text.Known, text.Apart) + AirlightSurfaceLights;
 }
 
 std::string StorageDeclarations(const SurfaceText& text)
@@ -129,45 +112,6 @@ bool MayLeaveEarly(const std::string& commented)
     body.find("texture(") == std::string::npos && body.find("gl_FragDepth") == std::string::npos;
 }
 
-// In the pass, that is. VTK's own text knows the number of lights, too, and is made anew where
-// another number shines; a mapper without the pass is to stay as it is.
-std::vector<KnownLamp> FindKnown(const std::vector<Lamp>& lamps)
-{
-  std::vector<KnownLamp> known;
-  if (lamps.size() > MaximumKnownLamps)
-  {
-    return known;
-  }
-  for (const Lamp& lamp : lamps)
-  {
-    // VTK compares in single precision.
-    known.push_back({ f64::airlightIsDirectional(lamp.Values), lamp.Light->GetPositional() != 0,
-      static_cast<float>(lamp.Light->GetConeAngle()) < 90.0f });
-  }
-  return known;
-}
-
-// VTK asks uniforms for a light's type. A software renderer runs what there is for all types.
-std::string TellTypes(const std::string& body, const std::vector<KnownLamp>& known)
-{
-  static const std::regex type("\\blight(Positional|ConeAngle)([0-9]+)\\b");
-  std::string told;
-  auto rest = body.begin();
-  for (std::sregex_iterator it(body.begin(), body.end(), type), end; it != end; ++it)
-  {
-    const std::smatch& match = *it;
-    const size_t k = std::stoul(match[2]);
-    const bool positional = match[1] == "Positional";
-    told.append(rest, match[0].first);
-    told += k >= known.size() || (!positional && known[k].Spot) ? match.str()
-      : !positional                                             ? "90.0"
-      : known[k].Positional                                     ? "1"
-                                                                : "0";
-    rest = match[0].second;
-  }
-  return told.append(rest, body.end());
-}
-
 // Below 0 in green: no shader that writes colours does that.
 const char* WriteDistance =
   "    gl_FragData[0] = vec4(airlightFragmentDistance(), -1.0, 0.0, 1.0);\n";
@@ -205,12 +149,6 @@ std::string DrawOnce(const SurfaceText& text)
                      "    gl_FragData[1] = vec4(airlightFragmentDistance(), 0.0, 0.0, 1.0);\n") +
     (text.Apart >= 0 ? dark : "") + "  }\n}\n";
 }
-}
-
-//------------------------------------------------------------------------------
-bool operator==(const KnownLamp& a, const KnownLamp& b)
-{
-  return a.Sun == b.Sun && a.Positional == b.Positional && a.Spot == b.Spot;
 }
 
 //------------------------------------------------------------------------------
@@ -300,7 +238,10 @@ bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
     lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
   const std::string source =
     GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
-  const std::vector<KnownLamp> known = text.InPass ? FindKnown(lamps) : std::vector<KnownLamp>();
+  // VTK's own text knows the number of lights, too, and is made anew where another number shines; a
+  // mapper without the pass is to stay as it is.
+  const std::vector<KnownLamp> known =
+    text.InPass ? FindKnownLamps(lamps) : std::vector<KnownLamp>();
   if (lampCount <= text.LampCount && source == text.Mathematics &&
     translucent == text.Translucent && known == text.Known)
   {

@@ -9,6 +9,7 @@
 #ifndef AirlightSurfaceShader_h
 #define AirlightSurfaceShader_h
 
+#include "AirlightKnownLamps.h"
 #include "AirlightLamps.h"
 
 #include <string>
@@ -38,23 +39,6 @@ constexpr int MaximumShadowingLights = 4 * BitsPerChannel;
 
 // Lights whose scattered light lights surfaces: uniforms are few.
 constexpr int MaximumGlowLights = 32;
-
-// So many lamps have lines of their own in the shaders; more share a loop.
-constexpr size_t MaximumOwnLines = 4;
-
-// Of so many the shaders know the types. Of sixteen, Mesa's compiler takes twice as long for what is then
-// shorter.
-constexpr size_t MaximumKnownLamps = 8;
-
-// What the shaders are told of a lamp when they are made.
-struct KnownLamp
-{
-  bool Sun = false; // at infinity, for the medium
-  // As VTK's shading has it.
-  bool Positional = false;
-  bool Spot = false;
-};
-bool operator==(const KnownLamp& a, const KnownLamp& b);
 
 // What a mapper's shaders are rewritten for.
 struct SurfaceText

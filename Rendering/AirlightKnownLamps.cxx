@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AirlightKnownLamps.h"
+
+#include "vtkLight.h"
+
+#include <regex>
+
+namespace airlight
+{
+//------------------------------------------------------------------------------
+bool operator==(const KnownLamp& a, const KnownLamp& b)
+{
+  return a.Sun == b.Sun && a.Positional == b.Positional && a.Spot == b.Spot;
+}
+
+//------------------------------------------------------------------------------
+std::vector<KnownLamp> FindKnownLamps(const std::vector<Lamp>& lamps)
+{
+  std::vector<KnownLamp> known;
+  if (lamps.size() > MaximumKnownLamps)
+  {
+    return known;
+  }
+  for (const Lamp& lamp : lamps)
+  {
+    // VTK compares in single precision.
+    known.push_back({ f64::airlightIsDirectional(lamp.Values), lamp.Light->GetPositional() != 0,
+      static_cast<float>(lamp.Light->GetConeAngle()) < 90.0f });
+  }
+  return known;
+}
+
+//------------------------------------------------------------------------------
+// A loop of a length that the compiler does not know, and arrays in it, cost several times as much.
+std::string DefineLamps(const std::vector<KnownLamp>& known, int apart)
+{
+  std::string lines;
+  for (size_t k = 0; k < known.size() && known.size() <= MaximumOwnLines; ++k)
+  {
+    const std::string index = std::to_string(k);
+    lines += " airlightArrived[" + index +
+      "] = " + (static_cast<int>(k) == apart ? "airlightApart * " : "") + "airlightShare(" + index +
+      ", " + (known[k].Sun ? "true" : "false") + ", point);";
+  }
+  return lines.empty() ? "" : "#define AIRLIGHT_EACH_LAMP(point)" + lines + "\n";
+}
+
+namespace
+{
+// Of a uniform's name; that itself where it is to be asked.
+std::string Tell(const std::string& name, bool positional, const KnownLamp& lamp)
+{
+  if (positional)
+  {
+    return lamp.Positional ? "1" : "0";
+  }
+  return lamp.Spot ? name : "90.0";
+}
+}
+
+//------------------------------------------------------------------------------
+std::string TellTypes(const std::string& body, const std::vector<KnownLamp>& known)
+{
+  static const std::regex type("\\blight(Positional|ConeAngle)([0-9]+)\\b");
+  std::string told;
+  auto rest = body.begin();
+  for (std::sregex_iterator it(body.begin(), body.end(), type), end; it != end; ++it)
+  {
+    const std::smatch& match = *it;
+    const size_t k = std::stoul(match[2]);
+    told.append(rest, match[0].first);
+    told += k < known.size() ? Tell(match.str(), match[1] == "Positional", known[k]) : match.str();
+    rest = match[0].second;
+  }
+  return told.append(rest, body.end());
+}
+}
