@@ -21,8 +21,8 @@ void TestShaders()
 {
   const auto move = [](vtkActor* actor, const char* declaration) {
     vtkShaderProperty* shaders = actor->GetShaderProperty();
-    shaders->AddVertexShaderReplacement("//VTK::PositionVC::Dec", true,
-      (std::string("//VTK::PositionVC::Dec\n") + declaration).c_str(), false);
+    shaders->AddVertexShaderReplacement(
+      "//VTK::PositionVC::Dec", true, std::string("//VTK::PositionVC::Dec\n") + declaration, false);
     shaders->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
       "//VTK::PositionVC::Impl\n  gl_Position.x += moved * gl_Position.w;\n", false);
   };
