@@ -17,9 +17,6 @@ namespace airlight
 {
 namespace
 {
-// Longer ones than any of VTK's.
-using Name = std::array<char, 256>;
-
 // Outputs that VTK numbers.
 constexpr GLuint MostOutputs = 8;
 
@@ -40,16 +37,88 @@ bool DrawsAtOnce(vtkAbstractMapper* mapper)
   return name == "vtkOpenGLPolyDataMapper" || name == "vtkAirlightPolyDataMapper";
 }
 
-bool IsInteger(GLenum type)
+// A uniform or an attribute that a program uses.
+struct Active
 {
-  return type == GL_INT || type == GL_INT_VEC2 || type == GL_BOOL || type == GL_SAMPLER_2D ||
-    type == GL_SAMPLER_BUFFER;
+  std::string Name;
+  GLint Size = 0;
+  GLenum Type = 0;
+};
+
+// `count` is the name of their number, `get` OpenGL's function that tells of one.
+template <class Get>
+std::vector<Active> ListActive(GLuint program, GLenum count, Get get)
+{
+  GLint number = 0;
+  glGetProgramiv(program, count, &number);
+  std::vector<Active> all(number);
+  for (size_t i = 0; i < all.size(); ++i)
+  {
+    std::array<char, 256> name{}; // longer ones than any of VTK's
+    get(program, static_cast<GLuint>(i), name.size(), nullptr, &all[i].Size, &all[i].Type,
+      name.data());
+    all[i].Name = name.data();
+  }
+  return all;
 }
 
-bool IsFloat(GLenum type)
+std::array<GLfloat, 16> GetReals(GLuint program, GLint place)
 {
-  return type == GL_FLOAT || type == GL_FLOAT_VEC2 || type == GL_FLOAT_VEC3 ||
-    type == GL_FLOAT_VEC4 || type == GL_FLOAT_MAT3 || type == GL_FLOAT_MAT4;
+  std::array<GLfloat, 16> values{};
+  glGetUniformfv(program, place, values.data());
+  return values;
+}
+
+std::array<GLint, 4> GetIntegers(GLuint program, GLint place)
+{
+  std::array<GLint, 4> values{};
+  glGetUniformiv(program, place, values.data());
+  return values;
+}
+
+// How a uniform of this type is copied from a program to the current one; null: it is not.
+CopyUniform FindCopy(GLenum type)
+{
+  switch (type)
+  {
+    case GL_FLOAT:
+      return [](unsigned int program, int from, int to) {
+        glUniform1fv(to, 1, GetReals(program, from).data());
+      };
+    case GL_FLOAT_VEC2:
+      return [](unsigned int program, int from, int to) {
+        glUniform2fv(to, 1, GetReals(program, from).data());
+      };
+    case GL_FLOAT_VEC3:
+      return [](unsigned int program, int from, int to) {
+        glUniform3fv(to, 1, GetReals(program, from).data());
+      };
+    case GL_FLOAT_VEC4:
+      return [](unsigned int program, int from, int to) {
+        glUniform4fv(to, 1, GetReals(program, from).data());
+      };
+    case GL_FLOAT_MAT3:
+      return [](unsigned int program, int from, int to) {
+        glUniformMatrix3fv(to, 1, GL_FALSE, GetReals(program, from).data());
+      };
+    case GL_FLOAT_MAT4:
+      return [](unsigned int program, int from, int to) {
+        glUniformMatrix4fv(to, 1, GL_FALSE, GetReals(program, from).data());
+      };
+    case GL_INT:
+    case GL_BOOL:
+    case GL_SAMPLER_2D:
+    case GL_SAMPLER_BUFFER:
+      return [](unsigned int program, int from, int to) {
+        glUniform1iv(to, 1, GetIntegers(program, from).data());
+      };
+    case GL_INT_VEC2:
+      return [](unsigned int program, int from, int to) {
+        glUniform2iv(to, 1, GetIntegers(program, from).data());
+      };
+    default:
+      return nullptr;
+  }
 }
 }
 
@@ -107,7 +176,7 @@ void DistancePrograms::Use(vtkShaderProgram* program)
   cache->ReadyShaderProgram(twin.Program);
   for (const Uniform& uniform : twin.Uniforms)
   {
-    Copy(uniform, twin.OriginalHandle);
+    uniform.Copy(static_cast<GLuint>(twin.OriginalHandle), uniform.From, uniform.To);
   }
 }
 
@@ -141,19 +210,12 @@ bool DistancePrograms::Link(Twin& twin)
 {
   const auto from = static_cast<GLuint>(twin.OriginalHandle);
   const auto to = static_cast<GLuint>(twin.Handle);
-  GLint count = 0;
-  glGetProgramiv(from, GL_ACTIVE_ATTRIBUTES, &count);
-  for (GLint i = 0; i < count; ++i)
+  for (const Active& attribute : ListActive(from, GL_ACTIVE_ATTRIBUTES, glGetActiveAttrib))
   {
-    Name name{};
-    GLint size = 0;
-    GLenum type = 0;
-    glGetActiveAttrib(
-      from, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
-    const GLint place = glGetAttribLocation(from, name.data());
+    const GLint place = glGetAttribLocation(from, attribute.Name.c_str());
     if (place >= 0) // not of gl_VertexID and the like
     {
-      glBindAttribLocation(to, static_cast<GLuint>(place), name.data());
+      glBindAttribLocation(to, static_cast<GLuint>(place), attribute.Name.c_str());
     }
   }
   for (GLuint i = 0; i < MostOutputs; ++i)
@@ -172,22 +234,16 @@ bool DistancePrograms::FindUniforms(Twin& twin)
 {
   const auto from = static_cast<GLuint>(twin.OriginalHandle);
   const auto to = static_cast<GLuint>(twin.Handle);
-  GLint count = 0;
-  glGetProgramiv(to, GL_ACTIVE_UNIFORMS, &count);
-  for (GLint i = 0; i < count; ++i)
+  for (const Active& active : ListActive(to, GL_ACTIVE_UNIFORMS, glGetActiveUniform))
   {
-    Name name{};
-    GLint size = 0;
-    GLenum type = 0;
-    glGetActiveUniform(to, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
-    const std::string first = name.data();
-    const std::string base = first.substr(0, first.find("[0]"));
-    for (GLint element = 0; element < size; ++element)
+    const std::string base = active.Name.substr(0, active.Name.find("[0]"));
+    for (GLint element = 0; element < active.Size; ++element)
     {
-      const std::string one = size > 1 ? base + "[" + std::to_string(element) + "]" : first;
+      const std::string one =
+        active.Size > 1 ? base + "[" + std::to_string(element) + "]" : active.Name;
       const Uniform uniform = { glGetUniformLocation(from, one.c_str()),
-        glGetUniformLocation(to, one.c_str()), type };
-      if (uniform.From < 0 || uniform.To < 0 || !(IsInteger(type) || IsFloat(type)))
+        glGetUniformLocation(to, one.c_str()), FindCopy(active.Type) };
+      if (uniform.From < 0 || uniform.To < 0 || !uniform.Copy)
       {
         return false;
       }
@@ -195,47 +251,5 @@ bool DistancePrograms::FindUniforms(Twin& twin)
     }
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-void DistancePrograms::Copy(const Uniform& uniform, int from)
-{
-  std::array<GLfloat, 16> reals{};
-  std::array<GLint, 4> integers{};
-  if (IsFloat(uniform.Type))
-  {
-    glGetUniformfv(static_cast<GLuint>(from), uniform.From, reals.data());
-  }
-  else
-  {
-    glGetUniformiv(static_cast<GLuint>(from), uniform.From, integers.data());
-  }
-  switch (uniform.Type)
-  {
-    case GL_FLOAT:
-      glUniform1fv(uniform.To, 1, reals.data());
-      break;
-    case GL_FLOAT_VEC2:
-      glUniform2fv(uniform.To, 1, reals.data());
-      break;
-    case GL_FLOAT_VEC3:
-      glUniform3fv(uniform.To, 1, reals.data());
-      break;
-    case GL_FLOAT_VEC4:
-      glUniform4fv(uniform.To, 1, reals.data());
-      break;
-    case GL_FLOAT_MAT3:
-      glUniformMatrix3fv(uniform.To, 1, GL_FALSE, reals.data());
-      break;
-    case GL_FLOAT_MAT4:
-      glUniformMatrix4fv(uniform.To, 1, GL_FALSE, reals.data());
-      break;
-    case GL_INT_VEC2:
-      glUniform2iv(uniform.To, 1, integers.data());
-      break;
-    default:
-      glUniform1iv(uniform.To, 1, integers.data());
-      break;
-  }
 }
 }

@@ -27,6 +27,9 @@ class vtkShaderProgram;
 
 namespace airlight
 {
+// From a place in a program to one in the current program.
+using CopyUniform = void (*)(unsigned int program, int from, int to);
+
 class DistancePrograms
 {
 public:
@@ -43,7 +46,7 @@ private:
   {
     int From; // location in the mapper's program
     int To;   // in the twin
-    unsigned int Type;
+    CopyUniform Copy;
   };
   struct Twin
   {
@@ -59,7 +62,6 @@ private:
   static Twin Make(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
   static bool Link(Twin& twin);
   static bool FindUniforms(Twin& twin);
-  static void Copy(const Uniform& uniform, int from);
 
   std::map<vtkShaderProgram*, Twin> Twins;
   std::map<vtkSmartPointer<vtkAbstractMapper>, unsigned long> Watched; // and the observers

@@ -137,12 +137,9 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
 //------------------------------------------------------------------------------
 void Frame::FitToTarget(SurfaceUniforms& values)
 {
-  for (vtkTextureObject* texture : { values.Lit, values.MoreLit, values.Data })
+  for (vtkTextureObject* texture : values.GetTextures())
   {
-    if (texture)
-    {
-      texture->Activate();
-    }
+    texture->Activate();
   }
   int viewport[4];
   this->Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);

@@ -108,6 +108,9 @@ struct SurfaceUniforms
   int Height = 0;
   int VolumeNodes = 2;   // on the rays through volumes
   bool Additive = false; // adds to what is behind, and the medium has done so already
+
+  // Those that the shaders read: active while surfaces are drawn.
+  std::vector<vtkTextureObject*> GetTextures() const;
 };
 
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values);

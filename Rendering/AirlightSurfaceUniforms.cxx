@@ -57,6 +57,21 @@ void SetPhotometries(vtkShaderProgram* program, const std::vector<Lamp>& lamps)
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkTextureObject*> SurfaceUniforms::GetTextures() const
+{
+  std::vector<vtkTextureObject*> textures;
+  for (vtkTextureObject* texture :
+    { this->Lit, this->MoreLit != this->Lit ? this->MoreLit : nullptr, this->Data })
+  {
+    if (texture)
+    {
+      textures.push_back(texture);
+    }
+  }
+  return textures;
+}
+
+//------------------------------------------------------------------------------
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
 {
   if (values.Lit)

@@ -216,8 +216,8 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.Layers = layers;
   settings.LayerRecords = layers && this->MapperText.LayerRecords;
   settings.KnowsAll = this->KnowsAll(s);
-  settings.Once = this->MayDrawOnce(s, lamps, settings.Apart);
   settings.Solid = this->IsSolid(s);
+  settings.Once = settings.KnowsAll && this->MayDrawOnce(settings.Solid, lamps, settings.Apart);
   settings.Solids = this->FindSolids(s);
   settings.VolumeNodes =
     GetVolumeNodeCount(GetVolumes(s->GetPropArray(), s->GetPropArrayCount()).size(), width, height,

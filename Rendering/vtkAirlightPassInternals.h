@@ -118,8 +118,7 @@ public:
   bool IsSolid(const vtkRenderState* s) const;
   // Actors that are drawn as their mappers' inputs are, opaque everywhere; in order.
   std::vector<vtkProp*> FindSolids(const vtkRenderState* s) const;
-  bool MayDrawOnce(
-    const vtkRenderState* s, const std::vector<airlight::Lamp>& lamps, int& apart) const;
+  bool MayDrawOnce(bool solid, const std::vector<airlight::Lamp>& lamps, int& apart) const;
 
   vtkAirlightPass* Self;
   airlight::MediaList Media;

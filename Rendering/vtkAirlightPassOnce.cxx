@@ -136,13 +136,10 @@ bool vtkAirlightPass::Internals::KnowsAll(const vtkRenderState* s) const
 }
 
 //------------------------------------------------------------------------------
+// Of a scene of which KnowsAll() is true.
 bool vtkAirlightPass::Internals::MayDrawOnce(
-  const vtkRenderState* s, const std::vector<Lamp>& lamps, int& apart) const
+  bool solid, const std::vector<Lamp>& lamps, int& apart) const
 {
-  if (!this->KnowsAll(s))
-  {
-    return false;
-  }
   if (this->EffectiveTechnique == NONE || !this->Self->SurfaceShadows)
   {
     return true;
@@ -155,7 +152,7 @@ bool vtkAirlightPass::Internals::MayDrawOnce(
   }
   const bool dims = this->EffectiveTechnique == SHADOW_PLANES && this->Self->TranslucentShadows &&
     this->CurrentFrame.MetTranslucent();
-  if (casting > 1 || lamps.size() > MaximumOwnLines || dims || !this->IsSolid(s))
+  if (casting > 1 || lamps.size() > MaximumOwnLines || dims || !solid)
   {
     return false;
   }

@@ -226,20 +226,14 @@ void vtkAirlightPass::Internals::RenderStage(
 {
   this->Stage = stage;
   const SurfaceUniforms values = this->CurrentFrame.GetSurfaceUniforms(stage);
-  for (vtkTextureObject* texture : { values.Lit, values.MoreLit, values.Data })
+  for (vtkTextureObject* texture : values.GetTextures())
   {
-    if (texture)
-    {
-      texture->Activate();
-    }
+    texture->Activate();
   }
   render();
   this->OnlyDistances.Unwatch();
-  for (vtkTextureObject* texture : { values.Lit, values.MoreLit, values.Data })
+  for (vtkTextureObject* texture : values.GetTextures())
   {
-    if (texture)
-    {
-      texture->Deactivate();
-    }
+    texture->Deactivate();
   }
 }

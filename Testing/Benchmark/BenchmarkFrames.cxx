@@ -142,19 +142,15 @@ ReadyScene MakeScene(
   return { std::move(recipe), std::move(scene) };
 }
 
-// Scenes that are timed together: those of which the figures compare single frames, lest the machine's
-// speed changes between them. With EGL there is one window at a time.
+// Scenes that are timed together, lest the machine's speed changes between them. With EGL there is one
+// window at a time.
 std::vector<std::vector<SceneRecipe>> GroupRecipes(const Options& options)
 {
   std::vector<std::vector<SceneRecipe>> groups;
   for (const SceneRecipe& recipe : benchmarks::ChooseRecipes(options))
   {
-    const bool joins = !options.Egl && !groups.empty() &&
-      std::any_of(benchmarks::ComparedScenes.begin(), benchmarks::ComparedScenes.end(),
-        [&](const char* compared) {
-          return benchmarks::IsOneOf(recipe.Name, compared) &&
-            benchmarks::IsOneOf(groups.back().front().Name, compared);
-        });
+    const bool joins = !options.Egl && recipe.Group != benchmarks::SceneGroup::None &&
+      !groups.empty() && groups.back().front().Group == recipe.Group;
     if (!joins)
     {
       groups.emplace_back();

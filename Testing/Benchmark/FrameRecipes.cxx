@@ -224,14 +224,15 @@ std::vector<SceneRecipe> MakeRecipes()
   recipes.push_back({ "shafts", FillShafts, 800, 600, AllWays({ 64, 256 }) });
   for (int count : { 1, 4, 16 })
   {
-    recipes.push_back({ "lights/" + std::to_string(count),
-      [count](FrameScene& scene) { FillLights(scene, count); }, 800, 600, brief });
+    recipes.push_back(
+      { "lights/" + std::to_string(count), [count](FrameScene& scene) { FillLights(scene, count); },
+        800, 600, brief, SceneGroup::Lights });
   }
   const int sizes[4][2] = { { 400, 300 }, { 800, 600 }, { 1280, 960 }, { 1920, 1080 } };
   for (const auto& size : sizes)
   {
     recipes.push_back({ "sizes/" + std::to_string(size[0]) + "x" + std::to_string(size[1]),
-      FillSmall, size[0], size[1], brief });
+      FillSmall, size[0], size[1], brief, SceneGroup::Sizes });
   }
   for (int triangles : { 10000, 100000, 1000000, 3000000 })
   {

@@ -16,7 +16,6 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -99,6 +98,14 @@ private:
 };
 
 //------------------------------------------------------------------------------
+// Scenes that are timed in turn: FrameFigures.h sets single frames of theirs against each other.
+enum class SceneGroup
+{
+  None, // each alone
+  Lights,
+  Sizes
+};
+
 struct SceneRecipe
 {
   std::string Name;
@@ -106,10 +113,8 @@ struct SceneRecipe
   int Width = 800;
   int Height = 600;
   std::vector<Way> Ways;
+  SceneGroup Group = SceneGroup::None;
 };
-
-// Names, or their part before the slash, of scenes whose frames FrameFigures.h sets against each other.
-constexpr std::array<const char*, 2> ComparedScenes = { "lights", "sizes" };
 
 // All there are; see Documentation/benchmarks.md for what each is for.
 std::vector<SceneRecipe> MakeRecipes();
