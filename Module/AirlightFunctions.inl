@@ -4,6 +4,7 @@
 // for each precision, so the macros that depend on precision are undone first.
 
 #undef AIRLIGHT_GAUSS_COUNT
+#undef AIRLIGHT_G_NEAR
 #undef AIRLIGHT_NARROW
 #undef AIRLIGHT_NARROWEST
 #undef AIRLIGHT_PANEL_TOLERANCE
@@ -58,5 +59,6 @@
 #include "AirlightPieces.glsl"
 #include "AirlightScattering.glsl"
 #include "AirlightTurn.glsl"
+#include "AirlightTurnPart.glsl"
 #include "AirlightGlowRay.glsl"
 #include "AirlightGlow.glsl"

@@ -3,10 +3,10 @@
 #include "AirlightCasters.h"
 
 #include "AirlightCasterBlocks.h"
+#include "AirlightCasterKinds.h"
 #include "AirlightGlyphs.h"
 #include "AirlightMatrix.h"
 #include "vtkActor.h"
-#include "vtkAirlightPass.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCellArray.h"
@@ -14,15 +14,13 @@
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
 #include "vtkGlyph3DMapper.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -35,35 +33,6 @@ namespace airlight
 {
 namespace
 {
-bool MayCast(vtkProp* prop)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  return prop->GetVisibility() &&
-    !(keys && keys->Has(vtkAirlightPass::CASTS_SHADOW()) &&
-      keys->Get(vtkAirlightPass::CASTS_SHADOW()) == 0);
-}
-
-// Mappers that draw their input's polygons as they are. The others (splats, imposters) draw something else in their place.
-bool DrawsItsPolygons(vtkMapper* mapper)
-{
-  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") ||
-           mapper->IsA("vtkCompositePolyDataMapper")) &&
-    !mapper->IsA("vtkPointGaussianMapper") && !mapper->IsA("vtkOpenGLSphereMapper") &&
-    !mapper->IsA("vtkOpenGLStickMapper");
-}
-
-// Whether what the mapper draws can be made of polygons.
-bool IsKnown(vtkMapper* mapper)
-{
-  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
-  if (!glyphs || glyphs->GetNumberOfInputConnections(0) == 0)
-  {
-    return glyphs || DrawsItsPolygons(mapper);
-  }
-  glyphs->Update();
-  return HasKnownGlyphs(glyphs);
-}
-
 vtkMTimeType GetGeometryTime(vtkPolyData* data)
 {
   return std::max({ data->GetPoints() ? data->GetPoints()->GetMTime() : 0,
@@ -77,13 +46,6 @@ void EraseUnused(Map& map)
   {
     entry = entry->second.Used ? std::next(entry) : map.erase(entry);
   }
-}
-
-// Whether a mapper draws all cells of this input. Of blocks, some may look otherwise than the actor.
-bool ShowsAll(vtkDataObject* input)
-{
-  auto* data = vtkDataSet::SafeDownCast(input);
-  return data && !data->HasAnyGhostCells() && !data->HasAnyBlankCells();
 }
 
 // A flattened or undefined object has no shadow volume.

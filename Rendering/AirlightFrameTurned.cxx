@@ -11,6 +11,7 @@
 #include "AirlightResolveOutputs.h"
 #include "AirlightShadowCounts.h"
 #include "AirlightTurn.h"
+#include "AirlightTurnPart.h"
 #include "AirlightTurnedFS.h"
 #include "AirlightTurnedRay.h"
 
@@ -49,11 +50,16 @@ bool Frame::AreTurned(const std::vector<int>& lights) const
 }
 
 //------------------------------------------------------------------------------
+std::string Frame::GetTurnSource()
+{
+  return std::string(AirlightTurn) + AirlightTurnPart + AirlightConstants;
+}
+
+//------------------------------------------------------------------------------
 std::string Frame::GetTurnedSource(int index, Lists lists) const
 {
   const bool planes = lists != Lists::None;
-  return this->GetResolveHead(index, planes) + Globals + AirlightTurn + AirlightConstants +
-    AirlightShadowCounts +
+  return this->GetResolveHead(index, planes) + Globals + GetTurnSource() + AirlightShadowCounts +
     (planes ? this->Boundaries.GetKeysSource(lists != Lists::Short) : AirlightNoKeys) +
     AirlightTurnedRay + AirlightResolveOutputs + AirlightTurnedFS;
 }
@@ -71,8 +77,8 @@ bool Frame::MayJoin(int index) const
 //------------------------------------------------------------------------------
 std::string Frame::GetJoinedSource() const
 {
-  return std::string(Globals) + AirlightTurn + AirlightConstants + "#define AIRLIGHT_DIMMED 0\n" +
-    AirlightShadowCounts + this->Boundaries.GetKeysSource(false) + AirlightTurnedRay;
+  return Globals + GetTurnSource() + "#define AIRLIGHT_DIMMED 0\n" + AirlightShadowCounts +
+    this->Boundaries.GetKeysSource(false) + AirlightTurnedRay;
 }
 
 //------------------------------------------------------------------------------

@@ -5,9 +5,7 @@
 
 #include "AirlightFrame.h"
 
-#include "AirlightConstants.h"
 #include "AirlightIntegrate.h"
-#include "AirlightTurn.h"
 #include "AirlightWholeRays.h"
 
 #include "vtkShaderProgram.h"
@@ -77,10 +75,9 @@ std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
     lights.begin(), lights.end(), [this](int k) { return this->Lamps[k].Values.cosCone > 0.0; });
   const bool turned = this->AreTurned(lights);
   return "#define AIRLIGHT_TURNED " + std::to_string(turned) + "\n" +
-    (turned ? std::string(AirlightTurn) + AirlightConstants : "") + "#define AIRLIGHT_CONES " +
-    std::to_string(cones) + "\n#define AIRLIGHT_WHOLE_LIGHTS " +
-    std::to_string(std::max<size_t>(lights.size(), 1)) + "\n#define AIRLIGHT_EACH_LIGHT" + lines +
-    "\n" + AirlightWholeRays;
+    (turned ? GetTurnSource() : "") + "#define AIRLIGHT_CONES " + std::to_string(cones) +
+    "\n#define AIRLIGHT_WHOLE_LIGHTS " + std::to_string(std::max<size_t>(lights.size(), 1)) +
+    "\n#define AIRLIGHT_EACH_LIGHT" + lines + "\n" + AirlightWholeRays;
 }
 
 //------------------------------------------------------------------------------

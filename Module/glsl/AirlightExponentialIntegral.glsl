@@ -29,6 +29,13 @@ AIRLIGHT_FN real airlightAngle(real y, real x)
 #endif
 }
 
+// Where the series below is taken.
+#ifdef AIRLIGHT_DOUBLE
+#define AIRLIGHT_G_NEAR 2.0
+#else
+#define AIRLIGHT_G_NEAR 0.1
+#endif
+
 // Near the origin: E1(z) = -gamma - ln z - S(z), S(z) = sum_k (-z)^k/(k k!). The polynomial S is
 // evaluated by its recurrence over real quadratics, which gives Im(S)/y without dividing by y.
 // Returns (g, Re(e^z E1(z))).
@@ -38,16 +45,13 @@ AIRLIGHT_FN real2 airlightGSeries(real x, real y)
   real p = x + x;
   real b1 = real(0.0);
   real b2 = real(0.0);
-#ifdef AIRLIGHT_DOUBLE
-  const int terms = 30;
-#else
-  const int terms = 10;
-#endif
   // a_k = (-1)^k/(k k!), from the last one upwards: a_(k-1) = -a_k k^2/(k - 1).
 #ifdef AIRLIGHT_DOUBLE
+  const int terms = 30;
   real a = real(1.256662542938635e-34); // 1/(30 30!)
 #else
-  real a = real(2.755731922398589e-8); // 1/(10 10!)
+  const int terms = 4;
+  real a = real(0.010416666667); // 1/(4 4!)
 #endif
   for (int k = terms; k >= 1; k--)
   {
@@ -59,8 +63,16 @@ AIRLIGHT_FN real2 airlightGSeries(real x, real y)
   }
   real re = real(-0.57721566490153286) - real(0.5) * log(q) - (b1 * x - q * b2);
   real im = airlightAngle(y, x) / max(y, real(1e-30)) + b1;
+#ifdef AIRLIGHT_DOUBLE
+  real cosine = cos(y);
   real sinc = y < real(1e-3) ? real(1.0) - y * y / real(6.0) : sin(y) / y;
-  return exp(x) * real2(cos(y) * im - sinc * re, cos(y) * re + y * sin(y) * im);
+#else
+  // As long as the series they go with.
+  real y2 = y * y;
+  real cosine = real(1.0) - y2 * (real(0.5) - y2 * real(0.041666667));
+  real sinc = real(1.0) - y2 * (real(0.16666667) - y2 * real(0.0083333333));
+#endif
+  return exp(x) * real2(cosine * im - sinc * re, cosine * re + y * y * sinc * im);
 }
 
 #ifdef AIRLIGHT_DOUBLE
@@ -87,10 +99,10 @@ AIRLIGHT_FN real airlightGFar(real x, real y)
   return airlightGFarPair(x, y).x;
 }
 #else
-// Away from the origin, single precision: the Stieltjes form with the exponential replaced by eight
+// Away from the origin, single precision: the Stieltjes form with the exponential replaced by twelve
 // positive poles, fitted by least squares with Lawson's weights: no cancellation, relative error
-// 6e-7 for |z| >= 1. A pole of higher order (AirlightPhase.glsl) has the same form, with powers of
-// the same quotients.
+// 2.3e-7 for |z| >= 0.05. A pole of higher order (AirlightPhase.glsl) has the same form, with powers of
+// the same quotients: 2e-6 and 6e-6 for |z| >= 0.1.
 AIRLIGHT_FN real airlightFarTerm(real weight, real p, real y2, real3 c, real u2)
 {
   real r = real(1.0) / (p * p + y2);
@@ -100,14 +112,18 @@ AIRLIGHT_FN real airlightFarTerm(real weight, real p, real y2, real3 c, real u2)
 AIRLIGHT_FN real airlightPoleFar(real x, real y, real3 c, real u2)
 {
   real y2 = y * y;
-  return airlightFarTerm(real(0.0855436166), x + real(0.0356820929), y2, c, u2) +
-    airlightFarTerm(real(0.149942807), x + real(0.170044082), y2, c, u2) +
-    airlightFarTerm(real(0.200909055), x + real(0.403992495), y2, c, u2) +
-    airlightFarTerm(real(0.217074451), x + real(0.789397065), y2, c, u2) +
-    airlightFarTerm(real(0.182159801), x + real(1.38302551), y2, c, u2) +
-    airlightFarTerm(real(0.116040211), x + real(2.30068582), y2, c, u2) +
-    airlightFarTerm(real(0.0436835825), x + real(3.85542917), y2, c, u2) +
-    airlightFarTerm(real(0.00464619177), x + real(6.79779735), y2, c, u2);
+  return airlightFarTerm(real(0.00737798299), x + real(0.00288969572), y2, c, u2) +
+    airlightFarTerm(real(0.0169662485), x + real(0.0151641167), y2, c, u2) +
+    airlightFarTerm(real(0.028089009), x + real(0.0380062645), y2, c, u2) +
+    airlightFarTerm(real(0.0451147239), x + real(0.0760120132), y2, c, u2) +
+    airlightFarTerm(real(0.0726572211), x + real(0.140470722), y2, c, u2) +
+    airlightFarTerm(real(0.112958728), x + real(0.252103957), y2, c, u2) +
+    airlightFarTerm(real(0.161208399), x + real(0.445942003), y2, c, u2) +
+    airlightFarTerm(real(0.198447673), x + real(0.780421821), y2, c, u2) +
+    airlightFarTerm(real(0.19127282), x + real(1.35381331), y2, c, u2) +
+    airlightFarTerm(real(0.122732425), x + real(2.33315752), y2, c, u2) +
+    airlightFarTerm(real(0.0396131805), x + real(4.01920212), y2, c, u2) +
+    airlightFarTerm(real(0.00356140332), x + real(7.08956551), y2, c, u2);
 }
 
 AIRLIGHT_FN real airlightGFar(real x, real y)
@@ -118,25 +134,20 @@ AIRLIGHT_FN real airlightGFar(real x, real y)
 
 AIRLIGHT_FN real airlightG(real x, real y)
 {
-#ifdef AIRLIGHT_DOUBLE
-  const real switchRadius = real(2.0);
-#else
-  const real switchRadius = real(1.0);
-#endif
   real q = x * x + y * y;
   // Below this radius g is beyond single precision; nothing physical comes near it.
   if (q < real(1e-30))
   {
     y = max(y, real(1e-15));
   }
-  return q < switchRadius * switchRadius ? airlightGSeries(x, y).x : airlightGFar(x, y);
+  return q < real(AIRLIGHT_G_NEAR * AIRLIGHT_G_NEAR) ? airlightGSeries(x, y).x : airlightGFar(x, y);
 }
 
-// (g, Re(e^z E1(z))); in single precision within |z| <= 1 only.
+// (g, Re(e^z E1(z))); in single precision within |z| <= AIRLIGHT_G_NEAR only.
 AIRLIGHT_FN real2 airlightGPair(real x, real y)
 {
 #ifdef AIRLIGHT_DOUBLE
-  if (x * x + y * y >= real(4.0))
+  if (x * x + y * y >= real(AIRLIGHT_G_NEAR * AIRLIGHT_G_NEAR))
   {
     return airlightGFarPair(x, y);
   }

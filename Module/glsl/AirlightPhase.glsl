@@ -127,7 +127,7 @@ AIRLIGHT_FN real airlightPoleG(real4 pole, real x, real u)
     q = x * x + y * y;
   }
 #ifndef AIRLIGHT_DOUBLE
-  if (q >= real(1.0))
+  if (q >= real(AIRLIGHT_G_NEAR * AIRLIGHT_G_NEAR))
   {
     return airlightPoleFar(x, y, real3(pole.y, pole.z, pole.w), u * u);
   }

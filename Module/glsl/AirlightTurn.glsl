@@ -4,10 +4,10 @@
 //
 //   integral p/r^2 exp(-sigmaT (t + r)) dt = 1/h integral p exp(-sigmaT (t + r)) dpsi
 //
-// The ray is cut into few parts. On each the integrand is replaced by the polynomial that meets it
-// at the eight nodes of Gauss and Legendre, whose integral is known everywhere: that of the whole
-// part is the quadrature's, and every end of a shadow in between takes one arctangent and a
-// polynomial of degree eight, where the closed form takes an exponential integral. The parts are
+// The ray is cut into few parts. On each (AirlightTurnPart.glsl) the integrand is replaced by the
+// polynomial that meets it at the eight nodes of Gauss and Legendre, whose integral is known everywhere:
+// that of the whole part is the quadrature's, and every end of a shadow in between takes one arctangent
+// and a polynomial of degree eight, where the closed form takes an exponential integral. The parts are
 // chosen such that the polynomial's integral is off by 1e-6 of the part's, at most a few times that
 // (Testing/Cxx/TestTurn.cxx).
 
@@ -25,6 +25,14 @@
 #else
 #define AIRLIGHT_TURN_FADED 14.0
 #endif
+// Whether the integral from the last boundary on of a ray that is open is taken in closed form: one
+// evaluation instead of the many parts in which a ray nears its asymptote. Of other phase functions the
+// poles take one each, and their weights may cancel.
+#ifdef AIRLIGHT_ISOTROPIC
+#define AIRLIGHT_TURN_CLOSES true
+#else
+#define AIRLIGHT_TURN_CLOSES false
+#endif
 // More parts than any ray has that matters.
 #define AIRLIGHT_TURN_PARTS 64
 
@@ -36,25 +44,11 @@ struct AirlightTurn
   real left; // the angle at the light between the ray's beginning and its direction
   real s;    // at the ray's beginning
   real end;  // psi where the ray ends, or the light is gone
+  bool open; // the light is gone first
   // sigmaT (t + r) in powers of two, negative: at the foot's s = 0, and per unit of s.
   AirlightShade start;
   AirlightShade slope;
   real later; // see airlightTurnPartEnd()
-};
-
-struct AirlightTurnPart
-{
-  real middle;
-  real inverseReach;
-  AirlightShade whole; // half of the integral over the part
-  AirlightShade even0;
-  AirlightShade even1;
-  AirlightShade even2;
-  AirlightShade even3;
-  AirlightShade odd0;
-  AirlightShade odd1;
-  AirlightShade odd2;
-  AirlightShade odd3;
 };
 
 // Sine and cosine in [0, pi/2], errors 4e-9 and 2e-10. Pair by pair, here and below: each step of a chain
@@ -120,9 +114,10 @@ AIRLIGHT_FN AirlightTurn airlightTurn(
   // In a clear medium nothing fades.
   real least = airlightLeastExtinction(medium);
   real tau = least < real(AIRLIGHT_FAR) ? least * turn.h : real(0.0);
-  turn.end = min(airlightTurned(turn, ray, t1),
-    turn.left -
-      airlightTwiceAngle(tau, turn.s * tau + real(AIRLIGHT_TURN_FADED)));
+  real gone = turn.left - airlightTwiceAngle(tau, turn.s * tau + real(AIRLIGHT_TURN_FADED));
+  turn.end = airlightTurned(turn, ray, t1);
+  turn.open = tau > real(0.0) && gone < turn.end;
+  turn.end = min(turn.end, gone);
   return turn;
 }
 
@@ -180,93 +175,20 @@ AIRLIGHT_FN real airlightTurnPartEnd(
   return min(psi + max(length, real(1e-3) * left), turn.end);
 }
 
-// Where half the angle that is left has this sine and cosine.
-AIRLIGHT_FN AirlightShade airlightTurnSample(
-  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real sine, real cosine)
+// The integral from psi on of a ray that is open: to infinity, which differs by less than what is left
+// where the light is gone. The closed form of AirlightPointLight.glsl times h.
+AIRLIGHT_FN AirlightShade airlightTurnRest(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi)
 {
-  sine = max(sine, real(1e-15));
-  return airlightPhaseHalves(medium.phase, sine * sine, cosine * cosine) *
-    exp2(turn.start + turn.slope * (cosine / sine));
-}
-
-// The sum and the difference of the values of two nodes, `off` after and before the middle, where half
-// the angle that is left has the sine and the cosine of `half1`. No arrays: software renderers keep none
-// in registers.
-AIRLIGHT_FN void airlightTurnPair(AIRLIGHT_IN(AirlightMedium) medium,
-  AIRLIGHT_IN(AirlightTurn) turn, real2 half1, real off, AIRLIGHT_OUT(AirlightShade) sum,
-  AIRLIGHT_OUT(AirlightShade) gap)
-{
-  real2 o = airlightSineCosine(real(0.5) * off);
-  real sc = half1.x * o.y;
-  real cs = half1.y * o.x;
-  real cc = half1.y * o.y;
-  real ss = half1.x * o.x;
-  AirlightShade after = airlightTurnSample(medium, turn, sc - cs, cc + ss);
-  AirlightShade before = airlightTurnSample(medium, turn, sc + cs, cc - ss);
-  sum = after + before;
-  gap = after - before;
-}
-
-// The part from psi0 to psi1. With y in [-1, 1] along it and z = y^2, what is before y is
-//
-//   E(1) + y E(2 z - 1) - (1 - z) O(2 z - 1)
-//
-// with cubics E, of the nodes' sums, and O, of their differences; so at y = -1 it is 0 to the bit.
-AIRLIGHT_FN AirlightTurnPart airlightTurnPart(
-  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi0, real psi1)
-{
-  AirlightTurnPart part;
-  part.middle = real(0.5) * (psi0 + psi1);
-  real reach = real(0.5) * (psi1 - psi0);
-  part.inverseReach = real(1.0) / reach;
-  AirlightShade s0;
-  AirlightShade s1;
-  AirlightShade s2;
-  AirlightShade s3;
-  AirlightShade d0;
-  AirlightShade d1;
-  AirlightShade d2;
-  AirlightShade d3;
-  real2 half1 = airlightSineCosine(real(0.5) * (turn.left - part.middle));
-  airlightTurnPair(medium, turn, half1, reach * real(0.18343464249564978), s0, d0);
-  airlightTurnPair(medium, turn, half1, reach * real(0.52553240991632899), s1, d1);
-  airlightTurnPair(medium, turn, half1, reach * real(0.79666647741362673), s2, d2);
-  airlightTurnPair(medium, turn, half1, reach * real(0.96028985649753618), s3, d3);
-  part.even0 = reach *
-    (real(0.255673747222) * s0 + real(0.221805968253) * s1 +
-      real(0.0253799423589) * s2 + real(-0.00285965783329) * s3);
-  part.even1 = reach *
-    (real(-0.152398985846) * s0 + real(0.00711579102774) * s1 +
-      real(0.165152275338) * s2 + real(-0.0198690805204) * s3);
-  part.even2 = reach *
-    (real(0.147003529978) * s0 + real(-0.231036877713) * s1 +
-      real(0.064803171746) * s2 + real(0.0192301759894) * s3);
-  part.even3 = reach *
-    (real(-0.0689363996646) * s0 + real(0.158968441372) * s1 +
-      real(-0.144144872217) * s2 + real(0.0541128305095) * s3);
-  part.odd0 = reach *
-    (real(0.00757419981627) * d0 + real(-0.0040837883702) * d1 +
-      real(0.18858661277) * d2 + real(0.104672729119) * d3);
-  part.odd1 = reach *
-    (real(0.141475364289) * d0 + real(-0.228653715794) * d1 +
-      real(-0.0346463856799) * d2 + real(0.126852396324) * d3);
-  part.odd2 = reach *
-    (real(-0.0368131538904) * d0 + real(0.200815580834) * d1 +
-      real(-0.271467418821) * d2 + real(0.122345043081) * d3);
-  part.odd3 = reach *
-    (real(-0.328832923192) * d0 + real(0.264678987586) * d1 +
-      real(-0.1583181504) * d2 + real(0.0493067029454) * d3);
-  part.whole = ((part.even3 + part.even2) + part.even1) + part.even0;
-  return part;
-}
-
-// The integral from the part's beginning to psi, or to its nearer end.
-AIRLIGHT_FN AirlightShade airlightTurnBefore(AIRLIGHT_IN(AirlightTurnPart) part, real psi)
-{
-  real y = clamp((psi - part.middle) * part.inverseReach, real(-1.0), real(1.0));
-  real z = y * y;
-  real w = z + z - real(1.0);
-  AirlightShade even = ((part.even3 * w + part.even2) * w + part.even1) * w + part.even0;
-  AirlightShade odd = ((part.odd3 * w + part.odd2) * w + part.odd1) * w + part.odd0;
-  return (part.whole + y * even) - (real(1.0) - z) * odd;
+  real2 half1 = airlightSineCosine(real(0.5) * (turn.left - psi));
+  real s = half1.y / max(half1.x, real(1e-15));
+  AirlightShade u = turn.h * AIRLIGHT_SHADE(medium.sigmaT);
+  AirlightShade passes = real(2.0) * u * exp2(turn.start + turn.slope * s);
+#if defined(AIRLIGHT_GREY) && AIRLIGHT_GREY
+  return passes * airlightPhaseG(medium.phase, u * s, u);
+#else
+  return passes *
+    real3(airlightPhaseG(medium.phase, u.x * s, u.x), airlightPhaseG(medium.phase, u.y * s, u.y),
+      airlightPhaseG(medium.phase, u.z * s, u.z));
+#endif
 }

@@ -26,7 +26,8 @@ AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
   uint key = airlightNextKey();
   float t = unit * airlightKeyDistance(key);
   float at = airlightTurned(turn, ray, t);
-  for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
+  bool closes = AIRLIGHT_TURN_CLOSES && turn.open;
+  for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end && !(closes && keysLeft < 0); i++)
   {
     float end = airlightTurnPartEnd(media.item[0], turn, psi);
     AirlightTurnPart part = airlightTurnPart(media.item[0], turn, psi, end);
@@ -49,6 +50,13 @@ AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
     AirlightShade full = part.whole + part.whole;
     all += full;
     sum += lit ? full : AirlightShade(0.0);
+  }
+  // A loop, which software renderers leave where no pixel of a group is in it.
+  for (int i = closes && psi < turn.end ? 1 : 0; i > 0; i--)
+  {
+    AirlightShade rest = airlightTurnRest(media.item[0], turn, psi);
+    all += rest;
+    sum += lit ? rest : AirlightShade(0.0);
   }
   pixel.litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
   // A channel that does not scatter is dark, whatever the limit of its integral.

@@ -19,7 +19,12 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
   AirlightTurn turn = airlightTurn(medium.item[0], ray, ray.lit.x, ray.lit.y);
   AirlightShade sum = AirlightShade(0.0);
   float psi = 0.0;
-  for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
+  bool closes = AIRLIGHT_TURN_CLOSES && turn.open;
+  for (int i = closes ? 1 : 0; i > 0; i--) // as in AirlightTurnedRay.glsl
+  {
+    sum = 0.5 * airlightTurnRest(medium.item[0], turn, 0.0);
+  }
+  for (int i = closes ? AIRLIGHT_TURN_PARTS : 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
   {
     float next = airlightTurnPartEnd(medium.item[0], turn, psi);
     sum += airlightTurnPart(medium.item[0], turn, psi, next).whole;

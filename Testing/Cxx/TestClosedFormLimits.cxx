@@ -52,7 +52,7 @@ bool TestG()
       const float fx = static_cast<float>(x);
       const float fy = static_cast<float>(y);
       const double rounded = StieltjesG(fx, fy);
-      inFloat.Add(std::abs(f32::airlightG(fx, fy) - rounded) / rounded, 3e-6, describe);
+      inFloat.Add(std::abs(f32::airlightG(fx, fy) - rounded) / rounded, 1e-6, describe);
     }
   }
   return AllOk({ &inDouble, &inFloat });
