@@ -11,6 +11,7 @@
 #include "FrameRows.h"
 #include "FrameScene.h"
 #include "FrameWindow.h"
+#include "KeepMemory.h"
 #include "vtkVersion.h"
 
 #include <CLI/CLI.hpp>
@@ -263,6 +264,10 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
+  if (!options.Trim)
+  {
+    benchmarks::KeepMemory();
+  }
   // One after another in random order, a frame each.
   std::string name = argv[0];
   std::string interleave = "--benchmark_enable_random_interleaving=true";

@@ -27,6 +27,8 @@ void AddOptions(CLI::App& app, Options& options)
     "Measure the error of the airlight, too, against vtkAirlightReference at 160 x 120 pixels, and "
     "find the march that reaches 2e-3");
   app.add_flag("--egl", options.Egl, "Draw through EGL, without an X server");
+  app.add_flag("--trim", options.Trim,
+    "Let malloc() give memory back to the system in between, as programs do by default");
   app.add_flag("--info", options.Info, "Say who draws and stop");
   app.add_flag("--list", options.List, "Name the scenes and stop");
 }

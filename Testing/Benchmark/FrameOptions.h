@@ -27,6 +27,7 @@ struct Options
   bool Info = false;
   bool Errors = false;
   bool Egl = false;
+  bool Trim = false;
 };
 
 void AddOptions(CLI::App& app, Options& options);

@@ -72,16 +72,16 @@ void FillSmall(FrameScene& scene)
   LookAtSquare(scene);
 }
 
-// 900 spheres in 25 actors: a million triangles, 51 000 silhouette edges.
-void FillHeavy(FrameScene& scene)
+// n by n spheres in 25 actors, each of 2 * resolution * (resolution - 1) triangles.
+void FillCrowd(FrameScene& scene, int n, int resolution)
 {
   for (int actor = 0; actor < 25; ++actor)
   {
     vtkNew<vtkAppendPolyData> append;
-    for (int i = 36 * actor; i < 36 * (actor + 1); ++i)
+    for (int i = n * n * actor / 25; i < n * n * (actor + 1) / 25; ++i)
     {
-      append->AddInputData(MakeSphere(
-        PlaceOf(i % 30, 30), 0.3 + 0.45 * ((7 * i) % 5), PlaceOf(i / 30, 30), 0.1, 24, 25));
+      append->AddInputData(MakeSphere(PlaceOf(i % n, n), 0.3 + 0.45 * ((7 * i) % 5),
+        PlaceOf(i / n, n), 3.0 / n, resolution, resolution + 1));
     }
     scene.Add(Make(append));
   }
@@ -89,6 +89,9 @@ void FillHeavy(FrameScene& scene)
   scene.AddLamp(0.6, 4.5, -0.8);
   LookAtSquare(scene);
 }
+
+// 324 spheres: a million triangles, 30 000 silhouette edges.
+void FillHeavy(FrameScene& scene) { FillCrowd(scene, 18, 40); }
 
 //------------------------------------------------------------------------------
 // A plate with n by n square holes, each half as wide as its cell.
@@ -249,6 +252,8 @@ std::vector<SceneRecipe> MakeRecipes()
     recipes.push_back({ "edges/" + std::to_string(edges),
       [edges](FrameScene& scene) { FillDisc(scene, edges, 1000000); }, 800, 600, brief });
   }
+  recipes.push_back(
+    { "crowd", [](FrameScene& scene) { FillCrowd(scene, 30, 24); }, 800, 600, brief });
   recipes.push_back({ "moving", FillHeavy, 800, 600, moving });
   return recipes;
 }
