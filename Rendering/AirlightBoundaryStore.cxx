@@ -115,7 +115,7 @@ bool BoundaryStore::Prepare(int width, int height, bool dimmed, size_t edges, st
   if (this->Nodes == 0)
   {
     glGenBuffers(1, &this->Nodes);
-    glGenBuffers(1, &this->Heads);
+    glGenBuffers(2, this->Heads);
     glGenBuffers(1, &this->Slots);
     GLint64 most = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
@@ -123,9 +123,11 @@ bool BoundaryStore::Prepare(int width, int height, bool dimmed, size_t edges, st
     this->MostBytes = std::clamp<std::uint64_t>(most, 1u << 24, 0x7fffffff);
   }
   const std::uint64_t heads = 2 * static_cast<std::uint64_t>(width) * height + HeadOffset;
+  const std::string what =
+    "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (this->HeadCount != heads &&
-    !this->Allocate(this->Heads, 4 * heads,
-      "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels"))
+    (!this->Allocate(this->Heads[0], 4 * heads, what) ||
+      !this->Allocate(this->Heads[1], 4 * heads, what)))
   {
     return false;
   }
@@ -148,7 +150,8 @@ int BoundaryStore::LimitRows(int rows) const
 void BoundaryStore::Clear(int row)
 {
   this->SlotRow = row;
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  this->Turn = 1 - this->Turn;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads[this->Turn]);
   glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
@@ -174,7 +177,7 @@ void BoundaryStore::Use(vtkShaderProgram* program)
   glUniform4i(glGetUniformLocation(program->GetHandle(), "givenPlaces"), this->SlotRow,
     static_cast<int>(CountTiles(this->Width)), this->Width, this->Height);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads[this->Turn]);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SlotBinding, this->Slots);
 }
 
@@ -183,7 +186,7 @@ BoundaryStore::Counts BoundaryStore::ReadCounts()
 {
   GLuint values[HeadOffset] = {};
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads[this->Turn]);
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(values), values);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   Counts counts;
@@ -200,9 +203,10 @@ void BoundaryStore::Release()
     return;
   }
   glDeleteBuffers(1, &this->Nodes);
-  glDeleteBuffers(1, &this->Heads);
+  glDeleteBuffers(2, this->Heads);
   glDeleteBuffers(1, &this->Slots);
-  this->Nodes = this->Heads = this->Slots = 0;
+  this->Nodes = this->Slots = 0;
+  this->Heads[0] = this->Heads[1] = 0;
   this->Capacity = 0;
   this->HeadCount = 0;
   this->SlotSize = 0;

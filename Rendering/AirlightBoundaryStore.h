@@ -86,7 +86,9 @@ private:
   std::uint64_t MostBytes = 0; // of a buffer
   std::uint32_t Capacity = 0;  // boundaries, the unused one at index 0 included
   unsigned int Nodes = 0;
-  unsigned int Heads = 0;
+  // In turn, a light each: one is cleared while what was drawn with the other is still going on.
+  unsigned int Heads[2] = {};
+  int Turn = 0;
   unsigned int Slots = 0;
   int SlotsPerPixel = 16;
   int SlotRows = 0;

@@ -378,8 +378,9 @@ public:
   /**
    * Most memory in MiB that the boundaries of shadows may take on the graphics card: 64 bytes a pixel,
    * which hold 16 of them, or 128 bytes, which hold 32, where a light has more than 8192 silhouette
-   * edges; 12 bytes for each on pixels with more; and 8 bytes a pixel that the limit does not count. Where casters let light through (SetTranslucentShadows()), 24 bytes for each and
-   * 8 a pixel. A frame that needs more is drawn in several horizontal bands, with the same result.
+   * edges; 12 bytes for each on pixels with more; and 16 bytes a pixel that the limit does not count.
+   * Where casters let light through (SetTranslucentShadows()), 24 bytes for each and 16 a pixel. A frame
+   * that needs more is drawn in several horizontal bands, with the same result.
    * The nodes on rays through volumes may take as much again.
    * Range: at least 1. Default: 1024.
    */
