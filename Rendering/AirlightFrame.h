@@ -187,7 +187,7 @@ private:
   bool DrawResolve(int index, Lists lists, bool layersOnly, int row, int rows);
   bool IsTurned(int index, Lists lists) const;
   std::string GetResolveSource(int index, Lists lists, bool layersOnly) const;
-  static std::string GetTurnSource(); // AirlightTurn.glsl and what it takes
+  static std::string GetTurnSource(); // AirlightTurn.glsl and what it takes, and the media
   std::string GetTurnedSource(int index, Lists lists) const;
   std::string GetResolveHead(int index, bool storage) const;
   void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool layersOnly);

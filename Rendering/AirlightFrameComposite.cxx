@@ -65,10 +65,13 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     this->Settings.Whole ? FindScattering(this->Lamps) : std::vector<int>();
   const int kind = whole.empty() ? AIRLIGHT_POINT_CLOSED : this->Lamps[whole[0]].Values.kind;
   const bool joined = this->Joined >= 0;
+  const std::vector<int> lights = joined ? std::vector<int>{ this->Joined } : whole;
+  const bool cones = std::any_of(
+    lights.begin(), lights.end(), [this](int k) { return this->Lamps[k].Values.cosCone > 0.0; });
+  const bool turned = joined || this->AreTurned(whole);
   const std::string source = std::string(joined ? "#version 430\n" : "#version 330\n") +
     Define("JOINED", joined) + (joined ? Define("LEFT_OVER", this->LeftOver) : "") +
-    (joined && this->Lamps[this->Joined].Values.cosCone <= 0.0 ? "#define AIRLIGHT_NO_CONE\n"
-                                                               : "") +
+    (cones ? "" : "#define AIRLIGHT_NO_CONE\n") + Define("TURNED", turned) +
     (layers ? "#define AIRLIGHT_LAYERS\n" : "") +
     (layers && this->Settings.Record ? RecordDefinition : "") +
     Define("DEBUG_VIEW", layers ? 0 : this->Settings.DebugView) +
@@ -78,9 +81,9 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     Define("ENCODED_OUTPUT", this->Settings.EncodedOutput) +
     Define("PARALLEL", this->Rays->IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
     GetScatteringSource(this->Media, kind, false) + AirlightViewShader +
-    (joined ? this->GetJoinedSource()
-            : "uniform AirlightMedia media;\n" + this->GetWholeRaysSource(whole)) +
-    AirlightDisplay + AirlightCompositeFS;
+    (turned ? GetTurnSource() : "uniform AirlightMedia media;\n") +
+    (joined ? this->GetJoinedSource() : this->GetWholeRaysSource(whole)) + AirlightDisplay +
+    AirlightCompositeFS;
   Quad& quad = layers ? this->LayersQuad : this->CompositeQuad;
   vtkShaderProgram* program = quad.Ready(this->Window, source);
   if (!program)
@@ -90,7 +93,6 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   }
   if (joined)
   {
-    SetMediaUniforms(program, "givenMedia", this->Media);
     SetLightUniforms(program, "givenLight", this->Lamps[this->Joined].Values);
     this->SetTurnedConstants(program, { this->Joined });
     this->SetStartUniforms(program, this->Joined, true);
@@ -98,9 +100,9 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   }
   else
   {
-    SetMediaUniforms(program, "media", this->Media);
     this->SetWholeRaysUniforms(program, whole);
   }
+  SetMediaUniforms(program, turned ? "givenMedia" : "media", this->Media);
   // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
   this->Rays->SetUniforms(program, x, y);
   if (layers && this->Settings.Record)

@@ -21,11 +21,9 @@
 
 namespace
 {
-// AirlightConstants.glsl has some of it from elsewhere.
-const char* Globals = "uniform AirlightMedia givenMedia;\n"
-                      "uniform AirlightLight givenLight;\n"
-                      "AirlightMedia media;\n"
-                      "AirlightLight light;\n";
+// AirlightConstants.glsl has some of both from elsewhere.
+const char* GlobalMedia = "uniform AirlightMedia givenMedia;\nAirlightMedia media;\n";
+const char* GlobalLight = "uniform AirlightLight givenLight;\nAirlightLight light;\n";
 }
 
 namespace airlight
@@ -52,14 +50,15 @@ bool Frame::AreTurned(const std::vector<int>& lights) const
 //------------------------------------------------------------------------------
 std::string Frame::GetTurnSource()
 {
-  return std::string(AirlightTurn) + AirlightTurnPart + AirlightConstants;
+  return std::string(GlobalMedia) + AirlightTurn + AirlightTurnPart + AirlightConstants;
 }
 
 //------------------------------------------------------------------------------
 std::string Frame::GetTurnedSource(int index, Lists lists) const
 {
   const bool planes = lists != Lists::None;
-  return this->GetResolveHead(index, planes) + Globals + GetTurnSource() + AirlightShadowCounts +
+  return this->GetResolveHead(index, planes) + GlobalLight + GetTurnSource() +
+    AirlightShadowCounts +
     (planes ? this->Boundaries.GetKeysSource(lists != Lists::Short) : AirlightNoKeys) +
     AirlightTurnedRay + AirlightResolveOutputs + AirlightTurnedFS;
 }
@@ -77,7 +76,7 @@ bool Frame::MayJoin(int index) const
 //------------------------------------------------------------------------------
 std::string Frame::GetJoinedSource() const
 {
-  return Globals + GetTurnSource() + "#define AIRLIGHT_DIMMED 0\n" + AirlightShadowCounts +
+  return GlobalLight + ("#define AIRLIGHT_DIMMED 0\n" + std::string(AirlightShadowCounts)) +
     this->Boundaries.GetKeysSource(false) + AirlightTurnedRay;
 }
 

@@ -71,12 +71,7 @@ std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
     lines +=
       " sum += airlightWholeRay(" + std::to_string(i) + ", p, origin, direction, unit, end);";
   }
-  const bool cones = std::any_of(
-    lights.begin(), lights.end(), [this](int k) { return this->Lamps[k].Values.cosCone > 0.0; });
-  const bool turned = this->AreTurned(lights);
-  return "#define AIRLIGHT_TURNED " + std::to_string(turned) + "\n" +
-    (turned ? GetTurnSource() : "") + "#define AIRLIGHT_CONES " + std::to_string(cones) +
-    "\n#define AIRLIGHT_WHOLE_LIGHTS " + std::to_string(std::max<size_t>(lights.size(), 1)) +
+  return "#define AIRLIGHT_WHOLE_LIGHTS " + std::to_string(std::max<size_t>(lights.size(), 1)) +
     "\n#define AIRLIGHT_EACH_LIGHT" + lines + "\n" + AirlightWholeRays;
 }
 

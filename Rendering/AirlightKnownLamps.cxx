@@ -11,7 +11,8 @@ namespace airlight
 //------------------------------------------------------------------------------
 bool operator==(const KnownLamp& a, const KnownLamp& b)
 {
-  return a.Sun == b.Sun && a.Positional == b.Positional && a.Spot == b.Spot;
+  return a.Sun == b.Sun && a.Positional == b.Positional && a.Spot == b.Spot &&
+    a.InverseSquare == b.InverseSquare;
 }
 
 //------------------------------------------------------------------------------
@@ -24,9 +25,11 @@ std::vector<KnownLamp> FindKnownLamps(const std::vector<Lamp>& lamps)
   }
   for (const Lamp& lamp : lamps)
   {
+    const double* fading = lamp.Light->GetAttenuationValues();
     // VTK compares in single precision.
     known.push_back({ f64::airlightIsDirectional(lamp.Values), lamp.Light->GetPositional() != 0,
-      static_cast<float>(lamp.Light->GetConeAngle()) < 90.0f });
+      static_cast<float>(lamp.Light->GetConeAngle()) < 90.0f,
+      fading[0] == 0.0 && fading[1] == 0.0 && fading[2] == 1.0 });
   }
   return known;
 }
@@ -49,20 +52,24 @@ std::string DefineLamps(const std::vector<KnownLamp>& known, int apart)
 namespace
 {
 // Of a uniform's name; that itself where it is to be asked.
-std::string Tell(const std::string& name, bool positional, const KnownLamp& lamp)
+std::string Tell(const std::string& name, const std::string& what, const KnownLamp& lamp)
 {
-  if (positional)
+  if (what == "Positional")
   {
     return lamp.Positional ? "1" : "0";
   }
-  return lamp.Spot ? name : "90.0";
+  if (what == "ConeAngle")
+  {
+    return lamp.Spot ? name : "90.0";
+  }
+  return lamp.InverseSquare ? "vec3(0.0, 0.0, 1.0)" : name;
 }
 }
 
 //------------------------------------------------------------------------------
 std::string TellTypes(const std::string& body, const std::vector<KnownLamp>& known)
 {
-  static const std::regex type("\\blight(Positional|ConeAngle)([0-9]+)\\b");
+  static const std::regex type("\\blight(Positional|ConeAngle|Attenuation)([0-9]+)\\b");
   std::string told;
   auto rest = body.begin();
   for (std::sregex_iterator it(body.begin(), body.end(), type), end; it != end; ++it)
@@ -70,7 +77,7 @@ std::string TellTypes(const std::string& body, const std::vector<KnownLamp>& kno
     const std::smatch& match = *it;
     const size_t k = std::stoul(match[2]);
     told.append(rest, match[0].first);
-    told += k < known.size() ? Tell(match.str(), match[1] == "Positional", known[k]) : match.str();
+    told += k < known.size() ? Tell(match.str(), match[1], known[k]) : match.str();
     rest = match[0].second;
   }
   return told.append(rest, body.end());

@@ -29,6 +29,7 @@ struct KnownLamp
   // As VTK's shading has it.
   bool Positional = false;
   bool Spot = false;
+  bool InverseSquare = false; // fades with the distance's square and nothing else
 };
 bool operator==(const KnownLamp& a, const KnownLamp& b);
 

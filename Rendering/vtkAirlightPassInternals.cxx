@@ -234,6 +234,10 @@ bool vtkAirlightPass::Internals::RenderOnce(
   }
   settings.Whole = MayBeWhole(settings, converted, lamps);
   this->UpdateSurfaceShader(converted, lamps, settings, view.IsParallel());
+  if (this->Materials.Update(s->GetPropArray(), s->GetPropArrayCount(), settings.KnowsAll))
+  {
+    this->ShaderTime.Modified();
+  }
   settings.MemoryLimit = static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20;
 
   vtkOpenGLState* state = window->GetState();

@@ -11,6 +11,7 @@
 #include "AirlightDelegate.h"
 #include "AirlightDistancePrograms.h"
 #include "AirlightFrame.h"
+#include "AirlightKnownMaterials.h"
 #include "AirlightMediaList.h"
 #include "AirlightProgram.h"
 #include "AirlightScenePass.h"
@@ -157,6 +158,7 @@ public:
   std::set<vtkProp*> Hidden;        // those kept from the stage of colours
 
   airlight::DistancePrograms OnlyDistances;
+  airlight::KnownMaterials Materials;
 
   std::set<vtkProp*> NotedVolumes;
 

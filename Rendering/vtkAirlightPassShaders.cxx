@@ -38,6 +38,7 @@ bool vtkAirlightPass::PostReplaceShaderValues(std::string& vertexShader,
       }
       else
       {
+        this->Impl->Materials.Tell(shader, prop);
         this->Impl->ChangeSurfaceShader(shader, AirlightScenePass::IsSplats(prop));
       }
     });

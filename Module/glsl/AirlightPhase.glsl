@@ -146,6 +146,9 @@ AIRLIGHT_FN real airlightPoleG(real4 pole, real x, real u)
 // the scattering integral, see AirlightPointLight.glsl.
 AIRLIGHT_FN real airlightPhaseG(AIRLIGHT_IN(AirlightPhase) phase, real x, real u)
 {
+#ifdef AIRLIGHT_ISOTROPIC
+  return phase.pole[0].y * airlightG(x, u);
+#endif
   real sum = real(0.0);
   for (int k = 0; k < AIRLIGHT_POLE_COUNT; k++)
   {

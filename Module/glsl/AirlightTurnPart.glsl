@@ -96,6 +96,26 @@ AIRLIGHT_FN AirlightTurnPart airlightTurnPart(
   return part;
 }
 
+// Twice that whole, of a part in which nothing ends.
+AIRLIGHT_FN AirlightShade airlightTurnWhole(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi0, real psi1)
+{
+  real reach = real(0.5) * (psi1 - psi0);
+  real2 half1 = airlightSineCosine(real(0.5) * (turn.left - real(0.5) * (psi0 + psi1)));
+  AirlightShade s0;
+  AirlightShade s1;
+  AirlightShade s2;
+  AirlightShade s3;
+  AirlightShade gap;
+  airlightTurnPair(medium, turn, half1, reach * real(0.18343464249564978), s0, gap);
+  airlightTurnPair(medium, turn, half1, reach * real(0.52553240991632899), s1, gap);
+  airlightTurnPair(medium, turn, half1, reach * real(0.79666647741362673), s2, gap);
+  airlightTurnPair(medium, turn, half1, reach * real(0.96028985649753618), s3, gap);
+  return reach *
+    ((real(0.36268378337836198) * s0 + real(0.31370664587788729) * s1) +
+      (real(0.22238103445337447) * s2 + real(0.10122853629037626) * s3));
+}
+
 // The integral from the part's beginning to psi, or to its nearer end.
 AIRLIGHT_FN AirlightShade airlightTurnBefore(AIRLIGHT_IN(AirlightTurnPart) part, real psi)
 {

@@ -52,10 +52,13 @@ bool airlightIsLit(ivec2 pixel)
 
 void main()
 {
-#if AIRLIGHT_JOINED
+#if AIRLIGHT_TURNED
   media = givenMedia;
+  airlightTakeMedium(media);
+#endif
+#if AIRLIGHT_JOINED
   light = givenLight;
-  airlightTakeConstants(0, media, light);
+  airlightTakeLight(0, light);
 #endif
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);

@@ -3,14 +3,19 @@
 
 flat in vec4 airlightFlatConstants[24]; // AirlightFullScreenVS.glsl
 
-// Puts in what the k-th light's constants say. Its intensity has the scattering coefficient in it.
-void airlightTakeConstants(int k, inout AirlightMedia media, inout AirlightLight light)
+// Puts in what the constants say of the medium.
+void airlightTakeMedium(inout AirlightMedia media)
+{
+  media.item[0].phase.pole[0].y = airlightFlatConstants[1].w;
+  media.item[0].sigmaT = airlightFlatConstants[2].xyz;
+}
+
+// And of the k-th light. Its intensity has the scattering coefficient in it.
+void airlightTakeLight(int k, inout AirlightLight light)
 {
   light.position = airlightFlatConstants[6 * k].xyz;
   light.radius = airlightFlatConstants[6 * k].w;
   light.intensity = airlightFlatConstants[6 * k + 1].xyz;
-  media.item[0].phase.pole[0].y = airlightFlatConstants[6 * k + 1].w;
-  media.item[0].sigmaT = airlightFlatConstants[6 * k + 2].xyz;
 }
 
 // The k-th light's moment about the pixel's ray.

@@ -3,8 +3,9 @@
 void main()
 {
   media = givenMedia;
+  airlightTakeMedium(media);
   light = givenLight;
-  airlightTakeConstants(0, media, light);
+  airlightTakeLight(0, light);
   vec2 p = airlightPixel();
   AirlightTurnedPixel pixel;
   if (!airlightTurnPixel(p, airlightRayUnit(p), texelFetch(distances, ivec2(p), 0).r, pixel))

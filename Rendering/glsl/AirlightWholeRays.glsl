@@ -8,29 +8,26 @@ uniform AirlightLight lights[AIRLIGHT_WHOLE_LIGHTS];
 // Of the k-th light.
 vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, float end)
 {
-  AirlightMedia medium = media;
   AirlightLight light = lights[k];
-  airlightTakeConstants(k, medium, light);
-#if !AIRLIGHT_CONES
-  light.cosCone = 0.0;
-#endif
-  AirlightRay ray = airlightRayBeside(medium, light, origin, direction, end,
+  airlightTakeLight(k, light);
+  AirlightRay ray = airlightRayBeside(media, light, origin, direction, end,
     airlightOwnMoment(k, p, unit, light, origin, direction));
-  AirlightTurn turn = airlightTurn(medium.item[0], ray, ray.lit.x, ray.lit.y);
+  AirlightTurn turn = airlightTurn(media.item[0], ray, ray.lit.x, ray.lit.y);
   AirlightShade sum = AirlightShade(0.0);
   float psi = 0.0;
   bool closes = AIRLIGHT_TURN_CLOSES && turn.open;
   for (int i = closes ? 1 : 0; i > 0; i--) // as in AirlightTurnedRay.glsl
   {
-    sum = 0.5 * airlightTurnRest(medium.item[0], turn, 0.0);
+    sum = airlightTurnRest(media.item[0], turn, 0.0);
   }
   for (int i = closes ? AIRLIGHT_TURN_PARTS : 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
   {
-    float next = airlightTurnPartEnd(medium.item[0], turn, psi);
-    sum += airlightTurnPart(medium.item[0], turn, psi, next).whole;
+    float next = airlightTurnPartEnd(media.item[0], turn, psi);
+    sum += airlightTurnWhole(media.item[0], turn, psi, next);
     psi = next;
   }
-  vec3 full = light.intensity / turn.h * (sum + sum);
+  // A channel that does not scatter is dark, whatever the limit of its integral.
+  vec3 full = light.intensity / turn.h * sum;
   return mix(vec3(0.0), full, greaterThan(light.intensity, vec3(0.0)));
 }
 
@@ -51,7 +48,7 @@ uniform AirlightOwnPixel own[AIRLIGHT_WHOLE_LIGHTS];
 vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, float end)
 {
   AirlightLight light = lights[k];
-#if !AIRLIGHT_CONES
+#ifdef AIRLIGHT_NO_CONE
   light.cosCone = 0.0;
 #endif
   vec3 moment = own[k].HasPixel != 0
@@ -61,7 +58,13 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
   vec3 tail = airlightTail3(media, light, ray, ray.lit.x);
   vec3 sum = airlightInterval3(media, light, ray, ray.lit.x, tail, ray.lit.y,
     airlightTail3(media, light, ray, ray.lit.y));
-  return ray.lit.y > ray.lit.x ? sum : vec3(0.0);
+  sum = ray.lit.y > ray.lit.x ? sum : vec3(0.0);
+  vec3 sigmaS = vec3(0.0);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    sigmaS += media.item[i].sigmaS;
+  }
+  return mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0)));
 }
 
 #endif
@@ -70,11 +73,5 @@ vec3 airlightWholeRays(vec2 p, vec3 origin, vec3 direction, float unit, float en
 {
   vec3 sum = vec3(0.0);
   AIRLIGHT_EACH_LIGHT
-  // A channel that does not scatter is dark, whatever the limit of its integral.
-  vec3 sigmaS = vec3(0.0);
-  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
-  {
-    sigmaS += media.item[i].sigmaS;
-  }
-  return mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0)));
+  return sum;
 }

@@ -92,6 +92,7 @@ struct Sums
 {
   std::vector<glm::dvec3> Before; // each place
   std::vector<glm::dvec3> After;  // in closed form; of rays that are open
+  glm::dvec3 Whole{ 0.0 };        // by parts that are not kept
 };
 
 Sums SumDouble(const Setting& s, const f64::AirlightPhase& phase)
@@ -111,6 +112,7 @@ Sums SumDouble(const Setting& s, const f64::AirlightPhase& phase)
       sums.Before[i] +=
         f64::airlightTurnBefore(part, f64::airlightTurned(turn, ray, s.Places[i])) / s.H;
     }
+    sums.Whole += f64::airlightTurnWhole(medium, turn, psi, end) / s.H;
     psi = end;
   }
   for (size_t i = 0; i < s.Places.size() && turn.open; ++i)
@@ -138,6 +140,7 @@ Sums SumSingle(const Setting& s, const f32::AirlightPhase& phase)
       const float at = f32::airlightTurned(turn, ray, static_cast<float>(s.Places[i]));
       sums.Before[i] += glm::dvec3(f32::airlightTurnBefore(part, at) / ray.foot.h);
     }
+    sums.Whole += glm::dvec3(f32::airlightTurnWhole(medium, turn, psi, end) / ray.foot.h);
     psi = end;
   }
   for (size_t i = 0; i < s.Places.size() && turn.open; ++i)
@@ -171,8 +174,14 @@ bool ComparePhase(const std::string& name, vtkParticipatingMedium* medium, Rando
     for (int k = 0; k < 3; ++k)
     {
       const double whole = f64::airlightSegment(phase, s.SigmaT[k], foot, 0.0, s.Length);
-      // What has faded below that is lost in single precision.
-      for (size_t i = 0; i < s.Places.size() && whole > 1e-28; ++i)
+      if (whole <= 1e-28) // lost in single precision
+      {
+        continue;
+      }
+      const auto describeRay = [&] { return s.Describe(); };
+      inDouble.Add(std::abs(wide.Whole[k] - whole) / whole, 5e-5, describeRay);
+      inSingle.Add(std::abs(narrow.Whole[k] - whole) / whole, 1e-4, describeRay);
+      for (size_t i = 0; i < s.Places.size(); ++i)
       {
         const double expected = s.Places[i] > 0.0
           ? f64::airlightSegment(phase, s.SigmaT[k], foot, 0.0, s.Places[i])

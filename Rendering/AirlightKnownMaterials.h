@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the mappers' shaders know of materials when they are made: which parts of VTK's shading come to
+ * nothing. A surface has no gleam of its own unless told so, and software renderers take as long for
+ * gleams that are multiplied by 0 as for others.
+ *
+ * A mapper's shader serves all actors that share the mapper, and VTK makes it anew where it is drawn with
+ * a property that has changed since, but not where an actor gets another one.
+ */
+
+#ifndef AirlightKnownMaterials_h
+#define AirlightKnownMaterials_h
+
+#include "vtkType.h"
+
+#include <map>
+#include <string>
+
+class vtkAbstractMapper;
+class vtkActor;
+class vtkProp;
+
+namespace airlight
+{
+// What is so of a vtkProperty.
+struct KnownMaterial
+{
+  bool NoAmbient = false;    // GetAmbient() is 0
+  bool WholeDiffuse = false; // GetDiffuse() is 1
+  bool NoSpecular = false;   // GetSpecular() is 0
+  bool Opaque = false;       // GetOpacity() is 1
+};
+
+class KnownMaterials
+{
+public:
+  // Before a frame: of all that it draws. `known`: whether that is all of it. True where some mapper's
+  // shader says what is not so any more and VTK would not make it anew: then all are to be.
+  bool Update(vtkProp** props, int count, bool known);
+
+  // While a mapper's shader is made: puts in what is known of its actors.
+  void Tell(std::string& fragmentShader, vtkProp* prop);
+
+private:
+  struct Entry
+  {
+    KnownMaterial Now;         // of all actors of this frame
+    KnownMaterial Told;        // the shader
+    vtkMTimeType ToldTime = 0; // before which VTK does not look
+    bool Met = false;          // in this frame
+  };
+  bool Meet(vtkActor* actor);
+  bool MeetAll(vtkProp** props, int count);
+  void Forget();
+
+  std::map<vtkAbstractMapper*, Entry> Entries; // not read through
+};
+}
+
+#endif
