@@ -9,6 +9,7 @@
 #include "vtkProperty.h"
 #include "vtkTimeStamp.h"
 
+#include <algorithm>
 #include <iterator>
 #include <vector>
 
@@ -49,10 +50,10 @@ KnownMaterial Both(const KnownMaterial& a, const KnownMaterial& b)
     a.NoSpecular && b.NoSpecular, a.Opaque && b.Opaque };
 }
 
-bool SaysMore(const KnownMaterial& a, const KnownMaterial& b)
+bool AreSame(const KnownMaterial& a, const KnownMaterial& b)
 {
-  return (a.NoAmbient && !b.NoAmbient) || (a.WholeDiffuse && !b.WholeDiffuse) ||
-    (a.NoSpecular && !b.NoSpecular) || (a.Opaque && !b.Opaque);
+  return a.NoAmbient == b.NoAmbient && a.WholeDiffuse == b.WholeDiffuse &&
+    a.NoSpecular == b.NoSpecular && a.Opaque == b.Opaque;
 }
 
 // VTK declares each of these at most once, and sets those that there are.
@@ -68,31 +69,30 @@ void MakeConstant(std::string& shader, const std::string& uniform, const std::st
 }
 
 //------------------------------------------------------------------------------
-// Whether the shader of an actor's mapper says of it what is not so, and VTK would not make it anew.
-bool KnownMaterials::Meet(vtkActor* actor)
+void KnownMaterials::Meet(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
   if (!mapper)
   {
-    return false;
+    return;
   }
   const KnownMaterial known = Find(actor);
   Entry& entry = this->Entries[mapper];
+  const bool newer = actor->GetProperty()->GetMTime() > entry.ToldTime;
   entry.Now = entry.Met ? Both(entry.Now, known) : known;
+  entry.Newer = newer && (entry.Newer || !entry.Met);
   entry.Met = true;
-  return SaysMore(entry.Told, known) && actor->GetProperty()->GetMTime() <= entry.ToldTime;
 }
 
 //------------------------------------------------------------------------------
-bool KnownMaterials::MeetAll(vtkProp** props, int count)
+void KnownMaterials::MeetAll(vtkProp** props, int count)
 {
-  bool old = false;
   vtkNew<vtkPropCollection> parts;
   for (vtkProp* prop : std::vector<vtkProp*>(props, props + count))
   {
     if (auto* actor = vtkActor::SafeDownCast(prop))
     {
-      old = this->Meet(actor) || old;
+      this->Meet(actor);
     }
     else
     {
@@ -103,10 +103,11 @@ bool KnownMaterials::MeetAll(vtkProp** props, int count)
   parts->InitTraversal(it);
   while (vtkProp* part = parts->GetNextProp(it))
   {
-    auto* actor = vtkActor::SafeDownCast(part);
-    old = (actor && this->Meet(actor)) || old;
+    if (auto* actor = vtkActor::SafeDownCast(part))
+    {
+      this->Meet(actor);
+    }
   }
-  return old;
 }
 
 //------------------------------------------------------------------------------
@@ -116,7 +117,7 @@ void KnownMaterials::Forget()
 {
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
   {
-    it->second.Told = KnownMaterial();
+    it->second.ToldTime = 0;
     it = it->second.Met ? std::next(it) : this->Entries.erase(it);
   }
 }
@@ -127,17 +128,25 @@ bool KnownMaterials::Update(vtkProp** props, int count, bool known)
   for (auto& entry : this->Entries)
   {
     entry.second.Met = false;
-    entry.second.Now = KnownMaterial();
   }
+  if (known)
+  {
+    this->MeetAll(props, count);
+  }
+  const auto isOld = [](const auto& item) {
+    const Entry& entry = item.second;
+    return entry.Met && entry.ToldTime > 0 && !entry.Newer && !AreSame(entry.Told, entry.Now);
+  };
   constexpr size_t few = 100; // that are not drawn any more
-  const size_t before = this->Entries.size();
-  const bool old = known ? this->MeetAll(props, count) : before > 0;
-  const bool many = known && before > 2 * static_cast<size_t>(count) + few;
-  if (old || many)
+  const bool many = this->Entries.size() > 2 * static_cast<size_t>(count) + few;
+  const bool old =
+    known != this->Known || many || std::any_of(this->Entries.begin(), this->Entries.end(), isOld);
+  this->Known = known;
+  if (old)
   {
     this->Forget();
   }
-  return old || many;
+  return old;
 }
 
 //------------------------------------------------------------------------------

@@ -36,7 +36,8 @@ class KnownMaterials
 {
 public:
   // Before a frame: of all that it draws. `known`: whether that is all of it. True where some mapper's
-  // shader says what is not so any more and VTK would not make it anew: then all are to be.
+  // shader says something else and VTK would not make it anew: then all are to be, so that no frame hangs
+  // on those before it.
   bool Update(vtkProp** props, int count, bool known);
 
   // While a mapper's shader is made: puts in what is known of its actors.
@@ -47,14 +48,16 @@ private:
   {
     KnownMaterial Now;         // of all actors of this frame
     KnownMaterial Told;        // the shader
-    vtkMTimeType ToldTime = 0; // before which VTK does not look
+    vtkMTimeType ToldTime = 0; // when that was; 0: there is none that is up to date
+    bool Newer = false;        // all of its properties are, so that VTK makes the shader anew
     bool Met = false;          // in this frame
   };
-  bool Meet(vtkActor* actor);
-  bool MeetAll(vtkProp** props, int count);
+  void Meet(vtkActor* actor);
+  void MeetAll(vtkProp** props, int count);
   void Forget();
 
   std::map<vtkAbstractMapper*, Entry> Entries; // not read through
+  bool Known = false;
 };
 }
 

@@ -101,6 +101,8 @@ void TestScene()
 {
   CheckUpdate("light moved", [](Stage& s) { s.Light->SetPosition(-1, 5, 1); });
   CheckUpdate("light dimmed", [](Stage& s) { s.Light->SetIntensity(0.5); });
+  CheckUpdate(
+    "light fades otherwise", [](Stage& s) { s.Light->SetAttenuationValues(1.0, 0.0, 0.01); });
   CheckUpdate("light switched off", [](Stage& s) { s.Light->SwitchOff(); });
   CheckUpdate("light removed", [](Stage& s) { s.Renderer->RemoveLight(s.Light); });
   CheckUpdate("light added", [](Stage& s) { s.AddPointLight({ 0, 3, 3 }, { 5, 5, 5 }); });
