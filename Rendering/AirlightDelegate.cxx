@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightDelegate.h"
 
+#include "AirlightClassNames.h"
+
 #include "vtkActor.h"
 #include "vtkCameraPass.h"
 #include "vtkDepthPeelingPass.h"
@@ -16,8 +18,6 @@
 #include "vtkSSAAPass.h"
 #include "vtkSequencePass.h"
 #include "vtkTranslucentPass.h"
-
-#include <cstring>
 
 namespace
 {
@@ -68,8 +68,7 @@ vtkStandardNewMacro(StandIn);
 // Subclasses may draw with other actors of theirs.
 bool IsPlain(vtkProp* prop)
 {
-  return (std::strcmp(prop->GetClassName(), "vtkOpenGLActor") == 0 ||
-           std::strcmp(prop->GetClassName(), "vtkActor") == 0) &&
+  return airlight::IsAnyOf(prop, { "vtkOpenGLActor", "vtkActor" }) &&
     !prop->HasTranslucentPolygonalGeometry();
 }
 
@@ -166,8 +165,7 @@ vtkRenderPass* FindTranslucentPass(vtkRenderPass* delegate)
 bool HasOpaquePass(vtkRenderPass* delegate)
 {
   return Find(delegate, [](vtkRenderPass* pass) {
-    return vtkOpaquePass::SafeDownCast(pass) ||
-      std::strcmp(pass->GetClassName(), "vtkDefaultPass") == 0;
+    return vtkOpaquePass::SafeDownCast(pass) || IsAnyOf(pass, { "vtkDefaultPass" });
   });
 }
 }

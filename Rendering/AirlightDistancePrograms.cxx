@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightDistancePrograms.h"
 
+#include "AirlightClassNames.h"
 #include "AirlightOpenGL.h"
 
 #include "vtkCommand.h"
@@ -33,8 +34,7 @@ std::string CutShading(const std::string& source)
 // those of composite data, set some for each part.
 bool DrawsAtOnce(vtkAbstractMapper* mapper)
 {
-  const std::string name = mapper->GetClassName();
-  return name == "vtkOpenGLPolyDataMapper" || name == "vtkAirlightPolyDataMapper";
+  return IsAnyOf(mapper, { "vtkOpenGLPolyDataMapper", "vtkAirlightPolyDataMapper" });
 }
 
 // A uniform or an attribute that a program uses.

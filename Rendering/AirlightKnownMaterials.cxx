@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightKnownMaterials.h"
 
+#include "AirlightClassNames.h"
+
 #include "vtkActor.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
@@ -20,9 +22,8 @@ namespace
 // Mappers that draw with their actor's property. Composite data's blocks have opacities of their own.
 bool TakesIntensities(vtkMapper* mapper)
 {
-  const std::string name = mapper->GetClassName();
-  return name == "vtkOpenGLPolyDataMapper" || name == "vtkDataSetMapper" ||
-    name == "vtkCompositePolyDataMapper2";
+  return IsAnyOf(
+    mapper, { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper", "vtkCompositePolyDataMapper2" });
 }
 
 // Edges, vertices and what is selected are drawn with other numbers.

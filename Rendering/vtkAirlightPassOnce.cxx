@@ -7,6 +7,8 @@
 
 #include "vtkAirlightPassInternals.h"
 
+#include "AirlightClassNames.h"
+
 #include "vtkActor.h"
 #include "vtkHiddenLineRemovalPass.h"
 #include "vtkInformation.h"
@@ -20,7 +22,6 @@
 #include "vtkShaderProperty.h"
 
 #include <algorithm>
-#include <cstring>
 #include <functional>
 #include <iterator>
 
@@ -28,13 +29,6 @@ using namespace airlight;
 
 namespace
 {
-bool IsAnyOf(vtkObject* object, std::initializer_list<const char*> names)
-{
-  return object && std::any_of(names.begin(), names.end(), [object](const char* name) {
-    return std::strcmp(object->GetClassName(), name) == 0;
-  });
-}
-
 // Whether another pass takes part in a prop's shaders.
 bool HasForeignPass(vtkProp* prop)
 {
