@@ -123,13 +123,13 @@ bool BoundaryStore::Prepare(int width, int height, bool dimmed, size_t edges, st
     this->MostBytes = std::clamp<std::uint64_t>(most, 1u << 24, 0x7fffffff);
   }
   const std::uint64_t heads = 2 * static_cast<std::uint64_t>(width) * height + HeadOffset;
-  const std::string what =
-    "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
-  if (this->HeadCount != heads &&
-    (!this->Allocate(this->Heads[0], 4 * heads, what) ||
-      !this->Allocate(this->Heads[1], 4 * heads, what)))
+  for (int i = 0; i < 2 && this->HeadCount != heads; ++i)
   {
-    return false;
+    if (!this->Allocate(this->Heads[i], 4 * heads,
+          "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels"))
+    {
+      return false;
+    }
   }
   this->HeadCount = heads;
   if (!this->ReserveSlots())

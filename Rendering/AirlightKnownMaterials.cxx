@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <vector>
 
 namespace airlight
 {
@@ -89,15 +88,15 @@ void KnownMaterials::Meet(vtkActor* actor)
 void KnownMaterials::MeetAll(vtkProp** props, int count)
 {
   vtkNew<vtkPropCollection> parts;
-  for (vtkProp* prop : std::vector<vtkProp*>(props, props + count))
+  for (int i = 0; i < count; ++i)
   {
-    if (auto* actor = vtkActor::SafeDownCast(prop))
+    if (auto* actor = vtkActor::SafeDownCast(props[i]))
     {
       this->Meet(actor);
     }
     else
     {
-      prop->GetActors(parts);
+      props[i]->GetActors(parts);
     }
   }
   vtkCollectionSimpleIterator it = nullptr;

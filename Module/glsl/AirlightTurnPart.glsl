@@ -43,6 +43,32 @@ AIRLIGHT_FN void airlightTurnPair(AIRLIGHT_IN(AirlightMedium) medium,
   gap = after - before;
 }
 
+// The eight nodes of Gauss and Legendre around a middle: sums and differences of the pairs, from the
+// innermost on.
+struct AirlightTurnNodes
+{
+  AirlightShade s0;
+  AirlightShade s1;
+  AirlightShade s2;
+  AirlightShade s3;
+  AirlightShade d0;
+  AirlightShade d1;
+  AirlightShade d2;
+  AirlightShade d3;
+};
+
+AIRLIGHT_FN AirlightTurnNodes airlightTurnNodes(AIRLIGHT_IN(AirlightMedium) medium,
+  AIRLIGHT_IN(AirlightTurn) turn, real middle, real reach)
+{
+  AirlightTurnNodes n;
+  real2 half1 = airlightSineCosine(real(0.5) * (turn.left - middle));
+  airlightTurnPair(medium, turn, half1, reach * real(0.18343464249564978), n.s0, n.d0);
+  airlightTurnPair(medium, turn, half1, reach * real(0.52553240991632899), n.s1, n.d1);
+  airlightTurnPair(medium, turn, half1, reach * real(0.79666647741362673), n.s2, n.d2);
+  airlightTurnPair(medium, turn, half1, reach * real(0.96028985649753618), n.s3, n.d3);
+  return n;
+}
+
 // The part from psi0 to psi1. With y in [-1, 1] along it and z = y^2, what is before y is
 //
 //   E(1) + y E(2 z - 1) - (1 - z) O(2 z - 1)
@@ -55,43 +81,31 @@ AIRLIGHT_FN AirlightTurnPart airlightTurnPart(
   part.middle = real(0.5) * (psi0 + psi1);
   real reach = real(0.5) * (psi1 - psi0);
   part.inverseReach = real(1.0) / reach;
-  AirlightShade s0;
-  AirlightShade s1;
-  AirlightShade s2;
-  AirlightShade s3;
-  AirlightShade d0;
-  AirlightShade d1;
-  AirlightShade d2;
-  AirlightShade d3;
-  real2 half1 = airlightSineCosine(real(0.5) * (turn.left - part.middle));
-  airlightTurnPair(medium, turn, half1, reach * real(0.18343464249564978), s0, d0);
-  airlightTurnPair(medium, turn, half1, reach * real(0.52553240991632899), s1, d1);
-  airlightTurnPair(medium, turn, half1, reach * real(0.79666647741362673), s2, d2);
-  airlightTurnPair(medium, turn, half1, reach * real(0.96028985649753618), s3, d3);
+  AirlightTurnNodes n = airlightTurnNodes(medium, turn, part.middle, reach);
   part.even0 = reach *
-    (real(0.255673747222) * s0 + real(0.221805968253) * s1 +
-      real(0.0253799423589) * s2 + real(-0.00285965783329) * s3);
+    (real(0.255673747222) * n.s0 + real(0.221805968253) * n.s1 +
+      real(0.0253799423589) * n.s2 + real(-0.00285965783329) * n.s3);
   part.even1 = reach *
-    (real(-0.152398985846) * s0 + real(0.00711579102774) * s1 +
-      real(0.165152275338) * s2 + real(-0.0198690805204) * s3);
+    (real(-0.152398985846) * n.s0 + real(0.00711579102774) * n.s1 +
+      real(0.165152275338) * n.s2 + real(-0.0198690805204) * n.s3);
   part.even2 = reach *
-    (real(0.147003529978) * s0 + real(-0.231036877713) * s1 +
-      real(0.064803171746) * s2 + real(0.0192301759894) * s3);
+    (real(0.147003529978) * n.s0 + real(-0.231036877713) * n.s1 +
+      real(0.064803171746) * n.s2 + real(0.0192301759894) * n.s3);
   part.even3 = reach *
-    (real(-0.0689363996646) * s0 + real(0.158968441372) * s1 +
-      real(-0.144144872217) * s2 + real(0.0541128305095) * s3);
+    (real(-0.0689363996646) * n.s0 + real(0.158968441372) * n.s1 +
+      real(-0.144144872217) * n.s2 + real(0.0541128305095) * n.s3);
   part.odd0 = reach *
-    (real(0.00757419981627) * d0 + real(-0.0040837883702) * d1 +
-      real(0.18858661277) * d2 + real(0.104672729119) * d3);
+    (real(0.00757419981627) * n.d0 + real(-0.0040837883702) * n.d1 +
+      real(0.18858661277) * n.d2 + real(0.104672729119) * n.d3);
   part.odd1 = reach *
-    (real(0.141475364289) * d0 + real(-0.228653715794) * d1 +
-      real(-0.0346463856799) * d2 + real(0.126852396324) * d3);
+    (real(0.141475364289) * n.d0 + real(-0.228653715794) * n.d1 +
+      real(-0.0346463856799) * n.d2 + real(0.126852396324) * n.d3);
   part.odd2 = reach *
-    (real(-0.0368131538904) * d0 + real(0.200815580834) * d1 +
-      real(-0.271467418821) * d2 + real(0.122345043081) * d3);
+    (real(-0.0368131538904) * n.d0 + real(0.200815580834) * n.d1 +
+      real(-0.271467418821) * n.d2 + real(0.122345043081) * n.d3);
   part.odd3 = reach *
-    (real(-0.328832923192) * d0 + real(0.264678987586) * d1 +
-      real(-0.1583181504) * d2 + real(0.0493067029454) * d3);
+    (real(-0.328832923192) * n.d0 + real(0.264678987586) * n.d1 +
+      real(-0.1583181504) * n.d2 + real(0.0493067029454) * n.d3);
   part.whole = ((part.even3 + part.even2) + part.even1) + part.even0;
   return part;
 }
@@ -101,19 +115,10 @@ AIRLIGHT_FN AirlightShade airlightTurnWhole(
   AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi0, real psi1)
 {
   real reach = real(0.5) * (psi1 - psi0);
-  real2 half1 = airlightSineCosine(real(0.5) * (turn.left - real(0.5) * (psi0 + psi1)));
-  AirlightShade s0;
-  AirlightShade s1;
-  AirlightShade s2;
-  AirlightShade s3;
-  AirlightShade gap;
-  airlightTurnPair(medium, turn, half1, reach * real(0.18343464249564978), s0, gap);
-  airlightTurnPair(medium, turn, half1, reach * real(0.52553240991632899), s1, gap);
-  airlightTurnPair(medium, turn, half1, reach * real(0.79666647741362673), s2, gap);
-  airlightTurnPair(medium, turn, half1, reach * real(0.96028985649753618), s3, gap);
+  AirlightTurnNodes n = airlightTurnNodes(medium, turn, real(0.5) * (psi0 + psi1), reach);
   return reach *
-    ((real(0.36268378337836198) * s0 + real(0.31370664587788729) * s1) +
-      (real(0.22238103445337447) * s2 + real(0.10122853629037626) * s3));
+    ((real(0.36268378337836198) * n.s0 + real(0.31370664587788729) * n.s1) +
+      (real(0.22238103445337447) * n.s2 + real(0.10122853629037626) * n.s3));
 }
 
 // The integral from the part's beginning to psi, or to its nearer end.
