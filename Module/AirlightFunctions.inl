@@ -60,5 +60,6 @@
 #include "AirlightScattering.glsl"
 #include "AirlightTurn.glsl"
 #include "AirlightTurnPart.glsl"
+#include "AirlightTurnWhole.glsl"
 #include "AirlightGlowRay.glsl"
 #include "AirlightGlow.glsl"

@@ -12,6 +12,7 @@
 #include "AirlightShadowCounts.h"
 #include "AirlightTurn.h"
 #include "AirlightTurnPart.h"
+#include "AirlightTurnWhole.h"
 #include "AirlightTurnedFS.h"
 #include "AirlightTurnedRay.h"
 
@@ -50,7 +51,8 @@ bool Frame::AreTurned(const std::vector<int>& lights) const
 //------------------------------------------------------------------------------
 std::string Frame::GetTurnSource()
 {
-  return std::string(GlobalMedia) + AirlightTurn + AirlightTurnPart + AirlightConstants;
+  return std::string(GlobalMedia) + AirlightTurn + AirlightTurnPart + AirlightTurnWhole +
+    AirlightConstants;
 }
 
 //------------------------------------------------------------------------------

@@ -94,26 +94,48 @@ AIRLIGHT_FN real airlightHalfCotangent(real angle)
   return max(real(2.0) - z * (real(0.66666667) + z * real(0.05832)), real(0.0)) / angle;
 }
 
-// A ray's part [t0, t1] in which the light is not cut off. In s = tan(theta/2)
-// (AirlightPointLight.glsl), which is the cotangent of half the angle that is left, t + r is
-// tL + h s.
-AIRLIGHT_FN AirlightTurn airlightTurn(
-  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
+// s = tan(theta/2) (AirlightPointLight.glsl) at a place x from the light's foot: the cotangent of half the
+// angle that is left there. t + r is tL + h s.
+AIRLIGHT_FN real airlightTurnTangent(real h, real x)
+{
+  real r = sqrt(h * h + x * x);
+  return (x >= real(0.0) ? x + r : h) / (x >= real(0.0) ? h : r - x);
+}
+
+// The least optical depth per unit of s, of the channels that fade; 0 where none does.
+AIRLIGHT_FN real airlightTurnLeastFading(AIRLIGHT_IN(AirlightMedium) medium, real h)
+{
+  real least = airlightLeastExtinction(medium);
+  return least < real(AIRLIGHT_FAR) ? least * h : real(0.0);
+}
+
+// A ray from t0 on, without its angles.
+AIRLIGHT_FN AirlightTurn airlightTurnFrom(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightRay) ray, real t0)
 {
   const real log2e = real(1.4426950408889634);
   AirlightTurn turn;
   turn.from = t0;
   turn.x = airlightFromFoot(ray, t0);
   turn.h = ray.foot.h;
-  turn.left = airlightAngle(turn.h, turn.x);
-  turn.later = real(0.66) / turn.left;
+  turn.left = real(0.0);
+  turn.later = real(0.0);
+  turn.end = real(0.0);
+  turn.open = false;
   turn.start = AIRLIGHT_SHADE(medium.sigmaT) * (-log2e * ray.foot.tL);
   turn.slope = AIRLIGHT_SHADE(medium.sigmaT) * (-log2e * turn.h);
-  real r = sqrt(turn.h * turn.h + turn.x * turn.x);
-  turn.s = (turn.x >= real(0.0) ? turn.x + r : turn.h) / (turn.x >= real(0.0) ? turn.h : r - turn.x);
-  // In a clear medium nothing fades.
-  real least = airlightLeastExtinction(medium);
-  real tau = least < real(AIRLIGHT_FAR) ? least * turn.h : real(0.0);
+  turn.s = airlightTurnTangent(turn.h, turn.x);
+  return turn;
+}
+
+// A ray's part [t0, t1] in which the light is not cut off.
+AIRLIGHT_FN AirlightTurn airlightTurn(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
+{
+  AirlightTurn turn = airlightTurnFrom(medium, ray, t0);
+  turn.left = airlightAngle(turn.h, turn.x);
+  turn.later = real(0.66) / turn.left;
+  real tau = airlightTurnLeastFading(medium, turn.h);
   real gone = turn.left - airlightTwiceAngle(tau, turn.s * tau + real(AIRLIGHT_TURN_FADED));
   turn.end = airlightTurned(turn, ray, t1);
   turn.open = tau > real(0.0) && gone < turn.end;
@@ -175,13 +197,11 @@ AIRLIGHT_FN real airlightTurnPartEnd(
   return min(psi + max(length, real(1e-3) * left), turn.end);
 }
 
-// The integral from psi on of a ray that is open: to infinity, which differs by less than what is left
+// The integral from s on of a ray that is open: to infinity, which differs by less than what is left
 // where the light is gone. The closed form of AirlightPointLight.glsl times h.
-AIRLIGHT_FN AirlightShade airlightTurnRest(
-  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi)
+AIRLIGHT_FN AirlightShade airlightTurnRestFrom(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real s)
 {
-  real2 half1 = airlightSineCosine(real(0.5) * (turn.left - psi));
-  real s = half1.y / max(half1.x, real(1e-15));
   AirlightShade u = turn.h * AIRLIGHT_SHADE(medium.sigmaT);
   AirlightShade passes = real(2.0) * u * exp2(turn.start + turn.slope * s);
 #if defined(AIRLIGHT_GREY) && AIRLIGHT_GREY
@@ -191,4 +211,12 @@ AIRLIGHT_FN AirlightShade airlightTurnRest(
     real3(airlightPhaseG(medium.phase, u.x * s, u.x), airlightPhaseG(medium.phase, u.y * s, u.y),
       airlightPhaseG(medium.phase, u.z * s, u.z));
 #endif
+}
+
+// The same from psi on.
+AIRLIGHT_FN AirlightShade airlightTurnRest(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi)
+{
+  real2 half1 = airlightSineCosine(real(0.5) * (turn.left - psi));
+  return airlightTurnRestFrom(medium, turn, half1.y / max(half1.x, real(1e-15)));
 }

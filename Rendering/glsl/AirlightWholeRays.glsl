@@ -12,22 +12,9 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
   airlightTakeLight(k, light);
   AirlightRay ray = airlightRayBeside(media, light, origin, direction, end,
     airlightOwnMoment(k, p, unit, light, origin, direction));
-  AirlightTurn turn = airlightTurn(media.item[0], ray, ray.lit.x, ray.lit.y);
-  AirlightShade sum = AirlightShade(0.0);
-  float psi = 0.0;
-  bool closes = AIRLIGHT_TURN_CLOSES && turn.open;
-  for (int i = closes ? 1 : 0; i > 0; i--) // as in AirlightTurnedRay.glsl
-  {
-    sum = airlightTurnRest(media.item[0], turn, 0.0);
-  }
-  for (int i = closes ? AIRLIGHT_TURN_PARTS : 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
-  {
-    float next = airlightTurnPartEnd(media.item[0], turn, psi);
-    sum += airlightTurnWhole(media.item[0], turn, psi, next);
-    psi = next;
-  }
+  AirlightShade sum = airlightTurnAll(media.item[0], ray, ray.lit.x, ray.lit.y);
   // A channel that does not scatter is dark, whatever the limit of its integral.
-  vec3 full = light.intensity / turn.h * sum;
+  vec3 full = light.intensity / ray.foot.h * sum;
   return mix(vec3(0.0), full, greaterThan(light.intensity, vec3(0.0)));
 }
 
