@@ -176,14 +176,14 @@ bool Frame::Record()
   this->Buffers["Airlight"] = this->Textures.Read(1, 0, 3);
   this->Buffers["Surface"] = this->Textures.Read(2, 0, 3);
   this->Buffers["Transmittance"] = this->Textures.Read(3, 0, 3);
+  this->Buffers["Depth"] = this->Textures.Read(3, 3, 1);
   this->Buffers["ErrorBound"] = this->Textures.Read(1, 3, 1);
-  if (!this->Textures.Bind({ this->Textures.Counts, this->Textures.Distances }, nullptr))
+  if (!this->Textures.Bind({ this->Textures.Counts }, nullptr))
   {
     return this->Fail(this->Textures.GetError());
   }
   this->Buffers["BoundaryCount"] = this->Textures.Read(0, 0, 1);
   this->Buffers["LitLength"] = this->Textures.Read(0, 2, 1);
-  this->Buffers["Depth"] = this->Textures.Read(1, 0, 1);
   return true;
 }
 

@@ -11,8 +11,8 @@ namespace airlight
 //------------------------------------------------------------------------------
 bool operator==(const KnownLamp& a, const KnownLamp& b)
 {
-  return a.Sun == b.Sun && a.Positional == b.Positional && a.Spot == b.Spot &&
-    a.InverseSquare == b.InverseSquare;
+  return a.Scatters == b.Scatters && a.Sun == b.Sun && a.Goniometric == b.Goniometric &&
+    a.Positional == b.Positional && a.Spot == b.Spot && a.InverseSquare == b.InverseSquare;
 }
 
 //------------------------------------------------------------------------------
@@ -27,11 +27,29 @@ std::vector<KnownLamp> FindKnownLamps(const std::vector<Lamp>& lamps)
   {
     const double* fading = lamp.Light->GetAttenuationValues();
     // VTK compares in single precision.
-    known.push_back({ f64::airlightIsDirectional(lamp.Values), lamp.Light->GetPositional() != 0,
-      static_cast<float>(lamp.Light->GetConeAngle()) < 90.0f,
-      fading[0] == 0.0 && fading[1] == 0.0 && fading[2] == 1.0 });
+    known.push_back(
+      { lamp.Scatters(), f64::airlightIsDirectional(lamp.Values), lamp.Values.goniometric != 0,
+        lamp.Light->GetPositional() != 0, static_cast<float>(lamp.Light->GetConeAngle()) < 90.0f,
+        fading[0] == 0.0 && fading[1] == 0.0 && fading[2] == 1.0 });
   }
   return known;
+}
+
+namespace
+{
+// The light that arrives from a lamp, for AirlightSurface.glsl.
+std::string Share(const KnownLamp& lamp, const std::string& index)
+{
+  if (!lamp.Scatters)
+  {
+    return "vec3(1.0)";
+  }
+  const std::string passed = lamp.Sun ? "airlightPassed(" + index + ", true, point)"
+    : lamp.Positional && !lamp.Goniometric
+    ? "AIRLIGHT_PASSED_FROM(" + index + ", lightPositionVC" + index + ", point)"
+    : "airlightPassed(" + index + ", false, point)";
+  return "airlightShare(" + index + ", " + passed + ")";
+}
 }
 
 //------------------------------------------------------------------------------
@@ -43,8 +61,8 @@ std::string DefineLamps(const std::vector<KnownLamp>& known, int apart)
   {
     const std::string index = std::to_string(k);
     lines += " airlightArrived[" + index +
-      "] = " + (static_cast<int>(k) == apart ? "airlightApart * " : "") + "airlightShare(" + index +
-      ", " + (known[k].Sun ? "true" : "false") + ", point);";
+      "] = " + (static_cast<int>(k) == apart ? "airlightApart * " : "") + Share(known[k], index) +
+      ";";
   }
   return lines.empty() ? "" : "#define AIRLIGHT_EACH_LAMP(point)" + lines + "\n";
 }

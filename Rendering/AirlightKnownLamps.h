@@ -25,7 +25,9 @@ constexpr size_t MaximumKnownLamps = 8;
 
 struct KnownLamp
 {
-  bool Sun = false; // at infinity, for the medium
+  bool Scatters = true;     // else as VTK shades it: without power, or refused
+  bool Sun = false;         // at infinity, for the medium
+  bool Goniometric = false; // shines by a photometric file
   // As VTK's shading has it.
   bool Positional = false;
   bool Spot = false;

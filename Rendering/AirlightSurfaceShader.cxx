@@ -101,20 +101,40 @@ std::string AddMedium(const std::string& body)
       "\n  gl_FragData[0].rgb = airlightThrough(gl_FragData[0].rgb);\n  " + body.substr(place);
 }
 
-// Whether nothing but the template's own test of the final opacity can discard a fragment. Then a
-// fragment of an opaque surface is as good as drawn before it is shaded.
-bool MayLeaveEarly(const std::string& commented)
+std::string WithoutComments(const std::string& body)
 {
   static const std::regex comment("//[^\n]*");
-  const std::string body = std::regex_replace(commented, comment, "");
+  return std::regex_replace(body, comment, "");
+}
+
+// Whether nothing but the template's own test of the final opacity can discard a fragment. Then a
+// fragment of an opaque surface is as good as drawn before it is shaded. `body` without comments.
+bool MayLeaveEarly(const std::string& body)
+{
   const size_t first = body.find("discard");
   return (first == std::string::npos || body.find("discard", first + 1) == std::string::npos) &&
     body.find("texture(") == std::string::npos && body.find("gl_FragDepth") == std::string::npos;
 }
 
+// Whether the mapper's shading has the places of lights and of the fragment, which is drawn where the triangle
+// is. `body` without comments.
+bool HasPositions(
+  const std::string& shader, const std::string& body, const std::vector<KnownLamp>& known)
+{
+  for (size_t k = 0; k < known.size(); ++k)
+  {
+    if (known[k].Positional &&
+      shader.find("uniform vec3 lightPositionVC" + std::to_string(k) + ";") == std::string::npos)
+    {
+      return false;
+    }
+  }
+  return shader.find("in vec4 vertexVCVSOutput;") != std::string::npos &&
+    body.find("gl_FragDepth") == std::string::npos;
+}
+
 // Below 0 in green: no shader that writes colours does that.
-const char* WriteDistance =
-  "    gl_FragData[0] = vec4(airlightFragmentDistance(), -1.0, 0.0, 1.0);\n";
+const char* WriteDistance = "    gl_FragData[0] = vec4(airlightFragmentPlace(), -1.0, 0.0, 1.0);\n";
 
 // What is drawn where no colours are.
 std::string OtherStages(bool records, bool leave)
@@ -146,7 +166,7 @@ std::string DrawOnce(const SurfaceText& text)
                      "    gl_FragData[0] = colour;\n";
   return std::string("\nvoid main()\n{\n  airlightShade();\n"
                      "  if (airlightStage == AIRLIGHT_STAGE_COLOUR)\n  {\n"
-                     "    gl_FragData[1] = vec4(airlightFragmentDistance(), 0.0, 0.0, 1.0);\n") +
+                     "    gl_FragData[1] = vec4(airlightFragmentPlace(), 0.0, 0.0, 1.0);\n") +
     (text.Apart >= 0 ? dark : "") + "  }\n}\n";
 }
 }
@@ -201,13 +221,17 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
   const std::string find = records
     ? "  if (airlightStage == AIRLIGHT_STAGE_LAYER)\n  {\n    airlightFindLayer();\n  }\n"
     : "";
-  const bool early = MayLeaveEarly(body);
+  const std::string bare = WithoutComments(body);
+  const bool early = MayLeaveEarly(bare);
   const std::string others = text.InPass ? OtherStages(records, early) : "";
   const std::string shade = (text.Once ? "void airlightShade()\n{\n" : "void main()\n{\n") + hide +
     (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
     (early ? "" : others) + fragmentShader.substr(bodyEnd) + (text.Once ? DrawOnce(text) : "");
   fragmentShader.replace(mainStart, fragmentShader.size(),
-    Declarations(text) + (hides ? "uniform int airlightHidden;\n" : "") +
+    (text.Everywhere && HasPositions(fragmentShader, bare, text.Known)
+        ? "#define AIRLIGHT_EVERYWHERE\n"
+        : "") +
+      Declarations(text) + (hides ? "uniform int airlightHidden;\n" : "") +
       (early && text.InPass ? OnlyDistances(hide, shade) : shade));
   AddExtensions(fragmentShader, text);
 }
@@ -242,12 +266,17 @@ bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
   // mapper without the pass is to stay as it is.
   const std::vector<KnownLamp> known =
     text.InPass ? FindKnownLamps(lamps) : std::vector<KnownLamp>();
-  if (lampCount <= text.LampCount && source == text.Mathematics &&
+  const bool everywhere = std::all_of(media.item, media.item + media.count, [](const auto& medium) {
+    return medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
+      medium.density == AIRLIGHT_DENSITY_UNIFORM;
+  });
+  if (lampCount <= text.LampCount && everywhere == text.Everywhere && source == text.Mathematics &&
     translucent == text.Translucent && known == text.Known)
   {
     return false;
   }
   text.Known = known;
+  text.Everywhere = everywhere;
   text.Translucent = translucent;
   // Some more, so that another lamp does not make other shaders.
   text.LampCount = std::max(text.LampCount, (lampCount + 7) / 8 * 8);

@@ -59,6 +59,7 @@ struct SurfaceText
   bool Parallel = false;
   bool InPass = true;      // there are the pass's stages and its shadows on surfaces
   bool AtVertices = false; // the medium before fragments is interpolated between vertices
+  bool Everywhere = false; // all media are unbounded and of one density
   std::string Mathematics; // GetScatteringSource() and, for scattered light, GetGlowSource()
 };
 

@@ -16,8 +16,8 @@ AIRLIGHT_FN AirlightShade airlightTurnByAngles(
   return sum;
 }
 
-// In an isotropic medium the same integral in s is that of exp(-u s)/(1 + s^2), with u = sigmaT h: it takes
-// no angles, and half as many exponentials.
+// In an isotropic medium the same integral in s = tan(theta/2) is that of exp(-u s)/(1 + s^2), with
+// u = sigmaT h: it takes no angles, and half as many exponentials.
 
 // How far s grows up to t1; as a difference of its ends it would cancel on a short way. What lies beyond
 // 1e7 (1 + s) is less than 1e-7 of the ray's airlight.
@@ -83,22 +83,23 @@ AIRLIGHT_FN AirlightShade airlightTurnByTangents(
 {
   AirlightTurn turn = airlightTurnFrom(medium, ray, t0);
   real reach = airlightTurnReach(turn, ray, t1);
-  real done = real(0.0);
-  AirlightShade sum = AirlightShade(real(0.0));
   bool open = airlightTurnLeastFading(medium, turn.h) * reach > real(AIRLIGHT_TURN_FADED);
+  AirlightShade rest = AirlightShade(real(0.0));
   for (int i = open ? 1 : 0; i > 0; i--)
   {
-    sum = airlightTurnRestFrom(medium, turn, turn.s);
-    done = reach;
+    rest = airlightTurnRestFrom(medium, turn, turn.s);
   }
-  AirlightShade parts = AirlightShade(real(0.0));
+  // Most rays have one part: it is in no loop.
+  real first = min(airlightTurnStep(medium, turn, real(0.0)), reach);
+  AirlightShade parts = airlightTurnStraight(turn, real(0.0), first);
+  real done = open ? reach : first;
   for (int i = 0; i < AIRLIGHT_TURN_PARTS && done < reach; i++)
   {
     real next = min(done + airlightTurnStep(medium, turn, done), reach);
     parts += airlightTurnStraight(turn, done, next);
     done = next;
   }
-  return sum + airlightPhaseHalves(medium.phase, real(0.5), real(0.5)) * parts;
+  return open ? rest : airlightPhaseHalves(medium.phase, real(0.5), real(0.5)) * parts;
 }
 
 AIRLIGHT_FN AirlightShade airlightTurnAll(

@@ -16,11 +16,11 @@ layout(std430, binding = 1) buffer AirlightNodes
 float boundaryUnit; // of their distances
 float boundaryEnd;  // where those that count end, on that unit
 
-// For a ray that ends at `surface`, where that is not below 0.
+// For a ray that ends at `surface` on that unit, where that is not below 0.
 void airlightEndBoundaries(float surface, float unit)
 {
   boundaryUnit = unit;
-  boundaryEnd = surface >= 0.0 ? surface / unit : 1e37;
+  boundaryEnd = surface >= 0.0 ? surface : 1e37;
 }
 
 const int AIRLIGHT_MORE = 0;  // a boundary

@@ -35,7 +35,7 @@ uniform sampler2D counts;
 uniform float error; // of what the media scatter of the ambient light, relative
 layout(location = 1) out vec4 airlight; // radiance; error bound
 layout(location = 2) out vec4 surface;
-layout(location = 3) out vec4 transmittance;
+layout(location = 3) out vec4 transmittance; // and the distance along the unit ray
 #endif
 
 #if AIRLIGHT_APART >= 0 && AIRLIGHT_LEFT_OVER
@@ -62,12 +62,12 @@ void main()
 #endif
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
-  float t = texelFetch(distances, pixel, 0).r;
+  float place = texelFetch(distances, pixel, 0).r;
   vec4 colour = texelFetch(scene, pixel, 0);
   float unit = airlightRayUnit(p);
 #if AIRLIGHT_JOINED
   AirlightTurnedPixel turned;
-  bool few = airlightTurnPixel(p, unit, t, turned);
+  bool few = airlightTurnPixel(p, unit, place, turned);
   bool reaches = turned.surfaceLit;
 #endif
 #if AIRLIGHT_APART >= 0
@@ -76,7 +76,7 @@ void main()
 #elif !AIRLIGHT_JOINED
   bool reaches = airlightIsLit(pixel);
 #endif
-  colour = t >= 0.0 && !reaches ? texelFetch(dark, pixel, 0) : colour;
+  colour = place >= 0.0 && !reaches ? texelFetch(dark, pixel, 0) : colour;
 #endif
   // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
   colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
@@ -85,7 +85,7 @@ void main()
 #endif
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
-  float end = t >= 0.0 ? t : AIRLIGHT_FAR;
+  float end = place >= 0.0 ? unit * place : AIRLIGHT_FAR;
 #if AIRLIGHT_GREY
   vec3 passes = vec3(exp(-airlightDepth(media, origin, direction, end).x));
 #else
@@ -112,8 +112,8 @@ void main()
 #ifdef AIRLIGHT_RECORD
   airlight = vec4(added,
     texelFetch(counts, pixel, 0).g + error * max(ambient.r, max(ambient.g, ambient.b)));
-  surface = vec4(t >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
-  transmittance = vec4(passes, 1.0);
+  surface = vec4(place >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
+  transmittance = vec4(passes, place >= 0.0 ? end : -1.0);
 #endif
 #ifndef AIRLIGHT_LAYERS
 #if AIRLIGHT_DEBUG_VIEW == 1

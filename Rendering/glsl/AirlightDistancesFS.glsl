@@ -16,7 +16,6 @@ void main()
   {
     float z = texelFetch(sceneDepth, pixel, 0).r;
     float converted = airlightDepthToDistance.x + airlightDepthToDistance.y * z;
-    float perspective = length(airlightDirection(airlightPixel())) / converted;
-    found = z >= 1.0 ? -1.0 : airlightParallel != 0 ? converted : perspective;
+    found = z >= 1.0 ? -1.0 : airlightParallel != 0 ? converted : 1.0 / converted;
   }
 }

@@ -1,6 +1,6 @@
-// Distance of this fragment along its pixel's unit ray. gl_FragCoord.w is the reciprocal of the
-// depth along the camera's axis in full single precision, at any ratio of the clipping range,
-// where a depth buffer keeps 24 bits of a hyperbola.
+// Where this fragment is on its pixel's ray. gl_FragCoord.w is the reciprocal of the depth along the
+// camera's axis in full single precision, at any ratio of the clipping range, where a depth buffer keeps
+// 24 bits of a hyperbola.
 //
 // To the last bit the same in all shaders, where drivers can be told so: what is drawn with one shader
 // is compared with what another drew.
@@ -10,7 +10,23 @@
 #define AIRLIGHT_SAME_EVERYWHERE
 #endif
 
-// Written out: some compilers do not see through functions.
+// Its distance on the unit of airlightDirection(), which shadow planes' are on, too. Of the ray nothing
+// needs to be known.
+float airlightFragmentPlace()
+{
+  AIRLIGHT_SAME_EVERYWHERE float t = airlightParallel != 0
+    ? airlightDepthToDistance.x + airlightDepthToDistance.y * gl_FragCoord.z
+    : 1.0 / gl_FragCoord.w;
+  return t;
+}
+
+vec3 airlightFragmentPoint()
+{
+  vec2 p = airlightPixel();
+  return airlightOrigin(p) + airlightFragmentPlace() * airlightDirection(p);
+}
+
+// Its distance along the unit ray. Written out: some compilers do not see through functions.
 float airlightFragmentDistance()
 {
   vec2 p = airlightPixel();

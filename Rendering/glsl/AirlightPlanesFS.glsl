@@ -119,8 +119,8 @@ void main()
 #endif
   ivec2 pixel = ivec2(p);
 #if AIRLIGHT_CAPS
-  float surface = texelFetch(distances, pixel, 0).r;
   float unit = airlightRayUnit(p);
+  float surface = unit * texelFetch(distances, pixel, 0).r;
   float cosine = abs(dot(planeNormal, airlightDirection(p))) / length(airlightDirection(p));
   if (surface >= 0.0 && !(cosine * t * unit < cosine * NEARER * surface - planeRounding))
   {

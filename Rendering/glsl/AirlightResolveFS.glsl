@@ -24,8 +24,9 @@ void main()
 {
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
-  float surface = texelFetch(distances, pixel, 0).r;
+  float place = texelFetch(distances, pixel, 0).r;
   float unit = airlightRayUnit(p);
+  float surface = unit * place;
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
   vec3 moment = lightHasPixel != 0
@@ -47,7 +48,7 @@ void main()
   float runStart = -1.0; // of what is lit, or not, as a whole
   AirlightCounts shadows = airlightStartCounts();
 #ifdef AIRLIGHT_SLOTS
-  airlightEndBoundaries(surface, unit);
+  airlightEndBoundaries(place, unit);
 #endif
   if (!airlightOpenBoundaries(pixel, ray, surface, from, shadows))
   {

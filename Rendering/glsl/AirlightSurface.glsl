@@ -67,6 +67,24 @@ vec3 airlightPassed(int k, bool sun, vec3 point)
   return share;
 }
 
+// The same of a light with a position, `at` in VTK's coordinates. Where all media are everywhere the same its
+// distance is all that counts, which the mapper's own shading asks for, too: then nothing needs to be known
+// of the pixel's ray, whose numbers take software renderers as long as all of that shading.
+#ifdef AIRLIGHT_EVERYWHERE
+vec3 airlightPassedOver(float way)
+{
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    sum += airlightMedia.item[i].sigmaT;
+  }
+  return airlightFade(sum * way);
+}
+#define AIRLIGHT_PASSED_FROM(k, at, point) airlightPassedOver(length(vertexVCVSOutput.xyz - at))
+#else
+#define AIRLIGHT_PASSED_FROM(k, at, point) airlightPassed(k, false, point)
+#endif
+
 #if AIRLIGHT_DIMMED
 uniform int airlightDimmingSlots[AIRLIGHT_LAMPS]; // place of light k, -1: not dimmed
 
@@ -99,13 +117,9 @@ vec3 airlightDimmed(int k)
 }
 #endif
 
-// The share of light k that arrives at a point: transmittance, 0 in shadow.
-vec3 airlightShare(int k, bool sun, vec3 point)
+// The share of light k that arrives, of what the medium leaves of it: none in shadow.
+vec3 airlightShare(int k, vec3 passed)
 {
-  if (airlightLamps[k].w < 0.0)
-  {
-    return vec3(1.0);
-  }
 #if AIRLIGHT_LAYER_RECORDS
   if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_LAYER && k < 4 * AIRLIGHT_BITS)
   {
@@ -126,20 +140,17 @@ vec3 airlightShare(int k, bool sun, vec3 point)
     }
   }
 #endif
-  vec3 share = airlightPassed(k, sun, point);
 #if AIRLIGHT_DIMMED
-  share *= airlightDimmed(k);
+  passed *= airlightDimmed(k);
 #endif
-  return share;
+  return passed;
 }
 
 // Before the mapper's own lines of every light: compilers take time for what is there several
 // times.
 void airlightReceive()
 {
-  vec2 p = airlightPixel();
-  vec3 point =
-    airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
+  vec3 point = airlightFragmentPoint();
 #if AIRLIGHT_READS_LIT
   airlightReadLit();
 #endif
@@ -150,7 +161,9 @@ void airlightReceive()
   int count = shades ? airlightLampCount : 0;
   for (int k = 0; k < count; k++)
   {
-    airlightArrived[k] = airlightShare(k, airlightLamps[k].w == 0.0, point);
+    float kind = airlightLamps[k].w;
+    airlightArrived[k] =
+      kind < 0.0 ? vec3(1.0) : airlightShare(k, airlightPassed(k, kind == 0.0, point));
   }
 #endif
 }

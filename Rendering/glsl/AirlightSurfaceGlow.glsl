@@ -13,9 +13,7 @@ vec3 airlightGlowColour(vec3 normal)
   {
     return vec3(0.0);
   }
-  vec2 p = airlightPixel();
-  vec3 point =
-    airlightOrigin(p) + airlightFragmentDistance() * normalize(airlightDirection(p));
+  vec3 point = airlightFragmentPoint();
   vec3 sum = vec3(0.0);
   for (int k = 0; k < airlightGlowCount; k++)
   {

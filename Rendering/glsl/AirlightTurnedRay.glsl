@@ -66,19 +66,19 @@ AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
   return pixel;
 }
 
-// Of pixel p, whose ray ends at `surface`, where that is not below 0. False where its boundaries are
-// elsewhere.
+// Of pixel p, whose ray ends at `surface` on the boundaries' unit, where that is not below 0. False where
+// its boundaries are elsewhere.
 bool airlightTurnPixel(vec2 p, float unit, float surface, out AirlightTurnedPixel pixel)
 {
   pixel = AirlightTurnedPixel(vec3(0.0), vec3(0.0), 0.0, 0, false);
-  if (!airlightOpenKeys(ivec2(p), surface >= 0.0 ? surface / unit : 1e37))
+  if (!airlightOpenKeys(ivec2(p), surface >= 0.0 ? surface : 1e37))
   {
     return false;
   }
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
   AirlightRay ray =
-    airlightRayBeside(media, light, origin, direction, surface >= 0.0 ? surface : AIRLIGHT_FAR,
+    airlightRayBeside(media, light, origin, direction, surface >= 0.0 ? unit * surface : AIRLIGHT_FAR,
       airlightOwnMoment(0, p, unit, light, origin, direction));
   pixel = airlightTurnedRay(ray, unit);
   return true;

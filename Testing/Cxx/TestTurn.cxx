@@ -133,7 +133,8 @@ Sums SumSingle(const Setting& s, const f32::AirlightPhase& phase)
   const f32::AirlightTurn turn = f32::airlightTurn(medium, ray, 0.0f, ray.lit.y);
   Sums sums;
   sums.Whole = glm::dvec3(f32::airlightTurnByAngles(medium, ray, 0.0f, ray.lit.y) / ray.foot.h);
-  sums.Tangents = glm::dvec3(f32::airlightTurnByTangents(medium, ray, 0.0f, ray.lit.y) / ray.foot.h);
+  sums.Tangents =
+    glm::dvec3(f32::airlightTurnByTangents(medium, ray, 0.0f, ray.lit.y) / ray.foot.h);
   sums.Before.resize(s.Places.size(), glm::dvec3(0.0));
   for (float psi = 0.0f; psi < turn.end;)
   {
