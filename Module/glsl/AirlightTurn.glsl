@@ -25,14 +25,6 @@
 #else
 #define AIRLIGHT_TURN_FADED 14.0
 #endif
-// Whether the integral from the last boundary on of a ray that is open is taken in closed form: one
-// evaluation instead of the many parts in which a ray nears its asymptote. Of other phase functions the
-// poles take one each, and their weights may cancel.
-#ifdef AIRLIGHT_ISOTROPIC
-#define AIRLIGHT_TURN_CLOSES true
-#else
-#define AIRLIGHT_TURN_CLOSES false
-#endif
 // More parts than any ray has that matters.
 #define AIRLIGHT_TURN_PARTS 64
 
@@ -44,7 +36,6 @@ struct AirlightTurn
   real left; // the angle at the light between the ray's beginning and its direction
   real s;    // at the ray's beginning
   real end;  // psi where the ray ends, or the light is gone
-  bool open; // the light is gone first
   // sigmaT (t + r) in powers of two, negative: at the foot's s = 0, and per unit of s.
   AirlightShade start;
   AirlightShade slope;
@@ -121,7 +112,6 @@ AIRLIGHT_FN AirlightTurn airlightTurnFrom(
   turn.left = real(0.0);
   turn.later = real(0.0);
   turn.end = real(0.0);
-  turn.open = false;
   turn.start = AIRLIGHT_SHADE(medium.sigmaT) * (-log2e * ray.foot.tL);
   turn.slope = AIRLIGHT_SHADE(medium.sigmaT) * (-log2e * turn.h);
   turn.s = airlightTurnTangent(turn.h, turn.x);
@@ -138,7 +128,6 @@ AIRLIGHT_FN AirlightTurn airlightTurn(
   real tau = airlightTurnLeastFading(medium, turn.h);
   real gone = turn.left - airlightTwiceAngle(tau, turn.s * tau + real(AIRLIGHT_TURN_FADED));
   turn.end = airlightTurned(turn, ray, t1);
-  turn.open = tau > real(0.0) && gone < turn.end;
   turn.end = min(turn.end, gone);
   return turn;
 }
@@ -197,11 +186,14 @@ AIRLIGHT_FN real airlightTurnPartEnd(
   return min(psi + max(length, real(1e-3) * left), turn.end);
 }
 
-// The integral from s on of a ray that is open: to infinity, which differs by less than what is left
-// where the light is gone. The closed form of AirlightPointLight.glsl times h.
-AIRLIGHT_FN AirlightShade airlightTurnRestFrom(
-  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real s)
+// The integral from `done` in s beyond the beginning of a ray on whose rest the light fades: to infinity,
+// which differs by less than what is left where the light is gone. The closed form of
+// AirlightPointLight.glsl times h: one evaluation instead of the many parts in which a ray nears its
+// asymptote. Of other phase functions the poles take one each, and their weights may cancel.
+AIRLIGHT_FN AirlightShade airlightTurnRest(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real done)
 {
+  real s = turn.s + done;
   AirlightShade u = turn.h * AIRLIGHT_SHADE(medium.sigmaT);
   AirlightShade passes = real(2.0) * u * exp2(turn.start + turn.slope * s);
 #if defined(AIRLIGHT_GREY) && AIRLIGHT_GREY
@@ -211,12 +203,4 @@ AIRLIGHT_FN AirlightShade airlightTurnRestFrom(
     real3(airlightPhaseG(medium.phase, u.x * s, u.x), airlightPhaseG(medium.phase, u.y * s, u.y),
       airlightPhaseG(medium.phase, u.z * s, u.z));
 #endif
-}
-
-// The same from psi on.
-AIRLIGHT_FN AirlightShade airlightTurnRest(
-  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightTurn) turn, real psi)
-{
-  real2 half1 = airlightSineCosine(real(0.5) * (turn.left - psi));
-  return airlightTurnRestFrom(medium, turn, half1.y / max(half1.x, real(1e-15)));
 }

@@ -54,8 +54,7 @@ AIRLIGHT_FN AirlightShade airlightTurnNode(AirlightShade slope, real off, real l
 }
 
 // The integral over a part from `done` to `next` beyond the ray's beginning, without the phase function.
-AIRLIGHT_FN AirlightShade airlightTurnStraight(
-  AIRLIGHT_IN(AirlightTurn) turn, real done, real next)
+AIRLIGHT_FN AirlightShade airlightTurnStraight(AIRLIGHT_IN(AirlightTurn) turn, real done, real next)
 {
   real reach = real(0.5) * (next - done);
   real middle = turn.s + real(0.5) * (done + next);
@@ -64,11 +63,10 @@ AIRLIGHT_FN AirlightShade airlightTurnStraight(
   AirlightShade slope = max(turn.slope * reach, AirlightShade(real(-50.0)));
   real linear = real(2.0) * reach * (middle * scale);
   real square = reach * (reach * scale);
-  AirlightShade sum =
-    (real(0.36268378337836198) *
-        airlightTurnNode(slope, real(0.18343464249564978), linear, square) +
-      real(0.31370664587788729) *
-        airlightTurnNode(slope, real(0.52553240991632899), linear, square)) +
+  AirlightShade sum = (real(0.36268378337836198) *
+                          airlightTurnNode(slope, real(0.18343464249564978), linear, square) +
+                        real(0.31370664587788729) *
+                          airlightTurnNode(slope, real(0.52553240991632899), linear, square)) +
     (real(0.22238103445337447) *
         airlightTurnNode(slope, real(0.79666647741362673), linear, square) +
       real(0.10122853629037626) *
@@ -87,7 +85,7 @@ AIRLIGHT_FN AirlightShade airlightTurnByTangents(
   AirlightShade rest = AirlightShade(real(0.0));
   for (int i = open ? 1 : 0; i > 0; i--)
   {
-    rest = airlightTurnRestFrom(medium, turn, turn.s);
+    rest = airlightTurnRest(medium, turn, real(0.0));
   }
   // Most rays have one part: it is in no loop.
   real first = min(airlightTurnStep(medium, turn, real(0.0)), reach);

@@ -1,16 +1,82 @@
-// A point light's airlight before a pixel by AirlightTurn.glsl: part by part of the ray, and in each its
-// boundaries.
+// A point light's airlight before a pixel by AirlightTurn.glsl.
 
 struct AirlightTurnedPixel
 {
-  vec3 sum; // what is lit, and what would be without shadows, as radiance
-  vec3 whole;
+  vec3 sum;   // what is lit, as radiance
+  vec3 whole; // what would be without shadows; where that is recorded
   float litLength;
   int boundaries;
   bool surfaceLit;
 };
 
-// The boundaries' distances have this unit.
+// Of a sum along the ray: a channel that does not scatter is dark, whatever the limit of its integral.
+vec3 airlightTurnedLight(AirlightRay ray, AirlightShade sum)
+{
+  vec3 full = light.intensity * (max(sum, AirlightShade(0.0)) / ray.foot.h);
+  return mix(vec3(0.0), full, greaterThan(light.intensity, vec3(0.0)));
+}
+
+// Below, the boundaries' distances have this unit.
+#ifdef AIRLIGHT_ISOTROPIC
+
+// From boundary to boundary. One loop, in which each pass ends at a boundary or where the nodes end: loops
+// in loops take software renderers longer than what is in them, as all that they leave as it is has to be
+// kept for the pixels that have left.
+AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
+{
+  AirlightTurnedPixel pixel;
+  AirlightTurn turn = airlightTurnFrom(media.item[0], ray, ray.lit.x);
+  float least = airlightTurnLeastFading(media.item[0], turn.h);
+  float reach = airlightTurnReach(turn, ray, ray.lit.y);
+  pixel.boundaries = keysLeft;
+  pixel.surfaceLit = startCount + keysTotal <= 0;
+  int shadows = startCount;
+  bool lit = shadows <= 0;
+  float litLength = lit ? -ray.lit.x : 0.0;
+  AirlightShade sum = AirlightShade(0.0);
+  float done = 0.0;
+  bool open = false; // what is left is taken in closed form
+  bool more = true;
+  uint key = airlightNextKey();
+  for (int left = pixel.boundaries + AIRLIGHT_TURN_PARTS; more && left > 0; left--)
+  {
+    bool ends = keysLeft < 0;
+    float t = ends ? ray.lit.y : clamp(unit * airlightKeyDistance(key), ray.lit.x, ray.lit.y);
+    float to = clamp(airlightTurnReach(turn, ray, t), done, reach);
+    open = ends && least * (to - done) > AIRLIGHT_TURN_FADED;
+    float next = lit ? min(done + airlightTurnStep(media.item[0], turn, done), to) : to;
+    sum += lit && !open ? airlightTurnStraight(turn, done, next) : AirlightShade(0.0);
+    done = open ? done : next;
+    more = !open && !(ends && next >= to);
+    if (!ends && next >= to)
+    {
+      shadows += airlightKeyWeight(key);
+      bool was = lit;
+      lit = shadows <= 0;
+      litLength += was == lit ? 0.0 : lit ? -t : t;
+      key = airlightNextKey();
+    }
+  }
+  sum *= airlightPhaseHalves(media.item[0].phase, 0.5, 0.5);
+  // A loop, which software renderers leave where no pixel of a group is in it.
+  for (int i = open && lit ? 1 : 0; i > 0; i--)
+  {
+    sum += airlightTurnRest(media.item[0], turn, done);
+  }
+  pixel.litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
+#ifdef AIRLIGHT_RECORD
+  AirlightShade all = airlightTurnAll(media.item[0], ray, ray.lit.x, ray.lit.y);
+#else
+  AirlightShade all = AirlightShade(0.0);
+#endif
+  pixel.whole = airlightTurnedLight(ray, all);
+  pixel.sum = airlightTurnedLight(ray, sum);
+  return pixel;
+}
+
+#else
+
+// Part by part, and in each its boundaries.
 AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
 {
   AirlightTurnedPixel pixel;
@@ -26,8 +92,7 @@ AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
   uint key = airlightNextKey();
   float t = unit * airlightKeyDistance(key);
   float at = airlightTurned(turn, ray, t);
-  bool closes = AIRLIGHT_TURN_CLOSES && turn.open;
-  for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end && !(closes && keysLeft < 0); i++)
+  for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
   {
     float end = airlightTurnPartEnd(media.item[0], turn, psi);
     AirlightTurnPart part = airlightTurnPart(media.item[0], turn, psi, end);
@@ -51,20 +116,13 @@ AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
     all += full;
     sum += lit ? full : AirlightShade(0.0);
   }
-  // A loop, which software renderers leave where no pixel of a group is in it.
-  for (int i = closes && psi < turn.end ? 1 : 0; i > 0; i--)
-  {
-    AirlightShade rest = airlightTurnRest(media.item[0], turn, psi);
-    all += rest;
-    sum += lit ? rest : AirlightShade(0.0);
-  }
   pixel.litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
-  // A channel that does not scatter is dark, whatever the limit of its integral.
-  vec3 factor = mix(vec3(0.0), light.intensity / turn.h, greaterThan(light.intensity, vec3(0.0)));
-  pixel.whole = factor * all;
-  pixel.sum = factor * max(sum, AirlightShade(0.0));
+  pixel.whole = airlightTurnedLight(ray, all);
+  pixel.sum = airlightTurnedLight(ray, sum);
   return pixel;
 }
+
+#endif
 
 // Of pixel p, whose ray ends at `surface` on the boundaries' unit, where that is not below 0. False where
 // its boundaries are elsewhere.

@@ -13,8 +13,7 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
   AirlightRay ray = airlightRayBeside(media, light, origin, direction, end,
     airlightOwnMoment(k, p, unit, light, origin, direction));
   AirlightShade sum = airlightTurnAll(media.item[0], ray, ray.lit.x, ray.lit.y);
-  // A channel that does not scatter is dark, whatever the limit of its integral.
-  vec3 full = light.intensity * (sum / ray.foot.h);
+  vec3 full = light.intensity * (sum / ray.foot.h); // as in AirlightTurnedRay.glsl
   return mix(vec3(0.0), full, greaterThan(light.intensity, vec3(0.0)));
 }
 

@@ -91,7 +91,7 @@ void Prepare(const Setting& s, const Phase& phase, Medium& medium, Ray& ray)
 struct Sums
 {
   std::vector<glm::dvec3> Before; // each place
-  std::vector<glm::dvec3> After;  // in closed form; of rays that are open
+  std::vector<glm::dvec3> After;  // in closed form; -1 where too much of the light is left
   glm::dvec3 Whole{ 0.0 };        // by parts that are not kept
   glm::dvec3 Tangents{ 0.0 };     // without angles, for an isotropic medium
 };
@@ -117,10 +117,13 @@ Sums SumDouble(const Setting& s, const f64::AirlightPhase& phase)
     }
     psi = end;
   }
-  for (size_t i = 0; i < s.Places.size() && turn.open; ++i)
+  const double least = f64::airlightTurnLeastFading(medium, turn.h);
+  const double reach = f64::airlightTurnReach(turn, ray, s.Length);
+  for (size_t i = 0; i < s.Places.size(); ++i)
   {
-    const double at = f64::airlightTurned(turn, ray, s.Places[i]);
-    sums.After.push_back(f64::airlightTurnRest(medium, turn, at) / s.H);
+    const double done = f64::airlightTurnReach(turn, ray, s.Places[i]);
+    const bool open = least * (reach - done) > 24.0; // AIRLIGHT_TURN_FADED
+    sums.After.push_back(open ? f64::airlightTurnRest(medium, turn, done) / s.H : glm::dvec3(-1.0));
   }
   return sums;
 }
@@ -147,10 +150,14 @@ Sums SumSingle(const Setting& s, const f32::AirlightPhase& phase)
     }
     psi = end;
   }
-  for (size_t i = 0; i < s.Places.size() && turn.open; ++i)
+  const float least = f32::airlightTurnLeastFading(medium, turn.h);
+  const float reach = f32::airlightTurnReach(turn, ray, ray.lit.y);
+  for (size_t i = 0; i < s.Places.size(); ++i)
   {
-    const float at = f32::airlightTurned(turn, ray, static_cast<float>(s.Places[i]));
-    sums.After.push_back(glm::dvec3(f32::airlightTurnRest(medium, turn, at) / ray.foot.h));
+    const float done = f32::airlightTurnReach(turn, ray, static_cast<float>(s.Places[i]));
+    const bool open = least * (reach - done) > 14.0f; // AIRLIGHT_TURN_FADED
+    sums.After.push_back(
+      open ? glm::dvec3(f32::airlightTurnRest(medium, turn, done) / ray.foot.h) : glm::dvec3(-1.0));
   }
   return sums;
 }
@@ -203,11 +210,11 @@ bool ComparePhase(const std::string& name, vtkParticipatingMedium* medium, Rando
         const double rest = s.Places[i] < s.Length
           ? f64::airlightSegment(phase, s.SigmaT[k], foot, s.Places[i], s.Length)
           : 0.0;
-        if (!wide.After.empty())
+        if (wide.After[i][k] >= 0.0)
         {
           afterInDouble.Add(std::abs(wide.After[i][k] - rest) / whole, 1e-9, describe);
         }
-        if (!narrow.After.empty() && IsIsotropic(phase))
+        if (narrow.After[i][k] >= 0.0 && IsIsotropic(phase))
         {
           afterInSingle.Add(std::abs(narrow.After[i][k] - rest) / whole, 1e-4, describe);
         }
