@@ -4,12 +4,13 @@
 //
 //   integral p/r^2 exp(-sigmaT (t + r)) dt = 1/h integral p exp(-sigmaT (t + r)) dpsi
 //
-// The ray is cut into few parts. On each (AirlightTurnPart.glsl) the integrand is replaced by the
-// polynomial that meets it at the eight nodes of Gauss and Legendre, whose integral is known everywhere:
-// that of the whole part is the quadrature's, and every end of a shadow in between takes one arctangent
-// and a polynomial of degree eight, where the closed form takes an exponential integral. The parts are
-// chosen such that the polynomial's integral is off by 1e-6 of the part's, at most a few times that
-// (Testing/Cxx/TestTurn.cxx).
+// In an isotropic medium the integral between two places takes eight nodes and no angle
+// (AirlightTurnWhole.glsl). With other phase functions the ray is cut into few parts. On each
+// (AirlightTurnPart.glsl) the integrand is replaced by the polynomial that meets it at the eight nodes of
+// Gauss and Legendre, whose integral is known everywhere: that of the whole part is the quadrature's, and
+// every end of a shadow in between takes one arctangent and a polynomial of degree eight, where the closed
+// form takes an exponential integral. The parts are chosen such that the polynomial's integral is off by
+// 1e-6 of the part's, at most a few times that (Testing/Cxx/TestTurn.cxx).
 
 #if defined(AIRLIGHT_GREY) && AIRLIGHT_GREY
 #define AirlightShade real

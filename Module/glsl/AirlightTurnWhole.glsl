@@ -1,4 +1,4 @@
-// What is scattered along a whole ray on which no shadow ends (AirlightTurn.glsl).
+// What is scattered along a ray on which no shadow ends, or between two places of it (AirlightTurn.glsl).
 
 // By the parts in which boundaries are found (AirlightTurnPart.glsl), for every phase function.
 AIRLIGHT_FN AirlightShade airlightTurnByAngles(

@@ -90,10 +90,10 @@ void Prepare(const Setting& s, const Phase& phase, Medium& medium, Ray& ray)
 
 struct Sums
 {
-  std::vector<glm::dvec3> Before; // each place
-  std::vector<glm::dvec3> After;  // in closed form; -1 where too much of the light is left
-  glm::dvec3 Whole{ 0.0 };        // by parts that are not kept
-  glm::dvec3 Tangents{ 0.0 };     // without angles, for an isotropic medium
+  std::vector<glm::dvec3> Before;   // each place
+  std::vector<glm::dvec3> After;    // in closed form; -1 where too much of the light is left
+  glm::dvec3 Whole{ 0.0 };          // by parts that are not kept
+  std::vector<glm::dvec3> Tangents; // between each place and the next, for an isotropic medium
 };
 
 Sums SumDouble(const Setting& s, const f64::AirlightPhase& phase)
@@ -104,7 +104,6 @@ Sums SumDouble(const Setting& s, const f64::AirlightPhase& phase)
   const f64::AirlightTurn turn = f64::airlightTurn(medium, ray, 0.0, s.Length);
   Sums sums;
   sums.Whole = f64::airlightTurnByAngles(medium, ray, 0.0, s.Length) / s.H;
-  sums.Tangents = f64::airlightTurnByTangents(medium, ray, 0.0, s.Length) / s.H;
   sums.Before.resize(s.Places.size(), glm::dvec3(0.0));
   for (double psi = 0.0; psi < turn.end;)
   {
@@ -124,6 +123,8 @@ Sums SumDouble(const Setting& s, const f64::AirlightPhase& phase)
     const double done = f64::airlightTurnReach(turn, ray, s.Places[i]);
     const bool open = least * (reach - done) > 24.0; // AIRLIGHT_TURN_FADED
     sums.After.push_back(open ? f64::airlightTurnRest(medium, turn, done) / s.H : glm::dvec3(-1.0));
+    const double from = i > 0 ? s.Places[i - 1] : 0.0;
+    sums.Tangents.push_back(f64::airlightTurnByTangents(medium, ray, from, s.Places[i]) / s.H);
   }
   return sums;
 }
@@ -136,8 +137,6 @@ Sums SumSingle(const Setting& s, const f32::AirlightPhase& phase)
   const f32::AirlightTurn turn = f32::airlightTurn(medium, ray, 0.0f, ray.lit.y);
   Sums sums;
   sums.Whole = glm::dvec3(f32::airlightTurnByAngles(medium, ray, 0.0f, ray.lit.y) / ray.foot.h);
-  sums.Tangents =
-    glm::dvec3(f32::airlightTurnByTangents(medium, ray, 0.0f, ray.lit.y) / ray.foot.h);
   sums.Before.resize(s.Places.size(), glm::dvec3(0.0));
   for (float psi = 0.0f; psi < turn.end;)
   {
@@ -158,6 +157,10 @@ Sums SumSingle(const Setting& s, const f32::AirlightPhase& phase)
     const bool open = least * (reach - done) > 14.0f; // AIRLIGHT_TURN_FADED
     sums.After.push_back(
       open ? glm::dvec3(f32::airlightTurnRest(medium, turn, done) / ray.foot.h) : glm::dvec3(-1.0));
+    const float from = i > 0 ? static_cast<float>(s.Places[i - 1]) : 0.0f;
+    sums.Tangents.push_back(
+      glm::dvec3(f32::airlightTurnByTangents(medium, ray, from, static_cast<float>(s.Places[i]))) /
+      s.H);
   }
   return sums;
 }
@@ -194,11 +197,6 @@ bool ComparePhase(const std::string& name, vtkParticipatingMedium* medium, Rando
       const auto describeRay = [&] { return s.Describe(); };
       inDouble.Add(std::abs(wide.Whole[k] - whole) / whole, 5e-5, describeRay);
       inSingle.Add(std::abs(narrow.Whole[k] - whole) / whole, 1e-4, describeRay);
-      if (IsIsotropic(phase))
-      {
-        tangentsInDouble.Add(std::abs(wide.Tangents[k] - whole) / whole, 2e-6, describeRay);
-        tangentsInSingle.Add(std::abs(narrow.Tangents[k] - whole) / whole, 1e-4, describeRay);
-      }
       for (size_t i = 0; i < s.Places.size(); ++i)
       {
         const double expected = s.Places[i] > 0.0
@@ -207,6 +205,15 @@ bool ComparePhase(const std::string& name, vtkParticipatingMedium* medium, Rando
         const auto describe = [&] { return Text(s.Describe(), ", at ", s.Places[i]); };
         inDouble.Add(std::abs(wide.Before[i][k] - expected) / whole, 5e-5, describe);
         inSingle.Add(std::abs(narrow.Before[i][k] - expected) / whole, 1e-4, describe);
+        if (IsIsotropic(phase))
+        {
+          const double from = i > 0 ? s.Places[i - 1] : 0.0;
+          const double between = s.Places[i] > from
+            ? f64::airlightSegment(phase, s.SigmaT[k], foot, from, s.Places[i])
+            : 0.0;
+          tangentsInDouble.Add(std::abs(wide.Tangents[i][k] - between) / whole, 2e-6, describe);
+          tangentsInSingle.Add(std::abs(narrow.Tangents[i][k] - between) / whole, 1e-4, describe);
+        }
         const double rest = s.Places[i] < s.Length
           ? f64::airlightSegment(phase, s.SigmaT[k], foot, s.Places[i], s.Length)
           : 0.0;
