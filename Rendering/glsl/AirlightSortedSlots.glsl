@@ -88,16 +88,22 @@ bool airlightOpenKeys(ivec2 pixel, float end)
   // Without min(count, 16): compilers unroll loops whose greatest length they see, and software renderers
   // run through all of an unrolled one for every pixel.
   int count = all * int(all <= AIRLIGHT_SLOTS);
-  int far = max(count - 16, 0);
   uint first = airlightFirstSlot(pixel);
-  for (int i = 0; i < count - far; i++)
+#if AIRLIGHT_SLOTS > 16
+  int near = min(count, 16);
+#else
+  int near = count;
+#endif
+  for (int i = 0; i < near; i++)
   {
     airlightInsertNear(airlightReadSlot(first + uint(64 * i), end));
   }
-  for (int i = count - far; i < count; i++)
+#if AIRLIGHT_SLOTS > 16
+  for (int i = near; i < count; i++)
   {
     airlightInsertFar(airlightInsertNear(airlightReadSlot(first + uint(64 * i), end)));
   }
+#endif
   return all <= AIRLIGHT_SLOTS;
 }
 

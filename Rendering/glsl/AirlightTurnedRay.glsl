@@ -44,8 +44,9 @@ AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
     float t = ends ? ray.lit.y : clamp(unit * airlightKeyDistance(key), ray.lit.x, ray.lit.y);
     float to = clamp(airlightTurnReach(turn, ray, t), done, reach);
     open = ends && least * (to - done) > AIRLIGHT_TURN_FADED;
-    float next = lit ? min(done + airlightTurnStep(media.item[0], turn, done), to) : to;
-    sum += lit && !open ? airlightTurnStraight(turn, done, next) : AirlightShade(0.0);
+    bool shines = lit && least * done <= AIRLIGHT_TURN_FADED;
+    float next = shines ? min(done + airlightTurnStep(media.item[0], turn, done), to) : to;
+    sum += shines && !open ? airlightTurnStraight(turn, done, next) : AirlightShade(0.0);
     done = open ? done : next;
     more = !open && !(ends && next >= to);
     if (!ends && next >= to)

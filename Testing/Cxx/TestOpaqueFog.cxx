@@ -9,10 +9,14 @@
 //   L = sigmaS p I/r^2 integral exp(-sigmaT t (1 + a/b)) dt = sigmaS/sigmaT p I/r^2/(1 + a/b)
 //
 // Where positions are rounded by d, depths are off by sigmaT d.
+//
+// And shadows in fog around everything, so opaque that light is gone long before most of their edges: where
+// they are hangs on no medium.
 
 #include "AirlightFeatureRays.h"
 
 #include "AirlightTestTools.h"
+#include "AirlightWindowScene.h"
 
 using namespace airlighttest;
 
@@ -75,6 +79,27 @@ void Compare(double extinction, bool parallel)
     airlight_test::Text("extinction ", extinction, parallel ? ", parallel" : ", perspective"));
   Check(count > 1000, "pixels on the fog");
 }
+
+Buffers RenderShadows(double extinction, bool coloured)
+{
+  WindowScene scene(120, 90);
+  scene.Medium->SetRegionToUnbounded();
+  scene.Medium->SetScattering(extinction, extinction, coloured ? 0.01 * extinction : extinction);
+  scene.Medium->SetAbsorption(0.0, 0.0, 0.0);
+  return scene.Render();
+}
+
+void CompareShadows(bool coloured)
+{
+  const Buffers thin = RenderShadows(1e-3, coloured);
+  for (const double extinction : { 10.0, 1e3, 1e5 })
+  {
+    const std::string name = airlight_test::Text("shadows in fog of ", extinction);
+    const Buffers opaque = RenderShadows(extinction, coloured);
+    Check(AreSame(thin.at("LitLength"), opaque.at("LitLength")), name + ": the same lit lengths");
+    CheckFinite(opaque, name);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -85,5 +110,7 @@ int TestOpaqueFog(int, char*[])
     Compare(extinction, false);
     Compare(extinction, true);
   }
+  CompareShadows(false);
+  CompareShadows(true);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
