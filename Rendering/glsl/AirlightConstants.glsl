@@ -18,6 +18,14 @@ void airlightTakeLight(int k, inout AirlightLight light)
   light.intensity = airlightFlatConstants[6 * k + 1].xyz;
 }
 
+// What its light scatters, of a sum along the ray: a channel that does not scatter is dark, whatever the
+// limit of its integral.
+vec3 airlightTurnLight(AirlightLight light, AirlightRay ray, AirlightShade sum)
+{
+  vec3 full = light.intensity * (sum / ray.foot.h);
+  return mix(vec3(0.0), full, greaterThan(light.intensity, vec3(0.0)));
+}
+
 // The k-th light's moment about the pixel's ray.
 vec3 airlightOwnMoment(int k, vec2 p, float unit, AirlightLight light, vec3 origin, vec3 direction)
 {

@@ -9,27 +9,17 @@ struct AirlightTurnedPixel
   bool surfaceLit;
 };
 
-// Of a sum along the ray: a channel that does not scatter is dark, whatever the limit of its integral.
-vec3 airlightTurnedLight(AirlightRay ray, AirlightShade sum)
-{
-  vec3 full = light.intensity * (max(sum, AirlightShade(0.0)) / ray.foot.h);
-  return mix(vec3(0.0), full, greaterThan(light.intensity, vec3(0.0)));
-}
-
-// Below, the boundaries' distances have this unit.
+// Below, the boundaries' distances have this unit; what of the pixel hangs on the boundaries alone is there.
 #ifdef AIRLIGHT_ISOTROPIC
 
 // From boundary to boundary. One loop, in which each pass ends at a boundary or where the nodes end: loops
 // in loops take software renderers longer than what is in them, as all that they leave as it is has to be
 // kept for the pixels that have left.
-AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
+void airlightTurnedRay(AirlightRay ray, float unit, inout AirlightTurnedPixel pixel)
 {
-  AirlightTurnedPixel pixel;
   AirlightTurn turn = airlightTurnFrom(media.item[0], ray, ray.lit.x);
   float least = airlightTurnLeastFading(media.item[0], turn.h);
   float reach = airlightTurnReach(turn, ray, ray.lit.y);
-  pixel.boundaries = keysLeft;
-  pixel.surfaceLit = startCount + keysTotal <= 0;
   int shadows = startCount;
   bool lit = shadows <= 0;
   float litLength = lit ? -ray.lit.x : 0.0;
@@ -70,20 +60,16 @@ AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
 #else
   AirlightShade all = AirlightShade(0.0);
 #endif
-  pixel.whole = airlightTurnedLight(ray, all);
-  pixel.sum = airlightTurnedLight(ray, sum);
-  return pixel;
+  pixel.whole = airlightTurnLight(light, ray, all);
+  pixel.sum = airlightTurnLight(light, ray, max(sum, AirlightShade(0.0)));
 }
 
 #else
 
 // Part by part, and in each its boundaries.
-AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
+void airlightTurnedRay(AirlightRay ray, float unit, inout AirlightTurnedPixel pixel)
 {
-  AirlightTurnedPixel pixel;
   AirlightTurn turn = airlightTurn(media.item[0], ray, ray.lit.x, ray.lit.y);
-  pixel.boundaries = keysLeft;
-  pixel.surfaceLit = startCount + keysTotal <= 0;
   int shadows = startCount;
   bool lit = shadows <= 0;
   float litLength = lit ? -ray.lit.x : 0.0;
@@ -118,9 +104,8 @@ AirlightTurnedPixel airlightTurnedRay(AirlightRay ray, float unit)
     sum += lit ? full : AirlightShade(0.0);
   }
   pixel.litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
-  pixel.whole = airlightTurnedLight(ray, all);
-  pixel.sum = airlightTurnedLight(ray, sum);
-  return pixel;
+  pixel.whole = airlightTurnLight(light, ray, all);
+  pixel.sum = airlightTurnLight(light, ray, max(sum, AirlightShade(0.0)));
 }
 
 #endif
@@ -134,11 +119,13 @@ bool airlightTurnPixel(vec2 p, float unit, float surface, out AirlightTurnedPixe
   {
     return false;
   }
+  pixel.boundaries = keysLeft;
+  pixel.surfaceLit = startCount + keysTotal <= 0;
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
   AirlightRay ray =
     airlightRayBeside(media, light, origin, direction, surface >= 0.0 ? unit * surface : AIRLIGHT_FAR,
       airlightOwnMoment(0, p, unit, light, origin, direction));
-  pixel = airlightTurnedRay(ray, unit);
+  airlightTurnedRay(ray, unit, pixel);
   return true;
 }

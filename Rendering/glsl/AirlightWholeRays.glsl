@@ -12,9 +12,8 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
   airlightTakeLight(k, light);
   AirlightRay ray = airlightRayBeside(media, light, origin, direction, end,
     airlightOwnMoment(k, p, unit, light, origin, direction));
-  AirlightShade sum = airlightTurnAll(media.item[0], ray, ray.lit.x, ray.lit.y);
-  vec3 full = light.intensity * (sum / ray.foot.h); // as in AirlightTurnedRay.glsl
-  return mix(vec3(0.0), full, greaterThan(light.intensity, vec3(0.0)));
+  return airlightTurnLight(
+    light, ray, airlightTurnAll(media.item[0], ray, ray.lit.x, ray.lit.y));
 }
 
 #else
