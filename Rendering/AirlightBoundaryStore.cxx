@@ -18,8 +18,6 @@ constexpr std::uint64_t PlainNodeWords = 3;
 constexpr std::uint64_t DimmedNodeWords = 6;
 // For the few pixels whose slots do not suffice, and where there are none.
 constexpr std::uint64_t InitialCapacity = 1u << 18;
-// AirlightSlots.glsl: slots lie in tiles of so many pixels each way.
-constexpr std::uint64_t Tile = 8;
 // What AirlightHeads.glsl begins with.
 constexpr int HeadOffset = 2;
 // More silhouette edges than these have pixels enough with more than 16 boundaries.
@@ -29,11 +27,6 @@ constexpr size_t ManyEdges = 8192;
 constexpr GLuint NodeBinding = 1;
 constexpr GLuint HeadBinding = 2;
 constexpr GLuint SlotBinding = 7;
-
-std::uint64_t CountTiles(int pixels)
-{
-  return (static_cast<std::uint64_t>(pixels) + Tile - 1) / Tile;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -43,10 +36,10 @@ std::uint64_t BoundaryStore::GetNodeSize() const
 }
 
 //------------------------------------------------------------------------------
-// Of one row of tiles.
+// Of one row of pixels.
 std::uint64_t BoundaryStore::GetSlotBytes() const
 {
-  return CountTiles(this->Width) * Tile * Tile * this->SlotsPerPixel * 4;
+  return static_cast<std::uint64_t>(this->Width) * this->SlotsPerPixel * 4;
 }
 
 //------------------------------------------------------------------------------
@@ -82,9 +75,9 @@ bool BoundaryStore::ReserveSlots()
 {
   const std::uint64_t most = std::min(this->Limit - this->Limit / 4, this->MostBytes);
   const std::uint64_t row = std::max<std::uint64_t>(this->GetSlotBytes(), 1);
-  const std::uint64_t tiles = this->Dimmed ? 0 : std::min(CountTiles(this->Height), most / row);
-  this->SlotRows = static_cast<int>(tiles * Tile);
-  const std::uint64_t bytes = tiles * this->GetSlotBytes();
+  const auto height = static_cast<std::uint64_t>(this->Height);
+  this->SlotRows = this->Dimmed ? 0 : static_cast<int>(std::min(height, most / row));
+  const std::uint64_t bytes = this->SlotRows * row;
   if (bytes == this->SlotSize)
   {
     return true;
@@ -173,9 +166,9 @@ std::string BoundaryStore::GetSource() const
 //------------------------------------------------------------------------------
 void BoundaryStore::Use(vtkShaderProgram* program)
 {
-  // Four integers, which vtkShaderProgram cannot set.
-  glUniform4i(glGetUniformLocation(program->GetHandle(), "givenPlaces"), this->SlotRow,
-    static_cast<int>(CountTiles(this->Width)), this->Width, this->Height);
+  // Integers in vectors of three, which vtkShaderProgram cannot set.
+  glUniform3i(glGetUniformLocation(program->GetHandle(), "givenPlaces"), this->SlotRow, this->Width,
+    this->Height);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads[this->Turn]);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SlotBinding, this->Slots);

@@ -7,22 +7,21 @@ layout(std430, binding = 2) buffer AirlightHeads
   uint heads[];
 };
 
-// Of the slots the first row of pixels and the tiles of eight pixels in a row of them; width and height
-// of the viewport. A shadow plane says them to its fragments: software renderers take as long to read
+// The first row of pixels that has slots; width and height of the viewport. A shadow plane says them to its fragments: software renderers take as long to read
 // a uniform as for a dozen operations.
 #ifdef AIRLIGHT_PLACES_IN
-flat in ivec4 places;
+flat in ivec3 places;
 #else
-uniform ivec4 givenPlaces;
+uniform ivec3 givenPlaces;
 #define places givenPlaces
 #endif
 
 int airlightHeadIndex(ivec2 pixel)
 {
-  return 2 + pixel.y * places.z + pixel.x;
+  return 2 + pixel.y * places.y + pixel.x;
 }
 
 int airlightCountIndex(ivec2 pixel)
 {
-  return 2 + (places.w + pixel.y) * places.z + pixel.x;
+  return 2 + (places.z + pixel.y) * places.y + pixel.x;
 }

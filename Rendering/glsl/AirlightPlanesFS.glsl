@@ -66,7 +66,7 @@ void addBoundary(ivec2 pixel, float t, int weight)
   uint slot = atomicAdd(heads[airlightCountIndex(pixel)], 1u);
   if (slot < uint(AIRLIGHT_SLOTS))
   {
-    slots[airlightFirstSlot(pixel) + 64u * slot] = key;
+    slots[airlightSlot(airlightFirstSlot(pixel), slot)] = key;
     return;
   }
 #endif

@@ -18,7 +18,7 @@ uniform mat4 anchorToClip;
 uniform vec3 anchor;     // from the eye
 uniform vec4 fromLight;  // directional: the light's direction and w 0; point: w 1
 uniform int inParallel; // 1: the projection is parallel
-uniform ivec4 givenPlaces; // what all fragments need, see AirlightSlots.glsl and AirlightHeads.glsl
+uniform ivec3 givenPlaces; // what all fragments need, see AirlightSlots.glsl and AirlightHeads.glsl
 // As in AirlightViewShader.glsl.
 uniform vec3 airlightRayOrigin[3];
 uniform vec3 airlightRayDirection[3];
@@ -26,7 +26,7 @@ uniform vec3 airlightRayDirection[3];
 // The plane met by the ray of pixel p: with q = x + p.x y + p.y z, at w/q on the unit of
 // airlightDirection(), in parallel projection at q/w.
 flat out vec4 planeRay;
-flat out ivec4 places;
+flat out ivec3 places;
 flat out int planeWeight;
 flat out int planeLayer;
 flat out vec3 planeNormal; // the near planes' own: dot(normal, x) = offset, x from the eye

@@ -1,6 +1,7 @@
 // Where the boundaries of a pixel lie: in slots of its own, as many as AIRLIGHT_SLOTS, in the order in
-// which they were drawn. The slots of eight by eight pixels lie together, the first ones of all first.
-// What has no slot goes into a list (AirlightPlanesFS.glsl).
+// which they were drawn. Those of a row of pixels lie together, the first slots of all first: most pixels
+// have few boundaries, and memory is fast where what is read lies in a row. What has no slot goes into a
+// list (AirlightPlanesFS.glsl).
 //
 // A slot holds one number, by which boundaries are sorted: the bits of the distance, on the unit of
 // airlightDirection() or in parallel projection as it is; they grow with it. The last two are replaced
@@ -12,12 +13,16 @@ layout(std430, binding = 7) buffer AirlightSlots
   uint slots[];
 };
 
-// The pixel's first slot. Each further one is 64 words on.
+// The pixel's first slot.
 uint airlightFirstSlot(ivec2 pixel)
 {
-  ivec2 p = ivec2(pixel.x, pixel.y - places.x);
-  int tile = (p.y >> 3) * places.y + (p.x >> 3);
-  return uint(64 * AIRLIGHT_SLOTS * tile + 8 * (p.y & 7) + (p.x & 7));
+  return uint((pixel.y - places.x) * AIRLIGHT_SLOTS * places.y + pixel.x);
+}
+
+// The k-th from there on.
+uint airlightSlot(uint first, uint k)
+{
+  return first + k * uint(places.y);
 }
 
 uint airlightKey(float t, int weight)

@@ -96,12 +96,12 @@ bool airlightOpenKeys(ivec2 pixel, float end)
 #endif
   for (int i = 0; i < near; i++)
   {
-    airlightInsertNear(airlightReadSlot(first + uint(64 * i), end));
+    airlightInsertNear(airlightReadSlot(airlightSlot(first, uint(i)), end));
   }
 #if AIRLIGHT_SLOTS > 16
   for (int i = near; i < count; i++)
   {
-    airlightInsertFar(airlightInsertNear(airlightReadSlot(first + uint(64 * i), end)));
+    airlightInsertFar(airlightInsertNear(airlightReadSlot(airlightSlot(first, uint(i)), end)));
   }
 #endif
   return all <= AIRLIGHT_SLOTS;

@@ -30,7 +30,7 @@ void sortSlots(uint first, uint index, uint next)
   airlightClearKeys();
   for (int i = 0; i < AIRLIGHT_SLOTS; i++)
   {
-    airlightInsertFar(airlightInsertNear(slots[first + uint(64 * i)]));
+    airlightInsertFar(airlightInsertNear(slots[airlightSlot(first, uint(i))]));
   }
   for (uint i = 0u; i < uint(AIRLIGHT_SLOTS); i++)
   {
