@@ -141,18 +141,7 @@ AIRLIGHT_FN real airlightG(real x, real y)
     y = max(y, real(1e-15));
   }
   bool near = q < real(AIRLIGHT_G_NEAR * AIRLIGHT_G_NEAR);
-#ifdef AIRLIGHT_DOUBLE
   return near ? airlightGSeries(x, y).x : airlightGFar(x, y);
-#else
-  real g = airlightGFar(x, y);
-  // A loop, which software renderers leave where no pixel of a group is in it; of a branch they run both
-  // sides.
-  for (int i = near ? 1 : 0; i > 0; i--)
-  {
-    g = airlightGSeries(x, y).x;
-  }
-  return g;
-#endif
 }
 
 // (g, Re(e^z E1(z))); in single precision within |z| <= AIRLIGHT_G_NEAR only.

@@ -74,8 +74,7 @@ AIRLIGHT_FN AirlightShade airlightTurnStraight(AIRLIGHT_IN(AirlightTurn) turn, r
   return (real(2.0) * reach * scale) * exp2(turn.start + turn.slope * middle) * sum;
 }
 
-// The whole ray in s. Loops, which software renderers leave where no pixel of a group is in them; of
-// branches they run both sides.
+// The whole ray in s.
 AIRLIGHT_FN AirlightShade airlightTurnByTangents(
   AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
 {
@@ -83,14 +82,12 @@ AIRLIGHT_FN AirlightShade airlightTurnByTangents(
   real reach = airlightTurnReach(turn, ray, t1);
   bool open = airlightTurnLeastFading(medium, turn.h) * reach > real(AIRLIGHT_TURN_FADED);
   AirlightShade rest = AirlightShade(real(0.0));
-  for (int i = open ? 1 : 0; i > 0; i--)
+  if (open)
   {
     rest = airlightTurnRest(medium, turn, real(0.0));
   }
-  // Most rays have one part: it is in no loop.
-  real first = min(airlightTurnStep(medium, turn, real(0.0)), reach);
-  AirlightShade parts = airlightTurnStraight(turn, real(0.0), first);
-  real done = open ? reach : first;
+  AirlightShade parts = AirlightShade(real(0.0));
+  real done = open ? reach : real(0.0);
   for (int i = 0; i < AIRLIGHT_TURN_PARTS && done < reach; i++)
   {
     real next = min(done + airlightTurnStep(medium, turn, done), reach);

@@ -49,8 +49,7 @@ void airlightTurnedRay(AirlightRay ray, float unit, inout AirlightTurnedPixel pi
     }
   }
   sum *= airlightPhaseHalves(media.item[0].phase, 0.5, 0.5);
-  // A loop, which software renderers leave where no pixel of a group is in it.
-  for (int i = open && lit ? 1 : 0; i > 0; i--)
+  if (open && lit)
   {
     sum += airlightTurnRest(media.item[0], turn, done);
   }
