@@ -72,6 +72,14 @@ void FillSmall(FrameScene& scene)
   LookAtSquare(scene);
 }
 
+// The same with the lamp elsewhere: the nearer to the spheres, the more of the air is in their shadows.
+void FillShade(FrameScene& scene, double x, double y, double z)
+{
+  FillSmall(scene);
+  scene.Renderer->RemoveAllLights();
+  scene.AddLamp(x, y, z);
+}
+
 // n by n spheres in 25 actors, each of 2 * resolution * (resolution - 1) triangles.
 void FillCrowd(FrameScene& scene, int n, int resolution)
 {
@@ -225,6 +233,15 @@ std::vector<SceneRecipe> MakeRecipes()
   recipes.push_back({ "small", FillSmall, 800, 600, ways });
   recipes.push_back({ "heavy", FillHeavy, 800, 600, AllWays({ 64, 256 }) });
   recipes.push_back({ "shafts", FillShafts, 800, 600, AllWays({ 64, 256 }) });
+  const std::vector<Way> errors = { MakePlain(), MakeUnshadowed(), MakePlanes(), MakeRayMarch(64),
+    MakeRayMarchTo(2e-3) };
+  const auto addShade = [&](const std::string& name, double x, double y, double z) {
+    recipes.push_back({ "shade/" + name,
+      [x, y, z](FrameScene& scene) { FillShade(scene, x, y, z); }, 800, 600, errors });
+  };
+  addShade("above", 0.6, 3.0, -0.8);
+  addShade("among", 0.8, 1.2, 0.8);
+  addShade("close", 0.0, 2.2, -0.8);
   for (int count : { 1, 4, 16 })
   {
     recipes.push_back(
