@@ -7,8 +7,8 @@ layout(std430, binding = 2) buffer AirlightHeads
   uint heads[];
 };
 
-// The first row of pixels that has slots; width and height of the viewport. A shadow plane says them to its fragments: software renderers take as long to read
-// a uniform as for a dozen operations.
+// The first row of pixels that has slots; width and height of the viewport. A shadow plane says them to
+// its fragments: software renderers take as long to read a uniform as for a dozen operations.
 #ifdef AIRLIGHT_PLACES_IN
 flat in ivec3 places;
 #else
