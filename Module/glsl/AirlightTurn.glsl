@@ -128,8 +128,7 @@ AIRLIGHT_FN AirlightTurn airlightTurn(
   turn.later = real(0.66) / turn.left;
   real tau = airlightTurnLeastFading(medium, turn.h);
   real gone = turn.left - airlightTwiceAngle(tau, turn.s * tau + real(AIRLIGHT_TURN_FADED));
-  turn.end = airlightTurned(turn, ray, t1);
-  turn.end = min(turn.end, gone);
+  turn.end = min(airlightTurned(turn, ray, t1), gone);
   return turn;
 }
 

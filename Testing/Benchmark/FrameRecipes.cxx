@@ -59,8 +59,8 @@ void LookAtSquare(FrameScene& scene)
 double PlaceOf(int i, int n) { return 8.0 * (i + 0.5) / n - 4.0; }
 
 //------------------------------------------------------------------------------
-// 25 actors, 27 600 triangles.
-void FillSmall(FrameScene& scene)
+// 25 actors, 27 600 triangles; no lamp.
+void AddBalls(FrameScene& scene)
 {
   for (int i = 0; i < 25; ++i)
   {
@@ -68,15 +68,19 @@ void FillSmall(FrameScene& scene)
       MakeSphere(PlaceOf(i % 5, 5), 0.7 + 0.4 * ((7 * i) % 5), PlaceOf(i / 5, 5), 0.45, 24, 25));
   }
   AddFloor(scene);
-  scene.AddLamp(0.6, 4.5, -0.8);
   LookAtSquare(scene);
 }
 
-// The same with the lamp elsewhere: the nearer to the spheres, the more of the air is in their shadows.
+void FillSmall(FrameScene& scene)
+{
+  AddBalls(scene);
+  scene.AddLamp(0.6, 4.5, -0.8);
+}
+
+// The nearer the lamp to the spheres, the more of the air is in their shadows.
 void FillShade(FrameScene& scene, double x, double y, double z)
 {
-  FillSmall(scene);
-  scene.Renderer->RemoveAllLights();
+  AddBalls(scene);
   scene.AddLamp(x, y, z);
 }
 
@@ -147,8 +151,7 @@ void FillShafts(FrameScene& scene)
 
 void FillLights(FrameScene& scene, int count)
 {
-  FillSmall(scene);
-  scene.Renderer->RemoveAllLights();
+  AddBalls(scene);
   for (int k = 0; k < count; ++k)
   {
     const double turn = 2.399963 * k; // the golden angle spreads any number of lamps

@@ -10,12 +10,9 @@
 
 #include "AirlightTestErrors.h"
 #include "AirlightTestMatrix.h"
-#include "AirlightTestPixels.h"
+#include "AirlightTestPlaneScene.h"
 
-#include "vtkActor.h"
 #include "vtkAirlight.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +20,6 @@
 
 namespace airlight_test
 {
-constexpr double Far = 1e18; // where a ray that hits nothing ends
 // Every Step-th pixel of the picture is compared, another set in each combination: vtkAirlight's
 // quadrature takes its time.
 constexpr int Step = 11;
@@ -67,19 +63,7 @@ struct Sample
 class PassMatrix
 {
 public:
-  PassMatrix()
-  {
-    this->Mapper->SetInputConnection(this->Plane->GetOutputPort());
-    this->Actor->SetMapper(this->Mapper);
-    this->Scene.Renderer->AddActor(this->Actor);
-    this->Scene.Renderer->AddLight(this->Light);
-    // The plane is to end rays, not to shadow them: shadows have their own tests.
-    this->Scene.Pass->SetShadowTechniqueToNone();
-    this->Plane->SetOrigin(-2.0, -3.0, -1.0);
-    this->Plane->SetPoint1(1.5, -2.5, 0.5);
-    this->Plane->SetPoint2(-1.0, 2.0, -0.5);
-    this->Scene.Medium->SetPhaseTolerance(1e-3);
-  }
+  PassMatrix() { this->Scene.Medium->SetPhaseTolerance(1e-3); }
 
   void Run(const MatrixCell& cell, bool parallel, bool plane, bool lightInside,
     PassMatrixComparisons& comparisons);
@@ -95,13 +79,9 @@ private:
   Random Numbers{ 73 };
   int Index = 0;
   bool Closed = false;
-  PixelScene Scene;
+  PlaneScene Scene;
   // The table's fit misses the tolerance; the twin takes the same fit.
   ErrorListener Warnings{ this->Scene.Medium, vtkCommand::WarningEvent };
-  vtkNew<vtkLight> Light;
-  vtkNew<vtkPlaneSource> Plane;
-  vtkNew<vtkPolyDataMapper> Mapper;
-  vtkNew<vtkActor> Actor;
 };
 
 //------------------------------------------------------------------------------
@@ -110,7 +90,7 @@ inline void PassMatrix::Place(const MatrixCell& cell, bool parallel, bool plane,
 {
   Random& random = this->Numbers;
   vtkParticipatingMedium* medium = this->Scene.Medium;
-  cell.Apply(medium, this->Light);
+  cell.Apply(medium, this->Scene.Light);
   medium->SetScattering(random.Uniform(0.05, 0.4), 0.2, random.Uniform(0.05, 0.4));
   medium->SetAbsorption(0.0, random.Uniform(0.0, 0.2), 0.05);
   SetBox(medium, { -2.0, 2.5, -1.5, 2.0, -2.5, 1.8 });
@@ -133,16 +113,16 @@ inline void PassMatrix::Place(const MatrixCell& cell, bool parallel, bool plane,
   camera->SetParallelScale(2.0);
   camera->SetParallelProjection(parallel);
   camera->SetClippingRange(0.1, 50.0);
-  this->Light->SetPosition(&lamp.x);
-  this->Light->SetFocalPoint(&aim.x);
+  this->Scene.Light->SetPosition(&lamp.x);
+  this->Scene.Light->SetFocalPoint(&aim.x);
   if (cell.Light == MATRIX_SUN)
   {
     // At least 10 degrees above any horizon that SetUp() above makes.
     const glm::dvec3 sun(aim.x + random.Uniform(-1, 1), aim.y + 1.0, aim.z + random.Uniform(-1, 1));
-    this->Light->SetPosition(&sun.x);
+    this->Scene.Light->SetPosition(&sun.x);
   }
-  this->Light->SetColor(4.0, 7.0, 2.0);
-  this->Actor->SetVisibility(plane);
+  this->Scene.Light->SetColor(4.0, 7.0, 2.0);
+  this->Scene.Actor->SetVisibility(plane);
   this->Closed = cell.HasClosedForm(lightInside, medium);
 }
 
@@ -152,8 +132,8 @@ inline Expected PassMatrix::Compute(const Sample& sample)
   Expected expected;
   const PixelRay& ray = sample.Ray;
   const glm::dvec3 end = ray.Origin + sample.End * ray.Direction;
-  vtkAirlight::Inscatter(this->Scene.Medium, this->Light, &ray.Origin.x, &ray.Direction.x, 0.0,
-    sample.End, expected.Airlight.data());
+  vtkAirlight::Inscatter(this->Scene.Medium, this->Scene.Light, &ray.Origin.x, &ray.Direction.x,
+    0.0, sample.End, expected.Airlight.data());
   vtkAirlight::Transmittance(
     this->Scene.Medium, &ray.Origin.x, &end.x, expected.Transmittance.data());
   return expected;
@@ -175,14 +155,14 @@ inline bool PassMatrix::Grazes(const Sample& sample)
     larger[i] = bounds[i] + (i % 2 ? change : -change);
   }
   const double radius = medium->GetRadius();
-  const double cone = this->Light->GetConeAngle();
+  const double cone = this->Scene.Light->GetConeAngle();
   SetBox(medium, larger);
   medium->SetRadius(radius + change);
-  this->Light->SetConeAngle(cone < 90.0 ? cone + 1e-6 * 180.0 / 3.14159265 : cone);
+  this->Scene.Light->SetConeAngle(cone < 90.0 ? cone + 1e-6 * 180.0 / 3.14159265 : cone);
   const Expected other = this->Compute(sample);
   SetBox(medium, bounds);
   medium->SetRadius(radius);
-  this->Light->SetConeAngle(cone);
+  this->Scene.Light->SetConeAngle(cone);
   bool grazes = false;
   for (int k = 0; k < 3; ++k)
   {
@@ -207,8 +187,7 @@ inline std::vector<Sample> PassMatrix::TakeSamples()
     sample.I = pixel % PixelScene::Width;
     sample.J = pixel / PixelScene::Width;
     sample.Ray = this->Scene.GetRay(sample.I, sample.J);
-    const float depth = *this->Scene.GetPixel("Depth", sample.I, sample.J);
-    sample.End = depth >= 0.0f ? depth : Far;
+    sample.End = this->Scene.GetEnd(sample.I, sample.J);
     sample.Values = this->Compute(sample);
     samples.push_back(sample);
   }
@@ -244,9 +223,9 @@ inline void PassMatrix::Compare(
       return Text(cell.Describe(), ", combination ", this->Index, ", pixel ", sample.I, " ",
         sample.J, ", channel ", k, ": expected ", value, ", got ", airlight[k], ", transmittance ",
         sample.Values.Transmittance[k], ", got ", passes[k], "; light ",
-        Text3(this->Light->GetPosition()), " to ", Text3(this->Light->GetFocalPoint()), ", origin ",
-        Text3(&sample.Ray.Origin.x), ", direction ", Text3(&sample.Ray.Direction.x), ", end ",
-        sample.End, ", sigmaT ", Text3(this->Scene.Medium->GetExtinction()), ", scale ",
+        Text3(this->Scene.Light->GetPosition()), " to ", Text3(this->Scene.Light->GetFocalPoint()),
+        ", origin ", Text3(&sample.Ray.Origin.x), ", direction ", Text3(&sample.Ray.Direction.x),
+        ", end ", sample.End, ", sigmaT ", Text3(this->Scene.Medium->GetExtinction()), ", scale ",
         this->Scene.Medium->GetScaleHeight(), ", reference ",
         this->Scene.Medium->GetReferenceHeight(), ", up ", Text3(this->Scene.Medium->GetUp()));
     };

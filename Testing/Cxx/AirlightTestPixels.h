@@ -78,6 +78,13 @@ public:
     return image ? static_cast<float*>(image->GetScalarPointer(i, j, 0)) : nullptr;
   }
 
+  // Where the ray of pixel (i, j) ended in the last frame; far away where it hit nothing.
+  double GetEnd(int i, int j)
+  {
+    const float depth = *this->GetPixel("Depth", i, j);
+    return depth >= 0.0f ? depth : 1e18;
+  }
+
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkAirlightPass> Pass;

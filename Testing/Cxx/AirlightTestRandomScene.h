@@ -8,14 +8,10 @@
 #define AirlightTestRandomScene_h
 
 #include "AirlightTestDirections.h"
-#include "AirlightTestPixels.h"
+#include "AirlightTestPlaneScene.h"
 #include "AirlightTestTools.h"
 
-#include "vtkActor.h"
 #include "vtkAirlight.h"
-#include "vtkLight.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
 
 namespace airlight_test
 {
@@ -25,12 +21,6 @@ public:
   explicit RandomPixelScene(std::uint64_t seed)
     : Numbers(seed)
   {
-    this->Mapper->SetInputConnection(this->Plane->GetOutputPort());
-    this->Actor->SetMapper(this->Mapper);
-    this->Scene.Renderer->AddActor(this->Actor);
-    this->Scene.Renderer->AddLight(this->Light);
-    // The plane is to end rays, not to shadow them: shadows have their own tests.
-    this->Scene.Pass->SetShadowTechniqueToNone();
   }
 
   // The index chooses the kinds of things, the random numbers where they are.
@@ -49,7 +39,7 @@ protected:
 
   glm::dvec3 LightPosition{ 0.0 };
   double Intensity[3] = { 10.0, 20.0, 5.0 };
-  PixelScene Scene;
+  PlaneScene Scene;
 
 private:
   void PlaceCamera();
@@ -59,10 +49,6 @@ private:
 
   Random Numbers;
   int Index = 0;
-  vtkNew<vtkLight> Light;
-  vtkNew<vtkPlaneSource> Plane;
-  vtkNew<vtkPolyDataMapper> Mapper;
-  vtkNew<vtkActor> Actor;
 };
 
 //------------------------------------------------------------------------------
@@ -118,8 +104,8 @@ inline void RandomPixelScene::PlaceLight()
         eye + random.Uniform(1.0, 6.0) * middle.Direction + 0.3 * RandomUnit(random);
   }
   this->Intensity[0] = random.LogUniform(1.0, 100.0);
-  this->Light->SetPosition(&this->LightPosition.x);
-  vtkAirlight::SetRadiantIntensity(this->Light, this->Intensity);
+  this->Scene.Light->SetPosition(&this->LightPosition.x);
+  vtkAirlight::SetRadiantIntensity(this->Scene.Light, this->Intensity);
 }
 
 //------------------------------------------------------------------------------
@@ -165,16 +151,16 @@ inline void RandomPixelScene::ChooseMedium()
 inline void RandomPixelScene::PlacePlane()
 {
   Random& random = this->Numbers;
-  this->Actor->SetVisibility(this->Index % 2 == 1);
+  this->Scene.Actor->SetVisibility(this->Index % 2 == 1);
   const PixelRay a = this->Scene.GetRay(10, 5);
   const PixelRay b = this->Scene.GetRay(45, 8);
   const PixelRay c = this->Scene.GetRay(14, 40);
   const glm::dvec3 p = a.Origin + random.Uniform(1.0, 8.0) * a.Direction;
   const glm::dvec3 q = b.Origin + random.Uniform(1.0, 8.0) * b.Direction;
   const glm::dvec3 r = c.Origin + random.Uniform(1.0, 8.0) * c.Direction;
-  this->Plane->SetOrigin(p.x, p.y, p.z);
-  this->Plane->SetPoint1(q.x, q.y, q.z);
-  this->Plane->SetPoint2(r.x, r.y, r.z);
+  this->Scene.Plane->SetOrigin(p.x, p.y, p.z);
+  this->Scene.Plane->SetPoint1(q.x, q.y, q.z);
+  this->Scene.Plane->SetPoint2(r.x, r.y, r.z);
 }
 
 //------------------------------------------------------------------------------

@@ -17,8 +17,6 @@ using namespace airlight_test;
 
 namespace
 {
-constexpr double Far = 1e18; // where a ray that hits nothing ends
-
 // The limits, and the worst cases of all configurations.
 struct Comparisons
 {
@@ -129,8 +127,7 @@ bool Experiment::Grazes(const PixelRay& ray, double t1, const Expected& expected
 void Experiment::ComparePixel(int i, int j, Comparisons& comparisons)
 {
   const PixelRay ray = this->Scene.GetRay(i, j);
-  const float depth = *this->Scene.GetPixel("Depth", i, j);
-  const double t1 = depth >= 0.0f ? depth : Far;
+  const double t1 = this->Scene.GetEnd(i, j);
   const float* airlight = this->Scene.GetPixel("Airlight", i, j);
   const float* surface = this->Scene.GetPixel("Surface", i, j);
   const float* radiance = this->Scene.GetPixel("Radiance", i, j);

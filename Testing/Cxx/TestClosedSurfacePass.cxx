@@ -6,13 +6,10 @@
 // cavities, in perspective and parallel projection, with a wall behind, in the middle or none.
 
 #include "AirlightTestMatrix.h"
-#include "AirlightTestPixels.h"
+#include "AirlightTestPlaneScene.h"
 #include "AirlightTestSurfaces.h"
 
-#include "vtkActor.h"
 #include "vtkAirlight.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -21,8 +18,7 @@ using namespace airlight_test;
 
 namespace
 {
-constexpr double Far = 1e18; // where a ray that hits nothing ends
-constexpr int Step = 31;     // every which pixel is compared
+constexpr int Step = 31; // every which pixel is compared
 
 struct Values
 {
@@ -56,12 +52,6 @@ class Experiment
 public:
   Experiment()
   {
-    this->Mapper->SetInputConnection(this->Plane->GetOutputPort());
-    this->Actor->SetMapper(this->Mapper);
-    this->Scene.Renderer->AddActor(this->Actor);
-    this->Scene.Renderer->AddLight(this->Light);
-    // The wall is to end rays, not to shadow them: shadows have their own tests.
-    this->Scene.Pass->SetShadowTechniqueToNone();
     this->Scene.Medium->SetScattering(0.3, 0.2, 0.1);
     this->Scene.Medium->SetAbsorption(0.0, 0.2, 0.05);
   }
@@ -74,11 +64,7 @@ private:
   Values Compute(const PixelRay& ray, double end);
   bool Grazes(const Sample& sample);
 
-  PixelScene Scene;
-  vtkNew<vtkLight> Light;
-  vtkNew<vtkPlaneSource> Plane;
-  vtkNew<vtkPolyDataMapper> Mapper;
-  vtkNew<vtkActor> Actor;
+  PlaneScene Scene;
   Comparison Airlight{ "Airlight" };
   Comparison Transmittance{ "Transmittance, absolute" };
   Comparison Finite{ "values, finite (0) or not (1)" };
@@ -91,7 +77,7 @@ void Experiment::Place(const Solid& solid, const MatrixCell& cell, int i)
 {
   vtkParticipatingMedium* medium = this->Scene.Medium;
   medium->SetSurface(solid.Surface);
-  cell.Apply(medium, this->Light);
+  cell.Apply(medium, this->Scene.Light);
   medium->SetScaleHeight(3.0);
   medium->SetUp(0.2, 1.0, -0.1);
   const glm::dvec3 eye = Places[i % 5];
@@ -103,23 +89,23 @@ void Experiment::Place(const Solid& solid, const MatrixCell& cell, int i)
   camera->SetParallelScale(2.2);
   camera->SetParallelProjection(i % 2);
   camera->SetClippingRange(0.1, 50.0);
-  this->Light->SetPosition(&lamp.x);
-  this->Light->SetFocalPoint(-0.3, 0.4, -0.6);
-  this->Light->SetColor(4.0, 7.0, 2.0);
+  this->Scene.Light->SetPosition(&lamp.x);
+  this->Scene.Light->SetFocalPoint(-0.3, 0.4, -0.6);
+  this->Scene.Light->SetColor(4.0, 7.0, 2.0);
   const int wall = i / 2 % WALLS;
-  this->Actor->SetVisibility(wall != NONE);
+  this->Scene.Actor->SetVisibility(wall != NONE);
   const double z = wall == BEHIND ? -4.0 : -0.4;
-  this->Plane->SetOrigin(-9.0, -9.0, z - 0.3);
-  this->Plane->SetPoint1(1.2, -9.0, z);
-  this->Plane->SetPoint2(-9.0, 9.0, z + 0.2);
+  this->Scene.Plane->SetOrigin(-9.0, -9.0, z - 0.3);
+  this->Scene.Plane->SetPoint1(1.2, -9.0, z);
+  this->Scene.Plane->SetPoint2(-9.0, 9.0, z + 0.2);
 }
 
 Values Experiment::Compute(const PixelRay& ray, double end)
 {
   Values values;
   const glm::dvec3 to = ray.Origin + end * ray.Direction;
-  vtkAirlight::Inscatter(
-    this->Scene.Medium, this->Light, &ray.Origin.x, &ray.Direction.x, 0.0, end, &values.Airlight.x);
+  vtkAirlight::Inscatter(this->Scene.Medium, this->Scene.Light, &ray.Origin.x, &ray.Direction.x,
+    0.0, end, &values.Airlight.x);
   vtkAirlight::Transmittance(this->Scene.Medium, &ray.Origin.x, &to.x, &values.Transmittance.x);
   return values;
 }
@@ -166,8 +152,7 @@ void Experiment::Run(const Solid& solid, const MatrixCell& cell, int i)
     if (pixel % Step == i % Step)
     {
       const PixelRay ray = this->Scene.GetRay(x, y);
-      const float depth = *this->Scene.GetPixel("Depth", x, y);
-      const double end = depth >= 0.0f ? depth : Far;
+      const double end = this->Scene.GetEnd(x, y);
       samples.push_back({ x, y, ray, end, this->Compute(ray, end) });
       sizes.push_back(samples.back().Expected.Airlight.x);
     }
@@ -196,7 +181,7 @@ void Experiment::Run(const Solid& solid, const MatrixCell& cell, int i)
         sample.J, ": expected ", Text3(&sample.Expected.Airlight.x), ", got ", Text3(&airlight.x),
         ", transmittance ", Text3(&sample.Expected.Transmittance.x), ", got ", Text3(&passes.x),
         ", origin ", Text3(&sample.Ray.Origin.x), ", direction ", Text3(&sample.Ray.Direction.x),
-        ", end ", sample.End, ", light ", Text3(this->Light->GetPosition()));
+        ", end ", sample.End, ", light ", Text3(this->Scene.Light->GetPosition()));
     };
     for (int k = 0; k < 3; ++k)
     {

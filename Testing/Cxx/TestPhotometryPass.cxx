@@ -7,13 +7,9 @@
 
 #include "AirlightTestDirections.h"
 #include "AirlightTestGoniometry.h"
-#include "AirlightTestPixels.h"
+#include "AirlightTestPlaneScene.h"
 
-#include "vtkActor.h"
 #include "vtkAirlight.h"
-#include "vtkLight.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkTestUtilities.h"
 
 #include <cstdlib>
@@ -37,19 +33,6 @@ struct Comparisons
 class Experiment
 {
 public:
-  Experiment()
-  {
-    this->Mapper->SetInputConnection(this->Plane->GetOutputPort());
-    this->Actor->SetMapper(this->Mapper);
-    this->Scene.Renderer->AddActor(this->Actor);
-    this->Scene.Renderer->AddLight(this->Light);
-    // The plane is to end rays and to be lit, not to shadow.
-    this->Scene.Pass->SetShadowTechniqueToNone();
-    this->Plane->SetOrigin(-2.0, -3.0, -1.0);
-    this->Plane->SetPoint1(1.5, -2.5, 0.5);
-    this->Plane->SetPoint2(-1.0, 2.0, -0.5);
-  }
-
   // False where the pass refuses the file.
   bool Run(const LampTable& table, const std::string& file, double multiplier, Comparisons& found);
 
@@ -64,11 +47,7 @@ private:
   TestFog Fog;
   TestGoniometricLamp Lamp;
   glm::dvec3 Normal{ 0.0 };
-  PixelScene Scene;
-  vtkNew<vtkLight> Light;
-  vtkNew<vtkPlaneSource> Plane;
-  vtkNew<vtkPolyDataMapper> Mapper;
-  vtkNew<vtkActor> Actor;
+  PlaneScene Scene;
 };
 
 //------------------------------------------------------------------------------
@@ -81,11 +60,11 @@ void Experiment::PlaceLamp(const LampTable& table)
   const glm::dvec3 up = random.LogUniform(1e-3, 1e3) * RandomUnit(random);
   this->Lamp.Aim(aim - this->Lamp.Position, up);
   this->Lamp.Intensity = { random.Uniform(5.0, 50.0), 12.0, random.Uniform(5.0, 50.0) };
-  vtkAirlight::SetRadiantIntensity(this->Light, &this->Lamp.Intensity.x);
-  this->Light->SetLightTypeToSceneLight();
-  this->Light->SetPosition(&this->Lamp.Position.x);
-  this->Light->SetFocalPoint(&aim.x);
-  this->Scene.Pass->SetLightPhotometryUp(this->Light, up.x, up.y, up.z);
+  vtkAirlight::SetRadiantIntensity(this->Scene.Light, &this->Lamp.Intensity.x);
+  this->Scene.Light->SetLightTypeToSceneLight();
+  this->Scene.Light->SetPosition(&this->Lamp.Position.x);
+  this->Scene.Light->SetFocalPoint(&aim.x);
+  this->Scene.Pass->SetLightPhotometryUp(this->Scene.Light, up.x, up.y, up.z);
 }
 
 //------------------------------------------------------------------------------
@@ -157,7 +136,7 @@ bool Experiment::Run(
 {
   Random& random = this->Numbers;
   ++this->Index;
-  if (!this->Scene.Pass->SetLightPhotometry(this->Light, file.c_str()))
+  if (!this->Scene.Pass->SetLightPhotometry(this->Scene.Light, file.c_str()))
   {
     return false;
   }
@@ -172,9 +151,9 @@ bool Experiment::Run(
   camera->SetParallelProjection(this->Index % 7 == 0);
   camera->SetParallelScale(2.0);
   camera->SetClippingRange(0.1, 50.0);
-  this->Actor->SetVisibility(this->Index % 2);
-  this->Plane->Update();
-  this->Plane->GetNormal(&this->Normal.x);
+  this->Scene.Actor->SetVisibility(this->Index % 2);
+  this->Scene.Plane->Update();
+  this->Scene.Plane->GetNormal(&this->Normal.x);
   this->Scene.Window->Render();
   this->Brightest = this->Scene.Pass->GetBuffer("Airlight")->GetScalarRange()[1];
   for (int pixel = this->Index % Step; pixel < PixelScene::Width * PixelScene::Height;
@@ -182,7 +161,7 @@ bool Experiment::Run(
   {
     this->Compare(pixel, found);
   }
-  const double maximum = this->Scene.Pass->GetLightPhotometryMaximum(this->Light);
+  const double maximum = this->Scene.Pass->GetLightPhotometryMaximum(this->Scene.Light);
   found.Maximum.Add(std::abs(maximum / (multiplier * this->Lamp.Largest()) - 1.0), 1e-14,
     [&] { return Text("setting ", this->Index, ": ", maximum); });
   return true;
