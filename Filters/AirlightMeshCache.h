@@ -8,12 +8,8 @@
 #define AirlightMeshCache_h
 
 #include "AirlightCasterMesh.h"
+#include "AirlightGeometryTimes.h"
 
-#include "vtkCellArray.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-
-#include <array>
 #include <map>
 #include <memory>
 
@@ -25,10 +21,8 @@ public:
   // The data's mesh; null where the progress stopped its making.
   std::shared_ptr<const CasterMesh> Get(vtkPolyData* data, const CasterMesh::Progress& progress)
   {
-    // Blocks of composite data arrive as copies that share their arrays. No two objects have the
-    // same time, and an object's time grows with every change.
-    const Times times{ data->GetPoints() ? data->GetPoints()->GetMTime() : 0,
-      data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime() };
+    // Blocks of composite data arrive as copies that share their arrays.
+    const GeometryTimes times = GetGeometryTimes(data);
     const auto found = this->Entries.find(times);
     if (found != this->Entries.end())
     {
@@ -66,13 +60,12 @@ public:
   }
 
 private:
-  using Times = std::array<vtkMTimeType, 3>;
   struct Entry
   {
     std::shared_ptr<const CasterMesh> Mesh;
     bool Used;
   };
-  std::map<Times, Entry> Entries;
+  std::map<GeometryTimes, Entry> Entries;
 };
 }
 

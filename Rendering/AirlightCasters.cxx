@@ -9,7 +9,6 @@
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
-#include "vtkCellArray.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
@@ -19,13 +18,11 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -33,12 +30,6 @@ namespace airlight
 {
 namespace
 {
-vtkMTimeType GetGeometryTime(vtkPolyData* data)
-{
-  return std::max({ data->GetPoints() ? data->GetPoints()->GetMTime() : 0,
-    data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime() });
-}
-
 template <typename Map>
 void EraseUnused(Map& map)
 {
@@ -250,12 +241,12 @@ void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Look& l
     return;
   }
   Entry& entry = this->Meshes[data];
-  const vtkMTimeType time = GetGeometryTime(data);
+  const GeometryTimes times = GetGeometryTimes(data);
   // Another data set may have got a deleted one's address.
-  if (entry.Data != data || entry.Time != time)
+  if (entry.Data != data || entry.Times != times)
   {
     entry.Data = data;
-    entry.Time = time;
+    entry.Times = times;
     entry.Mesh = std::make_shared<CasterMesh>(data);
     entry.Faces = std::make_shared<std::vector<FlatFace>>(FindFlatFaces(*entry.Mesh));
   }

@@ -9,10 +9,10 @@
 
 #include "AirlightCasterMesh.h"
 #include "AirlightFlatFaces.h"
+#include "AirlightGeometryTimes.h"
 #include "AirlightShadowLayer.h"
 
 #include "vtkSmartPointer.h"
-#include "vtkType.h"
 #include "vtkWeakPointer.h"
 
 #include <glm/glm.hpp>
@@ -83,7 +83,7 @@ private:
   struct Entry
   {
     vtkWeakPointer<vtkPolyData> Data;
-    vtkMTimeType Time = 0;
+    GeometryTimes Times{};
     std::shared_ptr<const CasterMesh> Mesh;
     std::shared_ptr<const std::vector<FlatFace>> Faces;
     bool Used = false;
