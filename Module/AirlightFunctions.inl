@@ -40,6 +40,10 @@
 #undef AIRLIGHT_TURN_FADED
 #undef AIRLIGHT_DARK_HEIGHTS
 #undef AIRLIGHT_THIN_HEIGHTS
+#undef AIRLIGHT_AMBIENT_DEPTH
+#undef AIRLIGHT_AMBIENT_HEIGHTS
+#undef AIRLIGHT_AMBIENT_FALL
+#undef AIRLIGHT_AMBIENT_PANELS
 
 #include "AirlightExponentialIntegral.glsl"
 #include "AirlightGauss.glsl"
@@ -52,6 +56,7 @@
 #include "AirlightPath.glsl"
 #include "AirlightHeightFog.glsl"
 #include "AirlightMedia.glsl"
+#include "AirlightAmbient.glsl"
 #include "AirlightLight.glsl"
 #include "AirlightKinks.glsl"
 #include "AirlightQuadrature.glsl"

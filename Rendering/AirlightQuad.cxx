@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightQuad.h"
 
+#include "AirlightAmbient.h"
 #include "AirlightClosedSurface.h"
 #include "AirlightExponentialIntegral.h"
 #include "AirlightFullScreenVS.h"
@@ -143,7 +144,7 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     DefineCommon(media) + (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") +
     AirlightExponentialIntegral + AirlightGauss + AirlightGoniometric + AirlightPhase +
     AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + AirlightMedium +
-    AirlightClosedSurface + AirlightPath + AirlightHeightFog + AirlightMedia + AirlightLight +
+    AirlightClosedSurface + AirlightPath + AirlightHeightFog + AirlightMedia + AirlightAmbient + AirlightLight +
     AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces +
     (grid ? AirlightGridRay : "") + AirlightScattering;
 }

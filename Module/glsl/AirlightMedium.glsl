@@ -94,8 +94,10 @@ AIRLIGHT_FN real airlightInsideDepth(
   // From the lower end, where the density is largest.
   real rate = dot(medium.up, direction) * medium.inverseScaleHeight;
   real lower = rate >= real(0.0) ? from : to;
-  return airlightDensity(medium, origin + lower * direction) *
-    airlightOpticalLength(abs(rate), to - from);
+  // Opaque either way, and a channel without extinction stays clear: infinity times 0 is not a number.
+  return min(airlightDensity(medium, origin + lower * direction) *
+      airlightOpticalLength(abs(rate), to - from),
+    real(1e30));
 }
 
 // True where all channels fade alike, so that one of them serves for three.

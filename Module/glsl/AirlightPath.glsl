@@ -23,7 +23,7 @@ AIRLIGHT_FN real airlightSunDepth(
   {
     return real(0.0);
   }
-  return min(airlightPathDepth(medium, point, toLight, real(AIRLIGHT_FAR)), real(1e30));
+  return airlightPathDepth(medium, point, toLight, real(AIRLIGHT_FAR));
 }
 
 // x: where after t the ray next enters or leaves the region, or a surface's box; y: 1 where it is
