@@ -45,7 +45,7 @@ std::uint64_t BoundaryStore::GetSlotBytes() const
 //------------------------------------------------------------------------------
 bool BoundaryStore::Allocate(unsigned int buffer, std::uint64_t bytes, const std::string& what)
 {
-  if (!AllocateStorage(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY))
+  if (!AllocateStorageBlock(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY))
   {
     this->Error = "no memory on the graphics card for " + what +
       ": lower SetMemoryLimit(), make the window smaller or call SetShadowTechniqueToShadowMap()";
@@ -115,7 +115,10 @@ bool BoundaryStore::Prepare(int width, int height, bool dimmed, size_t edges, st
     // Indices of words are 32 bits wide.
     this->MostBytes = std::clamp<std::uint64_t>(most, 1u << 24, 0x7fffffff);
   }
-  const std::uint64_t heads = 2 * static_cast<std::uint64_t>(width) * height + HeadOffset;
+  const std::uint64_t row = 2 * static_cast<std::uint64_t>(width);
+  const std::uint64_t most = (this->MostBytes / 4 - HeadOffset) / row;
+  this->HeadRows = static_cast<int>(std::min<std::uint64_t>(height, most));
+  const std::uint64_t heads = row * this->HeadRows + HeadOffset;
   for (int i = 0; i < 2 && this->HeadCount != heads; ++i)
   {
     if (!this->Allocate(this->Heads[i], 4 * heads,
@@ -136,13 +139,14 @@ bool BoundaryStore::Prepare(int width, int height, bool dimmed, size_t edges, st
 //------------------------------------------------------------------------------
 int BoundaryStore::LimitRows(int rows) const
 {
+  rows = std::min(rows, this->HeadRows);
   return this->GetSlots() > 0 ? std::min(rows, this->SlotRows) : rows;
 }
 
 //------------------------------------------------------------------------------
 void BoundaryStore::Clear(int row)
 {
-  this->SlotRow = row;
+  this->FirstRow = row;
   this->Turn = 1 - this->Turn;
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads[this->Turn]);
   glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
@@ -167,8 +171,8 @@ std::string BoundaryStore::GetSource() const
 void BoundaryStore::Use(vtkShaderProgram* program)
 {
   // Integers in vectors of three, which vtkShaderProgram cannot set.
-  glUniform3i(glGetUniformLocation(program->GetHandle(), "givenPlaces"), this->SlotRow, this->Width,
-    this->Height);
+  glUniform3i(glGetUniformLocation(program->GetHandle(), "givenPlaces"), this->FirstRow,
+    this->Width, this->HeadRows);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads[this->Turn]);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SlotBinding, this->Slots);
@@ -191,15 +195,10 @@ BoundaryStore::Counts BoundaryStore::ReadCounts()
 //------------------------------------------------------------------------------
 void BoundaryStore::Release()
 {
-  if (this->Nodes == 0)
-  {
-    return;
-  }
-  glDeleteBuffers(1, &this->Nodes);
-  glDeleteBuffers(2, this->Heads);
-  glDeleteBuffers(1, &this->Slots);
-  this->Nodes = this->Slots = 0;
-  this->Heads[0] = this->Heads[1] = 0;
+  DeleteBuffer(this->Nodes);
+  DeleteBuffer(this->Heads[0]);
+  DeleteBuffer(this->Heads[1]);
+  DeleteBuffer(this->Slots);
   this->Capacity = 0;
   this->HeadCount = 0;
   this->SlotSize = 0;

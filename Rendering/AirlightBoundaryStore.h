@@ -92,7 +92,8 @@ private:
   unsigned int Slots = 0;
   int SlotsPerPixel = 16;
   int SlotRows = 0;
-  int SlotRow = 0;
+  int HeadRows = 0; // what a storage block of the driver holds
+  int FirstRow = 0; // of the heads and slots
   std::uint64_t HeadCount = 0;
   std::uint64_t SlotSize = 0; // bytes allocated
   bool Dimmed = false;

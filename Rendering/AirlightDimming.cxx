@@ -33,10 +33,8 @@ bool Dimming::Prepare(int width, int height, const std::vector<int>& slots)
   {
     glGenBuffers(1, &this->Handle);
   }
-  GLint64 most = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-  const bool ok = bytes <= most &&
-    AllocateStorage(this->Handle, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+  const bool ok =
+    AllocateStorageBlock(this->Handle, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
   this->Bytes = ok ? bytes : 0;
   this->Error = ok ? ""
                    : "no memory on the graphics card for the translucent shadows of " +
@@ -67,11 +65,7 @@ void Dimming::UseInMapper(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void Dimming::Release()
 {
-  if (this->Handle != 0)
-  {
-    glDeleteBuffers(1, &this->Handle);
-  }
-  this->Handle = 0;
+  DeleteBuffer(this->Handle);
   this->Bytes = 0;
 }
 }

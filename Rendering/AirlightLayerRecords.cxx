@@ -27,7 +27,7 @@ std::string NoMemory(const std::string& what)
 //------------------------------------------------------------------------------
 bool LayerRecords::Reserve(std::uint32_t records)
 {
-  const bool ok = AllocateStorage(
+  const bool ok = AllocateStorageBlock(
     this->Records, static_cast<GLsizeiptr>(records) * this->Words * 4, nullptr, GL_DYNAMIC_COPY);
   this->Capacity = ok ? records : 0;
   this->Error = ok ? "" : NoMemory(std::to_string(records) + " translucent fragments");
@@ -55,7 +55,7 @@ bool LayerRecords::Prepare(int width, int height, int words)
   {
     this->Width = this->Height = 0;
     const GLsizeiptr count = static_cast<GLsizeiptr>(width) * height + 1;
-    if (!AllocateStorage(
+    if (!AllocateStorageBlock(
           this->Heads, count * static_cast<GLsizeiptr>(sizeof(GLuint)), nullptr, GL_DYNAMIC_COPY))
     {
       this->Error = NoMemory(
@@ -117,12 +117,8 @@ LayerRecords::Outcome LayerRecords::Check()
 //------------------------------------------------------------------------------
 void LayerRecords::Release()
 {
-  if (this->Records != 0)
-  {
-    glDeleteBuffers(1, &this->Records);
-    glDeleteBuffers(1, &this->Heads);
-  }
-  this->Records = this->Heads = 0;
+  DeleteBuffer(this->Records);
+  DeleteBuffer(this->Heads);
   this->Width = this->Height = 0;
   this->Capacity = 0;
 }

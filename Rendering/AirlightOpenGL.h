@@ -20,7 +20,7 @@ inline void ForgetErrors()
   }
 }
 
-// Memory of a storage buffer, and what is in it where there is something. False where it is refused.
+// Memory of a storage buffer, with its content unless `data` is null. False where it is refused.
 inline bool AllocateStorage(GLuint buffer, GLsizeiptr bytes, const void* data, GLenum usage)
 {
   ForgetErrors();
@@ -29,6 +29,60 @@ inline bool AllocateStorage(GLuint buffer, GLsizeiptr bytes, const void* data, G
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   return glGetError() == GL_NO_ERROR;
 }
+
+// The same of a buffer that shaders see as one block, which drivers bound.
+inline bool AllocateStorageBlock(GLuint buffer, GLsizeiptr bytes, const void* data, GLenum usage)
+{
+  GLint64 most = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+  return bytes <= most && AllocateStorage(buffer, bytes, data, usage);
+}
+
+// Frees a buffer that there is. Without one there may be no context, and no function to call.
+inline void DeleteBuffer(GLuint& buffer)
+{
+  if (buffer != 0)
+  {
+    glDeleteBuffers(1, &buffer);
+    buffer = 0;
+  }
+}
+
+// The same of a vertex array.
+inline void DeleteVertexArray(GLuint& array)
+{
+  if (array != 0)
+  {
+    glDeleteVertexArrays(1, &array);
+    array = 0;
+  }
+}
+
+// Frees the storage bindings of the pass when it goes out of scope: they are not part of what VTK keeps
+// in mind of OpenGL's state.
+class ScopedStorageBindings
+{
+public:
+  static constexpr GLuint Count = 8;
+
+  // `supported`: the context has storage buffers.
+  explicit ScopedStorageBindings(bool supported)
+    : Supported(supported)
+  {
+  }
+  ScopedStorageBindings(const ScopedStorageBindings&) = delete;
+  void operator=(const ScopedStorageBindings&) = delete;
+  ~ScopedStorageBindings()
+  {
+    for (GLuint binding = 0; this->Supported && binding < Count; ++binding)
+    {
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
+    }
+  }
+
+private:
+  bool Supported;
+};
 
 // After one that may have been refused. VTK's own calls in between may make other errors.
 inline bool IsOutOfMemory()

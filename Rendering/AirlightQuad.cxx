@@ -236,11 +236,7 @@ void Quad::Draw(const std::vector<std::pair<const char*, vtkTextureObject*>>& te
 //------------------------------------------------------------------------------
 void Quad::Release()
 {
-  if (this->VertexArray != 0)
-  {
-    glDeleteVertexArrays(1, &this->VertexArray);
-    this->VertexArray = 0;
-  }
+  DeleteVertexArray(this->VertexArray);
   this->Program = nullptr;
 }
 }

@@ -101,17 +101,33 @@ std::string ShadowLists::GetPlanesSource(const View& view) const
 }
 
 //------------------------------------------------------------------------------
-// Front faces are seen from outside the volume. By indices, a plane takes four vertices instead of six, and
-// software renderers take few planes at a time: after every fifty vertices that they have clipped they go
-// through all that they took.
-void ShadowLists::DrawPlanes(int count) const
+// By parts that a storage block of any driver holds. Front faces are seen from outside the volume. By
+// indices, a plane takes four vertices instead of six, and software renderers take few planes at a time:
+// after every fifty vertices that they have clipped they go through all that they took.
+void ShadowLists::DrawRecords(PlaneKind kind, const Buffer& buffer) const
 {
+  const bool planes = kind == PlaneKind::Plane;
+  const size_t size = kind == PlaneKind::Near ? sizeof(NearEdge)
+    : planes                                  ? sizeof(ShadowEdge)
+                                              : sizeof(ShadowCap);
+  const int most = planes ? PlanesPerDraw : RecordsPerDraw;
+  glBindVertexArray(this->VertexArray);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Corners.Handle);
-  for (int first = 0; first < count; first += PlanesPerDraw)
+  for (int first = 0; first < buffer.Count; first += most)
   {
-    glDrawElementsBaseVertex(GL_TRIANGLES, 6 * std::min(count - first, PlanesPerDraw),
-      GL_UNSIGNED_SHORT, nullptr, 4 * first);
+    const int count = std::min(buffer.Count - first, most);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, EdgeBinding, buffer.Handle,
+      static_cast<GLintptr>(first * size), static_cast<GLsizeiptr>(count * size));
+    if (planes)
+    {
+      glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_SHORT, nullptr);
+    }
+    else
+    {
+      glDrawArrays(GL_TRIANGLES, 0, 3 * count);
+    }
   }
+  glBindVertexArray(0);
 }
 
 //------------------------------------------------------------------------------
@@ -134,18 +150,8 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
   this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
   this->Store.Use(program);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LayerBinding, this->Layers[source.Slot].Handle);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, buffer.Handle);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, this->Ends.Handle);
-  glBindVertexArray(this->VertexArray);
-  if (kind == PlaneKind::Plane)
-  {
-    this->DrawPlanes(buffer.Count);
-  }
-  else
-  {
-    glDrawArrays(GL_TRIANGLES, 0, 3 * buffer.Count);
-  }
-  glBindVertexArray(0);
+  this->DrawRecords(kind, buffer);
   return true;
 }
 
@@ -186,6 +192,8 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
     if (needed <= this->Store.GetCapacity())
     {
       this->Longest = counts.Longest;
+      this->FirstRow = row;
+      this->Rows = rows;
       return rows;
     }
     if (this->Budgeted && needed * all / rows > MostBands * most)
@@ -232,8 +240,6 @@ int ShadowLists::Fill(const Source& source, int row, int rows)
   glPolygonOffset(0.0f, 0.0f);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_DEPTH_CLAMP);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, 0);
   state->vtkglDepthMask(GL_TRUE);
   source.Distances->Deactivate();
   return done;
@@ -253,13 +259,8 @@ bool ShadowLists::DrawWireframe(const Source& source)
   state->vtkglDepthMask(GL_FALSE);
   glEnable(GL_DEPTH_CLAMP);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  glBindVertexArray(this->VertexArray);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, this->Edges[source.Slot].Handle);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, this->Ends.Handle);
-  this->DrawPlanes(this->Edges[source.Slot].Count);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EdgeBinding, 0);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, 0);
-  glBindVertexArray(0);
+  this->DrawRecords(PlaneKind::Plane, this->Edges[source.Slot]);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_DEPTH_CLAMP);
   state->vtkglDepthMask(GL_TRUE);

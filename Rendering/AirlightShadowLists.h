@@ -31,8 +31,11 @@ class ShadowLists
 {
 public:
   static constexpr std::uint64_t MostBands = 16;
-  // What indices of 16 bits reach, four vertices a plane.
-  static constexpr int PlanesPerDraw = 16383;
+  // What indices of 16 bits reach, four vertices a plane. Multiples of 16 records are aligned as parts of
+  // a storage buffer have to be.
+  static constexpr int PlanesPerDraw = 16368;
+  // Caps and near planes, up to 64 bytes each: what the smallest storage blocks hold.
+  static constexpr int RecordsPerDraw = 1 << 18;
 
   // Whether the window's OpenGL has what this needs: 4.3.
   static bool IsSupported(vtkOpenGLRenderWindow* window);
@@ -116,7 +119,7 @@ private:
 
   vtkShaderProgram* ReadyPlanes(PlaneKind kind, const std::string& fragment, const Source& source);
   bool MakeCorners();
-  void DrawPlanes(int count) const;
+  void DrawRecords(PlaneKind kind, const Buffer& buffer) const;
   std::string GetPlanesSource(const View& view) const;
   bool DrawFragments(const Source& source, PlaneKind kind, int row, int rows);
   bool DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts);
@@ -130,6 +133,8 @@ private:
   bool Budgeted = false;
   bool OverBudget = false;
   std::uint32_t Longest = 0; // list
+  int FirstRow = 0;          // of those that the lists are of
+  int Rows = 0;
   unsigned int VertexArray = 0;
   Buffer Corners; // of how many planes
   Buffer Ends;

@@ -92,29 +92,20 @@ bool ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
 //------------------------------------------------------------------------------
 void ShadowLists::Release()
 {
-  // Edges come before all else.
-  if (this->Edges.empty())
-  {
-    return;
-  }
-  glDeleteVertexArrays(1, &this->VertexArray);
+  DeleteVertexArray(this->VertexArray);
   this->Store.Release();
-  glDeleteBuffers(1, &this->Corners.Handle);
-  glDeleteBuffers(1, &this->Ends.Handle);
-  this->Corners = this->Ends = Buffer();
-  for (size_t slot = 0; slot < this->Edges.size(); ++slot)
+  const auto release = [](Buffer& buffer) {
+    DeleteBuffer(buffer.Handle);
+    buffer.Count = 0;
+  };
+  release(this->Corners);
+  release(this->Ends);
+  for (auto* buffers : { &this->Edges, &this->NearEdges, &this->Caps, &this->Layers })
   {
-    glDeleteBuffers(1, &this->Edges[slot].Handle);
-    glDeleteBuffers(1, &this->NearEdges[slot].Handle);
-    glDeleteBuffers(1, &this->Caps[slot].Handle);
-    glDeleteBuffers(1, &this->Layers[slot].Handle);
+    std::for_each(buffers->begin(), buffers->end(), release);
+    buffers->clear();
   }
-  this->Edges.clear();
-  this->NearEdges.clear();
-  this->Caps.clear();
-  this->Layers.clear();
   this->SortQuad.Release();
   this->SpillQuad.Release();
-  this->VertexArray = 0;
 }
 }

@@ -104,6 +104,10 @@ bool ShadowLists::Sort()
   {
     return false;
   }
+  // Other rows have no heads.
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(0, this->FirstRow, this->Width, this->Rows);
   // Spill() has put runs in order.
   for (std::uint64_t run = std::max(this->Store.GetSlots(), 1); run < this->Longest; run *= 2)
   {

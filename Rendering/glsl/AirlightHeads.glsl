@@ -7,7 +7,7 @@ layout(std430, binding = 2) buffer AirlightHeads
   uint heads[];
 };
 
-// The first row of pixels that has slots; width and height of the viewport. A shadow plane says them to
+// The first of the rows of pixels that are drawn, the viewport's width, and how many rows have heads. A shadow plane says them to
 // its fragments: software renderers take as long to read a uniform as for a dozen operations.
 #ifdef AIRLIGHT_PLACES_IN
 flat in ivec3 places;
@@ -16,12 +16,16 @@ uniform ivec3 givenPlaces;
 #define places givenPlaces
 #endif
 
+// Boundaries are counted up to this number, far beyond what any buffer holds, but for those that are on
+// their way. Without it the counter of a huge scene would wrap, and lists would get cycles.
+const uint AIRLIGHT_MOST_BOUNDARIES = 0x80000000u;
+
 int airlightHeadIndex(ivec2 pixel)
 {
-  return 2 + pixel.y * places.y + pixel.x;
+  return 2 + (pixel.y - places.x) * places.y + pixel.x;
 }
 
 int airlightCountIndex(ivec2 pixel)
 {
-  return 2 + (places.z + pixel.y) * places.y + pixel.x;
+  return 2 + (places.z + pixel.y - places.x) * places.y + pixel.x;
 }

@@ -23,6 +23,19 @@ layout(std430, binding = 4) buffer AirlightLayerHeads
 uniform int airlightLayerWidth; // of the viewport, pixels
 uniform int airlightLayerCapacity;
 
+// The first of so many new records. They are counted up to a number far beyond what any buffer holds, but
+// for those that are on their way: a counter that wraps would give lists cycles.
+uint airlightNewLayers(uint count)
+{
+  const uint most = 0x80000000u;
+  uint first = atomicAdd(layerHeads[0], count) + 1u;
+  if (first > most)
+  {
+    atomicExchange(layerHeads[0], most);
+  }
+  return first;
+}
+
 uint airlightLayerHead(ivec2 pixel)
 {
   return uint(1 + pixel.y * airlightLayerWidth + pixel.x);

@@ -10,7 +10,7 @@ void airlightCollect()
   // of its distance, which grows with its slope.
   float before = 1e-5 * t + fwidth(t) / 128.0;
 #endif
-  uint layer = atomicAdd(layerHeads[0], 1u) + 1u;
+  uint layer = airlightNewLayers(1u);
   if (layer < uint(airlightLayerCapacity))
   {
     uint word = AIRLIGHT_LAYER_WORDS * layer;

@@ -71,6 +71,10 @@ void addBoundary(ivec2 pixel, float t, int weight)
   }
 #endif
   uint index = atomicAdd(heads[0], 1u) + 1u;
+  if (index > AIRLIGHT_MOST_BOUNDARIES)
+  {
+    atomicExchange(heads[0], AIRLIGHT_MOST_BOUNDARIES);
+  }
   if (index < uint(nodes.length()) / AIRLIGHT_NODE_WORDS)
   {
     uint word = AIRLIGHT_NODE_WORDS * index;

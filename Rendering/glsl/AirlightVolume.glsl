@@ -35,7 +35,7 @@ ivec2 airlightVolumePixel()
 void airlightCollectNodes()
 {
   uint count = uint(airlightNodeCount);
-  uint first = atomicAdd(layerHeads[0], count) + 1u;
+  uint first = airlightNewLayers(count);
   if (first + count > uint(airlightLayerCapacity))
   {
     return;

@@ -124,6 +124,35 @@ void TestFinalized(const Picture& first, bool attached)
 }
 
 //------------------------------------------------------------------------------
+// The context goes after frames without casters: nothing of it may be left for the next one. `moved`: the
+// pass goes to another window instead.
+void TestGoneWithoutCasters(const Picture& first, bool moved)
+{
+  const std::string what =
+    moved ? "moved after a frame without casters" : "finalised after a frame without casters";
+  First a;
+  const auto show = [&a](bool visible) {
+    for (vtkActor* actor : { a.Floor, a.Ball, a.Cube })
+    {
+      actor->SetVisibility(visible);
+    }
+  };
+  show(false);
+  a.Window->Render();
+  show(true);
+  if (!moved)
+  {
+    a.Window->Finalize();
+    CheckPicture(first, a.Window, what);
+    return;
+  }
+  First b;
+  a.Renderer->SetPass(nullptr);
+  b.Renderer->SetPass(a.Pass);
+  CheckPicture(first, b.Window, what);
+}
+
+//------------------------------------------------------------------------------
 // A window on the screen shows what one beside it does.
 void TestOnScreen(const Picture& first)
 {
@@ -155,6 +184,8 @@ int TestAirlightPassContexts(int, char*[])
   TestWindowGone(first);
   TestFinalized(first, true);
   TestFinalized(first, false);
+  TestGoneWithoutCasters(first, false);
+  TestGoneWithoutCasters(first, true);
   TestOnScreen(first);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
