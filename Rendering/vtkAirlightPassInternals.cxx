@@ -247,6 +247,11 @@ bool vtkAirlightPass::Internals::RenderOnce(
   vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
   vtkOpenGLState::ScopedglEnableDisable depthSaver(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglDepthFunc depthFunctionSaver(state);
+  vtkOpenGLState::ScopedglDepthMask depthMaskSaver(state);
+  vtkOpenGLState::ScopedglColorMask colorMaskSaver(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunctionSaver(state);
+  const ScopedStorageBindings storageSaver(ShadowLists::IsSupported(window));
   state->PushFramebufferBindings();
   this->NotCompiled.clear();
   const bool ok = this->CurrentFrame.Upload(window, media, converted, lamps) &&
