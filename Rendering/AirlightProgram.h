@@ -20,6 +20,12 @@ class vtkShaderProgram;
 
 namespace airlight
 {
+// First lines of a fragment shader; `storage`: it has storage buffers.
+inline const char* GetShaderVersion(bool storage)
+{
+  return storage ? "#version 430\n" : "#version 330\n#extension GL_ARB_gpu_shader5 : enable\n";
+}
+
 // Whether `pass` is the last that changes a prop's shaders; null: whether no pass does. Where others do
 // later, or the user's replacements, what is compiled is known to the mapper alone.
 bool IsLastToChange(const vtkObjectBase* pass, vtkProp* prop);

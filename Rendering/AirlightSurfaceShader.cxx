@@ -23,6 +23,18 @@ namespace airlight
 {
 namespace
 {
+// What VTK makes of the line for the version, with one that has storage buffers: some compilers refuse
+// them as extensions of 1.50.
+const char* StorageSystem = "#version 430\n"
+                            "#define highp\n"
+                            "#define mediump\n"
+                            "#define lowp\n"
+                            "#define texelFetchBuffer texelFetch\n"
+                            "#define texture1D texture\n"
+                            "#define texture2D texture\n"
+                            "#define texture3D texture\n"
+                            "#define varying in\n";
+
 // The prelude's words must not reach the mapper's own text.
 const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef bool3\n";
 
@@ -172,18 +184,20 @@ std::string DrawOnce(const SurfaceText& text)
 }
 
 //------------------------------------------------------------------------------
-void AddExtensions(std::string& fragmentShader, const SurfaceText& text)
+void AddExtensions(std::string& shader, const SurfaceText& text)
 {
-  const bool storage = HasRecords(text) || IsDimmed(text);
-  // After VTK's line for the version, which is as old as can be.
-  const std::string version = "//VTK::System::Dec";
-  const size_t line = fragmentShader.find(version);
-  fragmentShader.insert(line == std::string::npos ? 0 : line + version.size(),
-    std::string("\n#extension GL_ARB_gpu_shader5 : enable\n") +
-      (storage ? "#extension GL_ARB_shader_storage_buffer_object : require\n"
-                 "#extension GL_ARB_shading_language_420pack : require\n"
-                 "#extension GL_ARB_shader_bit_encoding : require\n"
-               : ""));
+  const std::string system = "//VTK::System::Dec"; // VTK's line for the version, which is 1.50
+  const size_t line = shader.find(system);
+  if (line == std::string::npos)
+  {
+    return;
+  }
+  if (HasRecords(text) || IsDimmed(text))
+  {
+    shader.replace(line, system.size(), StorageSystem);
+    return;
+  }
+  shader.insert(line + system.size(), "\n#extension GL_ARB_gpu_shader5 : enable\n");
 }
 
 //------------------------------------------------------------------------------
@@ -249,6 +263,7 @@ void InjectVertexShader(std::string& vertexShader, const SurfaceText& text)
     bodyStart + 1, "\n  airlightAtVertex((airlightVertexToEye * vertexMC).xyz);\n");
   vertexShader.insert(
     mainStart, CommonDeclarations(text) + AirlightBefore + AirlightVertexMedium + Undefine);
+  AddExtensions(vertexShader, text);
 }
 
 //------------------------------------------------------------------------------

@@ -74,7 +74,7 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
 std::string GetVolumeDeclarations(const SurfaceText& text, const std::string& volume);
 
 // Asks for what the text needs, and for what it uses where there is such a thing.
-void AddExtensions(std::string& fragmentShader, const SurfaceText& text);
+void AddExtensions(std::string& shader, const SurfaceText& text);
 
 // Rewrites a mapper's vertex shader for SurfaceText::AtVertices.
 void InjectVertexShader(std::string& vertexShader, const SurfaceText& text);

@@ -8,8 +8,9 @@
 #define AIRLIGHT_OUT(T) out T
 #define AIRLIGHT_INOUT(T) inout T
 #define AIRLIGHT_IN(T) T
-// Forbids optimisations that change roundings, where the language can.
-#if __VERSION__ >= 400
+// Forbids optimisations that change roundings. Below GLSL 4.00 an extension has the word, which the
+// first lines of all shaders enable where there is one.
+#if __VERSION__ >= 400 || defined(GL_ARB_gpu_shader5)
 #define AIRLIGHT_PRECISE precise
 #else
 #define AIRLIGHT_PRECISE

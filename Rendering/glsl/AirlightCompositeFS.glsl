@@ -46,7 +46,7 @@ bool airlightIsLit(ivec2 pixel)
 #else
   float bits = texelFetch(scattered, pixel, 0).a;
 #endif
-  return fract(bits * exp2(-float(AIRLIGHT_APART % AIRLIGHT_BITS) - 1.0)) >= 0.5;
+  return ((uint(bits) >> uint(AIRLIGHT_APART % AIRLIGHT_BITS)) & 1u) != 0u;
 }
 #endif
 

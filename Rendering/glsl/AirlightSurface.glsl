@@ -28,20 +28,21 @@ uint airlightLayer = 0u; // this fragment's record, 0: none
 
 #if AIRLIGHT_READS_LIT
 // Read once for all lights: to fetch a texel takes software renderers longer than a light's share.
-vec4 airlightLitBits;
+// Whole numbers in floats. Their bits are read as integers: exp2() is exact with some drivers only.
+uvec4 airlightLitBits;
 
 // All bits set where no lights' shadows are to be seen.
 void airlightReadLit()
 {
-  airlightLitBits = vec4(exp2(float(AIRLIGHT_BITS)) - 1.0);
+  airlightLitBits = uvec4((1u << uint(AIRLIGHT_BITS)) - 1u);
   if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_COLOUR)
   {
     // A delegate may draw some pixels beyond the viewport.
     ivec2 pixel = ivec2(airlightPixel());
     pixel = clamp(pixel, ivec2(0), textureSize(airlightLit, 0) - 1);
-    airlightLitBits.x = texelFetch(airlightLit, pixel, 0).a;
+    airlightLitBits.x = uint(texelFetch(airlightLit, pixel, 0).a);
 #if AIRLIGHT_MORE_LIT
-    airlightLitBits.yzw = texelFetch(airlightMoreLit, pixel, 0).rgb;
+    airlightLitBits.yzw = uvec3(texelFetch(airlightMoreLit, pixel, 0).rgb);
 #endif
   }
 }
@@ -133,8 +134,7 @@ vec3 airlightShare(int k, vec3 passed)
 #if AIRLIGHT_READS_LIT
   if (k < 4 * AIRLIGHT_BITS)
   {
-    float word = airlightLitBits[k / AIRLIGHT_BITS];
-    if (fract(word * exp2(-float(k % AIRLIGHT_BITS) - 1.0)) < 0.5)
+    if (((airlightLitBits[k / AIRLIGHT_BITS] >> uint(k % AIRLIGHT_BITS)) & 1u) == 0u)
     {
       return vec3(0.0);
     }
