@@ -53,6 +53,24 @@ AIRLIGHT_FN real2 airlightRoughWeight(int k)
 #endif
 }
 
+#ifndef AIRLIGHT_DOUBLE
+// From an end of the interval to the nearest node.
+#define AIRLIGHT_GAUSS_GAP 0.039710143502463824
+
+// Weights of the positive and of the negative node in the value that the nodes' polynomial has at 1; at -1
+// they change places.
+AIRLIGHT_FN real2 airlightEndWeight(int k)
+{
+  if (k == 0)
+    return real2(-0.512655633801369, 0.35373041810644235);
+  if (k == 1)
+    return real2(0.7101568903172436, -0.2208713667044393);
+  if (k == 2)
+    return real2(-0.9912041583117182, 0.11217721020871663);
+  return real2(1.580687063030956, -0.032020422845832466);
+}
+#endif
+
 // How much the integral over a panel with these coefficients may be wrong by, relative to half the
 // panel's width. Kinks, wherever they are, cost 0.1 of the root of the sum of their squares in the
 // median, 0.5 at most.

@@ -77,7 +77,7 @@ AIRLIGHT_FN real3 airlightGlowPiece(AIRLIGHT_IN(AirlightMedia) media,
   real3 doubt;
   if (airlightIsDirectional(light))
   {
-    return airlightStraightPanel(media, light, ray, piece, t0, t1, doubt);
+    return airlightPanel(media, light, ray, piece, true, t0, t1, doubt);
   }
   // One panel on each side of the light's foot, where the peak is.
   real3 sum = real3(real(0.0));
@@ -86,11 +86,11 @@ AIRLIGHT_FN real3 airlightGlowPiece(AIRLIGHT_IN(AirlightMedia) media,
   real middle = clamp(real(0.0), v0, v1);
   if (middle > v0)
   {
-    sum += airlightPointPanel(media, light, ray, piece, v0, middle, doubt);
+    sum += airlightPanel(media, light, ray, piece, false, v0, middle, doubt);
   }
   if (v1 > middle)
   {
-    sum += airlightPointPanel(media, light, ray, piece, middle, v1, doubt);
+    sum += airlightPanel(media, light, ray, piece, false, middle, v1, doubt);
   }
   return sum;
 }

@@ -35,6 +35,13 @@ int airlightTries = 0;
 #define AIRLIGHT_NARROWEST 1e-6
 #endif
 
+// Whether what is between a panel's ends and its outermost nodes is looked at, too.
+#if AIRLIGHT_HAS_SURFACE && !defined(AIRLIGHT_DOUBLE) // see AirlightAdaptive.cxx
+#define AIRLIGHT_CHECK_ENDS 1
+#else
+#define AIRLIGHT_CHECK_ENDS 0
+#endif
+
 // So many times more panels where media are inside surfaces.
 #define AIRLIGHT_SURFACE_PANELS 2
 
@@ -115,67 +122,70 @@ AIRLIGHT_FN real3 airlightSunIntegrand(AIRLIGHT_IN(AirlightMedia) media,
   return airlightScattered(media, piece, point, dot(light.position, ray.direction)) * exp(-depth);
 }
 
-// Gauss-Legendre quadrature on [v0, v1] after x = h sinh v, which makes the peak near the light,
-// of width h, as smooth as the tails: dx = r dv.
-AIRLIGHT_FN real3 airlightPointPanel(AIRLIGHT_IN(AirlightMedia) media,
+// The integrand over v. `straight`: v is t, for lights at infinity, and for lights at a place on intervals
+// so short that asinh() would give one number. Otherwise t - foot = h sinh v, which makes the peak near
+// the light, of width h, as smooth as the tails: dt = r dv.
+AIRLIGHT_FN real3 airlightPanelValue(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real v0, real v1, AIRLIGHT_OUT(real3) doubt)
+  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v)
 {
-  real middle = real(0.5) * (v0 + v1);
-  real reach = real(0.5) * (v1 - v0);
-  real3 sum = real3(real(0.0));
-  real3 even = real3(real(0.0));
-  real3 odd = real3(real(0.0));
-  for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
+  if (airlightIsDirectional(light))
   {
-    real2 node = airlightGaussNode(k / 2);
-    real e = exp(middle + (k % 2 == 0 ? reach : -reach) * node.x);
-    real r = real(0.5) * ray.foot.h * (e + real(1.0) / e);
-    real x = real(0.5) * ray.foot.h * (e - real(1.0) / e);
-    real3 point = ray.origin + (ray.range.x + ray.foot.tL + x) * ray.direction;
-    real3 value = r * airlightShare(light, point) *
-      airlightPointIntegrand(media, light, ray, piece, x, r);
-    sum += node.y * value;
-    real2 rough = airlightRoughWeight(k / 2);
-    even += rough.x * value;
-    odd += (k % 2 == 0 ? rough.y : -rough.y) * value;
+    return airlightSunIntegrand(media, light, ray, piece, v);
   }
-  doubt = reach * airlightRough(even, odd);
-  return reach * sum;
+  if (straight)
+  {
+    real x = v - ray.range.x - ray.foot.tL;
+    real r = sqrt(ray.foot.h * ray.foot.h + x * x);
+    return airlightPointIntegrand(media, light, ray, piece, x, r);
+  }
+  real e = exp(v);
+  real r = real(0.5) * ray.foot.h * (e + real(1.0) / e);
+  real x = real(0.5) * ray.foot.h * (e - real(1.0) / e);
+  real3 point = ray.origin + (ray.range.x + ray.foot.tL + x) * ray.direction;
+  return r * airlightShare(light, point) *
+    airlightPointIntegrand(media, light, ray, piece, x, r);
 }
 
-// Gauss-Legendre quadrature on [t0, t1] as it is: for lights at infinity, and for lights at a place
-// on intervals so short that v0 and v1 would be one number.
-AIRLIGHT_FN real3 airlightStraightPanel(AIRLIGHT_IN(AirlightMedia) media,
+// One panel by Gauss-Legendre quadrature; `doubt` is how much it may be wrong by. In surfaces, where the
+// way to the light can change at a stroke, it includes what lies between the panel's ends and its
+// outermost nodes, where the integrand at the ends is not the nodes' polynomial.
+AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real t0, real t1, AIRLIGHT_OUT(real3) doubt)
+  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, AIRLIGHT_OUT(real3) doubt)
 {
   real3 sum = real3(real(0.0));
   real3 even = real3(real(0.0));
   real3 odd = real3(real(0.0));
+#if AIRLIGHT_CHECK_ENDS
+  real3 low = real3(real(0.0)); // the nodes' polynomial at the ends
+  real3 high = real3(real(0.0));
+#endif
   for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
   {
+    bool above = k % 2 == 0;
     real2 node = airlightGaussNode(k / 2);
-    real share = real(0.5) + (k % 2 == 0 ? real(0.5) : real(-0.5)) * node.x;
-    real t = t0 + share * (t1 - t0);
-    real3 value;
-    if (airlightIsDirectional(light))
-    {
-      value = airlightSunIntegrand(media, light, ray, piece, t);
-    }
-    else
-    {
-      real x = t - ray.range.x - ray.foot.tL;
-      real r = sqrt(ray.foot.h * ray.foot.h + x * x);
-      value = airlightPointIntegrand(media, light, ray, piece, x, r);
-    }
+    real share = real(0.5) + (above ? real(0.5) : real(-0.5)) * node.x;
+    real3 value =
+      airlightPanelValue(media, light, ray, piece, straight, v0 + share * (v1 - v0));
     sum += node.y * value;
     real2 rough = airlightRoughWeight(k / 2);
     even += rough.x * value;
-    odd += (k % 2 == 0 ? rough.y : -rough.y) * value;
+    odd += (above ? rough.y : -rough.y) * value;
+#if AIRLIGHT_CHECK_ENDS
+    real2 end = airlightEndWeight(k / 2);
+    low += (above ? end.y : end.x) * value;
+    high += (above ? end.x : end.y) * value;
+#endif
   }
-  doubt = real(0.5) * (t1 - t0) * airlightRough(even, odd);
-  return real(0.5) * (t1 - t0) * sum;
+  doubt = airlightRough(even, odd);
+#if AIRLIGHT_CHECK_ENDS
+  doubt += real(AIRLIGHT_GAUSS_GAP) *
+    (abs(airlightPanelValue(media, light, ray, piece, straight, v0) - low) +
+      abs(airlightPanelValue(media, light, ray, piece, straight, v1) - high));
+#endif
+  doubt *= real(0.5) * (v1 - v0);
+  return real(0.5) * (v1 - v0) * sum;
 }
 
 AIRLIGHT_FN real airlightAsinh(real x)
@@ -188,15 +198,6 @@ AIRLIGHT_FN real airlightAsinh(real x)
 AIRLIGHT_FN int airlightPanelCount(real length, real scale)
 {
   return int(clamp(length / scale, real(0.0), real(60.0))) + 1;
-}
-
-// One panel; `doubt` is how much it may be wrong by.
-AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, AIRLIGHT_OUT(real3) doubt)
-{
-  return straight ? airlightStraightPanel(media, light, ray, piece, v0, v1, doubt)
-                  : airlightPointPanel(media, light, ray, piece, v0, v1, doubt);
 }
 
 // The panels from v0 to v1 again, where `total` turned out not to be good enough. A panel whose nodes
