@@ -100,9 +100,10 @@ AIRLIGHT_FN real airlightLengthInside(
   return sum;
 }
 
-// Where in the piece nothing is left of the light, or the piece's end.
-AIRLIGHT_FN real airlightFadedAt(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightPiece) piece,
-  real3 origin, real3 direction)
+// How far from the piece's beginning each channel counts: until nothing is left of its light in any medium,
+// or of every medium that it sees.
+AIRLIGHT_FN real3 airlightChannelLengths(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
 {
 #ifdef AIRLIGHT_DOUBLE
   const real depth = real(40.0);
@@ -110,9 +111,8 @@ AIRLIGHT_FN real airlightFadedAt(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(A
   const real depth = real(20.0);
 #endif
   real3 point = origin + piece.from * direction;
-  real3 faded = real3(real(AIRLIGHT_FAR)); // by any medium
-  real thinned = real(0.0);                // of every medium
-  real3 extinction = real3(real(0.0));
+  real3 faded = real3(real(AIRLIGHT_FAR));
+  real3 thinned = real3(real(0.0)); // a channel that is clear scatters nothing
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     if (!airlightPieceHolds(piece, i))
@@ -122,22 +122,43 @@ AIRLIGHT_FN real airlightFadedAt(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(A
     if (AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_GRID)
     {
       // It may be clear here and dense further on.
-      return piece.to;
+      return real3(piece.to - piece.from);
     }
-    real3 sigma = media.item[i].sigmaT;
-    extinction += sigma;
-    faded = min(faded,
-      real3(airlightFadingLength(media.item[i], point, direction, sigma.x, depth),
-        airlightFadingLength(media.item[i], point, direction, sigma.y, depth),
-        airlightFadingLength(media.item[i], point, direction, sigma.z, depth)));
-    thinned = max(thinned,
-      airlightThinningLength(
-        media.item[i], point, direction, max(sigma.x, max(sigma.y, sigma.z))));
+    for (int channel = 0; channel < 3; channel++)
+    {
+      real sigma = media.item[i].sigmaT[channel];
+      if (sigma > real(0.0))
+      {
+        faded[channel] = min(faded[channel],
+          airlightFadingLength(media.item[i], point, direction, sigma, depth));
+        thinned[channel] = max(thinned[channel],
+          airlightThinningLength(media.item[i], point, direction, sigma));
+      }
+    }
   }
-  // A channel that is clear scatters nothing and has no say.
-  faded *= sign(extinction);
-  real end = min(max(faded.x, max(faded.y, faded.z)), thinned);
-  return min(piece.to, piece.from + end);
+  return min(faded, thinned);
+}
+
+// Where in the piece no channel counts any more, or the piece's end.
+AIRLIGHT_FN real airlightFadedAt(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightPiece) piece,
+  real3 origin, real3 direction)
+{
+  real3 lengths = airlightChannelLengths(media, piece, origin, direction);
+  return min(piece.to, piece.from + max(lengths.x, max(lengths.y, lengths.z)));
+}
+
+// The first t in (t0, t1), else t1, at which a channel ends that counts on a small part of it only: panels
+// for the others would not see it.
+AIRLIGHT_FN real airlightNextChannelEnd(
+  AIRLIGHT_IN(AirlightPiece) piece, real3 lengths, real t0, real t1)
+{
+  real reach = t1 - t0;
+  for (int channel = 0; channel < 3; channel++)
+  {
+    real t = piece.from + lengths[channel];
+    t1 = t > t0 && t < t1 && t - t0 < real(0.125) * reach ? t : t1;
+  }
+  return t1;
 }
 
 // Optical depth before t, which lies in the piece.

@@ -50,13 +50,15 @@ AIRLIGHT_FN real3 airlightQuadrature(AIRLIGHT_IN(AirlightMedia) media,
     if (piece.inside != 0)
     {
       // What lies beyond no longer counts.
-      real end = airlightFadedAt(media, piece, ray.origin, ray.direction);
+      real3 lengths = airlightChannelLengths(media, piece, ray.origin, ray.direction);
+      real end = min(piece.to, piece.from + max(lengths.x, max(lengths.y, lengths.z)));
       real from = piece.from;
       while (from < end)
       {
         real to = airlightNextKink(media, way, from, end);
         to = airlightNextLayerEnd(media, ray.origin, ray.direction, real2(piece.from, end),
           airlightToSun(light), from, to);
+        to = airlightNextChannelEnd(piece, lengths, from, to);
         sum += airlightQuadraturePart(media, light, ray, piece, from, to);
         from = to;
       }
