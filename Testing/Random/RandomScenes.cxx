@@ -5,9 +5,12 @@
 //
 //   AirlightRandomScenes --scenes N --first SEED     N scenes from this seed on
 //   --open FILE                                      scenes whose seeds are in the file are known to
-//                                                    fail: they are drawn and told of, no more
+//                                                    fail, in the number of pixels behind the seed. They may
+//                                                    not fail in more
 //   --step K                                         every K-th seed of them: more kinds, as many scenes
 //   AirlightRandomScenes --list FILE                 those whose seeds are in the file
+//   --faults                                         spoils pixels of each scene that passes, and ends with
+//                                                    1 unless nine of ten are reported
 //   --verbose                                        says what each scene is
 //   --parts MASK                                     draws those parts alone whose bits are 1: to find
 //                                                    out which it takes
@@ -17,6 +20,7 @@
 // Ends with 1 where a scene fails; its seed and what it is are written.
 
 #include "AirlightTestErrors.h"
+#include "FaultInjection.h"
 #include "RandomScene.h"
 #include "SceneComparison.h"
 
@@ -28,6 +32,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <map>
 
 using namespace airlight_test;
 
@@ -40,8 +45,9 @@ constexpr std::uint64_t All = ~std::uint64_t(0);
 struct Options
 {
   std::vector<std::uint64_t> Seeds;
-  std::vector<std::uint64_t> Open;
+  std::map<std::uint64_t, int> Open; // how many pixels of a scene are wrong
   bool Verbose = false;
+  bool Faults = false;
   std::uint64_t Parts = All;
   std::uint64_t Triangles = All;
   std::string Printed;
@@ -64,6 +70,28 @@ bool ReadSeeds(const std::string& file, std::vector<std::uint64_t>& seeds)
   return stream.eof() && !seeds.empty();
 }
 
+// A seed and a number of pixels a line.
+bool ReadOpen(const std::string& file, std::map<std::uint64_t, int>& open)
+{
+  std::ifstream stream(file);
+  std::string line;
+  while (std::getline(stream, line))
+  {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::uint64_t seed = 0;
+    int pixels = 0;
+    if (words >> seed)
+    {
+      if (!(words >> pixels))
+      {
+        return false;
+      }
+      open[seed] = pixels;
+    }
+  }
+  return stream.eof() && !open.empty();
+}
+
 bool Parse(int argc, char* argv[], Options& options)
 {
   std::uint64_t first = 0;
@@ -76,6 +104,10 @@ bool Parse(int argc, char* argv[], Options& options)
     if (name == "--verbose")
     {
       options.Verbose = true;
+    }
+    else if (name == "--faults")
+    {
+      options.Faults = true;
     }
     else if (name == "--scenes" && hasValue)
     {
@@ -91,7 +123,7 @@ bool Parse(int argc, char* argv[], Options& options)
     }
     else if (name == "--open" && hasValue)
     {
-      if (!ReadSeeds(argv[++i], options.Open))
+      if (!ReadOpen(argv[++i], options.Open))
       {
         return false;
       }
@@ -215,7 +247,7 @@ int main(int argc, char* argv[])
   if (!Parse(argc, argv, options))
   {
     std::cerr << "usage: " << argv[0]
-              << " [--verbose] [--scenes N] [--first SEED] [--step K] [--parts MASK] "
+              << " [--verbose] [--faults] [--scenes N] [--first SEED] [--step K] [--parts MASK] "
                  "[--triangles MASK] [--print BUFFER] [--list FILE] [--open FILE]\n";
     return EXIT_FAILURE;
   }
@@ -223,6 +255,7 @@ int main(int argc, char* argv[])
   scene.Pass->SetShadowTechniqueToShadowPlanes();
   ErrorListener errors(scene.Pass);
   Totals totals;
+  FaultInjection faults;
   for (std::uint64_t seed : options.Seeds)
   {
     const std::clock_t start = std::clock();
@@ -235,14 +268,19 @@ int main(int argc, char* argv[])
     HideTriangles(scene.Renderer, options.Triangles);
     scene.Window->Render();
     const std::clock_t drawn = std::clock();
-    const SceneComparison comparison(scene, random.GetMedia(), random.HasImage());
+    SceneComparison comparison(scene, random.GetMedia(), random.HasImage());
     comparison.Print(options.Printed, std::cout);
     const std::clock_t end = std::clock();
     const SceneFigures& figures = comparison.GetFigures();
     const bool quiet = errors.Take() == 0;
     const bool passes = figures.Passes() && quiet;
-    const bool open =
-      std::find(options.Open.begin(), options.Open.end(), seed) != options.Open.end();
+    const auto known = options.Open.find(seed);
+    const bool open = known != options.Open.end() && figures.Improper == 0 && quiet &&
+      figures.Unexplained <= known->second;
+    if (passes && options.Faults)
+    {
+      faults.Add(comparison, seed);
+    }
     if (passes || !open)
     {
       totals.Add(seed, figures, passes);
@@ -269,5 +307,6 @@ int main(int argc, char* argv[])
   }
   totals.Report();
   scene.Pass->ReleaseGraphicsResources(scene.Window);
-  return totals.Pass() ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool reported = !options.Faults || faults.Report();
+  return totals.Pass() && reported ? EXIT_SUCCESS : EXIT_FAILURE;
 }

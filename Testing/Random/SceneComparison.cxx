@@ -90,7 +90,8 @@ void SceneComparison::AddBuffer(const char* name, vtkImageData* computed)
 {
   Buffer buffer;
   buffer.Name = name;
-  buffer.Drawn = this->Scene.GetBuffer(name);
+  buffer.Drawn = vtkSmartPointer<vtkImageData>::New();
+  buffer.Drawn->DeepCopy(this->Scene.GetBuffer(name));
   buffer.Computed = computed->GetPointData()->GetArray(name);
   buffer.Components = buffer.Computed->GetNumberOfComponents();
   buffer.MayBeNegative = std::string(name) == "Depth"; // -1: no surface
@@ -104,6 +105,16 @@ void SceneComparison::AddBuffer(const char* name, vtkImageData* computed)
     }
   }
   buffer.Floor = std::max(1e-3 * GetQuantile(sizes, 0.99), IsLight(name) ? Black : 1e-30);
+  for (int c = 0; c < buffer.Components; ++c)
+  {
+    double largest = 1e3 * buffer.Floor;
+    for (vtkIdType i = 0; i < buffer.Computed->GetNumberOfTuples(); ++i)
+    {
+      const double value = buffer.Computed->GetComponent(i, c);
+      largest = std::max(largest, value < Endless ? value : 0.0);
+    }
+    this->Largest.push_back(largest);
+  }
   this->Buffers.push_back(buffer);
 }
 
@@ -192,6 +203,56 @@ glm::dvec2 SceneComparison::GetMiddle(vtkIdType pixel) const
   const vtkIdType column = pixel % this->Scene.Width;
   const vtkIdType row = pixel / this->Scene.Width;
   return glm::dvec2(column, row) + 0.5;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> SceneComparison::Flatten(const airlight::ReferencePixel& p)
+{
+  return { p.Radiance.x, p.Radiance.y, p.Radiance.z, p.Airlight.x, p.Airlight.y, p.Airlight.z,
+    p.Surface.x, p.Surface.y, p.Surface.z, p.Transmittance.x, p.Transmittance.y, p.Transmittance.z,
+    p.Depth, p.LitLength };
+}
+
+//------------------------------------------------------------------------------
+airlight::ReferencePixel SceneComparison::GetDrawnPixel(vtkIdType pixel) const
+{
+  const auto get = [&](BufferIndex buffer) {
+    return glm::dvec3(this->GetDrawn(buffer, pixel, 0), this->GetDrawn(buffer, pixel, 1),
+      this->GetDrawn(buffer, pixel, 2));
+  };
+  airlight::ReferencePixel drawn;
+  drawn.Radiance = get(RADIANCE);
+  drawn.Airlight = get(AIRLIGHT);
+  drawn.Surface = get(SURFACE);
+  drawn.Transmittance = get(TRANSMITTANCE);
+  drawn.Depth = this->GetDrawn(DEPTH, pixel);
+  drawn.LitLength = this->GetDrawn(LIT_LENGTH, pixel);
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+void SceneComparison::SetDrawn(vtkIdType pixel, const std::vector<double>& values)
+{
+  size_t k = 0;
+  for (const Buffer& buffer : this->Buffers)
+  {
+    for (int c = 0; c < buffer.Components; ++c, ++k)
+    {
+      buffer.Drawn->GetPointData()->GetScalars()->SetComponent(pixel, c, values[k]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SceneComparison::Reports(vtkIdType pixel, const airlight::ReferencePixel& drawn)
+{
+  const std::vector<double> kept = Flatten(this->GetDrawnPixel(pixel));
+  const SceneFigures figures = this->Figures;
+  this->SetDrawn(pixel, Flatten(drawn));
+  const bool reports = !this->IsRight(pixel) && !this->IsExplained(pixel);
+  this->SetDrawn(pixel, kept);
+  this->Figures = figures;
+  return reports;
 }
 
 //------------------------------------------------------------------------------

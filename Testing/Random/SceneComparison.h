@@ -23,7 +23,8 @@
  * counted apart, where a triangle's border is within those 0.02 pixels and VTK has drawn another surface
  * than the reference sees: a rasteriser that draws the triangle beside itself follows its plane, normals
  * and colours beyond the border, far beyond, if it is a sliver, and in another order of depth, where two
- * triangles meet in a fold; one that leaves it out shows what is behind. Then the surface is VTK's, and
+ * triangles meet in a fold; one that leaves it out shows what is behind. Then the surface is VTK's, no
+ * brighter than the brightest around the pixel, and
  * the medium before it has to be right, for the depth that was drawn: airlight, transmittance and lit
  * length, and the radiance with the surface as it was drawn. The same holds where d is more than a
  * thousandth of the depth: VTK places such surfaces by chance. All others are
@@ -82,6 +83,19 @@ public:
 
   const SceneFigures& GetFigures() const { return this->Figures; }
 
+  // For FaultInjection: what was drawn at a pixel, what the reference finds there, and whether the pixel would
+  // be reported as wrong with other values.
+  airlight::ReferencePixel GetDrawnPixel(vtkIdType pixel) const;
+  airlight::ReferencePixel Trace(vtkIdType pixel, const airlight::ReferenceChange& change);
+  airlight::ReferencePixel TraceTo(vtkIdType pixel, double depth);
+  airlight::ReferencePixel TraceUnshadowed(vtkIdType pixel);
+  bool Reports(vtkIdType pixel, const airlight::ReferencePixel& drawn);
+
+  // The values of a pixel, channel by channel in the order of the buffers, and the largest of each in the
+  // picture, but for what is without end, and no less than what a thousandth of is measured.
+  static std::vector<double> Flatten(const airlight::ReferencePixel& pixel);
+  const std::vector<double>& GetLargest() const { return this->Largest; }
+
   // Writes the first channel of this buffer, the pass's and the reference's, as numbers.
   void Print(const std::string& name, std::ostream& out) const;
 
@@ -133,6 +147,9 @@ private:
   void AddBehind(const glm::dvec2& middle, Range& range);
   bool AreSurfacesCoarse(vtkIdType pixel);
   bool IsMediumRight(vtkIdType pixel);
+  bool IsShadingPossible(vtkIdType pixel);
+  void SetDrawn(vtkIdType pixel, const std::vector<double>& values);
+  void MakeTools();
   glm::dvec2 GetMiddle(vtkIdType pixel) const;
   double GetDrawn(BufferIndex buffer, vtkIdType pixel, int component = 0) const
   {
@@ -151,6 +168,7 @@ private:
   vtkSmartPointer<vtkImageData> Bound; // of all channels
   std::vector<Buffer> Buffers;
   std::vector<char> Excused; // pixels explained by edges
+  std::vector<double> Largest;
   // Made when first asked.
   std::unique_ptr<airlight::ReferenceTracer> Tracer;
   std::unique_ptr<airlight::ReferenceTracer> Unshadowed;

@@ -40,13 +40,6 @@ std::vector<glm::dvec2> GetPlaces(const glm::dvec2& middle)
   return places;
 }
 
-// The values of a pixel's trace in the order of Names.
-std::vector<double> Flatten(const airlight::ReferencePixel& p)
-{
-  return { p.Radiance.x, p.Radiance.y, p.Radiance.z, p.Airlight.x, p.Airlight.y, p.Airlight.z,
-    p.Surface.x, p.Surface.y, p.Surface.z, p.Transmittance.x, p.Transmittance.y, p.Transmittance.z,
-    p.Depth, p.LitLength };
-}
 }
 
 //------------------------------------------------------------------------------
@@ -93,7 +86,7 @@ airlight::ReferencePixel SceneComparison::TraceUnshadowed(
 }
 
 //------------------------------------------------------------------------------
-bool SceneComparison::IsExplained(vtkIdType pixel)
+void SceneComparison::MakeTools()
 {
   if (!this->Tracer)
   {
@@ -101,6 +94,35 @@ bool SceneComparison::IsExplained(vtkIdType pixel)
     this->Triangles = std::make_unique<ScreenTriangles>(
       this->Scene.Renderer, this->Scene.Width, this->Scene.Height);
   }
+}
+
+//------------------------------------------------------------------------------
+airlight::ReferencePixel SceneComparison::Trace(
+  vtkIdType pixel, const airlight::ReferenceChange& change)
+{
+  this->MakeTools();
+  const glm::dvec2 middle = this->GetMiddle(pixel);
+  return this->Tracer->Trace(middle.x, middle.y, change);
+}
+
+//------------------------------------------------------------------------------
+airlight::ReferencePixel SceneComparison::TraceTo(vtkIdType pixel, double depth)
+{
+  this->MakeTools();
+  const glm::dvec2 middle = this->GetMiddle(pixel);
+  return this->Tracer->TraceTo(middle.x, middle.y, depth);
+}
+
+//------------------------------------------------------------------------------
+airlight::ReferencePixel SceneComparison::TraceUnshadowed(vtkIdType pixel)
+{
+  return this->TraceUnshadowed(this->GetMiddle(pixel));
+}
+
+//------------------------------------------------------------------------------
+bool SceneComparison::IsExplained(vtkIdType pixel)
+{
+  this->MakeTools();
   const glm::dvec2 middle = this->GetMiddle(pixel);
   const std::vector<glm::dvec2> beside = this->Triangles->FindPlaces(middle, EdgePixels);
   Range range;
@@ -141,7 +163,7 @@ bool SceneComparison::IsExplained(vtkIdType pixel)
   }
   const bool is =
     (this->Triangles->IsNearBorder(middle, EdgePixels) || this->AreSurfacesCoarse(pixel)) &&
-    this->IsMediumRight(pixel);
+    this->IsMediumRight(pixel) && this->IsShadingPossible(pixel);
   this->Figures.Borders += is ? 1 : 0;
   return is;
 }
@@ -168,7 +190,7 @@ void SceneComparison::AddBehind(const glm::dvec2& middle, Range& range)
   {
     change.After *= 1.0 + 1e-12;
     const airlight::ReferencePixel next = this->Tracer->Trace(middle.x, middle.y, change);
-    if (next.Depth - first > 2.0 * DepthPlace * slope)
+    if (next.Depth < 0.0 || next.Depth - first > 2.0 * DepthPlace * slope)
     {
       return;
     }
@@ -178,7 +200,7 @@ void SceneComparison::AddBehind(const glm::dvec2& middle, Range& range)
     lit.Surface = this->TraceUnshadowed(middle, change).Surface;
     lit.Radiance += lit.Surface - next.Surface;
     range.Add(lit);
-    change.After = next.Depth; // -1: none
+    change.After = next.Depth;
   }
 }
 
@@ -204,6 +226,39 @@ bool SceneComparison::IsMediumRight(vtkIdType pixel)
     range.Add(traced);
   }
   return this->IsBetween(pixel, range);
+}
+
+//------------------------------------------------------------------------------
+// Whether the surface that VTK has drawn is no brighter than what is there without shadows: around the
+// pixel, and behind the first surfaces.
+bool SceneComparison::IsShadingPossible(vtkIdType pixel)
+{
+  constexpr int layers = 4;
+  glm::dvec3 brightest(0.0);
+  for (int i = 0; i < 9; ++i)
+  {
+    const glm::dvec2 place = this->GetMiddle(pixel) + glm::dvec2(i % 3 - 1, i / 3 - 1);
+    airlight::ReferenceChange change;
+    for (int layer = 0; layer < layers; ++layer)
+    {
+      const airlight::ReferencePixel found = this->TraceUnshadowed(place, change);
+      brightest = glm::max(brightest, found.Surface);
+      if (found.Depth < 0.0)
+      {
+        break;
+      }
+      change.After = found.Depth * (1.0 + 1e-12);
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    const double room = Tolerance * std::max(brightest[c], this->Buffers[SURFACE].Floor);
+    if (!(this->GetDrawn(SURFACE, pixel, c) <= brightest[c] + room))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
