@@ -6,7 +6,8 @@
 #
 #   --with-openvdb   also install OpenVDB, for reading .vdb files
 #   --with-doxygen   also install Doxygen, for making the class reference
-#   --with-checks    also install cppcheck, shellcheck and pyflakes, which read the code for mistakes
+#   --with-checks    also install cppcheck, shellcheck and pyflakes, which read the code for mistakes, and
+#                    Git, which lists the files
 #   --with-analysis  and clang-tidy, which does so thoroughly, and gcovr, for what tests run
 #   --with-clang     also install Clang and its sanitizers, for fuzzing
 set -euo pipefail
@@ -29,8 +30,8 @@ for option in "$@"; do
   case $option in
     --with-openvdb) packages+=(libopenvdb-dev libboost-iostreams-dev) ;;
     --with-doxygen) packages+=(doxygen) ;;
-    --with-checks) packages+=(cppcheck shellcheck pyflakes3) ;;
-    --with-analysis) packages+=(cppcheck shellcheck pyflakes3 clang-tidy gcovr) ;;
+    --with-checks) packages+=(git cppcheck shellcheck pyflakes3) ;;
+    --with-analysis) packages+=(git cppcheck shellcheck pyflakes3 clang-tidy gcovr) ;;
     --with-clang) packages+=(clang libclang-rt-dev llvm) ;;
     -h | --help)
       sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
