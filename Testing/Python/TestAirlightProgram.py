@@ -23,21 +23,43 @@ def join(values):
 class TestReferenceScenes(ProgramTest):
     """The program against scenes with exact answers (Testing/Data/Reference)."""
 
-    # Our contract, a tenth of what a renderer with a noticeable fault scores there.
-    MEDIAN = 5e-4
-    P99 = 5e-3
-    BIAS = 5e-4
-    LEAK = 1e-4
+    # Median, 99th percentile and bias, each at most five times what Mesa's software renderer leaves
+    # (Documentation/accuracy.md): the last places of single precision, and with a phase function that
+    # is fitted its fit.
+    LIMITS = {
+        "S1_point_iso": {
+            "total": (6e-7, 2.5e-6, 1.2e-7), "inscatter": (6e-7, 2.5e-6, 1.2e-7),
+            "surface": (0, 0, 0)},
+        "S2_point_hg_pos06": {
+            "total": (3e-4, 6e-4, 2e-4), "inscatter": (3e-4, 6e-4, 2e-4),
+            "surface": (0, 0, 0)},
+        # Two pixels of the ball on an edge between its faces, 3 % off, make most of the bias.
+        "S3_ground_occluders": {
+            "total": (1.2e-6, 5e-6, 6e-5), "inscatter": (1.5e-6, 5e-6, 1.5e-7),
+            "surface": (5e-6, 1.5e-5, 2.5e-4)},
+        "S5_spot_slats": {
+            "total": (1.4e-6, 1.2e-5, 6e-7), "inscatter": (2.5e-6, 6e-5, 1.5e-6),
+            "surface": (1.2e-6, 1.3e-5, 1.2e-6)},
+        "S6_sun_window": {
+            "total": (2e-6, 2e-5, 8e-7), "inscatter": (6e-6, 1.5e-4, 3.5e-6),
+            "surface": (1e-6, 3e-6, 8e-7)}}
+    # Inside the shadows, where these two pixels are not.
+    SHADOW_BIAS = {"total": 5e-7, "surface": 2e-6}
+    LEAK = 1e-7
 
-    def judge(self, image, name, part, mask):
-        scores = metrics(image, read_pfm(reference_file(name, part)), mask)
-        with self.subTest(scene=name, part=part):
+    def judge(self, image, name, part, mask="mask"):
+        expected = read_pfm(reference_file(name, part))
+        scores = metrics(image, expected, read_pfm(reference_file(name, mask)))
+        median, p99, bias = self.LIMITS[name][part]
+        if name == "S3_ground_occluders" and mask == "shadowmask":
+            bias = self.SHADOW_BIAS.get(part, bias)
+        with self.subTest(scene=name, part=part, mask=mask):
             self.assertEqual(scores["nonfinite"], 0)
-            self.assertLessEqual(scores["median"], self.MEDIAN, scores)
-            self.assertLessEqual(scores["p99"], self.P99, scores)
-            self.assertLessEqual(abs(scores["bias"]), self.BIAS, scores)
+            self.assertLessEqual(scores["median"], median, scores)
+            self.assertLessEqual(scores["p99"], p99, scores)
+            self.assertLessEqual(abs(scores["bias"]), bias, scores)
             # No light leaks into pixels that must be black.
-            bright = np.percentile(read_pfm(reference_file(name, part)), 99)
+            bright = np.percentile(expected, 99)
             self.assertLessEqual(scores["dark_max_abs"], max(self.LEAK * bright, 1e-9), scores)
 
     def judge_distances(self, name, mask):
@@ -68,7 +90,7 @@ class TestReferenceScenes(ProgramTest):
         for part, buffer in buffers.items():
             image = self.render(scene_file(name), part + ".pfm", "--buffer", buffer)
             for mask in masks:
-                self.judge(image, name, part, read_pfm(reference_file(name, mask)))
+                self.judge(image, name, part, mask)
         self.judge_distances(name, read_pfm(reference_file(name, "mask")))
 
     def test_isotropic(self):
@@ -134,9 +156,7 @@ class TestReferenceScenes(ProgramTest):
             "--scattering", join(scene["medium"]["sigma_s"]),
             "--absorption", join(scene["medium"]["sigma_a"]), "--anisotropy", "0.6",
             "--point", f"{join(light['position'])}:{join(light['intensity'])}")
-        self.judge(image, "S2_point_hg_pos06", "total",
-                   read_pfm(reference_file("S2_point_hg_pos06", "mask")))
-
+        self.judge(image, "S2_point_hg_pos06", "total")
 
     def build_with_options(self, name, *options):
         """The scene with another lamp, another medium and another region, put right by options."""
@@ -155,7 +175,7 @@ class TestReferenceScenes(ProgramTest):
             "--scattering", join(medium["sigma_s"]), "--absorption", join(medium["sigma_a"]),
             "--anisotropy", "0", *options)
         for mask in ("mask", "shadowmask"):
-            self.judge(image, name, "total", read_pfm(reference_file(name, mask)))
+            self.judge(image, name, "total", mask)
 
     def test_spot_option(self):
         # Aims at the position plus twice the scene's direction.
