@@ -44,7 +44,6 @@ struct Trial
   {
     scene.Renderer->SetPass(nullptr);
     this->Plain = Capture(scene.Window);
-    InstallFaults();
     scene.Renderer->SetPass(scene.Pass);
     this->Good = Capture(scene.Window);
     if (scene.Pass->GetRecordBuffers())

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaultyOpenGL.h"
 
-#include "vtk_glew.h"
-
+#include <cstddef>
 #include <cstring>
 #include <dlfcn.h>
 
 namespace
 {
+using airlighttest::Function;
 using airlighttest::Refusal;
 
 // The functions of OpenGL are global, and so is what they are told.
@@ -23,111 +23,138 @@ struct
   int TextureSize = 0;
   int TextureBufferSize = 0;
   bool Lost = false;
-  GLenum Error = GL_NO_ERROR;
+  unsigned int Error = 0;
 } Faults;
 
-PFNGLBUFFERDATAPROC BufferData = nullptr;
-PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus = nullptr;
-PFNGLSHADERSOURCEPROC ShaderSource = nullptr;
+// What OpenGL's headers call these. They are not included: each loader has its own.
+constexpr unsigned int NoError = 0;
+constexpr unsigned int OutOfMemory = 0x0505;
+constexpr unsigned int LostContext = 0x0507;
+constexpr unsigned int MaxTextureSize = 0x0D33;
+constexpr unsigned int MajorVersion = 0x821B;
+constexpr unsigned int MinorVersion = 0x821C;
+constexpr unsigned int MaxTextureBufferSize = 0x8C2B;
+constexpr unsigned int FramebufferUnsupported = 0x8CDD;
 
-constexpr GLenum LostContext = 0x0507; // GL_CONTEXT_LOST
+// OpenGL's own function: the one that the loader has got, or that of the libraries behind this program.
+template <typename Type>
+struct Real
+{
+  const char* Name;
+  Type* Call = nullptr;
+
+  Type* Get()
+  {
+    if (!this->Call)
+    {
+      this->Call = reinterpret_cast<Type*>(dlsym(RTLD_NEXT, this->Name));
+    }
+    return this->Call;
+  }
+};
+
+Real<void(unsigned int, std::ptrdiff_t, const void*, unsigned int)> BufferData{ "glBufferData" };
+Real<unsigned int(unsigned int)> CheckFramebufferStatus{ "glCheckFramebufferStatus" };
+Real<unsigned int()> GetError{ "glGetError" };
+Real<void(unsigned int, int*)> GetIntegerv{ "glGetIntegerv" };
+Real<void(unsigned int, int, const char* const*, const int*)> ShaderSource{ "glShaderSource" };
+Real<void(unsigned int, int, int, int, int, int, unsigned int, unsigned int, const void*)>
+  TexImage2D{ "glTexImage2D" };
 
 bool IsRefused(Refusal what) { return Faults.What == what && ++Faults.Calls == Faults.Number; }
-
-// OpenGL's own function.
-template <typename Function>
-Function* Find(Function*, const char* name)
-{
-  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
-}
-
-// The memory of no machine is enough for this: OpenGL itself refuses it.
-void GLAPIENTRY FaultyBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage)
-{
-  const bool refused = IsRefused(Refusal::Buffers);
-  BufferData(target, refused ? GLsizeiptr(1) << 60 : size, refused ? nullptr : data, usage);
-}
-
-GLenum GLAPIENTRY FaultyCheckFramebufferStatus(GLenum target)
-{
-  return IsRefused(Refusal::Framebuffers) ? GL_FRAMEBUFFER_UNSUPPORTED
-                                          : CheckFramebufferStatus(target);
-}
-
-void GLAPIENTRY FaultyShaderSource(
-  GLuint shader, GLsizei count, const GLchar* const* texts, const GLint* lengths)
-{
-  const bool met = !Faults.Word.empty() && count == 1 && !lengths &&
-    std::strstr(texts[0], Faults.Word.c_str()) != nullptr;
-  Faults.Words += met ? 1 : 0;
-  if (met)
-  {
-    const GLchar* text = "#error refused by the test\n";
-    ShaderSource(shader, 1, &text, nullptr);
-    return;
-  }
-  ShaderSource(shader, count, texts, lengths);
-}
 }
 
 //------------------------------------------------------------------------------
 extern "C"
 {
+  // The memory of no machine is enough for this: OpenGL itself refuses it.
+  __attribute__((visibility("default"))) void glBufferData(
+    unsigned int target, std::ptrdiff_t size, const void* data, unsigned int usage)
+  {
+    const bool refused = IsRefused(Refusal::Buffers);
+    BufferData.Get()(
+      target, refused ? std::ptrdiff_t(1) << 60 : size, refused ? nullptr : data, usage);
+  }
+
+  __attribute__((visibility("default"))) unsigned int glCheckFramebufferStatus(unsigned int target)
+  {
+    return IsRefused(Refusal::Framebuffers) ? FramebufferUnsupported
+                                            : CheckFramebufferStatus.Get()(target);
+  }
+
+  __attribute__((visibility("default"))) void glShaderSource(
+    unsigned int shader, int count, const char* const* texts, const int* lengths)
+  {
+    const bool met = !Faults.Word.empty() && count == 1 && !lengths &&
+      std::strstr(texts[0], Faults.Word.c_str()) != nullptr;
+    Faults.Words += met ? 1 : 0;
+    if (met)
+    {
+      const char* text = "#error refused by the test\n";
+      ShaderSource.Get()(shader, 1, &text, nullptr);
+      return;
+    }
+    ShaderSource.Get()(shader, count, texts, lengths);
+  }
+
   // A texture that was refused has no image.
-  __attribute__((visibility("default"))) void GLAPIENTRY glTexImage2D(GLenum target, GLint level,
-    GLint internalFormat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type,
+  __attribute__((visibility("default"))) void glTexImage2D(unsigned int target, int level,
+    int internalFormat, int width, int height, int border, unsigned int format, unsigned int type,
     const void* pixels)
   {
-    static auto* real = Find(&glTexImage2D, "glTexImage2D");
+    auto* const real = TexImage2D.Get();
     if (IsRefused(Refusal::Textures))
     {
-      Faults.Error = GL_OUT_OF_MEMORY;
+      Faults.Error = OutOfMemory;
       real(target, level, internalFormat, 0, 0, border, format, type, nullptr);
       return;
     }
     real(target, level, internalFormat, width, height, border, format, type, pixels);
   }
 
-  __attribute__((visibility("default"))) GLenum GLAPIENTRY glGetError()
+  __attribute__((visibility("default"))) unsigned int glGetError()
   {
-    static auto* real = Find(&glGetError, "glGetError");
-    const GLenum error = Faults.Lost ? LostContext : Faults.Error;
-    Faults.Error = GL_NO_ERROR;
-    return error != GL_NO_ERROR ? error : real();
+    const unsigned int error = Faults.Lost ? LostContext : Faults.Error;
+    Faults.Error = NoError;
+    return error != NoError ? error : GetError.Get()();
   }
 
-  __attribute__((visibility("default"))) void GLAPIENTRY glGetIntegerv(GLenum name, GLint* values)
+  __attribute__((visibility("default"))) void glGetIntegerv(unsigned int name, int* values)
   {
-    static auto* real = Find(&glGetIntegerv, "glGetIntegerv");
-    real(name, values);
-    const auto claim = [&](GLenum what, int value) {
+    GetIntegerv.Get()(name, values);
+    const auto claim = [&](unsigned int what, int value) {
       if (name == what && value > 0)
       {
         *values = value;
       }
     };
-    claim(GL_MAJOR_VERSION, Faults.Version[0]);
-    claim(GL_MINOR_VERSION, Faults.Version[1]);
-    claim(GL_MAX_TEXTURE_SIZE, Faults.TextureSize);
-    claim(GL_MAX_TEXTURE_BUFFER_SIZE, Faults.TextureBufferSize);
+    claim(MajorVersion, Faults.Version[0]);
+    claim(MinorVersion, Faults.Version[1]);
+    claim(MaxTextureSize, Faults.TextureSize);
+    claim(MaxTextureBufferSize, Faults.TextureBufferSize);
   }
 }
 
 namespace airlighttest
 {
 //------------------------------------------------------------------------------
-void InstallFaults()
+Function ReplaceFunction(const char* name, Function real)
 {
-  if (__glewBufferData == FaultyBufferData)
-  {
-    return;
-  }
-  BufferData = __glewBufferData;
-  CheckFramebufferStatus = __glewCheckFramebufferStatus;
-  ShaderSource = __glewShaderSource;
-  __glewBufferData = FaultyBufferData;
-  __glewCheckFramebufferStatus = FaultyCheckFramebufferStatus;
-  __glewShaderSource = FaultyShaderSource;
+  Function replaced = real;
+  const auto replace = [&](auto& known, auto* faulty) {
+    if (real && std::strcmp(name, known.Name) == 0)
+    {
+      known.Call = reinterpret_cast<decltype(known.Call)>(real);
+      replaced = reinterpret_cast<Function>(faulty);
+    }
+  };
+  replace(BufferData, &glBufferData);
+  replace(CheckFramebufferStatus, &glCheckFramebufferStatus);
+  replace(GetError, &glGetError);
+  replace(GetIntegerv, &glGetIntegerv);
+  replace(ShaderSource, &glShaderSource);
+  replace(TexImage2D, &glTexImage2D);
+  return replaced;
 }
 
 //------------------------------------------------------------------------------
@@ -136,7 +163,7 @@ void Refuse(Refusal what, int number)
   Faults.What = what;
   Faults.Number = number;
   Faults.Calls = 0;
-  Faults.Error = GL_NO_ERROR;
+  Faults.Error = NoError;
 }
 
 int CountCalls() { return Faults.Calls; }

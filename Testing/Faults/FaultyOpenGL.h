@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * An OpenGL that refuses what a test asks it to refuse, as a graphics card does that is old or whose
- * memory is full. This program's own glTexImage2D(), glGetError() and glGetIntegerv() stand before
- * OpenGL's, for VTK and the pass, too; the younger functions are replaced in GLEW's table.
+ * memory is full. This program's functions stand before OpenGL's, for VTK and the pass, too: those
+ * that VTK is linked with by name, the others where its loader (GLEW, glad) asks for their addresses
+ * (FaultyLoader.cxx).
  */
 
 #ifndef FaultyOpenGL_h
@@ -21,8 +22,9 @@ enum class Refusal
   Framebuffers // glCheckFramebufferStatus() says no
 };
 
-// When there is a window, whose OpenGL GLEW has just been asked for.
-void InstallFaults();
+// This program's function of that name, which calls OpenGL's own, `real`; `real` for any other name.
+using Function = void (*)();
+Function ReplaceFunction(const char* name, Function real);
 
 // From now on the call of this number, counted from 1, is refused; with 0 none is, and they are only
 // counted.

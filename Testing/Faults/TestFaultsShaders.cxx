@@ -20,7 +20,6 @@ void Restart(Scene& scene)
 {
   scene.Window->Finalize();
   vtkOpenGLRenderWindow::SafeDownCast(scene.Window)->Initialize();
-  InstallFaults();
 }
 
 // `word` is in one shader only.
