@@ -19,12 +19,15 @@ constexpr double MostExcluded = 0.05;
 // The largest share of the others that may be wrong by more than 1 %, besides one.
 constexpr double MostWrong = 1e-3;
 
-// What a technique promises: the 99th percentile and the median of relative errors.
+// What a technique promises: the 99th percentile and the median of relative errors. Those of shadow
+// planes are at most five times what Mesa's software renderer leaves: single precision.
 struct Limits
 {
   int Technique = vtkAirlightPass::SHADOW_PLANES;
-  double Median = 1e-5; // of what comes from lit intervals
-  double P99 = 1e-3;
+  double Median = 2e-6; // of what comes from lit intervals
+  double P99 = 1.5e-5;
+  double SurfaceMedian = 1.2e-5; // of what surfaces send
+  double SurfaceP99 = 4e-4;
   double Wrong = MostWrong; // share of rays that may be wrong by more than 1 %
   double EdgePixels = 0.0;  // edges of shadows on surfaces may be so far off
   bool Spot = false;        // brute force knows of cones only for Airlight
@@ -189,8 +192,8 @@ inline void CompareScene(
   Check(shadowed > rays / 100, name + ": the scene has shadows in the air");
   airlight.Report(name, "Airlight", limits.Median, limits.P99, limits.Wrong);
   litLength.Report(name, "LitLength", limits.Median, limits.P99, limits.Wrong);
-  depth.Report(name, "Depth", 1e-6, 1e-5);
-  surface.Report(name, "Surface", 1e-4, 1e-2);
+  depth.Report(name, "Depth", 2.5e-7, 5e-6);
+  surface.Report(name, "Surface", limits.SurfaceMedian, limits.SurfaceP99);
 }
 }
 

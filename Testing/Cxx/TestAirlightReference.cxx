@@ -40,7 +40,7 @@ vtkDataArray* GetArray(vtkAirlightReference* reference, const char* name)
 
 //------------------------------------------------------------------------------
 // Share of pixels that may be wrong by more than a thousandth, as they are at edges.
-constexpr double MostAtEdges = 0.005;
+constexpr double MostAtEdges = 0.001;
 
 void CompareBuffer(
   const std::string& scene, const char* name, vtkImageData* drawn, vtkDataArray* computed)
@@ -77,8 +77,8 @@ void CompareBuffer(
   const double median = errors[errors.size() / 2];
   std::cout << scene << ", " << name << ": median " << median << ", 95 % below "
             << errors[errors.size() * 95 / 100] << ", above 1e-3 " << 100.0 * share << " %\n";
-  Check(median <= 1e-5, scene + ": median error of " + name);
-  Check(errors[errors.size() * 95 / 100] <= 1e-4, scene + ": 95 % of the errors of " + name);
+  Check(median <= 5e-6, scene + ": median error of " + name);
+  Check(errors[errors.size() * 95 / 100] <= 9e-5, scene + ": 95 % of the errors of " + name);
   Check(share <= MostAtEdges, scene + ": share of wrong pixels of " + name);
 }
 

@@ -24,8 +24,8 @@ Limits MapLimits()
 {
   Limits limits;
   limits.Technique = vtkAirlightPass::SHADOW_MAP;
-  limits.Median = 5e-3;
-  limits.P99 = 5e-2;
+  limits.Median = 3e-3;
+  limits.P99 = 1.5e-2;
   limits.Wrong = 1.0; // the percentiles say it
   // A texel is 2/1024 of the distance to the light, a pixel of these scenes 1/160 of that to the eye.
   limits.EdgePixels = 0.7;

@@ -91,7 +91,7 @@ void CompareLayer(const std::string& name, Scene& scene, size_t first, size_t la
   std::cout << name << ": " << unsure << " rays excluded\n";
   Check(unsure < MostExcluded * rays, name + ": too many rays are excluded");
   Check(seen > 100, name + ": the surface is seen");
-  radiance.Report(name, "Radiance", 1e-5, 1e-3);
+  radiance.Report(name, "Radiance", 2.5e-6, 2e-5);
 }
 
 //------------------------------------------------------------------------------

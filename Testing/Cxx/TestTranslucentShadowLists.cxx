@@ -44,6 +44,8 @@ void TestLongLists()
   // Each layer's thickness is kept to half of 2^-20.
   Limits limits;
   limits.Median = 160.0 * 0x1p-21;
+  limits.P99 = 2.0 * limits.Median;
+  limits.SurfaceMedian = limits.P99;
   CompareScene("160 sheets", scene, 120, limits);
   const double most = scene.GetBuffer("BoundaryCount")->GetScalarRange()[1];
   std::cout << "  " << most << " boundaries on one pixel\n";

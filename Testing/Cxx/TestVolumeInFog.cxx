@@ -102,7 +102,7 @@ bool CompareSlab(const std::string& name, Scene& scene, const Slab& slab, int ra
 }
 
 //------------------------------------------------------------------------------
-constexpr Limits Smooth = { 1e-6, 5e-6 };
+constexpr Limits Smooth = { 5e-7, 1.7e-6 };
 
 bool TestSlab()
 {
