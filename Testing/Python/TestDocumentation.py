@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Links of all pages lead somewhere, and the index lists all pages."""
+"""Links of all pages lead somewhere, the index lists all pages, and cited tests exist."""
 
 import pathlib
 import re
@@ -44,6 +44,24 @@ class TestDocumentation(unittest.TestCase):
         for page in sorted((ROOT / "Documentation").glob("*.md")):
             if page.name != "README.md":
                 self.assertIn(f"]({page.name})", index)
+
+    def test_claims(self):
+        """Each claim of trust.md's table has tests that exist, and what they assert."""
+        lists = "".join(file.read_text(encoding="utf-8") for folder in ("Testing", "ParaView")
+                        for file in (ROOT / folder).rglob("CMakeLists.txt"))
+        page = read(ROOT / "Documentation" / "trust.md")
+        section = page.split("\n## Claims and their tests\n", 1)[1].split("\n## ", 1)[0]
+        rows = re.findall(r"^\|(.*)\|(.*)\|(.*)\|$", section, re.MULTILINE)[2:]
+        self.assertGreater(len(rows), 25)
+        for claim, tests, asserted in rows:
+            with self.subTest(claim=claim):
+                names = re.findall(r"`([\w-]+)`", tests)
+                self.assertTrue(names)
+                self.assertTrue(asserted.strip())
+                for name in names:
+                    load = re.fullmatch("AirlightLoad-(.*)", name)
+                    listed = rf"add_load_test\({load[1]} " if load else rf"\b{name}\.(cxx|py)\b"
+                    self.assertRegex(lists, listed)
 
 
 if __name__ == "__main__":
