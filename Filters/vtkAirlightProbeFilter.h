@@ -28,7 +28,8 @@
  * length 1; one of length 0, or not finite, gives 0.
  *
  * Occluders between the viewpoint and the point hide nothing: the medium before and behind them is
- * summed. Errors: those of vtkAirlight; shadows are exact.
+ * summed. Errors: those of vtkAirlight; shadows come from the triangles
+ * themselves, to rounding.
  *
  * A light counts where it stands, with its transform matrix; a headlight, too, casts shadows here.
  * Photometric files belong to a vtkAirlightPass and are not known here. Without lights, Radiance is

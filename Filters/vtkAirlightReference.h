@@ -5,10 +5,10 @@
  * @brief   the picture of a scene in media, computed on the CPU in double precision
  *
  * What vtkAirlightPass draws, as numbers to measure it by: one ray through the middle of each pixel,
- * the exact lit parts of it from the triangles themselves, and on each of them the closed form in
+ * the lit parts of it from the triangles themselves, and on each of them the closed form in
  * double precision or adaptive quadrature (see vtkAirlight for their errors). Densities from images
- * (vtkParticipatingMedium::SetDensityToImage()) are integrated cell by cell, with the exact depth on
- * the way to the light. No window and no graphics card are needed:
+ * (vtkParticipatingMedium::SetDensityToImage()) are integrated cell by cell, with the depth on
+ * the way to the light summed in the same way. No window and no graphics card are needed:
  * @code
  *   reference->SetRenderer(renderer);
  *   reference->SetMedium(fog);
@@ -35,7 +35,7 @@
  * points and lines, glyphs, volumes and other props, and what vtkCompositePolyDataMapper2 says of
  * single blocks are left out or shaded plainly: one warning each time names them. The pass's
  * photometric files, scattered surface light, and encoded input are not known here. The colours of a
- * gradient background are exact, where VTK rounds them to 1/255.
+ * gradient background are not rounded; VTK rounds them to 1/255.
  *
  * Cost: pixels times lights times boundaries of shadows; tenths of a second for 160 x 120 pixels
  * in uniform media, see Documentation/accuracy.md. Pixels are computed in parallel by vtkSMPTools; the result is

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLitIntervalsFilter
- * @brief   the lit parts of lines in a participating medium, exactly
+ * @brief   the lit parts of lines in a participating medium, in double precision
  *
  * Cuts lines into the parts on which a light shines: inside the medium, inside the light's cone,
  * and not in the shadow of an occluder. Tells how long each part is, how much of the medium it

@@ -15,7 +15,7 @@
  *
  * Errors: values that are not finite or above 1e100, a direction of length 0 or a null medium give an
  * error that names the value, an answer of zeros, and the return value false. A reversed or empty interval
- * gives zeros and true. Nothing is ever NaN.
+ * gives zeros and true.
  *
  * Source: the closed form of V. Biri, D. Arques and S. Michelin, "Real Time Rendering of
  * Atmospheric Scattering and Volumetric Shadows", WSCG 2006, evaluated here through the complex

@@ -277,7 +277,7 @@ public:
    * in world coordinates. Inside is what a way from infinity reaches after an odd number of
    * crossings: a surface within another one bounds a hole. Surfaces must not pass through each
    * other; give overlapping bodies a medium each. Points at one place count as one point. Airlight
-   * is integrated by quadrature, see vtkAirlight, with the exact length inside of every way.
+   * is integrated by quadrature, see vtkAirlight, with the length of every way inside.
    * An empty or open mesh is refused with an error and the old surface stays; if a mesh becomes so
    * later, an error is reported when the medium is used, which then is nowhere. At most 4 million
    * triangles. Default: none.
@@ -342,7 +342,7 @@ public:
    * both coefficients. Between the points it is trilinear, outside the image 0; the image's origin,
    * spacing and direction matrix place it in the world. The medium is where both its region and the
    * image are; an unbounded region stands for the box along the world's axes that holds the image.
-   * Ways through an image are summed up cell by cell, which is exact; airlight is integrated by
+   * Ways through an image are summed up cell by cell, to rounding; airlight is integrated by
    * quadrature. Range: one finite value of at least 0 for each point, at most 1e100; at least 2 points
    * along each axis. The medium keeps 8 bytes for each point.
    * An image that is no good is refused with an error and the old one stays; if it becomes so later,

@@ -9,10 +9,11 @@
  *   renderer->SetPass(pass);
  * @endcode
  * Every switched-on light of the renderer then lights the surfaces and the medium alike; both are
- * attenuated on the way from the light and on the way to the eye, and every polygonal actor
- * casts a shadow through the medium and on the surfaces, translucent ones by their opacity. Nothing is sampled at random: the
- * light scattered into a ray comes from a closed form or, where there is none, from quadrature, and
- * the shadows' edges from geometry.
+ * attenuated on the way from the light and on the way to the eye. Polygonal actors cast shadows
+ * through the medium and on the surfaces, translucent ones by their opacity; what casts none is among
+ * the limits. Nothing is sampled at random: the light scattered into a ray comes from a
+ * closed form or, if there is none, from quadrature, and the shadows' edges from silhouettes. The
+ * buffer "ErrorBound" says how far the airlight may be off.
  *
  * All arithmetic is in linear radiance. What VTK's mappers show is taken as linear, unless
  * SetLinearInput() says otherwise; the picture is written without tone mapping. See vtkAirlight::SetRadiantIntensity() for the units of
@@ -30,9 +31,12 @@
  * one in it. So ambient occlusion or eye-dome lighting as the delegate darken surfaces, and fog
  * lies over them.
  *
- * Cost: the opaque scene is drawn twice (distances first, then colours), the translucent one too; the closed form is
+ * Cost: the opaque scene is drawn once without shadows on surfaces, or if one of at most four lights
+ * casts them; else twice (distances first, then colours), as with a delegate, hidden lines, casters that
+ * let light through and some surfaces. The translucent scene is drawn twice. The closed form is
  * evaluated once per pixel and light, plus once per visible edge of a shadow volume, quadrature once
  * per lit interval of a ray; each silhouette edge seen from a light is drawn as one quadrilateral.
+ * Silhouettes, fits of phase functions and the trees of closed surfaces are kept until they change.
  *
  * Limits:
  *  - A directional light in an unbounded uniform medium arrives unattenuated.
@@ -42,8 +46,9 @@
  *    follows, but for directional lights in an unbounded medium or a box; directional lights in a
  *    sphere; height fog, but for directional lights where it is unbounded; several media.
  *  - Headlights cast no shadows: they see what the camera sees.
- *  - Volumes cast no shadows; point gaussians, imposters and the glyphs of composite data or of source
- *    tables only with shadow maps (see SetShadowTechnique()). Translucent surfaces dim light
+ *  - Volumes, lines, points, wireframes, vtkLODProp3D and parts of assemblies that are not polygons
+ *    cast no shadows; point gaussians, imposters and the glyphs of composite data or of a tree of
+ *    sources only with shadow maps (see SetShadowTechnique()). Translucent surfaces dim light
  *    (SetTranslucentShadows()).
  *  - Translucent surfaces and point gaussians are put behind the medium before them, fragment by
  *    fragment, with its shadows (32 bytes a fragment); without OpenGL 4.3 without
@@ -78,12 +83,12 @@
  *    ask for; cells of an optical depth above 20 look darker than they are. What a light loses on its
  *    way comes from a grid of its own, of at most 65 points along the image's longest side, refined
  *    until it is good for 1e-3, and computed on the CPU whenever light, image or medium change: some
- *    milliseconds for smooth images, a second for others. What arrives on surfaces is exact. A frame
- *    takes up to some times as long as in a uniform box, in proportion to the image's points on a ray.
+ *    milliseconds for smooth images, a second for others. What arrives on surfaces does without it. A
+ *    frame takes up to some times as long as in a uniform box, in proportion to the image's points on a ray.
  *    SetScatteredSurfaceLight() has no effect there, and one warning says so.
  *  - A layer that keeps the depth of those below (vtkRenderer::SetPreserveDepthBuffer()) is drawn
  *    over them. Over other layers the medium is as opaque as the mean of its colours.
- *  - Exact volumetric shadows need OpenGL 4.3, polygons that cast and not too many of them; else
+ *  - Shadows from silhouettes need OpenGL 4.3, polygons that cast and not too many of them; else
  *    they come from shadow maps, and one warning says so (see SetShadowTechnique()).
  *
  * One pass may serve several renderers, of one window or of several. In several windows at once it
@@ -143,7 +148,7 @@ public:
   enum ShadowTechniqueType
   {
     NONE = 0,          ///< no shadows
-    SHADOW_PLANES = 1, ///< exact, from silhouette edges; needs OpenGL 4.3
+    SHADOW_PLANES = 1, ///< from silhouette edges, to rounding; needs OpenGL 4.3
     AUTOMATIC = 2,     ///< SHADOW_PLANES where possible, else SHADOW_MAP with a warning; see below
     SHADOW_MAP = 3,    ///< lit intervals from shadow maps; see below
     RAY_MARCH = 4      ///< SHADOW_MAP, with the integrand sampled at each step; for comparison
@@ -157,8 +162,8 @@ public:
    * around a light at a place, one for a spot of up to 60 degrees or a directional light. Each view
    * ray is walked in GetNumberOfSteps() steps, of equal angle seen from a light at a place; where
    * light turns into shadow or back between two steps, eight halvings find the place, and each lit
-   * interval is integrated as with SHADOW_PLANES. It is not exact: edges of shadows are as coarse as
-   * the map's texels, and what begins and ends within one step is missed. Faces do not shadow
+   * interval is integrated as with SHADOW_PLANES. Edges of shadows are as coarse as the map's
+   * texels, and what begins and ends within one step is missed. Faces do not shadow
    * themselves: the map holds the largest distance of each face within three quarters of a texel,
    * which is a bias by the face's slope. On surfaces the nearest of four texels counts, which shrinks
    * shadows by up to half a texel. A directional light's map covers all that casts.
@@ -172,8 +177,8 @@ public:
    * AUTOMATIC takes SHADOW_PLANES, but SHADOW_MAP in frames of which one of these is true:
    *  - the window lacks OpenGL 4.3 with storage buffers;
    *  - an opaque actor casts whose mapper draws something else than its input's polygons, from which
-   *    planes cannot be drawn: point gaussians, imposters, glyphs of composite data or of source
-   *    tables. For exact shadows of all others, keep it from casting with CASTS_SHADOW();
+   *    planes cannot be drawn: point gaussians, imposters, glyphs of composite data or of a tree
+   *    of sources. For shadow planes of all others, keep it from casting with CASTS_SHADOW();
    *  - the boundaries of a light's shadows need more than sixteen times GetMemoryLimit(), or those
    *    of one row of pixels more than GetMemoryLimit(). Such a frame is begun twice.
    * The first frame of each of the three kinds gives a warning that names it.
@@ -240,7 +245,7 @@ public:
    * over a surface and are left out of account: an actor that is translucent by them alone casts no
    * shadow, unless that key says otherwise.
    *
-   * Exact as the shadows of opaque actors are, but for the thickness -ln(1 - opacity) of a layer, which
+   * As accurate as the shadows of opaque actors, but for the thickness -ln(1 - opacity) of a layer, which
    * is kept to 5e-7 (ErrorBound counts that), and for sums of it above 4000 on the way of one light.
    * Opacities from 1 - 1e-6 on block light wholly. A surface is not dimmed by what lies within 1e-5 of
    * its distance before it, or less than 1/128 of what its distance changes by from pixel to pixel.

@@ -99,7 +99,7 @@ public:
   ///@{
   /**
    * Where the airlight before the surface, and its transmittance to the eye, are evaluated. VERTEX
-   * is cheaper where there are fewer vertices than fragments, exact at the vertices, and off
+   * is cheaper where there are fewer vertices than fragments, right at the vertices, and off
    * between them by what linear interpolation of T and L leaves, which falls with the square of the
    * triangles' size; where the mesh is coarse the glow of a lamp before it is lost. The light's own
    * way to the surface is evaluated per fragment in any case. Lines wider than a pixel and

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The program `AnimatedFog`: lamp, object and medium of a scene in motion at once, in numbered
- * pictures or in a window. Nothing is precomputed for any of them: see FogAnimation.
+ * pictures or in a window. See FogAnimation.
  *
  *   AnimatedFog figure1.json --frames 240 -o frame_%04d.png
  *   AnimatedFog figure1.json --frame 60 -o frame60.png
