@@ -4,9 +4,12 @@
  * @class   vtkAirlightReference
  * @brief   the picture of a scene in media, computed on the CPU in double precision
  *
- * What vtkAirlightPass draws, as numbers to measure it by: one ray through the middle of each pixel,
- * the lit parts of it from the triangles themselves, and on each of them the closed form in
- * double precision or adaptive quadrature (see vtkAirlight for their errors). Densities from images
+ * What vtkAirlightPass draws, in double precision: one ray through the middle of each pixel,
+ * the lit parts of it from the triangles themselves, and on each of them the closed form
+ * or adaptive quadrature (see vtkAirlight for their errors). It is no independent check of the
+ * physics: the formulae are the same source text as the pass', and lights, media and the rays of
+ * pixels come from the same code. It measures the pass' single precision and its shadow planes.
+ * Testing/Oracle shares no code with either. Densities from images
  * (vtkParticipatingMedium::SetDensityToImage()) are integrated cell by cell, with the depth on
  * the way to the light summed in the same way. No window and no graphics card are needed:
  * @code
