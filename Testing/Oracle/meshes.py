@@ -42,7 +42,7 @@ def ball(center, radius, halvings=1):
 
 
 def read_ply(path):
-    """An ASCII file of points x, y, z and triangles."""
+    """An ASCII file of triangles and of points x, y, z, which are floats, of single precision."""
     with open(path) as file:
         lines = iter(file.read().splitlines())
     counts = {}
@@ -56,4 +56,4 @@ def read_ply(path):
     faces = [next(lines).split() for _ in range(counts["face"])]
     if any(face[0] != "3" for face in faces):
         raise ValueError(f"{path}: not a triangle")
-    return np.array(points, float), np.array([face[1:4] for face in faces], int)
+    return np.array(points, np.float32).astype(float), np.array([face[1:4] for face in faces], int)

@@ -53,18 +53,21 @@ def middles(width, height):
     return np.stack([x.ravel(), y.ravel()], axis=1)
 
 
-def stable(scene, size, places, total):
-    """Whether the radiance a quarter of a pixel aside, to four sides, is within 5 %."""
+def stable(scene, size, places, picture):
+    """Whether radiance and depth a quarter of a pixel aside, to four sides, are within 5 %."""
     steady = np.ones(len(places), bool)
     for corner in ((-0.25, -0.25), (0.25, -0.25), (-0.25, 0.25), (0.25, 0.25)):
-        aside = trace(scene, size, places + corner)["Radiance"]
-        steady &= np.all(np.abs(aside - total) <= 0.05 * total, axis=1)
+        aside = trace(scene, size, places + corner)
+        for name in ("Radiance", "Depth"):
+            change = np.abs(aside[name] - picture[name])
+            steady &= np.all(change <= 0.05 * np.abs(picture[name]), axis=1)
     return steady
 
 
 def shadowed(picture, mask):
-    """Which stable pixels lose more than 5 % of the airlight to shadows."""
-    return mask & (picture["Airlight"].sum(axis=1) < 0.95 * picture["Unshadowed"].sum(axis=1))
+    """Which stable pixels lose more than 5 % of their radiance to shadows through the medium."""
+    lost = picture["Unshadowed"] - picture["Airlight"]
+    return mask & np.any(lost > 0.05 * (picture["Radiance"] + lost), axis=1)
 
 
 def write_pfm(path, values, size):
@@ -82,7 +85,7 @@ def main(scene_path, prefix):
     for part, name in COLOURS.items():
         write_pfm(f"{prefix}.{part}.pfm", picture[name], size)
     write_pfm(f"{prefix}.depth.pfm", picture["Depth"], size)
-    mask = stable(scene, size, places, picture["Radiance"])
+    mask = stable(scene, size, places, picture)
     write_pfm(f"{prefix}.mask.pfm", mask[:, None], size)
     if scene["surfaces"]:
         write_pfm(f"{prefix}.shadowmask.pfm", shadowed(picture, mask)[:, None], size)

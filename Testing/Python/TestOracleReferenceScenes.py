@@ -23,7 +23,7 @@ def kept(name, part):
 
 
 class TestOracleReferenceScenes(unittest.TestCase):
-    def check(self, name, masked_alike):
+    def check(self, name):
         scene, size = reference_scene.read_scene(os.path.join(DATA, "scenes", name + ".json"))
         chosen = np.arange(13, size[0] * size[1], 37)
         places = reference_scene.middles(*size)[chosen]
@@ -36,35 +36,34 @@ class TestOracleReferenceScenes(unittest.TestCase):
             error = np.abs(found - expected) / np.maximum(np.abs(expected), floor)
             print(f"{name}, {part}: largest error {np.max(error):.1e}")
             with self.subTest(scene=name, part=part):
-                self.assertLessEqual(np.max(error), 2e-7)
-        mask = reference_scene.stable(scene, size, places, picture["Radiance"])
-        self.compare_masks(name, "mask", mask, stable, masked_alike)
+                self.assertLessEqual(np.max(error), 1e-7)
+        mask = reference_scene.stable(scene, size, places, picture)
+        self.compare_masks(name, "mask", mask, stable)
         if scene["surfaces"]:
             shadowed = reference_scene.shadowed(picture, stable)
             expected = kept(name, "shadowmask")[chosen, 0] > 0.5
-            self.compare_masks(name, "shadowmask", shadowed, expected, 0.99)
+            self.compare_masks(name, "shadowmask", shadowed, expected)
 
-    def compare_masks(self, name, part, found, expected, least):
-        """The kept masks' rules are not written down: a few pixels differ at edges."""
+    def compare_masks(self, name, part, found, expected):
         alike = np.mean(found == expected)
         print(f"{name}, {part}: {100 * alike:.2f} % alike")
         with self.subTest(scene=name, part=part):
-            self.assertGreaterEqual(alike, least)
+            self.assertGreaterEqual(alike, 0.998)  # one pixel may be at the rule's very limit
 
     def test_isotropic(self):
-        self.check("S1_point_iso", 1)
+        self.check("S1_point_iso")
 
     def test_forward_scattering(self):
-        self.check("S2_point_hg_pos06", 1)
+        self.check("S2_point_hg_pos06")
 
     def test_shadows(self):
-        self.check("S3_ground_occluders", 0.99)
+        self.check("S3_ground_occluders")
 
     def test_spot(self):
-        self.check("S5_spot_slats", 0.99)
+        self.check("S5_spot_slats")
 
     def test_sun(self):
-        self.check("S6_sun_window", 0.99)
+        self.check("S6_sun_window")
 
     def test_files(self):
         """A picture that is written is read back as it is."""
