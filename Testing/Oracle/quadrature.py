@@ -70,6 +70,6 @@ def integrate(function, group, low, high, count, tolerance=1e-8, channels=3):
         middle = (low + high) / 2
         group = np.concatenate([group, group])
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
-    if len(group) or np.any(error > tolerance * total):
+    if len(group) or np.any(error > tolerance * total + 1e-290):
         raise NotConverged(f"{len(group)} panels left, error {np.max(error / (total + 1e-300))}")
     return total
