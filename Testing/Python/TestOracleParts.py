@@ -15,6 +15,7 @@ import media  # noqa: E402
 import meshes  # noqa: E402
 import phase  # noqa: E402
 import quadrature  # noqa: E402
+import regions  # noqa: E402
 import scenes  # noqa: E402
 import shadows  # noqa: E402
 import tracer  # noqa: E402
@@ -26,6 +27,17 @@ def cornette_shanks_mean(g):
 
 def schlick_mean(k):
     return 1 / k - (1 - k**2) / (2 * k**2) * math.log((1 + k) / (1 - k))
+
+
+def holds(region, points):
+    """Which points are inside a region, from its description; a mesh is convex here."""
+    if region["type"] == "box":
+        return np.all((points > region["min"]) & (points < region["max"]), axis=1)
+    if region["type"] == "sphere":
+        return np.sum((points - region["center"])**2, axis=1) < region["radius"]**2
+    a, b, c = np.moveaxis(np.array(region["points"])[np.array(region["faces"])], 1, 0)
+    normals = np.cross(b - a, c - a)
+    return np.all(points @ normals.T < np.sum(a * normals, axis=1), axis=1)
 
 
 class TestOracleParts(unittest.TestCase):
@@ -55,6 +67,19 @@ class TestOracleParts(unittest.TestCase):
                 self.assertAlmostEqual(values.sum(), 1, delta=1e-8)
                 if mean is not None:
                     self.assertAlmostEqual(values @ node, mean, delta=1e-9)
+
+    def test_regions(self):
+        """A point of a line is inside where a part of the line is."""
+        origins, ways = self.lines(60)
+        t = np.linspace(0, 12, 1001)[1:-1]  # not the very ends
+        for region in (scenes.BOX, scenes.BALL, scenes.closed_mesh()):
+            starts, ends = regions.make(region).inside(origins, ways, np.full(len(origins), 12.0))
+            inside = np.any((t[:, None, None] > starts) & (t[:, None, None] < ends), axis=2)
+            points = origins + t[:, None, None] * ways
+            expected = holds(region, points.reshape(-1, 3)).reshape(inside.shape)
+            with self.subTest(region=region["type"]):
+                self.assertGreater(np.mean(expected), 0.02)
+                np.testing.assert_array_equal(inside, expected)
 
     def test_columns(self):
         """The integral of the density along a line is that of its samples."""
