@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightReferenceScene.h"
 
+#include "AirlightPropParts.h"
 #include "AirlightReferenceMesh.h"
 #include "vtkActor.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -130,29 +129,12 @@ void ReferenceScene::AddProp(vtkProp* prop)
     return;
   }
   const bool casts = CastsShadow(prop);
-  if (auto* actor = vtkActor::SafeDownCast(prop))
-  {
-    actor->ComputeMatrix();
-    this->AddActor(actor, actor->GetMatrix(), casts);
-    return;
-  }
-  // Assemblies: their parts, each in its place.
-  bool drawn = false;
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
-  {
-    vtkAssemblyNode* node = path->GetLastNode();
-    auto* actor = node ? vtkActor::SafeDownCast(node->GetViewProp()) : nullptr;
-    drawn = drawn || actor;
-    if (actor && actor->GetVisibility())
-    {
-      this->AddActor(actor, node->GetMatrix(), casts && CastsShadow(actor));
-    }
-  }
-  if (!drawn)
-  {
-    this->Unsupported.insert(prop->GetClassName());
-  }
+  VisitParts(
+    prop,
+    [&](vtkActor* actor, vtkMatrix4x4* matrix) {
+      this->AddActor(actor, matrix, casts && CastsShadow(actor));
+    },
+    [&](vtkProp* part) { this->Unsupported.insert(part->GetClassName()); });
 }
 
 //------------------------------------------------------------------------------

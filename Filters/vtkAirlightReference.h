@@ -34,7 +34,8 @@
  * are shaded as VTK's mappers shade them, from Phong's properties, normals of points or cells, scalars
  * mapped before interpolation, and lights with their attenuation; culling and clipping planes hide
  * them. Translucent surfaces are blended in order, each behind the medium before it; they cast no
- * shadows (as in a pass after SetTranslucentShadows(false)), and of two at the same distance one is seen. Textures, physically based shading, wireframes,
+ * shadows (as in a pass after SetTranslucentShadows(false)), and of two at the same distance one is seen.
+ * A vtkLODProp3D is its level of detail that vtkAirlightPass takes. Textures, physically based shading, wireframes,
  * points and lines, glyphs, volumes and other props, and what vtkCompositePolyDataMapper2 says of
  * single blocks are left out or shaded plainly: one warning each time names them. The pass's
  * photometric files, scattered surface light, and encoded input are not known here. The colours of a

@@ -6,9 +6,8 @@
 #include "AirlightCasterKinds.h"
 #include "AirlightGlyphs.h"
 #include "AirlightMatrix.h"
+#include "AirlightPropParts.h"
 #include "vtkActor.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
@@ -55,6 +54,7 @@ const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer, bool tran
   this->Error.clear();
   this->Casters.clear();
   this->Others.clear();
+  this->Skipped.clear();
   for (auto& entry : this->Meshes)
   {
     entry.second.Used = false;
@@ -91,37 +91,52 @@ void CasterCache::AddProp(vtkProp* prop)
   {
     return;
   }
-  if (auto* actor = vtkActor::SafeDownCast(prop))
-  {
-    vtkMapper* mapper = actor->GetMapper();
-    if (mapper && !IsKnown(mapper))
-    {
-      this->AddOther(actor);
-      return;
-    }
-    this->AddActor(actor, actor, actor->GetMatrix());
-    return;
-  }
-  // Assemblies: their parts, each in its place.
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
-  {
-    vtkAssemblyNode* node = path->GetLastNode();
-    auto* actor = node ? vtkActor::SafeDownCast(node->GetViewProp()) : nullptr;
-    if (actor && MayCast(actor))
-    {
-      this->AddActor(actor, prop, node->GetMatrix());
-    }
-  }
+  VisitParts(
+    prop,
+    [&](vtkActor* actor, vtkMatrix4x4* matrix) {
+      vtkMapper* mapper = actor->GetMapper();
+      if (MayCast(actor))
+      {
+        mapper && !IsKnown(mapper) ? this->AddOther(actor, prop, matrix)
+                                   : this->AddActor(actor, prop, matrix);
+      }
+    },
+    [&](vtkProp* part) {
+      if (part->IsA("vtkLODProp3D") && MayCast(part))
+      {
+        this->Skipped = part->GetClassName();
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
-void CasterCache::AddOther(vtkActor* actor)
+std::vector<glm::dvec3> OtherCaster::GetCorners() const
 {
-  const double* bounds = actor->GetBounds();
-  if (bounds && vtkMath::AreBoundsInitialized(bounds) && actor->HasOpaqueGeometry())
+  // A part's own bounds are those of where it stands without the assembly.
+  const double* b = this->Place ? this->Actor->GetMapper()->GetBounds() : this->Actor->GetBounds();
+  std::vector<glm::dvec3> corners;
+  for (int i = 0; i < 8 && b && vtkMath::AreBoundsInitialized(b); ++i)
   {
-    this->Others.push_back(actor);
+    const glm::dvec4 corner(b[i & 1], b[2 + (i >> 1 & 1)], b[4 + (i >> 2)], 1.0);
+    corners.emplace_back(this->Place ? ToGlm(this->Place) * corner : corner);
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddOther(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix)
+{
+  OtherCaster other;
+  other.Actor = actor;
+  other.Owner = owner;
+  if (actor != owner)
+  {
+    other.Place = vtkSmartPointer<vtkMatrix4x4>::New();
+    other.Place->DeepCopy(matrix);
+  }
+  if (actor->HasOpaqueGeometry() && !other.GetCorners().empty())
+  {
+    this->Others.push_back(other);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "AirlightGeometryTimes.h"
 #include "AirlightShadowLayer.h"
 
+#include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -19,13 +20,13 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkActor;
 class vtkDataSet;
 class vtkGeometryFilter;
 class vtkGlyph3DMapper;
-class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
@@ -56,6 +57,17 @@ struct Caster
   }
 };
 
+// An opaque actor whose mapper draws something else than its input's polygons.
+struct OtherCaster
+{
+  // The corners of its box in the world; empty if it has none.
+  std::vector<glm::dvec3> GetCorners() const;
+
+  vtkActor* Actor = nullptr;
+  vtkProp* Owner = nullptr;            // in the renderer: the actor, or what it is a part of
+  vtkSmartPointer<vtkMatrix4x4> Place; // of a part, to the world; else null
+};
+
 // Meshes are prepared once per change of their points or polygons and kept while anything in the
 // renderer shows them.
 class CasterCache
@@ -73,9 +85,11 @@ public:
   // What the last Collect() returned.
   const std::vector<Caster>& GetCasters() const { return this->Casters; }
 
-  // Opaque actors of the last Collect() whose mappers draw something else than their input's
-  // polygons: splats, imposters, glyphs that GetGlyphs() does not know. Parts of assemblies are not among them.
-  const std::vector<vtkActor*>& GetOthers() const { return this->Others; }
+  // Those of the last Collect(): splats, imposters, glyphs that GetGlyphs() does not know.
+  const std::vector<OtherCaster>& GetOthers() const { return this->Others; }
+
+  // A vtkLODProp3D of the last Collect() that shows something else than an actor; empty if there is none.
+  const std::string& GetSkipped() const { return this->Skipped; }
 
   void Clear();
 
@@ -108,7 +122,7 @@ private:
   };
 
   void AddProp(vtkProp* prop);
-  void AddOther(vtkActor* actor);
+  void AddOther(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix);
   void AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix);
   Look GetLook(vtkActor* actor, vtkProp* owner);
   void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Look& look);
@@ -119,7 +133,8 @@ private:
   std::map<vtkPolyData*, Entry> Meshes;
   std::map<vtkDataSet*, Surface> Surfaces;
   std::vector<Caster> Casters;
-  std::vector<vtkActor*> Others;
+  std::vector<OtherCaster> Others;
+  std::string Skipped;
   bool Translucent = false;
   bool TakesTranslucent = false;
   std::string Error;

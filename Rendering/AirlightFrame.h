@@ -80,7 +80,7 @@ public:
   }
   // Whether there was something that lets light through.
   bool MetTranslucent() const { return this->Casters.MetTranslucent(); }
-  const std::vector<vtkActor*>& GetOtherCasters() const { return this->Casters.GetOthers(); }
+  const std::vector<OtherCaster>& GetOtherCasters() const { return this->Casters.GetOthers(); }
 
   // What the casters of other processes do, for all frames until it is forgotten.
   void AddRemoteShadows(const RemoteShadows& remote) { this->Remotes.push_back(remote); }

@@ -34,7 +34,7 @@ glm::dvec3 Place(const Caster& caster, int point)
 }
 
 //------------------------------------------------------------------------------
-bool ShadowMap::Update(const std::vector<Caster>& casters, const std::vector<vtkActor*>& others,
+bool ShadowMap::Update(const std::vector<Caster>& casters, const std::vector<OtherCaster>& others,
   const Lamp& lamp, int resolution)
 {
   // Whether the others changed, nobody says.

@@ -24,7 +24,6 @@
 #include <string>
 #include <vector>
 
-class vtkActor;
 class vtkCamera;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -37,13 +36,13 @@ class View;
 // Draws actors with their mappers from the camera of a shadow map's face, into the bound
 // framebuffer, where the face's lower left corner is at x, y and its side is so many pixels long.
 using DrawActors = std::function<void(
-  const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y, int side)>;
+  const std::vector<OtherCaster>& casters, vtkCamera* camera, int x, int y, int side)>;
 
 class ShadowMap
 {
 public:
   // Takes the lamp and its casters. True where the map has to be drawn anew, into GetTexture().
-  bool Update(const std::vector<Caster>& casters, const std::vector<vtkActor*>& others,
+  bool Update(const std::vector<Caster>& casters, const std::vector<OtherCaster>& others,
     const Lamp& lamp, int resolution);
 
   // Makes the texture. False with a reason in GetError() where it cannot be had.
@@ -108,7 +107,7 @@ private:
   glm::ivec2 GetPlace(int face) const;
 
   std::vector<Caster> Casters;
-  std::vector<vtkActor*> Others;
+  std::vector<OtherCaster> Others;
   glm::dvec4 Light{ 0.0 };
   glm::dvec3 Axis{ 0.0 }; // of a spot
   double CosCone = -1.0;

@@ -53,15 +53,6 @@ std::vector<glm::dvec3> GetCorners(const std::vector<Caster>& casters)
   return corners;
 }
 
-void AddCorners(vtkActor* actor, std::vector<glm::dvec3>& corners)
-{
-  const double* b = actor->GetBounds();
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    corners.emplace_back(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2)]);
-  }
-}
-
 // Two directions across an axis of unit length, and the axis.
 glm::dmat3 MakeFrame(const glm::dvec3& axis)
 {
@@ -76,9 +67,10 @@ glm::dmat3 MakeFrame(const glm::dvec3& axis)
 std::vector<glm::dvec3> ShadowMap::GetBoxCorners() const
 {
   std::vector<glm::dvec3> corners = GetCorners(this->Casters);
-  for (vtkActor* actor : this->Others)
+  for (const OtherCaster& other : this->Others)
   {
-    AddCorners(actor, corners);
+    const std::vector<glm::dvec3> box = other.GetCorners();
+    corners.insert(corners.end(), box.begin(), box.end());
   }
   return corners;
 }
@@ -170,9 +162,10 @@ void ShadowMap::SetParallelProjection()
     }
   }
   std::vector<glm::dvec3> corners;
-  for (vtkActor* actor : this->Others)
+  for (const OtherCaster& other : this->Others)
   {
-    AddCorners(actor, corners);
+    const std::vector<glm::dvec3> box = other.GetCorners();
+    corners.insert(corners.end(), box.begin(), box.end());
   }
   for (const glm::dvec3& corner : corners)
   {

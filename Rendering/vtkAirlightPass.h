@@ -50,6 +50,9 @@
  *    cast no shadows; point gaussians, imposters and the glyphs of composite data or of a tree of
  *    sources only with shadow maps (see SetShadowTechnique()). Translucent surfaces dim light
  *    (SetTranslucentShadows()).
+ *  - A vtkLODProp3D casts by the level of detail that VTK chose for its last frame; before its first
+ *    frame (outside the view), by the one that is selected or, if VTK is to choose, that was added
+ *    first. A level that is a volume or an image casts none, and one warning says so.
  *  - Translucent surfaces and point gaussians are put behind the medium before them, fragment by
  *    fragment, with its shadows (32 bytes a fragment); without OpenGL 4.3 without
  *    shadows. VTK's depth peeling keeps 8 bits a layer (5e-3) and clips radiances above 1.
@@ -169,7 +172,7 @@ public:
    * shadows by up to half a texel. A directional light's map covers all that casts.
    *
    * Besides the polygons that cast with SHADOW_PLANES, opaque actors of other mappers cast, as those
-   * draw them: glyphs, point gaussians, imposters. While there are any (parts of assemblies apart),
+   * draw them: glyphs, point gaussians, imposters, as parts of assemblies, too. While there are any,
    * maps are drawn anew each frame, with a camera of each face as the renderer's active one.
    *
    * RAY_MARCH takes the integrand in the middle of each step, in the same maps: what others do.

@@ -27,12 +27,12 @@ using namespace airlight;
 namespace
 {
 // Their mappers' classes, each once.
-std::string GetMapperNames(const std::vector<vtkActor*>& actors)
+std::string GetMapperNames(const std::vector<OtherCaster>& casters)
 {
   std::set<std::string> names;
-  for (vtkActor* actor : actors)
+  for (const OtherCaster& caster : casters)
   {
-    names.insert(actor->GetMapper()->GetClassName());
+    names.insert(caster.Actor->GetMapper()->GetClassName());
   }
   std::string text;
   for (const std::string& name : names)
@@ -162,6 +162,13 @@ void vtkAirlightPass::Internals::CheckCasters()
       vtkErrorWithObjectMacro(this->Self, << error << ".");
     }
   }
+  if (!casters.GetSkipped().empty() && this->EffectiveTechnique != NONE)
+  {
+    this->WarnOnce(this->WarnedLevels,
+      "A prop of the class " + casters.GetSkipped() +
+        " casts no shadow: the level of detail that it shows is a volume or an image. Add one with "
+        "a vtkMapper, or set vtkAirlightPass::CASTS_SHADOW() to 0 in its property keys.");
+  }
   if (casters.MetTranslucent() && this->Self->TranslucentShadows &&
     (this->EffectiveTechnique == SHADOW_MAP || this->EffectiveTechnique == RAY_MARCH))
   {
@@ -201,7 +208,7 @@ int vtkAirlightPass::Internals::ChooseTechnique(
     this->WarnOnce(this->WarnedOpenGL, text);
     return SHADOW_MAP;
   }
-  const std::vector<vtkActor*>& others = this->CurrentFrame.GetOtherCasters();
+  const std::vector<OtherCaster>& others = this->CurrentFrame.GetOtherCasters();
   const bool casts = (!clear || this->Self->SurfaceShadows) &&
     std::any_of(lamps.begin(), lamps.end(),
       [](const Lamp& lamp) { return lamp.Scatters() && lamp.CastsShadows; });

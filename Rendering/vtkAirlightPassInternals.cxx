@@ -208,8 +208,8 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.Shadows = GetMethod(this->EffectiveTechnique);
   settings.MapResolution = this->Self->ShadowMapResolution;
   settings.Steps = this->Self->NumberOfSteps;
-  settings.Draw = [this, s](const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y,
-                    int side) { this->DrawInMap(s, actors, camera, x, y, side); };
+  settings.Draw = [this, s](const std::vector<OtherCaster>& casters, vtkCamera* camera, int x,
+                    int y, int side) { this->DrawInMap(s, casters, camera, x, y, side); };
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.TranslucentShadows = this->Self->TranslucentShadows;
   settings.SurfaceGlow = this->IsGlowing(converted);

@@ -164,6 +164,7 @@ public:
 
   bool WarnedOpenGL = false;
   bool WarnedCasters = false;
+  bool WarnedLevels = false;
   bool WarnedBudget = false;
   bool WarnedDifference = false;
   bool WarnedVolumes = false;
@@ -196,8 +197,8 @@ private:
   bool DrawDistances(const vtkRenderState& inner);
   bool DrawColours(const vtkRenderState& inner);
   vtkRenderPass* GetDelegate(bool opaqueOnly);
-  void DrawInMap(const vtkRenderState* s, const std::vector<vtkActor*>& actors, vtkCamera* camera,
-    int x, int y, int side);
+  void DrawInMap(const vtkRenderState* s, const std::vector<airlight::OtherCaster>& casters,
+    vtkCamera* camera, int x, int y, int side);
 };
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkInformation.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -17,6 +18,26 @@
 #include <iterator>
 
 using namespace airlight;
+
+namespace
+{
+// As assemblies draw their parts: in their place, with the assembly's keys, which name the passes.
+void RenderOther(const OtherCaster& caster, vtkRenderer* renderer)
+{
+  vtkActor* actor = caster.Actor;
+  if (!caster.Place)
+  {
+    actor->RenderOpaqueGeometry(renderer);
+    return;
+  }
+  const vtkSmartPointer<vtkInformation> keys = actor->GetPropertyKeys();
+  actor->SetPropertyKeys(caster.Owner->GetPropertyKeys());
+  actor->PokeMatrix(caster.Place);
+  actor->RenderOpaqueGeometry(renderer);
+  actor->PokeMatrix(nullptr);
+  actor->SetPropertyKeys(keys);
+}
+}
 
 //------------------------------------------------------------------------------
 bool vtkAirlightPass::Internals::IsDrawnLater(vtkProp* prop)
@@ -179,16 +200,22 @@ bool vtkAirlightPass::Internals::CollectLayers(const vtkRenderState& inner)
 }
 
 //------------------------------------------------------------------------------
-// Actors outside the view are not among those that the pass has taken hold of.
+// Props outside the view are not among those that the pass has taken hold of.
 void vtkAirlightPass::Internals::DrawInMap(const vtkRenderState* s,
-  const std::vector<vtkActor*>& actors, vtkCamera* camera, int x, int y, int side)
+  const std::vector<OtherCaster>& casters, vtkCamera* camera, int x, int y, int side)
 {
   vtkRenderer* renderer = s->GetRenderer();
   vtkProp** seen = s->GetPropArray();
   std::vector<vtkProp*> unseen;
-  std::copy_if(actors.begin(), actors.end(), std::back_inserter(unseen), [&](vtkProp* prop) {
-    return std::find(seen, seen + s->GetPropArrayCount(), prop) == seen + s->GetPropArrayCount();
-  });
+  for (const OtherCaster& caster : casters)
+  {
+    vtkProp** end = seen + s->GetPropArrayCount();
+    if (std::find(seen, end, caster.Owner) == end &&
+      std::find(unseen.begin(), unseen.end(), caster.Owner) == unseen.end())
+    {
+      unseen.push_back(caster.Owner);
+    }
+  }
   vtkRenderState state(renderer);
   state.SetPropArrayAndCount(unseen.data(), static_cast<int>(unseen.size()));
   this->Self->PreRender(&state);
@@ -200,9 +227,9 @@ void vtkAirlightPass::Internals::DrawInMap(const vtkRenderState* s,
     this->CurrentFrame.SetMapRays(&view, x, y);
     this->DrawsMap = true;
     this->RenderStage(SurfaceStage::Distance, [&] {
-      for (vtkActor* actor : actors)
+      for (const OtherCaster& caster : casters)
       {
-        actor->RenderOpaqueGeometry(renderer);
+        RenderOther(caster, renderer);
       }
     });
     this->DrawsMap = false;
