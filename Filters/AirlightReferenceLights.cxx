@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace airlight
 {
@@ -24,8 +25,8 @@ constexpr double RelativeRadius = 1e-12;
 constexpr double LeastToHeadlight = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0) ? 1e-6 : 0.0;
 constexpr double LeastGleam = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 1e-5 : 0.0;
 
-ReferenceLight Convert(
-  vtkLight* light, const f64::AirlightMedia& media, const glm::dvec3& eye, double radius)
+ReferenceLight Convert(vtkLight* light, const f64::AirlightMedia& media, const glm::dvec3& eye,
+  double radius, const LightSwitches& switches)
 {
   ReferenceLight result;
   result.Support = ConvertLight(media, light, eye, result.Values);
@@ -38,6 +39,12 @@ ReferenceLight Convert(
     result.Values.radius = std::max({ radius, RelativeRadius * distance, 1e-100 });
     // A headlight sees what the camera sees: all its shadows lie behind what casts them.
     result.CastsShadows = !light->LightTypeIsHeadlight();
+  }
+  if (!switches.Scatters(light))
+  {
+    result.LeftOut = result.Support == LightSupport::Scatters && !switches.IsSet(light);
+    result.CastsShadows = result.CastsShadows && !IsFixedToCamera(light);
+    result.Values.intensity = glm::dvec3(0.0);
   }
   light->GetDiffuseColor(&result.Colour.x);
   result.Colour *= light->GetIntensity();
@@ -106,7 +113,7 @@ glm::dvec3 GetDirection(
 
 //------------------------------------------------------------------------------
 ReferenceLights::ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
-  const glm::dvec3& eye, double radius, const std::function<bool(vtkLight*)>& scatters)
+  const glm::dvec3& eye, double radius, const LightSwitches& switches)
 {
   vtkLightCollection* lights = renderer->GetLights();
   const auto visit = [&](const std::function<void(vtkLight*)>& use) {
@@ -131,11 +138,7 @@ ReferenceLights::ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia
     renderer->UpdateLightsGeometryToFollowCamera();
   }
   visit([&](vtkLight* light) {
-    this->Lights.push_back(Convert(light, media, eye, radius));
-    if (!scatters(light))
-    {
-      this->Lights.back().Values.intensity = glm::dvec3(0.0);
-    }
+    this->Lights.push_back(Convert(light, media, eye, radius, switches));
     this->IsHeadlight =
       this->Lights.size() == 1 && light->LightTypeIsHeadlight() && !light->GetPositional();
   });
@@ -147,6 +150,18 @@ bool ReferenceLights::HasInvalid() const
 {
   return std::any_of(this->Lights.begin(), this->Lights.end(),
     [](const ReferenceLight& light) { return light.Support == LightSupport::Invalid; });
+}
+
+//------------------------------------------------------------------------------
+std::string ReferenceLights::DescribeLeftOut() const
+{
+  const auto count = std::count_if(this->Lights.begin(), this->Lights.end(),
+    [](const ReferenceLight& light) { return light.LeftOut; });
+  const bool dark =
+    std::all_of(this->Lights.begin(), this->Lights.end(), [](const ReferenceLight& light) {
+      return light.Support != LightSupport::Scatters || light.Values.intensity == glm::dvec3(0.0);
+    });
+  return count > 0 ? GetCameraLightsText(static_cast<int>(count), dark) : "";
 }
 
 //------------------------------------------------------------------------------

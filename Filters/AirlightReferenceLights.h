@@ -9,12 +9,13 @@
 #define AirlightReferenceLights_h
 
 #include "AirlightConvert.h"
+#include "AirlightLightSwitches.h"
 #include "AirlightReferenceScene.h"
 #include "AirlightSilhouette.h" // for HomogeneousPoint
 
 #include <glm/glm.hpp>
 
-#include <functional>
+#include <string>
 #include <vector>
 
 class vtkLight;
@@ -28,6 +29,7 @@ struct ReferenceLight
   f64::AirlightLight Values;     // relative to the eye
   HomogeneousPoint World{ 0.0 }; // its position
   bool CastsShadows = false;
+  bool LeftOut = false; // of the medium, as it is fixed to the camera and its user did not set it
 
   // As mappers take it.
   glm::dvec3 Colour{ 0.0 };
@@ -44,12 +46,13 @@ class ReferenceLights
 public:
   // The switched-on lights, in the renderer's order; creates and moves lights as VTK does before it
   // draws. `radius` is the light radius asked for, 0 for the smallest that double precision resolves.
-  // `scatters` says which lights the medium scatters.
+  // `switches` says which lights the medium scatters.
   ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia& media, const glm::dvec3& eye,
-    double radius, const std::function<bool(vtkLight*)>& scatters);
+    double radius, const LightSwitches& switches);
 
   const std::vector<ReferenceLight>& GetAll() const { return this->Lights; }
   bool HasInvalid() const;
+  std::string DescribeLeftOut() const; // GetCameraLightsText(), empty if none was left out
 
   // What VTK's mappers show of a triangle met by a ray, and its opacity. `position` in the world,
   // `eye` there, too; `arriving` has the share of each light that arrives.

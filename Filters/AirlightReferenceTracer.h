@@ -14,10 +14,8 @@
 
 #include <glm/glm.hpp>
 
-#include <functional>
 #include <vector>
 
-class vtkLight;
 class vtkParticipatingMedium;
 class vtkRenderer;
 
@@ -39,7 +37,7 @@ struct ReferenceSettings
   int Height = 0;
   double LightRadius = 0.0;
   bool SurfaceShadows = true;
-  std::function<bool(vtkLight*)> Scatters;
+  LightSwitches Switches;
 };
 
 // What is otherwise on a ray, to find out what rounding does to pictures.
@@ -61,6 +59,12 @@ public:
   bool IsValid() const { return this->Rays.IsValid(); }
   const ReferenceScene& GetScene() const { return this->Scene; }
   const ReferenceLights& GetLights() const { return this->Lights; }
+
+  // What is to be said of lights that the medium leaves out; empty if there are none.
+  std::string DescribeLeftOut() const
+  {
+    return HasScattering(this->Media) ? this->Lights.DescribeLeftOut() : "";
+  }
 
   // At a point of the picture, in pixels from its lower left corner; the middle of the first pixel is
   // at 0.5, 0.5.

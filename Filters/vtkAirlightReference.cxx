@@ -69,26 +69,15 @@ void vtkAirlightReference::SetLightScatters(vtkLight* light, bool scatters)
     vtkErrorMacro("SetLightScatters() needs a light; it got null.");
     return;
   }
-  if (this->GetLightScatters(light) == scatters)
+  if (this->Impl->Switches.Set(light, scatters))
   {
-    return;
+    this->Modified();
   }
-  std::vector<vtkWeakPointer<vtkLight>>& quiet = this->Impl->GetQuiet();
-  if (scatters)
-  {
-    quiet.erase(std::find(quiet.begin(), quiet.end(), light));
-  }
-  else
-  {
-    quiet.emplace_back(light);
-  }
-  this->Modified();
 }
 
 bool vtkAirlightReference::GetLightScatters(vtkLight* light)
 {
-  const std::vector<vtkWeakPointer<vtkLight>>& quiet = this->Impl->GetQuiet();
-  return std::find(quiet.begin(), quiet.end(), light) == quiet.end();
+  return this->Impl->Switches.Scatters(light);
 }
 
 //------------------------------------------------------------------------------

@@ -30,7 +30,8 @@
  *    summed over lights.
  *
  * Camera, lights and surfaces count as in the pass. All visible opaque actors of polygons cast shadows,
- * but for those whose vtkAirlightPass::CASTS_SHADOW() says otherwise; headlights cast none. Surfaces
+ * but for those whose vtkAirlightPass::CASTS_SHADOW() says otherwise. Headlights and camera lights
+ * neither scatter nor cast shadows unless SetLightScatters() is on; headlights cast none even then. Surfaces
  * are shaded as VTK's mappers shade them, from Phong's properties, normals of points or cells, scalars
  * mapped before interpolation, and lights with their attenuation; culling and clipping planes hide
  * them. Translucent surfaces are blended in order, each behind the medium before it; they cast no
@@ -128,8 +129,8 @@ public:
 
   ///@{
   /**
-   * Whether the medium scatters this light. A light that does not lights surfaces alone. Default: true
-   * for all lights.
+   * Whether the medium scatters this light, as in vtkAirlightPass::SetLightScatters(). Default: true
+   * for lights of the scene, false for those that are fixed to the camera, which then cast no shadows.
    */
   void SetLightScatters(vtkLight* light, bool scatters);
   bool GetLightScatters(vtkLight* light);

@@ -136,7 +136,7 @@ int vtkAirlightReference::RequestData(
   settings.Height = extent[3] + 1;
   settings.LightRadius = this->LightRadius;
   settings.SurfaceShadows = this->SurfaceShadows;
-  settings.Scatters = [this](vtkLight* light) { return this->GetLightScatters(light); };
+  settings.Switches = this->Impl->Switches;
   std::vector<vtkParticipatingMedium*> media = this->Impl->Media.GetAll();
   if (media.empty())
   {
@@ -157,6 +157,12 @@ int vtkAirlightReference::RequestData(
   if (tracer.GetLights().HasInvalid())
   {
     vtkWarningMacro(<< InvalidLampText);
+  }
+  const std::string leftOut = tracer.DescribeLeftOut();
+  if (!leftOut.empty() && !this->Impl->WarnedCameraLights)
+  {
+    this->Impl->WarnedCameraLights = true;
+    vtkWarningMacro(<< leftOut);
   }
 
   image->SetExtent(extent);

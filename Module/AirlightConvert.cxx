@@ -182,6 +182,13 @@ f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm:
 }
 
 //------------------------------------------------------------------------------
+bool HasScattering(const f64::AirlightMedia& media)
+{
+  return std::any_of(media.item, media.item + media.count,
+    [](const f64::AirlightMedium& medium) { return medium.sigmaS != glm::dvec3(0.0); });
+}
+
+//------------------------------------------------------------------------------
 LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
   const glm::dvec3& origin, f64::AirlightLight& result)
 {

@@ -28,6 +28,9 @@ inline bool IsModerate(const glm::dvec3& v)
 VTKAIRLIGHT_EXPORT f64::AirlightMedia ConvertMedia(
   const std::vector<vtkParticipatingMedium*>& media, const glm::dvec3& origin);
 
+// Whether any of the media scatters light.
+VTKAIRLIGHT_EXPORT bool HasScattering(const f64::AirlightMedia& media);
+
 // What the mathematics can do with a light.
 enum class LightSupport
 {

@@ -66,12 +66,20 @@ glm::dvec3 MakeAcross(glm::dvec3 up, const glm::dvec3& axis)
   return glm::dvec3(0.0, 1.0, 0.0);
 }
 
+// A light without power in the medium still lights surfaces: those have its colour from VTK.
+void Apply(const LightSwitches& switches, Lamp& lamp)
+{
+  if (switches.Scatters(lamp.Light))
+  {
+    return;
+  }
+  lamp.LeftOut = lamp.Glows() && !switches.IsSet(lamp.Light);
+  lamp.CastsShadows = lamp.CastsShadows && !IsFixedToCamera(lamp.Light);
+  lamp.Values.intensity = glm::dvec3(0.0);
+}
+
 void Apply(const LightOptions& options, vtkRenderer* renderer, Lamp& lamp)
 {
-  if (!options.Scatters)
-  {
-    lamp.Values.intensity = glm::dvec3(0.0);
-  }
   glm::dvec3 position;
   glm::dvec3 focalPoint;
   lamp.Light->GetTransformedPosition(&position.x);
@@ -93,7 +101,8 @@ void Apply(const LightOptions& options, vtkRenderer* renderer, Lamp& lamp)
 
 //------------------------------------------------------------------------------
 std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
-  const View& view, double radius, const std::vector<LightOptions>& options)
+  const View& view, double radius, const LightSwitches& switches,
+  const std::vector<LightOptions>& options)
 {
   std::vector<Lamp> lamps;
   vtkLightCollection* lights = renderer->GetLights();
@@ -104,6 +113,7 @@ std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& 
     if (light->GetSwitch())
     {
       lamps.push_back(MakeLamp(light, media, view, radius));
+      Apply(switches, lamps.back());
       const auto own = std::find_if(options.begin(), options.end(),
         [light](const LightOptions& option) { return option.Light == light; });
       if (own != options.end())
@@ -113,6 +123,15 @@ std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& 
     }
   }
   return lamps;
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeLeftOut(const std::vector<Lamp>& lamps)
+{
+  const auto count = std::count_if(lamps.begin(), lamps.end(), IsLeftOut);
+  const bool dark =
+    std::none_of(lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Glows(); });
+  return GetCameraLightsText(static_cast<int>(count), dark);
 }
 
 //------------------------------------------------------------------------------

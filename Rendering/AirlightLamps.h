@@ -9,6 +9,7 @@
 
 #include "AirlightConvert.h"
 #include "AirlightLightGrid.h"
+#include "AirlightLightSwitches.h"
 #include "AirlightPhotometry.h"
 #include "AirlightSceneData.h"
 #include "vtkWeakPointer.h"
@@ -32,7 +33,6 @@ class View;
 struct LightOptions
 {
   vtkWeakPointer<vtkLight> Light;
-  bool Scatters = true;
   std::string PhotometryFile;
   std::shared_ptr<const Photometry> Goniometry; // null: the same intensity in all directions
   Texels Table;                                 // the packed goniometry
@@ -46,6 +46,7 @@ struct Lamp
   f64::AirlightLight Values; // relative to the eye
   glm::dvec4 World{ 0.0 };   // homogeneous position
   bool CastsShadows = false;
+  bool LeftOut = false;   // of the medium, as it is fixed to the camera and its user did not set it
   Texels Table;           // of a light that shines by a photometric file, else null
   double GridError = 0.0; // of the optical depth on the way to it, where an image is the density
 
@@ -59,7 +60,12 @@ int CommonKind(const std::vector<Lamp>& lamps);
 // The switched-on lights, in the order in which VTK's mappers number them. `radius` is the light
 // radius asked for, 0 for the smallest that single precision resolves.
 std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
-  const View& view, double radius, const std::vector<LightOptions>& options);
+  const View& view, double radius, const LightSwitches& switches,
+  const std::vector<LightOptions>& options);
+
+// GetCameraLightsText() of these lamps.
+inline bool IsLeftOut(const Lamp& lamp) { return lamp.LeftOut; }
+std::string DescribeLeftOut(const std::vector<Lamp>& lamps);
 
 // Puts on the graphics card the surfaces, images and tables of media and lamps, and their places there
 // into `converted` and `lamps`. `grids` may be null where there are no images. False with a reason in data.GetError() where the card has no room.

@@ -8,7 +8,8 @@
  * @code
  *   renderer->SetPass(pass);
  * @endcode
- * Every switched-on light of the renderer then lights the surfaces and the medium alike; both are
+ * Every switched-on light of the renderer then lights the surfaces and the medium alike, but for lights
+ * that are fixed to the camera, which light the surfaces only (see SetLightScatters()). Both are
  * attenuated on the way from the light and on the way to the eye. Polygonal actors cast shadows
  * through the medium and on the surfaces, translucent ones by their opacity; what casts none is among
  * the limits. Nothing is sampled at random: the light scattered into a ray comes from a
@@ -45,10 +46,10 @@
  *    or exponents; regions of closed surfaces; Mie's phase functions and tables that no fit
  *    follows, but for directional lights in an unbounded medium or a box; directional lights in a
  *    sphere; height fog, but for directional lights where it is unbounded; several media.
- *  - Headlights cast no shadows: they see what the camera sees.
- *  - Volumes, lines, points, wireframes, vtkLODProp3D and parts of assemblies that are not polygons
- *    cast no shadows; point gaussians, imposters and the glyphs of composite data or of a tree of
- *    sources only with shadow maps (see SetShadowTechnique()). Translucent surfaces dim light
+ *  - Headlights and camera lights neither scatter nor cast shadows unless SetLightScatters(light,
+ *    true) is called. Headlights cast none even then: they see what the camera sees.
+ *  - Volumes, lines, points and wireframes cast no shadows; point gaussians, imposters and the glyphs
+ *    of composite data or of a tree of sources only with shadow maps (see SetShadowTechnique()). Translucent surfaces dim light
  *    (SetTranslucentShadows()).
  *  - A vtkLODProp3D casts by the level of detail that VTK chose for its last frame; before its first
  *    frame (outside the view), by the one that is selected or, if VTK is to choose, that was added
@@ -407,9 +408,12 @@ public:
 
   ///@{
   /**
-   * Whether the medium scatters this light. A light that does not lights surfaces alone, attenuated
-   * and with shadows as the others: for lamps that are there to show an object, not the air.
-   * Default: true for all lights.
+   * Whether the medium scatters this light. When off, the light illuminates surfaces only, attenuated
+   * by the medium: for lamps that are there to show an object, not the air. Lights of the scene still
+   * cast shadows on surfaces then; lights that are fixed to the camera (headlights, camera lights,
+   * those of vtkLightKit, and the light that a renderer creates by itself) cast none. Default: true
+   * for lights of the scene, false for those fixed to the camera. One warning says how many of them
+   * a medium leaves out, until this is called for them.
    */
   void SetLightScatters(vtkLight* light, bool scatters);
   bool GetLightScatters(vtkLight* light);

@@ -65,8 +65,12 @@ void vtkAirlightPass::Internals::CheckMedia()
 }
 
 //------------------------------------------------------------------------------
-void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps)
+void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps, bool scattered)
 {
+  if (scattered && std::any_of(lamps.begin(), lamps.end(), IsLeftOut))
+  {
+    this->WarnOnce(this->WarnedCameraLights, DescribeLeftOut(lamps));
+  }
   for (const Lamp& lamp : lamps)
   {
     if (lamp.Support == LightSupport::Invalid)

@@ -181,8 +181,8 @@ bool vtkAirlightPass::Internals::RenderOnce(
   }
   f64::AirlightMedia converted = ConvertMedia(media, view.GetEye());
   std::vector<Lamp> lamps =
-    CollectLamps(renderer, converted, view, this->Self->LightRadius, this->Lights);
-  this->CheckLamps(lamps);
+    CollectLamps(renderer, converted, view, this->Self->LightRadius, this->Switches, this->Lights);
+  this->CheckLamps(lamps, HasScattering(converted));
   this->EffectiveTechnique = this->ChooseTechnique(renderer, lamps, IsClear(converted));
   if (this->ShownView == DIFFERENCE && this->EffectiveTechnique == RAY_MARCH)
   {

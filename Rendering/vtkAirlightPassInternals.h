@@ -76,7 +76,7 @@ public:
 
   void WarnOnce(bool& warned, const std::string& text);
   void CheckMedia();
-  void CheckLamps(const std::vector<airlight::Lamp>& lamps);
+  void CheckLamps(const std::vector<airlight::Lamp>& lamps, bool scattered);
   // By SetShadowTechnique()'s rule. Sets what the frame's casters are.
   int ChooseTechnique(vtkRenderer* renderer, const std::vector<airlight::Lamp>& lamps, bool clear);
 
@@ -123,7 +123,8 @@ public:
 
   vtkAirlightPass* Self;
   airlight::MediaList Media;
-  std::vector<airlight::LightOptions> Lights; // those of which the pass says something
+  airlight::LightSwitches Switches;
+  std::vector<airlight::LightOptions> Lights; // those with photometric files
   airlight::Frame CurrentFrame;
   std::vector<airlight::ShadowVolumes> OwnShadows; // to send to them, by light number
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
@@ -171,6 +172,7 @@ public:
   bool WarnedMedia = false;
   bool WarnedLights = false;
   bool WarnedLightCount = false;
+  bool WarnedCameraLights = false;
   bool WarnedPhotometry = false;
   bool WarnedGlowCount = false;
   bool WarnedGlowInImage = false;

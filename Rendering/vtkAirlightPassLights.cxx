@@ -47,17 +47,15 @@ void vtkAirlightPass::SetLightScatters(vtkLight* light, bool scatters)
     vtkErrorMacro("SetLightScatters() needs a light; it got null.");
     return;
   }
-  if (this->GetLightScatters(light) != scatters)
+  if (this->Impl->Switches.Set(light, scatters))
   {
-    this->Impl->GetOptions(light).Scatters = scatters;
     this->Modified();
   }
 }
 
 bool vtkAirlightPass::GetLightScatters(vtkLight* light)
 {
-  const LightOptions* options = this->Impl->FindOptions(light);
-  return !options || options->Scatters;
+  return this->Impl->Switches.Scatters(light);
 }
 
 //------------------------------------------------------------------------------

@@ -50,8 +50,8 @@ bool vtkAirlightPass::Internals::CollectSilhouettes(
     return false;
   }
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
-  const std::vector<Lamp> lamps = CollectLamps(
-    renderer, ConvertMedia(media, view.GetEye()), view, this->Self->LightRadius, this->Lights);
+  const std::vector<Lamp> lamps = CollectLamps(renderer, ConvertMedia(media, view.GetEye()), view,
+    this->Self->LightRadius, this->Switches, this->Lights);
   this->CurrentFrame.FindCasters(renderer, false);
   std::vector<RemoteShadow> shadows(lamps.size());
   this->OwnShadows.resize(lamps.size());

@@ -72,11 +72,31 @@ void vtkAirlightPolyDataMapper::SetEvaluation(int evaluation)
 }
 
 //------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::SetLightScatters(vtkLight* light, bool scatters)
+{
+  if (!light)
+  {
+    vtkErrorMacro("SetLightScatters() needs a light; it got null.");
+    return;
+  }
+  if (this->Impl->Switches.Set(light, scatters))
+  {
+    this->Modified();
+  }
+}
+
+bool vtkAirlightPolyDataMapper::GetLightScatters(vtkLight* light)
+{
+  return this->Impl->Switches.Scatters(light);
+}
+
+//------------------------------------------------------------------------------
 void vtkAirlightPolyDataMapper::ShallowCopy(vtkAbstractMapper* mapper)
 {
   if (auto* other = vtkAirlightPolyDataMapper::SafeDownCast(mapper))
   {
     this->Impl->Media = other->Impl->Media;
+    this->Impl->Switches = other->Impl->Switches;
     this->SetEvaluation(other->GetEvaluation());
     this->SetLightRadius(other->GetLightRadius());
   }

@@ -13,8 +13,10 @@
  * A fragment of colour C at distance t becomes C T(t) + L(0, t), with T the transmittance from it
  * to the eye and L the light that the medium before it scatters to the eye. That is done before VTK
  * blends, so that translucent surfaces come right one by one, with depth peeling, too. All
- * switched-on lights of the renderer are scattered (point lights, spots and directional lights,
- * headlights and camera lights, with any attenuation) and attenuated on their way to the surface.
+ * switched-on lights of the renderer (point lights, spots and directional lights, with any
+ * attenuation) are attenuated on their way to the surface, and the lights of the scene are
+ * scattered. Headlights and camera lights are scattered only after SetLightScatters(light, true); one
+ * warning says so.
  * Arithmetic and units are those of vtkAirlightPass: linear radiance, see
  * vtkAirlight::SetRadiantIntensity(). Lines and points are drawn the same way.
  *
@@ -30,7 +32,7 @@
  *  - No shadows: neither through the medium nor on surfaces.
  *  - Nothing but this surface is fogged: the background is not, nor are the actors of other
  *    mappers. Give the renderer a background of the fog's own colour.
- *  - Photometric files and lights that are not to scatter belong to vtkAirlightPass.
+ *  - Photometric files belong to vtkAirlightPass.
  *  - A window's own target holds colours up to 1: what is brighter is cut off before translucent
  *    surfaces are blended over it, where the pass blends radiance and cuts off last.
  *  - Points drawn as spheres and lines drawn as tubes are put at the distance of their middle.
@@ -62,6 +64,7 @@
 #include <map>    // for shaders
 #include <memory> // for the implementation
 
+class vtkLight;
 class vtkParticipatingMedium;
 
 class VTKAIRLIGHT_EXPORT vtkAirlightPolyDataMapper : public vtkOpenGLPolyDataMapper
@@ -123,9 +126,18 @@ public:
   vtkGetMacro(LightRadius, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether the medium scatters this light, as in vtkAirlightPass::SetLightScatters(). Default: true
+   * for lights of the scene, false for those that are fixed to the camera.
+   */
+  void SetLightScatters(vtkLight* light, bool scatters);
+  bool GetLightScatters(vtkLight* light);
+  ///@}
+
   /**
    * As vtkMapper's; another vtkAirlightPolyDataMapper gives its media (shared, not copied),
-   * evaluation and light radius, too.
+   * evaluation, light radius and SetLightScatters(), too.
    */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 

@@ -58,7 +58,7 @@ bool vtkAirlightPolyDataMapper::Internals::Prepare(vtkRenderer* renderer, double
   }
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   this->Converted = ConvertMedia(media, this->Rays->GetEye());
-  this->Lamps = CollectLamps(renderer, this->Converted, *this->Rays, radius, {});
+  this->Lamps = CollectLamps(renderer, this->Converted, *this->Rays, radius, this->Switches, {});
   if (!UploadData(this->Data, nullptr, window, media, this->Converted, this->Lamps))
   {
     this->Error = this->Data.GetError();
@@ -121,5 +121,11 @@ void vtkAirlightPolyDataMapper::Internals::Check(vtkAirlightPolyDataMapper* self
   {
     this->WarnedLights = true;
     vtkWarningWithObjectMacro(self, << InvalidLampText);
+  }
+  if (this->Shades && HasScattering(this->Converted) && !this->WarnedCameraLights &&
+    std::any_of(this->Lamps.begin(), this->Lamps.end(), IsLeftOut))
+  {
+    this->WarnedCameraLights = true;
+    vtkWarningWithObjectMacro(self, << DescribeLeftOut(this->Lamps));
   }
 }

@@ -67,6 +67,7 @@ public:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   airlight::MediaList Media;
+  airlight::LightSwitches Switches;
   airlight::SceneData Data;
   airlight::SurfaceText Text;
   int TextVersion = 0;
@@ -79,6 +80,7 @@ public:
   bool ReportedShaders = false;
   bool WarnedMedia = false;
   bool WarnedLights = false;
+  bool WarnedCameraLights = false;
 
   // This piece's.
   bool Shades = false; // behind the medium; else as the superclass does

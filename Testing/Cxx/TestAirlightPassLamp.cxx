@@ -151,9 +151,11 @@ bool TestOtherLights()
       scene.Medium->SetPhaseFunctionToHenyeyGreenstein();
       scene.Medium->SetAnisotropy(g);
       scene.Renderer->AutomaticLightCreationOn();
+      scene.Renderer->CreateLight();
+      auto* own = vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
+      scene.Pass->SetLightScatters(own, true);
       plane.Render();
-      CompareAirlight(
-        scene, vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0)), headlight);
+      CompareAirlight(scene, own, headlight);
 
       scene.Renderer->RemoveAllLights();
       vtkNew<vtkLight> light;

@@ -150,6 +150,7 @@ void TestLights()
   vtkNew<vtkLight> headlight;
   headlight->SetLightTypeToHeadlight();
   stage.AddLight(headlight);
+  stage.Pass->SetLightScatters(headlight, true);
   stage.Pass->SetShadowTechniqueToShadowPlanes();
   CheckSameTwice(stage, "headlight");
   stage.AddDirectionalLight({ 1, 2, 0.5 });

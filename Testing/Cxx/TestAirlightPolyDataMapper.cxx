@@ -76,6 +76,7 @@ void TestLights(Comparison& comparison)
   vtkNew<vtkLight> light;
   light->SetColor(0.5, 0.4, 0.3);
   light->SetAttenuationValues(0.3, 0.0, 0.2);
+  scene.Mapper->SetLightScatters(light, true);
   for (const bool camera : { false, true })
   {
     scene.Renderer->RemoveAllLights();

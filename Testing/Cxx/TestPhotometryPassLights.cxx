@@ -235,6 +235,7 @@ void TestCameraLights(const std::string& folder)
     Stage stage;
     vtkLight* lamp = stage.Lights[1];
     lamp->SetLightType(type);
+    stage.Pass->SetLightScatters(lamp, true);
     if (type == VTK_LIGHT_TYPE_CAMERA_LIGHT)
     {
       lamp->SetPosition(0.3, 0.1, 0.8);

@@ -78,6 +78,7 @@ void TestCasters()
   CheckRule(scene, "a splat that casts none", automatic, planes, 0);
   const double without = GetMean(scene.GetBuffer("LitLength"));
   lamp->SetLightTypeToHeadlight();
+  scene.Pass->SetLightScatters(lamp, true);
   keys->Set(vtkAirlightPass::CASTS_SHADOW(), 1);
   CheckRule(scene, "a splat in a headlight", automatic, planes, 0);
   lamp->SetLightTypeToSceneLight();

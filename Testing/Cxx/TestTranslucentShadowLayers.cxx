@@ -144,6 +144,7 @@ void TestSwitches(Scene& scene)
   head->SetLightTypeToHeadlight();
   head->SetIntensity(0.1);
   scene.AddLight(head);
+  scene.Pass->SetLightScatters(head, true);
   vtkActor* pane = AddGlass(scene, MakeSheet({ -2.5, 1.5, -1 }, { 3, 0, 0 }, { 0, 0, 3 }), Red);
   const Buffers coloured = scene.Render();
   const auto headlight = vtkSmartPointer<vtkImageData>::New();

@@ -55,6 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   light->SetPositional(true);
   light->SetPosition(0.0, 3.0, 1.0);
   pass->SetMedium(medium);
+  pass->SetLightScatters(light, true); // of any type
   pass->RecordBuffersOn();
   renderer->AutomaticLightCreationOff();
   renderer->AddLight(light);

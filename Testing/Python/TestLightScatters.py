@@ -61,6 +61,23 @@ class TestLightScatters(unittest.TestCase):
         self.render_pass.SetLightScatters(self.lights[0], True)
         self.assertGreater(self.buffers("Airlight:0")[0].min(), 0)
 
+    def test_own_light(self):
+        """The light that a renderer makes, a headlight: surfaces only, until it is switched on."""
+        warnings = []
+        self.render_pass.AddObserver("WarningEvent", lambda *_: warnings.append(1))
+        self.renderer.RemoveAllLights()
+        surface, airlight_sum = self.buffers("Surface", "Airlight")
+        light = self.renderer.GetLights().GetItemAsObject(0)
+        self.assertTrue(light.LightTypeIsHeadlight())
+        self.assertFalse(self.render_pass.GetLightScatters(light))
+        self.assertGreater(surface.max(), 0.1)
+        self.assertEqual(airlight_sum.max(), 0)
+        self.assertEqual(len(warnings), 1)
+        self.render_pass.SetLightScatters(light, True)
+        self.assertTrue(self.render_pass.GetLightScatters(light))
+        self.assertGreater(self.buffers("Airlight")[0].min(), 0)
+        self.assertEqual(len(warnings), 1)
+
     def test_null(self):
         errors = []
         self.render_pass.AddObserver("ErrorEvent", lambda *_: errors.append(1))

@@ -192,6 +192,7 @@ void RandomScene::PlaceLights()
     vtkNew<vtkLight> light;
     this->PlaceLight(light, kind);
     this->Scene.Renderer->AddLight(light);
+    this->Scene.Pass->SetLightScatters(light, true); // those that are fixed to the camera, too
   }
 }
 

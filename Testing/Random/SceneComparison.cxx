@@ -5,6 +5,7 @@
 #include "AirlightTestTools.h"
 
 #include "vtkAirlightReference.h"
+#include "vtkLightCollection.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -53,6 +54,10 @@ SceneComparison::SceneComparison(airlighttest::Scene& scene,
   , Media(media.begin(), media.end())
 {
   vtkNew<vtkAirlightReference> reference;
+  for (vtkLight* light : this->GetLights())
+  {
+    reference->SetLightScatters(light, this->Scene.Pass->GetLightScatters(light));
+  }
   reference->SetRenderer(scene.Renderer);
   for (vtkParticipatingMedium* medium : this->Media)
   {
@@ -83,6 +88,20 @@ SceneComparison::SceneComparison(airlighttest::Scene& scene,
     }
   }
   this->MeasureRadiance();
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkLight*> SceneComparison::GetLights()
+{
+  std::vector<vtkLight*> all;
+  vtkCollectionSimpleIterator it = nullptr;
+  vtkLightCollection* lights = this->Scene.Renderer->GetLights();
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    all.push_back(light);
+  }
+  return all;
 }
 
 //------------------------------------------------------------------------------

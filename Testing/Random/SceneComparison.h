@@ -156,6 +156,7 @@ private:
     return this->Buffers[buffer].Get(pixel, component);
   }
   double GetReach();
+  std::vector<vtkLight*> GetLights();
   std::unique_ptr<airlight::ReferenceTracer> MakeTracer();
   std::unique_ptr<airlight::ReferenceTracer> MakeUnshadowedTracer();
   airlight::ReferencePixel TraceUnshadowed(

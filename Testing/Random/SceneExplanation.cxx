@@ -7,6 +7,7 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
 #include "vtkPropCollection.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -50,7 +51,10 @@ std::unique_ptr<airlight::ReferenceTracer> SceneComparison::MakeTracer()
   settings.Height = this->Scene.Height;
   settings.LightRadius = this->Scene.Pass->GetLightRadius();
   settings.SurfaceShadows = this->Scene.Pass->GetSurfaceShadows();
-  settings.Scatters = [](vtkLight*) { return true; };
+  for (vtkLight* light : this->GetLights())
+  {
+    settings.Switches.Set(light, this->Scene.Pass->GetLightScatters(light));
+  }
   return std::make_unique<airlight::ReferenceTracer>(this->Scene.Renderer, this->Media, settings);
 }
 
