@@ -6,6 +6,7 @@
 #        Utilities/paraview-test.sh --run [-n RANKS] SCRIPT [ARGUMENT...]
 #                                                            runs a script in pvpython, or in so many
 #                                                            processes of pvbatch, with the plugin
+#        Utilities/paraview-test.sh --window [ARGUMENT...]   opens ParaView's window with the plugin loaded
 #
 # ParaView's Debian packages cannot be installed next to VTK's Python package. So they are unpacked
 # below build/paraview-test; what is there is used again. AIRLIGHT_PARAVIEW_PREFIX is another prefix
@@ -21,6 +22,7 @@ paraview=$build/paraview-test
 prefix=${AIRLIGHT_PARAVIEW_PREFIX:-$paraview/prefix/usr}
 plugin=$paraview/plugin
 packages=(paraview python3-paraview paraview-dev)
+window_packages=(libqt5help5 libqt5opengl5 libqt5sql5 libqt5sql5-sqlite) # for its window only
 
 skip()
 {
@@ -47,7 +49,13 @@ name_modules()
 
 download()
 {
-  (cd "$1" && timeout 600 apt-get -q download "${packages[@]}")
+  (cd "$1" && timeout 600 apt-get -q download "${packages[@]}") || return
+  # Debian 13 has other names for some. Without them there is no window.
+  local package
+  for package in "${window_packages[@]}"; do
+    (cd "$1" && { timeout 100 apt-get -q download "$package" ||
+      timeout 100 apt-get -q download "${package}t64"; }) || true
+  done
 }
 
 fetch()
@@ -149,6 +157,25 @@ run()
   fi
 }
 
+# open_window [ARGUMENT...]: of ParaView.
+open_window()
+{
+  [[ -e $plugin/built ]] ||
+    skip "there is no plugin; Utilities/paraview-test.sh --build makes it where ParaView can be had."
+  use_paraview
+  [[ -x $prefix/bin/paraview ]] || skip "no ParaView with a window."
+  local missing folder command
+  missing=$(ldd "$prefix/bin/paraview" | awk '/not found/ { print $1 }' | paste -sd ' ')
+  [[ -z $missing ]] || skip "ParaView's window lacks libraries: $missing."
+  folder=$(find_in "$plugin" AirlightParaView.so)
+  command=("$prefix/bin/paraview" --plugin-search-paths "$folder" --plugins AirlightParaView "$@")
+  if [[ -n ${DISPLAY-} ]]; then
+    "${command[@]}"
+  else
+    on_virtual_display "${command[@]}"
+  fi
+}
+
 case ${1-} in
   -h | --help) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   --build)
@@ -159,6 +186,10 @@ case ${1-} in
     shift
     (($#)) || die "--run needs a script."
     run "$@"
+    ;;
+  --window)
+    shift
+    open_window "$@"
     ;;
   *)
     step_count=4

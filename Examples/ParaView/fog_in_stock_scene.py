@@ -1,7 +1,7 @@
 #!/usr/bin/env pvpython
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView's Wavelet in fog: depth is seen at once. ParaView's own lights light surfaces and fog.
+"""ParaView's Wavelet in fog: depth is seen at once. ParaView's own lights light surfaces and, as asked here, fog.
 
     pvpython fog_in_stock_scene.py [-o PICTURE.png] [--visibility DISTANCE]
 
@@ -31,6 +31,7 @@ view.CameraPosition = [32, 18, 44]
 view.CameraFocalPoint = [0, -1, 0]
 
 view.VisibilityDistance = options.visibility
+view.CameraLightsScatter = 1  # the only lights here are fixed to the camera
 view.UseColorPaletteForBackground = 0
 view.Background = [0.02, 0.03, 0.05]
 SaveScreenshot(options.output, view)

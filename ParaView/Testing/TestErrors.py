@@ -12,7 +12,7 @@ import paraviewtest as test
 RUN = pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "paraview-test.sh"
 # Property, value, and what the error says.
 BAD = (
-    ("VisibilityDistance", -3, "VisibilityDistance -3 must be finite and above 0; it stays 10"),
+    ("VisibilityDistance", -3, "VisibilityDistance -3 must be finite and at least 0; it stays 0"),
     ("VisibilityDistance", float("nan"), "VisibilityDistance nan must be finite"),
     ("MediumColor", [2, 0, 0], "Color (2, 0, 0) must be finite, at least 0 and at most 1"),
     ("Scattering", [0, -1, 0], "ScatteringCoefficient (0, -1, 0) must be finite, at least 0"),

@@ -213,6 +213,7 @@ class View(unittest.TestCase):
         """Saved, all deleted, loaded: the same picture."""
         self.view.PhaseFunction = "Henyey-Greenstein"
         self.view.Anisotropy = 0.6
+        self.view.VisibilityDistance = 12.5  # as in states of before it followed the data
         before = test.picture(self.view, "before-state")
         path = str(test.OUTPUT / "state.pvsm")
         simple.SaveState(path)
@@ -223,9 +224,76 @@ class View(unittest.TestCase):
         loaded = [view for view in simple.GetViews()
                   if view.GetXMLName() == "AirlightRenderView"][0]
         self.assertEqual(loaded.Anisotropy, 0.6)
+        self.assertEqual(loaded.VisibilityDistance, 12.5)
         self.assert_same(test.picture(loaded, "after-state"), before, 0, "state")
         simple.ResetSession()
         View.setUpClass()
+
+    def first_view(self, source, *others):
+        """What a user sees who shows something in a new view: the view, and its picture in grey."""
+        view = simple.CreateView("AirlightRenderView")
+        view.ViewSize = list(test.SIZE)
+        view.OrientationAxesVisibility = 0
+        test.show(view, source, *others)
+        simple.ResetCamera(view)
+        return view, test.picture(view, "first-view").mean(axis=-1)
+
+    def test_first_view(self):
+        """Not one even grey, in any unit of length, with ParaView's own lights."""
+        first = None
+        for size in (1e-3, 1.0, 1e4):
+            ball = simple.Sphere(Radius=0.5 * size, ThetaResolution=48, PhiResolution=48)
+            floor = simple.Plane(Origin=[-size, -0.5 * size, size], Point1=[size, -0.5 * size, size],
+                                 Point2=[-size, -0.5 * size, -size])
+            view, grey = self.first_view(ball, floor)
+            low, high = np.percentile(grey, (1, 99))
+            levels = len(np.unique(np.round(grey[(grey >= low) & (grey <= high)])))
+            print(f"first view of size {size}: {low} to {high}, {levels} levels")
+            self.assertGreater(high - low, 60)
+            self.assertGreater(levels, 30)
+            first = grey if first is None else first
+            self.assertLess(np.quantile(np.abs(grey - first), 0.99), 2, "the same in all units")
+            # A value that is set stays; 0 is automatic again.
+            view.VisibilityDistance = 0.5 * size
+            self.assertLess(test.picture(view, "thick").mean(), 0.5 * grey.mean())
+            self.assertEqual(view.VisibilityDistance, 0.5 * size)
+            view.VisibilityDistance = 0
+            np.testing.assert_array_equal(test.picture(view, "again").mean(axis=-1), grey)
+            simple.Delete(view)
+
+    def test_automatic_visibility(self):
+        """Twenty diagonals of what is visible, from the background that is left beside the data."""
+        view, _ = self.first_view(self.ball)
+        view.UseColorPaletteForBackground = 0
+        view.Background = [1, 1, 1]
+        view.Region = "Sphere"  # so that rays leave the medium
+        view.RegionRadius = 3.0
+        view.RegionCenter = [0, 0, 0]
+        test.place_camera(view)
+        for shown in ([self.ball], [self.ball, self.floor]):
+            test.show(view, *shown)
+            bounds = np.array([source.GetDataInformation().GetBounds() for source in shown])
+            diagonal = np.linalg.norm(bounds[:, 1::2].max(axis=0) - bounds[:, ::2].min(axis=0))
+            corner = test.picture(view, "automatic")[5, 5] / 255
+            rays = test.pixel_rays(*test.SIZE)[5, 5]
+            inside = 2 * np.sqrt(9 - EYE @ EYE + (EYE @ rays)**2)
+            expected = np.exp(-3.912 / (20 * diagonal) * inside)
+            print(f"diagonal {diagonal}: {corner} of the background, {expected} expected")
+            self.assertLess(np.abs(corner - expected).max(), 1.5 / 255)
+        simple.Delete(view)
+
+    def test_camera_lights(self):
+        """The light kit lights the medium only after it is switched on."""
+        view, _ = self.first_view(self.ball)
+        view.UseColorPaletteForBackground = 0
+        view.Background = [0, 0, 0]
+        view.DebugView = "Airlight only"
+        self.assertEqual(test.picture(view, "kit-off").max(), 0)
+        view.CameraLightsScatter = 1
+        self.assertGreater(test.picture(view, "kit-on").mean(), 5)
+        view.CameraLightsScatter = 0
+        self.assertEqual(test.picture(view, "kit-off").max(), 0)
+        simple.Delete(view)
 
     def test_debug_views(self):
         """Airlight alone is less than the picture, and there are boundaries at the shadow."""

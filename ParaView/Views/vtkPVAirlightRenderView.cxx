@@ -9,10 +9,13 @@
 #include "vtkImageProcessingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVCenterAxesActor.h"
 #include "vtkPVGridAxes3DActor.h"
+#include "vtkPVParticipatingMedium.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkParticipatingMedium.h"
 #include "vtkRenderer.h"
@@ -65,6 +68,7 @@ void vtkPVAirlightRenderView::SetMedium(vtkParticipatingMedium* medium)
 {
   this->Pass->RemoveAllMedia();
   this->Pass->SetMedium(medium);
+  this->OwnMedium = vtkPVParticipatingMedium::SafeDownCast(medium);
   this->Modified();
 }
 
@@ -138,6 +142,33 @@ void vtkPVAirlightRenderView::Render(bool interactive, bool skip_rendering)
 }
 
 //------------------------------------------------------------------------------
+// One by one, so that the pass has nothing to say about them.
+void vtkPVAirlightRenderView::SwitchCameraLights()
+{
+  vtkLightCollection* lights = this->GetRenderer()->GetLights();
+  vtkCollectionSimpleIterator it = nullptr;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (!light->LightTypeIsSceneLight())
+    {
+      this->Pass->SetLightScatters(light, this->CameraLightsScatter);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// ParaView keeps the bounds of the visible data the same on all ranks.
+void vtkPVAirlightRenderView::MeasureScene()
+{
+  if (this->OwnMedium)
+  {
+    this->OwnMedium->SetSceneSize(
+      this->GeometryBounds.IsValid() ? this->GeometryBounds.GetDiagonalLength() : 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkPVAirlightRenderView::IsParallel()
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -161,6 +192,8 @@ void vtkPVAirlightRenderView::StartFrame()
 void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
+  this->SwitchCameraLights();
+  this->MeasureScene();
   this->Parallel = this->Airlight && this->IsParallel();
   this->FarPass->SetMoves(this->Parallel);
   if (!this->Parallel)
@@ -186,6 +219,7 @@ void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Airlight: " << this->Airlight << "\n";
+  os << indent << "CameraLightsScatter: " << this->CameraLightsScatter << "\n";
   os << indent << "AirlightPass:\n";
   this->Pass->PrintSelf(os, indent.GetNextIndent());
 }

@@ -6,8 +6,9 @@
  *
  * The view draws with a vtkAirlightPass in place of ParaView's own default pass, so that all else
  * stays as it is: picking, screenshots of any size, transparent backgrounds, FXAA, tone mapping,
- * depth peeling. The lights are ParaView's, those of the light kit and those added; all properties
- * of the pass have the same meaning, range and default here.
+ * depth peeling. The lights are ParaView's: those that are added to the scene light the medium, too,
+ * and those that are fixed to the camera, as the light kit is, light surfaces only
+ * (SetCameraLightsScatter()). All properties of the pass have the same meaning, range and default here.
  *
  * Annotations of the layer above (titles, legends) are neither fogged nor do they cast shadows. The
  * axes at the centre and the axes grid stand in the scene and are fogged, but cast no shadows.
@@ -36,6 +37,7 @@
 class AirlightFarPass;
 class vtkAirlightPass;
 class vtkParticipatingMedium;
+class vtkPVParticipatingMedium;
 
 namespace airlight
 {
@@ -57,8 +59,18 @@ public:
   vtkGetMacro(Airlight, bool);
   ///@}
 
+  ///@{
   /**
-   * The medium. Default: none, which changes nothing but shadows on surfaces.
+   * Whether the medium scatters lights that are fixed to the camera, as those of the light kit, and
+   * they cast shadows; see vtkAirlightPass::SetLightScatters(). Default: false.
+   */
+  vtkSetMacro(CameraLightsScatter, bool);
+  vtkGetMacro(CameraLightsScatter, bool);
+  ///@}
+
+  /**
+   * The medium. The view tells a vtkPVParticipatingMedium the size of the visible data. Default: none,
+   * which changes nothing but shadows on surfaces.
    */
   void SetMedium(vtkParticipatingMedium* medium);
 
@@ -102,13 +114,17 @@ private:
   vtkPVAirlightRenderView(const vtkPVAirlightRenderView&) = delete;
   void operator=(const vtkPVAirlightRenderView&) = delete;
 
+  void SwitchCameraLights();
+  void MeasureScene();
   bool IsParallel();
   void StartFrame();
 
   bool Airlight = true;
+  bool CameraLightsScatter = false;
   bool WarnedOrdered = false;
   vtkNew<vtkAirlightPass> Pass;
-  vtkSmartPointer<AirlightFarPass> FarPass; // around it
+  vtkSmartPointer<vtkPVParticipatingMedium> OwnMedium; // null if it is of another class
+  vtkSmartPointer<AirlightFarPass> FarPass;            // around it
   std::unique_ptr<airlight::RemoteSilhouettes> Remote;
   bool Parallel = false; // the frame that is drawn
   unsigned long StartTag = 0;

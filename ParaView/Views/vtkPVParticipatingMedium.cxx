@@ -14,6 +14,11 @@ namespace
 // Koschmieder 1924, as in vtkParticipatingMedium::SetVisibility().
 constexpr double ContrastThreshold = 3.912;
 
+// Automatic visibility, in diagonals of the scene: ParaView's first camera is two of them away, and two
+// thirds of an object's contrast are left there. And without a scene, in world units.
+constexpr double DiagonalsSeen = 20.0;
+constexpr double UnknownVisibility = 10.0;
+
 bool HasAnisotropy(int function)
 {
   return function == vtkParticipatingMedium::HENYEY_GREENSTEIN ||
@@ -42,14 +47,36 @@ void vtkPVParticipatingMedium::SetThickness(int thickness)
 //------------------------------------------------------------------------------
 void vtkPVParticipatingMedium::SetVisibilityDistance(double distance)
 {
-  if (!std::isfinite(distance) || distance <= 0.0)
+  if (!std::isfinite(distance) || distance < 0.0)
   {
-    vtkErrorMacro(<< "VisibilityDistance " << distance << " must be finite and above 0; it stays "
-                  << this->VisibilityDistance << ".");
+    vtkErrorMacro(<< "VisibilityDistance " << distance
+                  << " must be finite and at least 0; it stays " << this->VisibilityDistance
+                  << ".");
     return;
   }
   this->VisibilityDistance = distance;
   this->UpdateThickness();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetSceneSize(double diagonal)
+{
+  const double size = std::isfinite(diagonal) && diagonal > 0.0 ? diagonal : 0.0;
+  if (this->SceneSize != size)
+  {
+    this->SceneSize = size;
+    this->UpdateThickness();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkPVParticipatingMedium::GetEffectiveVisibility()
+{
+  if (this->VisibilityDistance > 0.0)
+  {
+    return this->VisibilityDistance;
+  }
+  return this->SceneSize > 0.0 ? DiagonalsSeen * this->SceneSize : UnknownVisibility;
 }
 
 //------------------------------------------------------------------------------
@@ -100,7 +127,7 @@ void vtkPVParticipatingMedium::UpdateThickness()
     this->SetAbsorption(this->AbsorptionCoefficient);
     return;
   }
-  const double extinction = ContrastThreshold / this->VisibilityDistance;
+  const double extinction = ContrastThreshold / this->GetEffectiveVisibility();
   const double* albedo = this->Color;
   this->SetScattering(albedo[0] * extinction, albedo[1] * extinction, albedo[2] * extinction);
   this->SetAbsorption(
@@ -155,6 +182,7 @@ void vtkPVParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Thickness: " << (this->Thickness == VISIBILITY ? "Visibility" : "Coefficients")
      << "\n";
   os << indent << "VisibilityDistance: " << this->VisibilityDistance << "\n";
+  os << indent << "SceneSize: " << this->SceneSize << "\n";
   print("Color", this->Color);
   print("ScatteringCoefficient", this->ScatteringCoefficient);
   print("AbsorptionCoefficient", this->AbsorptionCoefficient);

@@ -44,10 +44,20 @@ public:
   ///@{
   /**
    * The meteorological range, see vtkParticipatingMedium::SetVisibility(): one sees this far. Unit:
-   * world. Range: finite, above 0. Default: 10.
+   * world. 0: automatic, see SetSceneSize(). Range: finite, at least 0. Default: 10.
    */
   void SetVisibilityDistance(double distance);
   vtkGetMacro(VisibilityDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The diagonal of what is to be seen in the medium, world units. An automatic visibility is
+   * 20 times this, or 10 if nothing is known of the scene (0, or a number that is not finite).
+   * Default: 0.
+   */
+  void SetSceneSize(double diagonal);
+  vtkGetMacro(SceneSize, double);
   ///@}
 
   ///@{
@@ -92,11 +102,13 @@ private:
   void operator=(const vtkPVParticipatingMedium&) = delete;
 
   bool SetRange(const char* name, const double values[3], double most, double target[3]);
+  double GetEffectiveVisibility();
   void UpdateThickness();
   void UpdatePhase();
 
   int Thickness = VISIBILITY;
   double VisibilityDistance = 10.0;
+  double SceneSize = 0.0;
   double Color[3] = { 1.0, 1.0, 1.0 };
   double ScatteringCoefficient[3] = { 0.1, 0.1, 0.1 };
   double AbsorptionCoefficient[3] = { 0.0, 0.0, 0.0 };
