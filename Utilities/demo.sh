@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Airlight in build/ and renders Figure 1: a scene without a medium
-# (a), in a medium without shadows (b), and with volumetric shadows (c).
+# (a), in a medium without shadows (b), and with volumetric shadows (c). The Python package is built, too.
 #
 # Usage: Utilities/demo.sh [--output DIR] [--no-view]
 #
@@ -11,6 +11,9 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 step_count=4
+
+# cached NAME: the value of a CMake variable of the build.
+cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 
 usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; }
 
@@ -47,10 +50,15 @@ step "Installing what is missing"
 install_missing cmake c++ xvfb-run xauth
 
 step "Configuring"
-configure -DAIRLIGHT_BUILD_EXAMPLES=ON
+configure -DAIRLIGHT_BUILD_EXAMPLES=ON -DAIRLIGHT_WRAP_PYTHON=ON
 
 step "Building"
 compile airlight
+compile vtkAirlightPython
+python=$(cached Python3_EXECUTABLE)
+package=$build/$(cached AIRLIGHT_PYTHON_DESTINATION)
+PYTHONPATH=$package${PYTHONPATH:+:$PYTHONPATH} "$python" -m airlight > /dev/null ||
+  die "the Python package in $package does not load; see Python's message above."
 
 step "Rendering Figure 1 into $output"
 cd "$output"
@@ -59,6 +67,7 @@ cd "$output"
 "${run[@]}" render "$scene" -o figure1-c.png
 "${run[@]}" montage figure1-a.png figure1-b.png figure1-c.png -o figure1.png
 echo "Done: $PWD/figure1.png"
+echo "In Python: PYTHONPATH=$package $python -m airlight"
 
 if [[ -n ${DISPLAY:-} && $view == yes ]]; then
   echo "Opening the viewer; press q to leave it."

@@ -10,12 +10,15 @@ import re
 import shlex
 import struct
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import airlight
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("AIRLIGHT_PROGRAM")
@@ -89,6 +92,25 @@ class TestReadme(unittest.TestCase):
                     median = float(re.search(r"median=(\S+)", done.stdout).group(1))
                     self.assertLess(median, 1e-5)
             self.assertGreaterEqual(len(written), 7)
+
+    def test_python_package(self):
+        """The command that lists the classes, in the build folder that the demo leaves."""
+        sentence = re.search(r"`PYTHONPATH=build/(\S+) python3 -m airlight` lists\nthe classes",
+                             (ROOT / "README.md").read_text(encoding="utf-8"))
+        self.assertIsNotNone(sentence)
+        folder = re.sub(r"python3\.\d+", "python{}.{}".format(*sys.version_info), sentence.group(1))
+        package = pathlib.Path(airlight.__file__).parents[1]
+        self.assertEqual(package.parts[-3:], pathlib.Path(folder).parts)
+        environment = dict(os.environ, PYTHONPATH=str(package))
+        done = subprocess.run([sys.executable, "-m", "airlight"], env=environment, timeout=100,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              check=False)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("vtkAirlightPass", done.stdout)
+        # The demo builds it, and fails if it does not load; continuous integration runs the demo.
+        demo = (ROOT / "Utilities" / "demo.sh").read_text(encoding="utf-8")
+        self.assertRegex(demo, r"(?m)^compile vtkAirlightPython$")
+        self.assertRegex(demo, r"(?m)^PYTHONPATH=\S+ \"\$python\" -m airlight")
 
     def test_python_block(self):
         blocks = blocks_of("python")
