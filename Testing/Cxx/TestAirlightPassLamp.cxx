@@ -5,16 +5,12 @@
 // I/(pi r^2) cos(theta) of a Lambertian surface of albedo 1, attenuated on both ways. And the
 // lights that the pass integrates otherwise: without fall-off, and the renderer's own headlight.
 
-#include "AirlightTestPixels.h"
 #include "AirlightTestTools.h"
+#include "AirlightTestWhitePlane.h"
 
-#include "vtkActor.h"
 #include "vtkAirlight.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 
 #include <cstdlib>
 
@@ -23,40 +19,6 @@ using namespace airlight_test;
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-
-// A white diffuse plane z = 0, seen from z > 0.
-class WhitePlane
-{
-public:
-  WhitePlane()
-  {
-    this->Source->SetOrigin(-20.0, -20.0, 0.0);
-    this->Source->SetPoint1(20.0, -20.0, 0.0);
-    this->Source->SetPoint2(-20.0, 20.0, 0.0);
-    this->Mapper->SetInputConnection(this->Source->GetOutputPort());
-    this->Actor->SetMapper(this->Mapper);
-    this->Actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
-    this->Actor->GetProperty()->SetDiffuse(1.0);
-    this->Actor->GetProperty()->SetAmbient(0.0);
-    this->Actor->GetProperty()->SetSpecular(0.0);
-    this->Scene.Renderer->AddActor(this->Actor);
-    vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
-    camera->SetPosition(1.0, -3.0, 5.0);
-    camera->SetFocalPoint(0.2, 0.5, 0.0);
-    camera->SetViewUp(0.0, 1.0, 0.3);
-  }
-
-  void Render()
-  {
-    this->Scene.Renderer->ResetCameraClippingRange();
-    this->Scene.Window->Render();
-  }
-
-  PixelScene Scene;
-  vtkNew<vtkPlaneSource> Source;
-  vtkNew<vtkPolyDataMapper> Mapper;
-  vtkNew<vtkActor> Actor;
-};
 
 //------------------------------------------------------------------------------
 // Surface = I/(pi r^2) cos(theta) exp(-sigmaT (r + t)), r from the light to the point.

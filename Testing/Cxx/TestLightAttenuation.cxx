@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lights that fade with distance by VTK's 1/(a + b r + c r^2), on a white plane and in the medium before
+// it, against quadrature. A light of VTK's colour k lights
+//
+//   the plane:  Surface = k cos(theta) f(r) exp(-sigmaT (r + t)), f(r) = 1/(a + b r + c r^2), and
+//   the medium: Airlight = sigmaS/(4 pi) pi k integral over [0, t] of f(r(s)) exp(-sigmaT (r(s) + s)) ds,
+//
+// since its radiant intensity is pi k r^2 f(r).
+
+#include "AirlightTestQuadrature.h"
+#include "AirlightTestTools.h"
+#include "AirlightTestWhitePlane.h"
+
+#include "vtkLight.h"
+
+#include <cstdlib>
+
+using namespace airlight_test;
+
+namespace
+{
+const double Colour[3] = { 0.8, 0.5, 0.3 };
+const double Scattering[3] = { 0.05, 0.1, 0.02 };
+const double Absorption[3] = { 0.05, 0.0, 0.1 };
+
+struct FadingLight
+{
+  glm::dvec3 Place;
+  glm::dvec3 Attenuation; // a, b, c
+
+  double Fade(double r) const
+  {
+    return 1.0 / (this->Attenuation.x + r * (this->Attenuation.y + r * this->Attenuation.z));
+  }
+  bool IsInverseSquare() const { return this->Attenuation.x + this->Attenuation.y == 0.0; }
+};
+
+double GetSurface(const FadingLight& light, int k, const PixelRay& ray, double t)
+{
+  const double r = glm::length(light.Place - ray.Origin - t * ray.Direction);
+  return Colour[k] * light.Place.z / r * light.Fade(r) *
+    std::exp(-(Scattering[k] + Absorption[k]) * (r + t));
+}
+
+double GetAirlight(const FadingLight& light, int k, const PixelRay& ray, double t)
+{
+  const double foot = glm::dot(light.Place - ray.Origin, ray.Direction);
+  const double h = glm::length(light.Place - ray.Origin - foot * ray.Direction);
+  const auto integrand = [&](double x) {
+    const double r = std::hypot(h, x);
+    return light.Fade(r) * std::exp(-(Scattering[k] + Absorption[k]) * (r + foot + x));
+  };
+  return 0.25 * Scattering[k] * Colour[k] *
+    Integrate(integrand, PeakPanels(-foot, t - foot, h), 1e-10);
+}
+
+void AddLight(PixelScene& scene, const FadingLight& item)
+{
+  vtkNew<vtkLight> light;
+  light->PositionalOn();
+  light->SetConeAngle(90.0);
+  light->SetPosition(&item.Place.x);
+  light->SetAttenuationValues(&item.Attenuation.x);
+  light->SetDiffuseColor(Colour);
+  scene.Renderer->AddLight(light);
+}
+
+//------------------------------------------------------------------------------
+struct Comparisons
+{
+  Comparison Surface{ "surface, relative" };
+  Comparison Square{ "airlight of lights that fade by c r^2, relative" };
+  Comparison Other{ "airlight of lights that fade otherwise, relative" };
+};
+
+void ComparePixels(PixelScene& scene, const std::vector<FadingLight>& lights, Comparisons& to)
+{
+  const bool square = std::all_of(
+    lights.begin(), lights.end(), [](const FadingLight& light) { return light.IsInverseSquare(); });
+  for (int pixel = 0; pixel < PixelScene::Width * PixelScene::Height; pixel += 7)
+  {
+    const int i = pixel % PixelScene::Width;
+    const int j = pixel / PixelScene::Width;
+    const PixelRay ray = scene.GetRay(i, j);
+    const double t = -ray.Origin.z / ray.Direction.z;
+    for (int k = 0; k < 3; ++k)
+    {
+      double surface = 0.0;
+      double airlight = 0.0;
+      for (const FadingLight& light : lights)
+      {
+        surface += GetSurface(light, k, ray, t);
+        airlight += GetAirlight(light, k, ray, t);
+      }
+      const auto add = [&](Comparison& comparison, const char* name, double value, double limit) {
+        const double shown = scene.GetPixel(name, i, j)[k];
+        comparison.Add(std::abs(shown / value - 1.0), limit, [&] {
+          return Text(lights.size(), " lights, the first with ", Text3(&lights[0].Attenuation.x),
+            ", pixel ", i, " ", j, ", channel ", k, ": ", shown, ", expected ", value);
+        });
+      };
+      add(to.Surface, "Surface", surface, 1e-5);
+      // By the closed form or by Gauss's rule.
+      add(square ? to.Square : to.Other, "Airlight", airlight, square ? 1e-5 : 1e-4);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+// What kind a light is stands in the mappers' shaders: one scene goes through all kinds.
+int TestLightAttenuation(int, char*[])
+{
+  const glm::dvec3 first(0.5, 0.3, 2.0);
+  const glm::dvec3 second(-1.5, 1.0, 0.7);
+  const std::vector<FadingLight> settings[] = { { { first, { 0.0, 0.0, 2.5 } } },
+    { { first, { 0.0, 0.0, 1.0 } } }, { { first, { 0.0, 0.0, 0.4 } } },
+    { { first, { 1.0, 0.0, 0.0 } } }, { { first, { 0.5, 0.3, 0.0 } } },
+    { { first, { 0.2, 0.1, 0.7 } } },
+    { { first, { 0.0, 0.0, 3.0 } }, { second, { 0.0, 0.0, 1.0 } } },
+    { { first, { 0.0, 0.0, 0.2 } }, { second, { 0.0, 2.0, 0.5 } } } };
+  WhitePlane plane;
+  plane.Scene.Medium->SetScattering(Scattering[0], Scattering[1], Scattering[2]);
+  plane.Scene.Medium->SetAbsorption(Absorption[0], Absorption[1], Absorption[2]);
+  Comparisons comparisons;
+  for (const std::vector<FadingLight>& lights : settings)
+  {
+    plane.Scene.Renderer->RemoveAllLights();
+    for (const FadingLight& light : lights)
+    {
+      AddLight(plane.Scene, light);
+    }
+    plane.Render();
+    ComparePixels(plane.Scene, lights, comparisons);
+  }
+  return AllOk({ &comparisons.Surface, &comparisons.Square, &comparisons.Other }) ? EXIT_SUCCESS
+                                                                                  : EXIT_FAILURE;
+}
