@@ -259,6 +259,11 @@ class TestPictures(ProgramTest):
         self.assertLessEqual(np.abs(frames[0] - still).max(), 1 / 255)
         self.assertGreater(np.abs(frames[1] - frames[0]).max(), 0.05)
         self.assertGreater(np.abs(frames[2] - frames[1]).max(), 0.05)
+        # The same moment of a period, and of the next.
+        for period, frame in (("8", "2"), ("4", "5")):
+            self.run_program(self.SCENE, "-o", self.path("other.png"), "--period", period,
+                             "--frame", frame, "--size", "80x60", program=ANIMATED_FOG)
+            np.testing.assert_array_equal(frames[1], read_png(self.path("other.png")))
         self.fail_with(["%04d"], self.SCENE, "-o", self.path("a.png"), "--frames", "2",
                        program=ANIMATED_FOG)
         self.fail_with(["no surface 9"], self.SCENE, "-o", self.path("a.png"), "--frame", "2",
