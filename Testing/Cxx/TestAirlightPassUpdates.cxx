@@ -22,6 +22,29 @@ using namespace airlighttest;
 
 namespace
 {
+// A triangle strip of four points in a row.
+vtkSmartPointer<vtkCellArray> MakeStrip(vtkIdType first)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  const vtkIdType ids[4] = { first, first + 1, first + 2, first + 3 };
+  cells->InsertNextCell(4, ids);
+  return cells;
+}
+
+// Upright, 0.4 wide for each two of six points.
+vtkSmartPointer<vtkPolyData> MakeBand()
+{
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 6; ++i)
+  {
+    points->InsertNextPoint(0.4 * (i / 2), i % 2, 0.0);
+  }
+  auto band = vtkSmartPointer<vtkPolyData>::New();
+  band->SetPoints(points);
+  band->SetStrips(MakeStrip(0));
+  return band;
+}
+
 // A scene whose parts can be changed.
 struct Stage : Scene
 {
@@ -34,6 +57,7 @@ struct Stage : Scene
     this->Source->SetRadius(1.0);
     this->Data = Make(this->Source);
     this->Body = this->Add(this->Data);
+    this->Add(this->Band, [](vtkActor* actor) { actor->SetPosition(-2.6, 0.5, 1.0); });
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputConnection(this->Source->GetOutputPort());
     this->Piped = MakeActor(mapper);
@@ -45,6 +69,7 @@ struct Stage : Scene
 
   vtkNew<vtkSphereSource> Source;
   vtkSmartPointer<vtkPolyData> Data;
+  vtkSmartPointer<vtkPolyData> Band = MakeBand();
   vtkActor* Floor;
   vtkActor* Body;
   vtkSmartPointer<vtkActor> Piped;
@@ -130,6 +155,7 @@ void TestScene()
     cells->InsertNextCell(3, ids);
     s.Data->SetPolys(cells);
   });
+  CheckUpdate("strips replaced", [](Stage& s) { s.Band->SetStrips(MakeStrip(2)); });
   CheckUpdate("source changed", [](Stage& s) { s.Source->SetRadius(0.6); });
   CheckUpdate("camera moved", [](Stage& s) { s.Look({ 3, 2, 9 }, { 0, 0, 0 }); });
   CheckUpdate("camera made parallel", [](Stage& s) {
