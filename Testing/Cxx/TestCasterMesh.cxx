@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Meshes prepared for shadows from cells as VTK keeps them: 32 or 64 bits an id, triangles alone or among
-// others.
+// others, and from points that several cells have of their own.
 
 #include "AirlightCasterMesh.h"
 #include "AirlightTestCheck.h"
@@ -23,6 +23,34 @@ bool Same(const airlight::CasterMesh& a, const airlight::CasterMesh& b)
 {
   return a.Points == b.Points && a.Triangles == b.Triangles && a.PairEnds == b.PairEnds &&
     a.PairUses == b.PairUses && a.OtherEnds == b.OtherEnds && a.OtherUses == b.OtherUses;
+}
+
+//------------------------------------------------------------------------------
+// Two triangles whose common points are given twice, with 0 once of either sign: their common edge is one.
+void TestSignsOfZero()
+{
+  for (int i = 0; i < 64; ++i)
+  {
+    const double x = 0.1 + i;
+    const double corners[6][3] = { { x, 0.0, 1.0 }, { 0.0, x, 2.0 }, { 5.0, 5.0, x },
+      { x, -0.0, 1.0 }, { -0.0, x, 2.0 }, { -5.0, 5.0, x } };
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const double* corner : corners)
+    {
+      points->InsertNextPoint(corner);
+    }
+    vtkNew<vtkCellArray> cells;
+    const vtkIdType triangles[2][3] = { { 0, 1, 2 }, { 4, 3, 5 } };
+    cells->InsertNextCell(3, triangles[0]);
+    cells->InsertNextCell(3, triangles[1]);
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    const airlight::CasterMesh mesh(data);
+    Check(mesh.Points.size() == 4 && mesh.PairEnds.size() == 1 && mesh.OtherEnds.size() == 4,
+      "zeros of either sign, " + std::to_string(i));
+  }
 }
 }
 
@@ -60,5 +88,6 @@ int TestCasterMesh(int, char*[])
   const airlight::CasterMesh both(mixed);
   Check(both.Triangles.size() == 98 && both.PairEnds.size() == 145 && both.OtherEnds.size() == 4,
     "a quad among triangles");
+  TestSignsOfZero();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
