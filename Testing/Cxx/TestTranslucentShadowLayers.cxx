@@ -117,6 +117,30 @@ void TestPane(Scene& scene)
   }
 }
 
+// Whether lights reach a layer is kept in words of 32 lights each: of the first two, one light each shines.
+// Drivers take their time over shaders with many lights.
+void TestManyLights(Scene& scene)
+{
+  Restart(scene);
+  const glm::dvec3 places[] = { { 1.5, 3, 6 }, { -2.5, 4, 5 } };
+  for (int k = 0; k < 34; ++k)
+  {
+    const bool shines = k == 7 || k == 33;
+    scene.AddPointLight(places[k / 32], shines ? glm::dvec3(8.0, 6.0, 4.0) : glm::dvec3(0.0));
+  }
+  const size_t first = scene.Triangles.size();
+  AddGlass(scene, MakeSheet({ -4, -1.9, 0 }, { 8, 0, 0.3 }, { 0, 5, -0.5 }), glm::dvec3(0.5));
+  const size_t last = scene.Triangles.size();
+  // Between the pane and each light, above the picture.
+  for (const glm::dvec3& place : places)
+  {
+    scene.Add(MakeSphere(0.35), [&](vtkActor* actor) {
+      actor->SetPosition(0.5 * place.x - 0.4, 0.5 * place.y + 0.3, 0.5 * place.z);
+    });
+  }
+  CompareLayer("pane in the light of lights 7 and 33", scene, first, last);
+}
+
 // A triangle strip seen at all angles, down to the grazing ones: no acne.
 void TestSlopes(Scene& scene)
 {
@@ -223,6 +247,7 @@ int TestTranslucentShadowLayers(int, char*[])
   Scene scene;
   scene.Window->SetAlphaBitPlanes(1);
   TestPane(scene);
+  TestManyLights(scene);
   TestSlopes(scene);
   TestSwitches(scene);
   TestPeeling(scene);
