@@ -182,6 +182,7 @@ void BoundaryStore::Use(vtkShaderProgram* program)
 BoundaryStore::Counts BoundaryStore::ReadCounts()
 {
   GLuint values[HeadOffset] = {};
+  // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads[this->Turn]);
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(values), values);

@@ -222,6 +222,7 @@ bool Frame::ScatterLights()
   // The mappers read what the resolves wrote.
   if (this->Settings.LayerRecords || this->Dimmed)
   {
+    // No test fails without it, see AirlightOpenGL.h.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
   return !this->Settings.Difference || this->ScatterReference();

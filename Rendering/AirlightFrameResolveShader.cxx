@@ -150,12 +150,14 @@ void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists
   {
     this->LayerLists.Use(program);
     program->SetUniformi("layerBit", index < MaximumShadowingLights ? index : -1);
+    // No test fails without it, see AirlightOpenGL.h.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
   if (planes)
   {
     this->Boundaries.Use(program);
     program->SetUniformi("resume", lists == Lists::LongRest ? 1 : 0);
+    // No test fails without it, see AirlightOpenGL.h.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
   if (lists == Lists::Map)

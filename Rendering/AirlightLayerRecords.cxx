@@ -40,6 +40,7 @@ void LayerRecords::Clear()
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
   glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -92,6 +93,7 @@ void LayerRecords::Use(vtkShaderProgram* program) const
 LayerRecords::Outcome LayerRecords::Check()
 {
   GLuint count = 0;
+  // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(count), &count);

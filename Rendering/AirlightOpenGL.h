@@ -10,6 +10,10 @@
 #include "vtkObject.h" // which vtkOpenGLError.h uses
 #include "vtkOpenGLError.h"
 
+// glMemoryBarrier() stands before whatever reads what shaders wrote to storage buffers. No test fails without
+// these calls: software renderers, on which the tests run, finish one draw before the next. Graphics cards
+// need not.
+
 namespace airlight
 {
 // Before a call whose own errors matter. A context that is lost, or none, gives errors without end.

@@ -160,10 +160,12 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
 bool ShadowLists::DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts)
 {
   this->Store.Clear(row);
+  // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   const bool ok = this->DrawFragments(source, PlaneKind::Plane, row, rows) &&
     this->DrawFragments(source, PlaneKind::Cap, row, rows) &&
     this->DrawFragments(source, PlaneKind::Near, row, rows);
+  // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   counts = this->Store.ReadCounts();
   if (!ok || counts.Boundaries == 0 || !this->HasSlots())

@@ -80,6 +80,7 @@ bool ShadowLists::Spill(int row, int rows)
   }
   state->vtkglScissor(0, row, this->Width, rows);
   this->SpillQuad.Draw({});
+  // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return true;
 }
@@ -112,9 +113,11 @@ bool ShadowLists::Sort()
   for (std::uint64_t run = std::max(this->Store.GetSlots(), 1); run < this->Longest; run *= 2)
   {
     glUniform1ui(glGetUniformLocation(program->GetHandle(), "run"), static_cast<GLuint>(run));
+    // No test fails without it, see AirlightOpenGL.h.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     this->SortQuad.Draw({});
   }
+  // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return true;
 }
