@@ -88,7 +88,10 @@ bool ShadowMap::JoinOthers(vtkOpenGLRenderWindow* window, Quad& quad)
     return false;
   }
   this->BeginNearest(window, false);
+  const glm::vec2 scale(this->Scale);
   program->SetUniformi("resolution", this->Side);
+  program->SetUniformi("parallel", this->Kind == Projection::Parallel ? 1 : 0);
+  program->SetUniform2f("scale", &scale.x);
   program->SetUniformf("offset", static_cast<float>(this->GetCameraOffset()));
   quad.Draw({ { "drawn", this->OthersTexture } });
   this->EndNearest(window);
