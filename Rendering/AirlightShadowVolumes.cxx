@@ -21,6 +21,18 @@ glm::dvec3 Transform(const glm::dmat4& matrix, const glm::dvec3& point)
   return glm::dvec3(matrix * glm::dvec4(point, 1.0));
 }
 
+// The size of the coordinates, in the world's unit, that VTK's mappers round to single precision. Of points
+// farther from their origin than ten thousand times their extent they subtract the middle beforehand.
+float GetCoordinateSize(const Caster& caster)
+{
+  const CasterMesh& mesh = *caster.Mesh;
+  const glm::dmat3 linear(caster.ToWorld);
+  const double extent = glm::length(linear * (mesh.BoundsMax - mesh.BoundsMin));
+  const double farthest =
+    std::max(glm::length(linear * mesh.BoundsMin), glm::length(linear * mesh.BoundsMax));
+  return static_cast<float>(farthest <= 1e4 * extent ? farthest : extent);
+}
+
 bool IsMirrored(const Caster& caster) { return glm::determinant(caster.ToWorld) < 0.0; }
 }
 
@@ -98,6 +110,7 @@ void ShadowVolumes::MakeCaps(Part& part) const
   const CasterMesh& mesh = *caster.Mesh;
   const bool mirrored = IsMirrored(caster);
   const glm::dvec4 localLight = glm::inverse(caster.ToWorld) * this->Light;
+  const float size = GetCoordinateSize(caster);
   for (size_t f = 0; f < mesh.Triangles.size(); ++f)
   {
     // A mirrored caster's triangles turn the other way in the world.
@@ -105,7 +118,7 @@ void ShadowVolumes::MakeCaps(Part& part) const
     const float sign = static_cast<float>((side > 0.0) - (side < 0.0));
     const std::array<int, 3>& t = mesh.Triangles[f];
     part.Caps.push_back({ glm::vec4(glm::vec3(this->Place(caster, t[0])), sign),
-      glm::vec4(glm::vec3(this->Place(caster, t[1])), 0.0f),
+      glm::vec4(glm::vec3(this->Place(caster, t[1])), size),
       glm::vec4(glm::vec3(this->Place(caster, t[2])), 0.0f) });
   }
 }

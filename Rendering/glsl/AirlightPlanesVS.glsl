@@ -6,7 +6,7 @@
 
 // Relative to the anchor (the light itself, or for a directional light any point). Per edge: A and
 // its weight, B and the number of its caster, the plane's normal. Per cap: A and the side of the light
-// (1: where the triangle's normal points, -1: behind), B, C. Per near plane: as an edge, B with the
+// (1: where the triangle's normal points, -1: behind), B and the size of the mesh's coordinates, C. Per near plane: as an edge, B with the
 // plane's offset from the eye, and fourth the eye's place in the plane. The third's w is the kind of
 // caster.
 layout(std430, binding = 0) readonly buffer AirlightEdges
@@ -57,9 +57,11 @@ void draw()
   planeNormal = normalize(cross(b - a, c - a));
   planeWeight = int(edges[first].w);
   planeLayer = int(edges[first + 2].w);
-  // Some units of single precision's last place of the farthest corner, from the eye or the anchor.
+  // Some units of single precision's last place of the farthest corner, from the eye, the anchor or the origin
+  // of the coordinates that the mapper has.
   float fromEye = max(length(anchor + a), max(length(anchor + b), length(anchor + c)));
-  planeRounding = 5e-7 * max(fromEye, max(length(a), max(length(b), length(c))));
+  float size = max(fromEye, edges[first + 1].w);
+  planeRounding = 5e-7 * max(size, max(length(a), max(length(b), length(c))));
   planeOffset = dot(planeNormal, anchor + a);
   gl_Position = anchorToClip * vec4(edges[gl_VertexID].xyz, 1.0);
 }
