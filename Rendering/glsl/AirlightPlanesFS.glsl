@@ -25,6 +25,8 @@ flat in int planeLayer;
 // The surface that the ray ends on is none that it goes through. Its distance is as the mapper draws
 // it, which for triangles that are large or far from the eye has the rounding of their corners, the
 // more the more edge-on they are seen.
+// NEARER is for graphics cards, which may move corners by fractions of a pixel; no test fails without it on
+// software renderers, which need not.
 uniform sampler2D distances;
 const float NEARER = 1.0 - 1e-5;
 flat in float planeRounding;
