@@ -375,9 +375,9 @@ public:
   ///@{
   /**
    * Radius of point lights in world units: rays that pass a light more closely are shaded as if
-   * they passed at this distance, which bounds the airlight near the light. 0 uses the smallest
-   * distance that single precision resolves, 1e-5 of the distance from camera to light. Range:
-   * finite, at least 0. Default: 0.
+   * they passed at this distance, which bounds the airlight near the light; by quadrature the medium
+   * attenuates light on its own way. 0 is the least that single precision resolves, 1e-5 of the distance
+   * from camera to light. Range: finite, at least 0. Default: 0.
    */
   void SetLightRadius(double radius);
   vtkGetMacro(LightRadius, double);
