@@ -17,6 +17,9 @@ namespace airlight
 {
 namespace
 {
+// Uses of edges have twice a triangle's number, in an int.
+constexpr size_t MostTriangles = (size_t(1) << 30) - 1;
+
 // Where the building stands after its steps, by their measured times.
 constexpr double AfterTriangulation = 0.1;
 constexpr double AfterMerging = 0.3;
@@ -157,6 +160,14 @@ bool CasterMesh::ReadTriangles(vtkPolyData* data, const Progress& progress)
     return false;
   }
   const Corners corners(triangles->GetPolys());
+  if (corners.GetCount() > MostTriangles ||
+    merged.Positions.size() > static_cast<size_t>(std::numeric_limits<int>::max()))
+  {
+    vtkGenericWarningMacro("A mesh of " << corners.GetCount()
+                                        << " triangles casts no shadows: at most " << MostTriangles
+                                        << " can. Split it into several data sets.");
+    return true;
+  }
   std::vector<size_t> first = FindUnused(corners, merged.First);
   size_t count = 0;
   for (size_t& place : first)

@@ -46,7 +46,8 @@ public:
    * the integral of sigma_s p(cosTheta) I/r^2 exp(-sigma_t (lengths inside the medium)) dt.
    * t0 is clamped at 0. t1 may be infinite. Relative error: 1e-9 in a uniform medium that is
    * unbounded or a box or sphere that holds the light, and 1e-6 by quadrature in all others, and
-   * with Mie's phase functions or a table that no fit follows; 1e-5 with densities from images; to
+   * with Mie's phase functions or a table that no fit follows; 1e-5 with densities from images,
+   * 5e-5 where the medium's region cuts the image; to
    * all comes at most vtkParticipatingMedium::GetPhaseErrorBound().
    */
   static bool Inscatter(vtkParticipatingMedium* medium, const double lightPosition[3],

@@ -61,6 +61,9 @@ constexpr const char* RecordDefinition = "#define AIRLIGHT_RECORD\n";
 // Documentation/accuracy.md).
 constexpr float ClosedFormError = 1e-4f;
 constexpr float QuadratureError = 1e-3f;
+// In an image that its medium's region cuts: where the way to the light begins to leave the region instead of
+// the image there is a kink, at which cells are not cut. 6e-3 measured.
+constexpr float CutImageError = 1e-2f;
 
 // Whether the media neither scatter nor absorb.
 bool IsClear(const f64::AirlightMedia& media);

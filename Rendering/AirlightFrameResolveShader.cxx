@@ -6,6 +6,7 @@
 #include "AirlightFrame.h"
 
 #include "AirlightDimmed.h"
+#include "AirlightIntegrate.h"
 #include "AirlightLayers.h"
 #include "AirlightMapBoundaries.h"
 #include "AirlightMapMarch.h"
@@ -96,7 +97,12 @@ std::string Frame::GetResolveHead(int index, bool storage) const
 double Frame::GetIntegralError(int index) const
 {
   const Lamp& lamp = this->Lamps[index];
-  double error = lamp.GridError + (IsQuadrature(lamp.Values) ? QuadratureError : ClosedFormError);
+  const bool cut = HasGrid(this->Media) &&
+    this->Media.item[0].region.kind != AIRLIGHT_REGION_UNBOUNDED;
+  double error = lamp.GridError +
+    (cut                            ? CutImageError
+        : IsQuadrature(lamp.Values) ? QuadratureError
+                                    : ClosedFormError);
   if (this->Dimmed && this->Lamps[index].CastsShadows)
   {
     double thickness = 0.0;

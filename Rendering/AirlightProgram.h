@@ -42,7 +42,7 @@ public:
   static const char* GetReason()
   {
     return " did not compile; VTK's message before this one has the compiler's words. Update the "
-           "graphics driver, or use another";
+           "graphics driver, or use another; with dozens of lights, switch some off";
   }
 
 private:

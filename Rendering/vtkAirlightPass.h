@@ -390,7 +390,9 @@ public:
    * edges; 12 bytes for each on pixels with more; and 16 bytes a pixel that the limit does not count.
    * Where casters let light through (SetTranslucentShadows()), 24 bytes for each and 16 a pixel. A frame
    * that needs more is drawn in several horizontal bands, with the same result.
-   * The nodes on rays through volumes may take as much again.
+   * The nodes on rays through volumes may take as much again. Render targets are not counted either:
+   * every frame needs 40 to 96 bytes a pixel for them, 80 more with RecordBuffersOn() (1.3 to 5.9 GB at
+   * 7680 x 4320). Draw larger pictures in tiles, by vtkWindowToImageFilter::SetScale().
    * Range: at least 1. Default: 1024.
    */
   vtkSetClampMacro(MemoryLimit, int, 1, 1 << 20);

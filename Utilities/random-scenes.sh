@@ -6,6 +6,8 @@
 #
 #   --scenes N     so many
 #   --first SEED   from this seed on
+#   --each N       the first N of each 50 seeds, which have the same kinds of things
+#   --faults       spoils pixels of each scene that passes; nine of ten have to be reported
 #   --step K       every K-th seed: 50 seeds in a row have the same kinds of things
 #   --list FILE    those whose seeds are in the file
 #   --verbose      says what each scene is

@@ -7,6 +7,7 @@
 //   --open FILE                                      scenes whose seeds are in the file are known to
 //                                                    fail, in the number of pixels behind the seed. They may
 //                                                    not fail in more
+//   --each N                                         the first N of each 50 seeds, which are a group
 //   --step K                                         every K-th seed of them: more kinds, as many scenes
 //   AirlightRandomScenes --list FILE                 those whose seeds are in the file
 //   --faults                                         spoils pixels of each scene that passes, and ends with
@@ -97,6 +98,7 @@ bool Parse(int argc, char* argv[], Options& options)
   std::uint64_t first = 0;
   std::uint64_t count = 0;
   std::uint64_t step = 1;
+  std::uint64_t each = GroupSize;
   for (int i = 1; i < argc; ++i)
   {
     const std::string name = argv[i];
@@ -120,6 +122,10 @@ bool Parse(int argc, char* argv[], Options& options)
     else if (name == "--step" && hasValue)
     {
       step = std::strtoull(argv[++i], nullptr, 10);
+    }
+    else if (name == "--each" && hasValue)
+    {
+      each = std::strtoull(argv[++i], nullptr, 10);
     }
     else if (name == "--open" && hasValue)
     {
@@ -147,7 +153,11 @@ bool Parse(int argc, char* argv[], Options& options)
   }
   for (std::uint64_t i = 0; i < count; ++i)
   {
-    options.Seeds.push_back(first + i * step);
+    const std::uint64_t seed = first + i * step;
+    if (seed % GroupSize < each)
+    {
+      options.Seeds.push_back(seed);
+    }
   }
   return !options.Seeds.empty();
 }
@@ -247,7 +257,7 @@ int main(int argc, char* argv[])
   if (!Parse(argc, argv, options))
   {
     std::cerr << "usage: " << argv[0]
-              << " [--verbose] [--faults] [--scenes N] [--first SEED] [--step K] [--parts MASK] "
+              << " [--verbose] [--faults] [--scenes N] [--first SEED] [--step K] [--each N] [--parts MASK] "
                  "[--triangles MASK] [--print BUFFER] [--list FILE] [--open FILE]\n";
     return EXIT_FAILURE;
   }
