@@ -56,6 +56,47 @@ void TestLongLists()
 }
 
 //------------------------------------------------------------------------------
+// How long a list is decides how it is read. Sheets that take 1e-5 of the light make lists longer and
+// hardly change the picture, also where lists become as long as one way of reading allows.
+void TestLengthsOfLists()
+{
+  Scene scene(32, 24);
+  const auto add = [&scene](int i, double opacity) {
+    const double front = 2.0 + std::fmod(1.7 * i, 6.0);
+    AddGlass(scene, MakeSheet({ 30.0 + 0.02 * i, -40, -9 }, { 0, 80, 0 }, { 0, 0, 9.0 + front }),
+      glm::dvec3(opacity));
+  };
+  constexpr int Dark = 40;
+  for (int i = 0; i < Dark; ++i)
+  {
+    add(i, 0.003);
+  }
+  scene.AddPointLight({ 60, 8, -1 }, { 3000, 2000, 1000 });
+  Buffers before = scene.Render();
+  double worst = 0.0;
+  int just = 0;
+  for (int sheet = Dark; sheet < Dark + 8; ++sheet)
+  {
+    add(sheet, 1e-5);
+    const Buffers after = scene.Render();
+    for (int i = 0; i < scene.Width * scene.Height; ++i)
+    {
+      const int x = i % scene.Width;
+      const int y = i / scene.Width;
+      const glm::dvec3 air = GetColour(before.at("Airlight"), x, y);
+      const glm::dvec3 change = GetColour(after.at("Airlight"), x, y) - air;
+      worst = std::max(worst, glm::length(change) / glm::length(air));
+      just += GetValue(after.at("BoundaryCount"), x, y) == 64.0;
+    }
+    before = after;
+  }
+  std::cout << "one sheet more: " << just << " lists of 64 boundaries, airlight " << worst
+            << " off\n";
+  Check(just > 100, "there are lists of 64 boundaries");
+  Check(worst < 3e-5, "sheets through which light goes change little");
+}
+
+//------------------------------------------------------------------------------
 // Under wide sheets that the sun shines through, all air has the share that n layers let through.
 void TestPowerLaw()
 {
@@ -171,6 +212,7 @@ void TestAssembly(Scene& scene)
 int TestTranslucentShadowLists(int, char*[])
 {
   TestLongLists();
+  TestLengthsOfLists();
   TestPowerLaw();
   TestSun();
   Scene scene;
