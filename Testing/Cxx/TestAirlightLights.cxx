@@ -106,6 +106,45 @@ bool TestHeadlight()
 }
 
 //------------------------------------------------------------------------------
+// A spot 5 above a ray that stays in its cone: I cos^n(angle to the axis) in place of I, by Simpson's
+// rule. VTK's exponent is 1 unless set.
+bool TestSpotExponent()
+{
+  Comparison comparison("spots with an exponent, relative");
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetScattering(0.3, 0.3, 0.3);
+  const double origin[3] = { -1.0, 0.5, 0.0 };
+  const double direction[3] = { 1.0, 0.0, 0.0 };
+  const double strength[3] = { 7.0, 7.0, 7.0 };
+  for (double exponent : { 0.0, 1.0, 2.0, 5.0 })
+  {
+    vtkNew<vtkLight> light;
+    light->SetPosition(0.0, 0.0, 5.0);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    vtkAirlight::SetRadiantIntensity(light, strength);
+    light->SetConeAngle(60.0);
+    light->SetExponent(exponent);
+    double rgb[3];
+    vtkAirlight::Inscatter(medium, light, origin, direction, 0.0, 2.0, rgb);
+    const auto integrand = [exponent](double t) {
+      const double r = glm::length(glm::dvec3(t - 1.0, 0.5, -5.0));
+      return std::pow(5.0 / r, exponent) * std::exp(-0.3 * (t + r)) / (r * r);
+    };
+    constexpr int Panels = 1000;
+    double sum = 0.0;
+    for (int i = 0; i < Panels; ++i)
+    {
+      const double t = 2.0 * i / Panels;
+      sum += integrand(t) + 4.0 * integrand(t + 1.0 / Panels) + integrand(t + 2.0 / Panels);
+    }
+    const double expected = 0.3 * 7.0 / (4.0 * Pi) * sum / (3.0 * Panels);
+    comparison.Add(
+      std::abs(rgb[0] / expected - 1.0), 1e-9, [&] { return Text("exponent ", exponent); });
+  }
+  return AllOk({ &comparison });
+}
+
+//------------------------------------------------------------------------------
 // sigmaS p E (exp(-sigmaT t0) - exp(-sigmaT t1))/sigmaT; looking at the light is cosTheta = 1.
 bool TestDirectional()
 {
@@ -202,6 +241,7 @@ int TestAirlightLights(int, char*[])
 {
   bool ok = TestAttenuation();
   ok = TestHeadlight() && ok;
+  ok = TestSpotExponent() && ok;
   ok = TestDirectional() && ok;
   ok = TestConversion() && ok;
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
