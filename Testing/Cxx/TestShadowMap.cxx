@@ -89,6 +89,15 @@ void TestLights()
     CompareMap("spot of " + std::to_string(angle) + " degrees", spot, true);
   }
 
+  // The map covers the cone, and no more.
+  Scene opened;
+  AddSpot(opened, 20.0);
+  AddOpenBodies(opened);
+  opened.Pass->SetShadowTechniqueToShadowMap();
+  opened.Render();
+  opened.Lights[0]->SetConeAngle(50.0);
+  CompareMap("spot that opens", opened, true);
+
   Scene both;
   both.AddPointLight({ 3, 4, 2 });
   both.AddDirectionalLight({ -1, 1, 0.3 }, { 0.5, 0.2, 0.1 });
