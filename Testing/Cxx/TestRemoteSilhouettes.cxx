@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 using namespace airlighttest;
 using airlight_test::ErrorListener;
@@ -259,6 +260,13 @@ void TestErrors()
     wrong->SetValue(i, 0xff); // not numbers
   }
   Check(!pass->AddRemoteSilhouettes(wrong), "not numbers");
+  Expect(listener, "not numbers");
+
+  // A weight that no edge has: that of the first one, behind 16 bytes for all and 80 for its light.
+  wrong->DeepCopy(bytes);
+  const float weight = 3.0f;
+  std::memcpy(wrong->GetPointer(16 + 80 + 3 * sizeof(float)), &weight, sizeof(weight));
+  Check(!pass->AddRemoteSilhouettes(wrong), "an edge that is too heavy");
   Expect(listener, "not numbers");
 
   // What was made for another place of the light is left out.
