@@ -180,6 +180,18 @@ def make_translucent():
     return actor
 
 
+def make_coloured_glass():
+    """Translucent by its colours alone: how much light passes where is not known."""
+    source = make_sphere()
+    source.Update()
+    data = source.GetOutput()
+    colours = np.full((data.GetNumberOfPoints(), 4), 128, np.uint8)
+    data.GetPointData().SetScalars(numpy_to_vtk(colours, deep=True))
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    return make_actor(mapper)
+
+
 class TestCasters(unittest.TestCase):
     def draw(self, prop, technique):
         renderer = vtkRenderer()
@@ -221,20 +233,21 @@ class TestCasters(unittest.TestCase):
 
     def test_cast(self):
         for make in (make_actor, make_transformed, make_flipped, make_open, make_composite,
-                     make_translucent, make_glyphs, lambda: make_assembly(make_actor())):
+                     make_translucent, make_glyphs, make_lod_prop,
+                     lambda: make_assembly(make_actor())):
             with self.subTest(make=make.__name__):
                 self.check(make, airlight.vtkAirlightPass.SHADOW_PLANES, True)
 
     def test_cast_nothing(self):
         for make in (make_volume, make_lines, lambda: make_lines(True), make_points,
-                     make_wireframe, make_lod_prop, lambda: make_assembly(make_splat())):
+                     make_wireframe, make_coloured_glass):
             for technique in (airlight.vtkAirlightPass.SHADOW_PLANES,
                               airlight.vtkAirlightPass.SHADOW_MAP):
                 with self.subTest(make=make.__name__, technique=technique):
                     self.check(make, technique, False)
 
     def test_cast_in_maps(self):
-        for make in (make_splat, lambda: make_glyphs(True)):
+        for make in (make_splat, lambda: make_glyphs(True), lambda: make_assembly(make_splat())):
             with self.subTest(make=make.__name__):
                 self.check(make, airlight.vtkAirlightPass.SHADOW_PLANES, False)
                 self.check(make, airlight.vtkAirlightPass.SHADOW_MAP, True)
