@@ -89,8 +89,8 @@ private:
       ends.push_back(std::clamp(this->Variable(this->T1 - step), from, to));
     }
     // A channel may count on a small part only.
-    const glm::dvec3 lengths = f64::airlightChannelLengths(
-      this->Media, this->Piece, this->Ray.origin, this->Ray.direction);
+    const glm::dvec3 lengths =
+      f64::airlightChannelLengths(this->Media, this->Piece, this->Ray.origin, this->Ray.direction);
     for (int channel = 0; channel < 3; ++channel)
     {
       ends.push_back(std::clamp(this->Variable(this->T0 + lengths[channel]), from, to));

@@ -97,8 +97,8 @@ std::string Frame::GetResolveHead(int index, bool storage) const
 double Frame::GetIntegralError(int index) const
 {
   const Lamp& lamp = this->Lamps[index];
-  const bool cut = HasGrid(this->Media) &&
-    this->Media.item[0].region.kind != AIRLIGHT_REGION_UNBOUNDED;
+  const bool cut =
+    HasGrid(this->Media) && this->Media.item[0].region.kind != AIRLIGHT_REGION_UNBOUNDED;
   double error = lamp.GridError +
     (cut                            ? CutImageError
         : IsQuadrature(lamp.Values) ? QuadratureError

@@ -144,8 +144,8 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     DefineCommon(media) + (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") +
     AirlightExponentialIntegral + AirlightGauss + AirlightGoniometric + AirlightPhase +
     AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + AirlightMedium +
-    AirlightClosedSurface + AirlightPath + AirlightHeightFog + AirlightMedia + AirlightAmbient + AirlightLight +
-    AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces +
+    AirlightClosedSurface + AirlightPath + AirlightHeightFog + AirlightMedia + AirlightAmbient +
+    AirlightLight + AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces +
     (grid ? AirlightGridRay : "") + AirlightScattering;
 }
 

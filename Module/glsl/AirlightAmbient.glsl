@@ -34,11 +34,12 @@ AIRLIGHT_FN real2 airlightAmbientScale(AIRLIGHT_IN(AirlightMedium) medium, real3
     : real(0.0);
   if (rise >= real(0.0))
   {
-    return real2(rise * t < real(AIRLIGHT_AMBIENT_HEIGHTS) ? rate + rise : rate, real(AIRLIGHT_FAR));
+    bool counts = rise * t < real(AIRLIGHT_AMBIENT_HEIGHTS);
+    return real2(counts ? rate + rise : rate, real(AIRLIGHT_FAR));
   }
   // High above the end, and above the height at which the depth begins to count, it is negligible.
-  real counts = log(sigma / -rise) - airlightScaleHeights(medium, point);
-  real above = min((t - end) * rise, -counts) - real(AIRLIGHT_AMBIENT_HEIGHTS);
+  real column = log(sigma / -rise) - airlightScaleHeights(medium, point);
+  real above = min((t - end) * rise, -column) - real(AIRLIGHT_AMBIENT_HEIGHTS);
   return real2(rate, max(above, real(AIRLIGHT_AMBIENT_FALL)) / -rise);
 }
 

@@ -7,8 +7,9 @@ layout(std430, binding = 2) buffer AirlightHeads
   uint heads[];
 };
 
-// The first of the rows of pixels that are drawn, the viewport's width, and how many rows have heads. A shadow plane says them to
-// its fragments: software renderers take as long to read a uniform as for a dozen operations.
+// The first of the rows of pixels that are drawn, the viewport's width, and how many rows have heads. A
+// shadow plane hands them to its fragments: software renderers take as long to read a uniform as for a
+// dozen operations.
 #ifdef AIRLIGHT_PLACES_IN
 flat in ivec3 places;
 #else

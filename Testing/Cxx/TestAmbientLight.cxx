@@ -235,8 +235,7 @@ int TestAmbientLight(int, char*[])
       // What is far below what the eye sees is measured against that.
       const double size = std::max(expected, 1e-12);
       doubles.Add(std::abs(inDouble[k] - expected) / size, 1e-9, describe);
-      singles.Add(
-        std::abs(inSingle[k] - expected) / size, 2e-5 + setting.GetRounding(), describe);
+      singles.Add(std::abs(inSingle[k] - expected) / size, 2e-5 + setting.GetRounding(), describe);
     }
   }
   const bool ok = doubles.Report() & singles.Report();

@@ -89,7 +89,8 @@ void TestClouds()
   scene.Compare("cloud, lamp inside", Median, P99);
   // Rays go on in one channel behind where another is dark.
   scene.Medium->SetScattering(0.3, 3.0, 40.0);
-  scene.Compare("cloud, blue light gone soon", 5e-3, 5e-2); // the grid is coarse there, by its bound
+  scene.Compare(
+    "cloud, blue light gone soon", 5e-3, 5e-2); // the grid is coarse there, by its bound
   scene.Medium->SetScattering(0.3, 0.4, 0.5);
   scene.Pass->SetShadowTechniqueToShadowMap();
   // What maps of shadows miss is not in the bound: airlight only.

@@ -256,9 +256,10 @@ int main(int argc, char* argv[])
   Options options;
   if (!Parse(argc, argv, options))
   {
-    std::cerr << "usage: " << argv[0]
-              << " [--verbose] [--faults] [--scenes N] [--first SEED] [--step K] [--each N] [--parts MASK] "
-                 "[--triangles MASK] [--print BUFFER] [--list FILE] [--open FILE]\n";
+    std::cerr
+      << "usage: " << argv[0]
+      << " [--verbose] [--faults] [--scenes N] [--first SEED] [--step K] [--each N] [--parts MASK] "
+         "[--triangles MASK] [--print BUFFER] [--list FILE] [--open FILE]\n";
     return EXIT_FAILURE;
   }
   airlighttest::Scene scene(Width, Height);

@@ -233,15 +233,20 @@ bool SceneComparison::IsMediumRight(vtkIdType pixel)
 }
 
 //------------------------------------------------------------------------------
-// Whether the surface that VTK has drawn is no brighter than what is there without shadows: around the
-// pixel, and behind the first surfaces.
+// Whether the surface that VTK has drawn is no brighter than others without shadows: those around the
+// pixel, in triangles that come near to its middle, and behind these.
 bool SceneComparison::IsShadingPossible(vtkIdType pixel)
 {
   constexpr int layers = 4;
   glm::dvec3 brightest(0.0);
+  const glm::dvec2 middle = this->GetMiddle(pixel);
+  std::vector<glm::dvec2> places = this->Triangles->FindPlaces(middle, EdgePixels);
   for (int i = 0; i < 9; ++i)
   {
-    const glm::dvec2 place = this->GetMiddle(pixel) + glm::dvec2(i % 3 - 1, i / 3 - 1);
+    places.push_back(middle + glm::dvec2(i % 3 - 1, i / 3 - 1));
+  }
+  for (const glm::dvec2& place : places)
+  {
     airlight::ReferenceChange change;
     for (int layer = 0; layer < layers; ++layer)
     {
