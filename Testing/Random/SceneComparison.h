@@ -24,7 +24,7 @@
  * than the reference sees: a rasteriser that draws the triangle beside itself follows its plane, normals
  * and colours beyond the border, far beyond, if it is a sliver, and in another order of depth, where two
  * triangles meet in a fold; one that leaves it out shows what is behind. Then the surface is VTK's, no
- * brighter than the brightest near the pixel, and
+ * brighter than a white one that faces all lights there, and
  * the medium before it has to be right, for the depth that was drawn: airlight, transmittance and lit
  * length, and the radiance with the surface as it was drawn. The same holds where d is more than a
  * thousandth of the depth: VTK places such surfaces by chance. All others are

@@ -8,6 +8,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkPropCollection.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -233,36 +234,31 @@ bool SceneComparison::IsMediumRight(vtkIdType pixel)
 }
 
 //------------------------------------------------------------------------------
-// Whether the surface that VTK has drawn is no brighter than others without shadows: those around the
-// pixel, in triangles that come near to its middle, and behind these.
+// Whether the surface that VTK has drawn is no brighter than a white one that faces all lights there, through
+// what the medium leaves of it. More cannot be said of slivers: single precision turns their normals.
 bool SceneComparison::IsShadingPossible(vtkIdType pixel)
 {
-  constexpr int layers = 4;
-  glm::dvec3 brightest(0.0);
   const glm::dvec2 middle = this->GetMiddle(pixel);
-  std::vector<glm::dvec2> places = this->Triangles->FindPlaces(middle, EdgePixels);
-  for (int i = 0; i < 9; ++i)
+  const airlighttest::Ray ray = this->Scene.GetRay(middle.x, middle.y);
+  const glm::dvec3 point = ray.Origin + this->GetDrawn(DEPTH, pixel) * ray.Direction;
+  glm::dvec3 white(0.0);
+  vtkCollectionSimpleIterator it = nullptr;
+  vtkLightCollection* lights = this->Scene.Renderer->GetLights();
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
   {
-    places.push_back(middle + glm::dvec2(i % 3 - 1, i / 3 - 1));
-  }
-  for (const glm::dvec2& place : places)
-  {
-    airlight::ReferenceChange change;
-    for (int layer = 0; layer < layers; ++layer)
-    {
-      const airlight::ReferencePixel found = this->TraceUnshadowed(place, change);
-      brightest = glm::max(brightest, found.Surface);
-      if (found.Depth < 0.0)
-      {
-        break;
-      }
-      change.After = found.Depth * (1.0 + 1e-12);
-    }
+    glm::dvec3 position;
+    light->GetTransformedPosition(&position.x);
+    const double r = glm::length(point - position);
+    const double* fall = light->GetAttenuationValues();
+    const double share = light->GetPositional() ? fall[0] + r * (fall[1] + r * fall[2]) : 1.0;
+    white += glm::make_vec3(light->GetDiffuseColor()) * light->GetIntensity() / share;
   }
   for (int c = 0; c < 3; ++c)
   {
-    const double room = Tolerance * std::max(brightest[c], this->Buffers[SURFACE].Floor);
-    if (!(this->GetDrawn(SURFACE, pixel, c) <= brightest[c] + room))
+    const double room = Tolerance * std::max(white[c], this->Buffers[SURFACE].Floor);
+    const double most = this->GetDrawn(TRANSMITTANCE, pixel, c) * white[c] + room;
+    if (!(this->GetDrawn(SURFACE, pixel, c) <= most))
     {
       return false;
     }
