@@ -6,7 +6,7 @@
 //   AirlightRandomScenes --scenes N --first SEED     N scenes from this seed on
 //   --open FILE                                      scenes whose seeds are in the file are known to
 //                                                    fail, in the number of pixels behind the seed. They may
-//                                                    not fail in more
+//                                                    not fail in more. Without other seeds these are drawn
 //   --each N                                         the first N of each 50 seeds, which are a group
 //   --step K                                         every K-th seed of them: more kinds, as many scenes
 //   AirlightRandomScenes --list FILE                 those whose seeds are in the file
@@ -99,6 +99,7 @@ bool Parse(int argc, char* argv[], Options& options)
   std::uint64_t count = 0;
   std::uint64_t step = 1;
   std::uint64_t each = GroupSize;
+  std::vector<std::uint64_t> openSeeds;
   for (int i = 1; i < argc; ++i)
   {
     const std::string name = argv[i];
@@ -159,6 +160,11 @@ bool Parse(int argc, char* argv[], Options& options)
       options.Seeds.push_back(seed);
     }
   }
+  for (auto it = options.Open.begin(); options.Seeds.empty() && it != options.Open.end(); ++it)
+  {
+    openSeeds.push_back(it->first);
+  }
+  options.Seeds.insert(options.Seeds.end(), openSeeds.begin(), openSeeds.end());
   return !options.Seeds.empty();
 }
 
@@ -233,6 +239,11 @@ struct Totals
 
   void Report()
   {
+    if (this->Medians.empty())
+    {
+      std::cout << "only scenes that are known to fail\n";
+      return;
+    }
     std::sort(this->Medians.begin(), this->Medians.end());
     std::cout << this->Medians.size() << " scenes, " << this->Pixels << " pixels, " << this->Wrong
               << " at edges or wrong, " << this->Rounded << " of them by rounding, "
