@@ -89,6 +89,7 @@ void FrameScene::AddLights(Random& random)
       default:
         light->SetLightTypeToSceneLight();
     }
+    this->Pass->SetLightScatters(light, true); // those that are fixed to the camera, too
     this->PlaceLight(light, kind, random);
     if (kind == FRAME_PHOTOMETRIC)
     {
