@@ -196,7 +196,7 @@ void FrameScene::ChangeView(Random& random)
 //------------------------------------------------------------------------------
 FrameWindowEvent FrameScene::Change(int step)
 {
-  Random random(MixSeeds(100 + static_cast<std::uint64_t>(step), this->Seed));
+  Random random(Mix(100 + static_cast<std::uint64_t>(step), this->Seed));
   this->Note("step ", step);
   const int count = 1 + random.Index(2);
   for (int i = 0; i < count; ++i)

@@ -13,14 +13,6 @@
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
-std::uint64_t MixSeeds(std::uint64_t a, std::uint64_t b)
-{
-  std::uint64_t x = a * 0x9e3779b97f4a7c15u + b * 0xbf58476d1ce4e5b9u + 0x94d049bb133111ebu;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  return x ^ (x >> 31);
-}
-
-//------------------------------------------------------------------------------
 const char* GetFrameLightName(int kind)
 {
   static const char* const names[] = { "point", "spot", "soft spot", "attenuated", "sun",
@@ -49,7 +41,7 @@ auto TakeInTurn(const Values& values, std::uint64_t turn, std::uint64_t salt)
 {
   Values deck = values;
   const size_t n = deck.size();
-  Random random(MixSeeds(salt, turn / n));
+  Random random(Mix(salt, turn / n));
   for (size_t i = n - 1; i > 0; --i)
   {
     std::swap(deck[i], deck[static_cast<size_t>(random.Index(static_cast<int>(i) + 1))]);
@@ -110,7 +102,7 @@ FrameGroup::FrameGroup(std::uint64_t number)
   , Fxaa(OneOf(10, number, 10))
   , Layered(OneOf(9, number, 18))
 {
-  Random random(MixSeeds(11, number));
+  Random random(Mix(11, number));
   const bool image = this->Density == Medium::IMAGE; // which must be the only medium
   const int media = image ? 1 : TakeInTurn(MediumCounts, number, 12);
   for (int i = 0; i < media; ++i)

@@ -8,6 +8,8 @@
 #ifndef FrameGroup_h
 #define FrameGroup_h
 
+#include "RandomSeeds.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -97,9 +99,6 @@ struct FrameGroup
 
   std::string Describe() const;
 };
-
-// A seed of two numbers.
-std::uint64_t MixSeeds(std::uint64_t a, std::uint64_t b);
 
 const char* GetFrameLightName(int kind);
 const char* GetFramePartName(int kind);

@@ -22,7 +22,7 @@ FrameScene::FrameScene(std::uint64_t seed, const std::string& photometry)
   , Group(seed / FrameGroupSize)
   , Photometry(photometry)
 {
-  Random random(MixSeeds(21, seed));
+  Random random(Mix(21, seed));
   this->Steps = 1 + random.Index(4);
   // The whole scene is as large as a grain of sand or a country.
   this->Unit = random.Index(2) ? 1.0 : random.LogUniform(1e-3, 1e5);

@@ -39,35 +39,6 @@ struct Options
   bool Verbose = false;
 };
 
-// Numbers, one a line; what follows # is not read.
-bool ReadSeeds(const std::string& file, std::vector<std::uint64_t>& seeds)
-{
-  std::ifstream stream(file);
-  std::string line;
-  while (std::getline(stream, line))
-  {
-    std::istringstream words(line.substr(0, line.find('#')));
-    std::uint64_t seed = 0;
-    while (words >> seed)
-    {
-      seeds.push_back(seed);
-    }
-  }
-  return stream.eof();
-}
-
-// A seed and how many problems it has, one a line.
-bool ReadOpen(const std::string& file, std::map<std::uint64_t, size_t>& open)
-{
-  std::vector<std::uint64_t> numbers;
-  const bool ok = ReadSeeds(file, numbers) && numbers.size() % 2 == 0;
-  for (size_t i = 0; i + 1 < numbers.size(); i += 2)
-  {
-    open[numbers[i]] = static_cast<size_t>(numbers[i + 1]);
-  }
-  return ok;
-}
-
 bool Parse(int argc, char* argv[], Options& options)
 {
   for (int i = 1; i < argc; ++i)

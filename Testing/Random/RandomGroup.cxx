@@ -12,14 +12,6 @@
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
-std::uint64_t Mix(std::uint64_t a, std::uint64_t b)
-{
-  std::uint64_t x = a * 0x9e3779b97f4a7c15u + b * 0xbf58476d1ce4e5b9u + 0x94d049bb133111ebu;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  return x ^ (x >> 31);
-}
-
-//------------------------------------------------------------------------------
 const char* GetLightName(int kind)
 {
   static const char* const names[] = { "point", "spot", "soft spot", "attenuated", "sun",

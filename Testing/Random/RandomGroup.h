@@ -10,6 +10,8 @@
 #ifndef RandomGroup_h
 #define RandomGroup_h
 
+#include "RandomSeeds.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -47,9 +49,6 @@ struct RandomGroup
 
   std::string Describe() const;
 };
-
-// A seed of two numbers.
-std::uint64_t Mix(std::uint64_t a, std::uint64_t b);
 
 const char* GetLightName(int kind);
 }

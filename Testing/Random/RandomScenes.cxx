@@ -23,6 +23,7 @@
 #include "AirlightTestErrors.h"
 #include "FaultInjection.h"
 #include "RandomScene.h"
+#include "RandomSeeds.h"
 #include "SceneComparison.h"
 
 #include "vtkActorCollection.h"
@@ -32,7 +33,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <map>
 
 using namespace airlight_test;
@@ -46,52 +46,13 @@ constexpr std::uint64_t All = ~std::uint64_t(0);
 struct Options
 {
   std::vector<std::uint64_t> Seeds;
-  std::map<std::uint64_t, int> Open; // how many pixels of a scene are wrong
+  std::map<std::uint64_t, size_t> Open; // how many pixels of a scene are wrong
   bool Verbose = false;
   bool Faults = false;
   std::uint64_t Parts = All;
   std::uint64_t Triangles = All;
   std::string Printed;
 };
-
-// Numbers, one a line; what follows # is not read.
-bool ReadSeeds(const std::string& file, std::vector<std::uint64_t>& seeds)
-{
-  std::ifstream stream(file);
-  std::string line;
-  while (std::getline(stream, line))
-  {
-    std::istringstream words(line.substr(0, line.find('#')));
-    std::uint64_t seed = 0;
-    while (words >> seed)
-    {
-      seeds.push_back(seed);
-    }
-  }
-  return stream.eof() && !seeds.empty();
-}
-
-// A seed and a number of pixels a line.
-bool ReadOpen(const std::string& file, std::map<std::uint64_t, int>& open)
-{
-  std::ifstream stream(file);
-  std::string line;
-  while (std::getline(stream, line))
-  {
-    std::istringstream words(line.substr(0, line.find('#')));
-    std::uint64_t seed = 0;
-    int pixels = 0;
-    if (words >> seed)
-    {
-      if (!(words >> pixels))
-      {
-        return false;
-      }
-      open[seed] = pixels;
-    }
-  }
-  return stream.eof() && !open.empty();
-}
 
 bool Parse(int argc, char* argv[], Options& options)
 {
@@ -130,7 +91,7 @@ bool Parse(int argc, char* argv[], Options& options)
     }
     else if (name == "--open" && hasValue)
     {
-      if (!ReadOpen(argv[++i], options.Open))
+      if (!ReadOpen(argv[++i], options.Open) || options.Open.empty())
       {
         return false;
       }
@@ -147,7 +108,8 @@ bool Parse(int argc, char* argv[], Options& options)
     {
       options.Parts = std::strtoull(argv[++i], nullptr, 0);
     }
-    else if (name != "--list" || !hasValue || !ReadSeeds(argv[++i], options.Seeds))
+    else if (name != "--list" || !hasValue || !ReadSeeds(argv[++i], options.Seeds) ||
+      options.Seeds.empty())
     {
       return false;
     }
@@ -298,7 +260,7 @@ int main(int argc, char* argv[])
     const bool passes = figures.Passes() && quiet;
     const auto known = options.Open.find(seed);
     const bool open = known != options.Open.end() && figures.Improper == 0 && quiet &&
-      figures.Unexplained <= known->second;
+      static_cast<size_t>(figures.Unexplained) <= known->second;
     if (passes && options.Faults)
     {
       faults.Add(comparison, seed);
