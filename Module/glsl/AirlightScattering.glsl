@@ -98,17 +98,20 @@ AIRLIGHT_FN real3 airlightDirectionalHeight(AIRLIGHT_IN(AirlightMedium) medium,
 {
   real m = dot(medium.up, ray.direction);
   real mu = dot(medium.up, light.position);
-  if (mu <= real(0.0))
+  // Light from the horizon or below comes through infinitely much.
+  if (mu <= real(1e-18))
   {
-    // The light comes from below, through infinitely much.
     return real3(real(0.0));
   }
-  real inside = airlightInsideDepth(medium, ray.origin, ray.direction, t0, t1);
-  real before = airlightInsideDepth(medium, ray.origin, ray.direction, ray.range.x, t0) +
-    airlightSunDepth(medium, ray.origin + t0 * ray.direction, light.position);
+  // From the end of lesser depth. The other end's depth less the difference would round to something
+  // below 0 where both are large, and exp() would grow beyond all numbers.
   real slope = real(1.0) - m / mu;
+  real end = slope >= real(0.0) ? t0 : t1;
+  real depth = airlightInsideDepth(medium, ray.origin, ray.direction, ray.range.x, end) +
+    airlightSunDepth(medium, ray.origin + end * ray.direction, light.position);
+  real inside = airlightInsideDepth(medium, ray.origin, ray.direction, t0, t1);
   return medium.sigmaS * airlightPhase(medium.phase, dot(light.position, ray.direction)) *
-    airlightFading3(medium.sigmaT * before, medium.sigmaT * slope, inside);
+    airlightFading3(medium.sigmaT * depth, medium.sigmaT * abs(slope), inside);
 }
 
 // Radiance scattered into the ray on [t0, t1], which lies inside ray.lit; tail0 and tail1 are the

@@ -3,7 +3,8 @@
 //
 // The closed form where it is hard: its special function g(x, y) over nine decades against its
 // Stieltjes integral; a light near the ray and on it, at the camera, at an interval's end; empty,
-// reversed and infinite intervals; clear channels; scenes a million times larger and smaller.
+// reversed and infinite intervals; clear channels; scenes a million times larger and smaller. A low sun
+// over dense height fog.
 
 #include "AirlightTestQuadrature.h"
 #include "AirlightTestTools.h"
@@ -217,6 +218,97 @@ bool TestSpecialCases()
   }
   return AllOk({ &inDouble, &inFloat });
 }
+
+//------------------------------------------------------------------------------
+// The sun over height fog, and a ray of that fog. With D(t) the density's integral over [0, t], H the
+// scale height and mu the sun's rise, the optical depth of view and sun together is
+// tau(t) = sigma (D(t) + rho(t) H/mu), and d tau = sigma (1 - m/mu) rho dt.
+struct LowSun
+{
+  double ScaleHeight;
+  double EyeHeight;
+  double Rise; // m
+  double SunRise;
+  double End;
+  glm::dvec3 Sigma;
+
+  long double Density(long double t) const
+  {
+    return std::exp(-(this->EyeHeight + this->Rise * t) / this->ScaleHeight);
+  }
+
+  // sigma times the integral of rho exp(-tau).
+  double GetExpected(int k) const
+  {
+    const long double rate = this->Rise / this->ScaleHeight;
+    const long double column = this->Density(0.0L) * -std::expm1(-rate * this->End) / rate;
+    const long double above = this->ScaleHeight / this->SunRise;
+    const long double first = this->Sigma[k] * this->Density(0.0L) * above;
+    const long double last = this->Sigma[k] * (column + this->Density(this->End) * above);
+    const long double slope = 1.0L - static_cast<long double>(this->Rise) / this->SunRise;
+    return static_cast<double>(
+      std::exp(-std::min(first, last)) * -std::expm1(-std::abs(first - last)) / std::abs(slope));
+  }
+
+  template <typename Medium, typename Light, typename Ray>
+  void Set(Medium& medium, Light& light, Ray& ray) const
+  {
+    const double level = std::sqrt(1.0 - this->Rise * this->Rise);
+    const double sunLevel = std::sqrt(1.0 - this->SunRise * this->SunRise);
+    medium.sigmaS = this->Sigma;
+    medium.sigmaT = this->Sigma;
+    medium.phase.power = glm::dvec2(1.0, 0.0); // the same in all directions
+    medium.density = AIRLIGHT_DENSITY_HEIGHT;
+    medium.up = glm::dvec3(0.0, 1.0, 0.0);
+    medium.inverseScaleHeight = static_cast<float>(1.0 / this->ScaleHeight);
+    medium.originHeight = static_cast<float>(this->EyeHeight);
+    light.position = glm::dvec3(0.0, this->SunRise, sunLevel);
+    ray.direction = glm::dvec3(level, this->Rise, 0.0);
+    ray.range = glm::dvec2(0.0, this->End);
+  }
+};
+
+bool TestLowSun()
+{
+  Comparison inDouble("low sun over height fog, double precision, relative");
+  Comparison inFloat("low sun over height fog, single precision, relative");
+  Random random(11);
+  for (int i = 0; i < 20000; ++i)
+  {
+    LowSun sun;
+    // Numbers that single precision holds, for one expected value.
+    const auto round = [](double value) { return static_cast<double>(static_cast<float>(value)); };
+    sun.ScaleHeight = 1.0 / round(1.0 / random.LogUniform(1e-3, 1e3));
+    sun.EyeHeight = round(sun.ScaleHeight * random.Uniform(-8.0, 8.0));
+    sun.Rise = round((i % 2 ? 1.0 : -1.0) * random.LogUniform(1e-3, 0.9));
+    sun.SunRise = round(random.LogUniform(1e-4, 0.9));
+    sun.End = round(sun.ScaleHeight * random.LogUniform(1e-2, 1e3));
+    sun.Sigma = glm::dvec3(round(random.LogUniform(1e-4, 1e4) / sun.ScaleHeight), 0.0, 0.0);
+    const auto describe = [&] {
+      return Text("scale height ", sun.ScaleHeight, ", eye at ", sun.EyeHeight, ", rises ",
+        sun.Rise, " and ", sun.SunRise, ", end ", sun.End, ", sigma ", sun.Sigma.x, "; expected ",
+        sun.GetExpected(0));
+    };
+    const double expected = std::max(sun.GetExpected(0), 1e-12);
+    const auto add = [&](const auto& got, double limit, Comparison& comparison) {
+      const double error = std::abs(got.x - sun.GetExpected(0)) / expected;
+      comparison.Add(got.y == 0 && got.z == 0 ? error : inf, limit, describe);
+    };
+    f64::AirlightMedium medium64{};
+    f64::AirlightLight light64{};
+    f64::AirlightRay ray64{};
+    sun.Set(medium64, light64, ray64);
+    add(f64::airlightDirectionalHeight(medium64, light64, ray64, 0.0, sun.End), 3e-12, inDouble);
+    f32::AirlightMedium medium32{};
+    f32::AirlightLight light32{};
+    f32::AirlightRay ray32{};
+    sun.Set(medium32, light32, ray32);
+    add(glm::dvec3(f32::airlightDirectionalHeight(
+          medium32, light32, ray32, 0.0f, static_cast<float>(sun.End))),
+      6e-5, inFloat);
+  }
+  return AllOk({ &inDouble, &inFloat });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -225,5 +317,6 @@ int TestClosedFormLimits(int, char*[])
   bool ok = TestG();
   ok = TestLightOnRay() && ok;
   ok = TestSpecialCases() && ok;
+  ok = TestLowSun() && ok;
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }
