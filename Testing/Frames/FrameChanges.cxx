@@ -11,6 +11,7 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
 #include "vtkPlane.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 
@@ -18,6 +19,15 @@
 
 namespace airlight_test
 {
+namespace
+{
+bool IsEmissive(vtkActor* actor)
+{
+  auto* mapper = vtkPointGaussianMapper::SafeDownCast(actor->GetMapper());
+  return mapper && mapper->GetEmissive();
+}
+}
+
 //------------------------------------------------------------------------------
 // The mesh stays the same object, or is another one.
 void FrameScene::ChangeMesh(FrameItem& item, Random& random)
@@ -83,7 +93,7 @@ void FrameScene::ChangeItem(Random& random)
       this->PlaceItem(item, random);
       break;
     case 2:
-      if (actor)
+      if (actor && !IsEmissive(actor)) // see MakeGaussians()
       {
         const double opacity = actor->GetProperty()->GetOpacity();
         actor->GetProperty()->SetOpacity(opacity < 1.0 ? 1.0 : 0.4);
@@ -234,7 +244,13 @@ FrameWindowEvent FrameScene::Change(int step)
   {
     event = EVENT_RELEASE; // cheaper: the window's shaders stay
   }
-  if (event == EVENT_MOVE_RENDERER || event == EVENT_MOVE_PASS)
+  const bool moves = event == EVENT_MOVE_RENDERER || event == EVENT_MOVE_PASS;
+  if (moves && this->Group.Peeling)
+  {
+    // VTK's depth peeling draws nothing, or anything, after its renderer has moved to another window.
+    event = EVENT_RELEASE;
+  }
+  else if (moves)
   {
     this->Window = 1 - this->Window;
   }
