@@ -22,17 +22,18 @@ if (AIRLIGHT_BUILD_TESTING)
   set(ExternalData_SOURCE_ROOT "${CMAKE_CURRENT_SOURCE_DIR}")
 endif ()
 
+include(CMake/AirlightStageModule.cmake)
+airlight_stage_module(Airlight "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/CMake/AirlightModule.cmake" "${CMAKE_CURRENT_SOURCE_DIR}/Testing")
 vtk_module_scan(
-  MODULE_FILES            "${CMAKE_CURRENT_SOURCE_DIR}/airlight.module"
+  MODULE_FILES            "${AIRLIGHT_MODULES_DIR}/Airlight/vtk.module"
   REQUEST_MODULES         Airlight::Airlight
   PROVIDES_MODULES        modules
   HIDE_MODULES_FROM_CACHE ON
   ENABLE_TESTS            "${enable_tests}")
 
-# vtk_module_build() adds the folder of airlight.module by its path below CMAKE_SOURCE_DIR, which for the
-# root folder would be the project itself. One level up it becomes a sub-folder.
 set(project_source_dir "${CMAKE_SOURCE_DIR}")
-set(CMAKE_SOURCE_DIR "${CMAKE_CURRENT_SOURCE_DIR}/..")
+set(CMAKE_SOURCE_DIR "${AIRLIGHT_MODULES_DIR}")
 vtk_module_build(
   MODULES                    ${modules}
   PACKAGE                    Airlight

@@ -1,8 +1,8 @@
-# What is looked for: VTK, with the modules that airlight.module names, and OpenVDB.
+# What is looked for: VTK, with the modules that vtk.module names, and OpenVDB.
 
-# Puts the lists of airlight.module in the variables <prefix>_DEPENDS, <prefix>_TEST_DEPENDS and so on.
+# Puts the lists of vtk.module in the variables <prefix>_DEPENDS, <prefix>_TEST_DEPENDS and so on.
 function (airlight_read_module prefix)
-  file(STRINGS "${CMAKE_CURRENT_SOURCE_DIR}/airlight.module" words REGEX "^[^#]")
+  file(STRINGS "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module" words REGEX "^[^#]")
   string(REGEX MATCHALL "[^ ;]+" words "${words}")
   set(lists DEPENDS PRIVATE_DEPENDS OPTIONAL_DEPENDS TEST_DEPENDS)
   cmake_parse_arguments(read "" "NAME;LIBRARY_NAME" "DESCRIPTION;TEST_LABELS;${lists}" ${words})
@@ -18,7 +18,6 @@ if (NOT DEFINED Python3_EXECUTABLE AND NOT DEFINED VTK_DIR AND EXISTS "/usr/bin/
 endif ()
 
 airlight_read_module(airlight)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS airlight.module)
 set(components ${airlight_DEPENDS} ${airlight_PRIVATE_DEPENDS})
 if (AIRLIGHT_BUILD_TESTING)
   list(APPEND components ${airlight_TEST_DEPENDS})

@@ -1,4 +1,6 @@
-# The VTK module, from the lists at the top of the root CMakeLists.txt.
+# The VTK module. VTK reads this through the root CMakeLists.txt where Airlight is its remote module, the
+# project through a folder that AirlightStageModule.cmake makes.
+include("${CMAKE_CURRENT_LIST_DIR}/AirlightSources.cmake")
 
 # Libraries of headers, for our own sources only.
 find_path(AIRLIGHT_GLM_INCLUDE_DIR glm/glm.hpp)
@@ -23,15 +25,16 @@ endforeach ()
 
 vtk_module_add_module("${_vtk_build_module}"
   CLASSES         ${classes}
+  PRIVATE_CLASSES ${private_classes}
   SOURCES         ${private_sources}
   PRIVATE_HEADERS ${private_headers})
 
 foreach (folder IN ITEMS Module Filters Rendering)
   vtk_module_include("${_vtk_build_module}"
-    PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
+    PUBLIC "$<BUILD_INTERFACE:${airlight_root}/${folder}>")
 endforeach ()
 vtk_module_include("${_vtk_build_module}"
-  PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Module/glsl")
+  PRIVATE "${airlight_root}/Module/glsl")
 vtk_module_include("${_vtk_build_module}" SYSTEM
   PRIVATE "${AIRLIGHT_GLM_INCLUDE_DIR}" "${AIRLIGHT_EIGEN_INCLUDE_DIR}")
 
@@ -49,7 +52,7 @@ if (AIRLIGHT_COVERAGE)
     PRIVATE --coverage)
 endif ()
 if (TARGET OpenVDB::openvdb)
-  airlight_includes_openvdb(Filters/AirlightOpenVDBFile.cxx)
+  airlight_includes_openvdb("${airlight_root}/Filters/OpenVDB/AirlightOpenVDBFile.cxx")
   vtk_module_link("${_vtk_build_module}"
     PRIVATE OpenVDB::openvdb)
 endif ()

@@ -5,9 +5,11 @@ find_program(AIRLIGHT_DOXYGEN doxygen)
 mark_as_advanced(AIRLIGHT_DOXYGEN)
 
 set(AIRLIGHT_REFERENCE_DIR "${CMAKE_BINARY_DIR}/reference")
-set(headers "${classes}" Filters/vtkOpenVDBDensityReader) # whether it is built or not
-list(TRANSFORM headers PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
-list(TRANSFORM headers APPEND ".h")
+include(CMake/AirlightSources.cmake)
+set(documented_classes ${classes}
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/vtkOpenVDBDensityReader") # whether it is built or not
+list(REMOVE_DUPLICATES documented_classes)
+list(TRANSFORM documented_classes APPEND ".h" OUTPUT_VARIABLE headers)
 list(APPEND headers "${CMAKE_CURRENT_SOURCE_DIR}/Documentation/doxygen/mainpage.md")
 list(TRANSFORM headers REPLACE "(.+)" "\"\\1\"")
 list(JOIN headers " " AIRLIGHT_REFERENCE_INPUT)
@@ -16,7 +18,7 @@ configure_file(Documentation/doxygen/Doxyfile.in "${AIRLIGHT_REFERENCE_DIR}/Doxy
 set(make_reference "${CMAKE_COMMAND}"
   "-DDOXYGEN=${AIRLIGHT_DOXYGEN}"
   "-DFOLDER=${AIRLIGHT_REFERENCE_DIR}"
-  "-DCLASSES=${classes};Filters/vtkOpenVDBDensityReader"
+  "-DCLASSES=${documented_classes}"
   -P "${CMAKE_CURRENT_SOURCE_DIR}/CMake/AirlightMakeReference.cmake")
 add_custom_target(doc
   COMMAND ${make_reference}

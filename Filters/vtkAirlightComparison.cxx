@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlightComparison.h"
 
-#include "AirlightImageMetrics.h"
+#include "Comparison/AirlightImageMetrics.h"
 
 #include "vtkDataArray.h"
 #include "vtkDemandDrivenPipeline.h"

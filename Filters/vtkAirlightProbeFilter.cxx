@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlightProbeFilter.h"
 
-#include "AirlightFilterInput.h"
-#include "AirlightProbe.h"
+#include "RayProbes/AirlightFilterInput.h"
+#include "RayProbes/AirlightProbe.h"
 #include "vtkParticipatingMedium.h"
 
 #include "vtkDataSet.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlightReference.h"
 
-#include "AirlightMediaMethods.h"
-#include "vtkAirlightReferenceInternals.h"
+#include "Medium/AirlightMediaMethods.h"
+#include "Reference/vtkAirlightReferenceInternals.h"
 #include "vtkCamera.h"
 #include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"

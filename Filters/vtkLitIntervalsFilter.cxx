@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLitIntervalsFilter.h"
 
-#include "AirlightFilterInput.h"
-#include "AirlightLitLinesOutput.h"
+#include "RayProbes/AirlightFilterInput.h"
+#include "RayProbes/AirlightLitLinesOutput.h"
 #include "vtkParticipatingMedium.h"
 
 #include "vtkInformation.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenVDBDensityReader.h"
 
-#include "AirlightDensityImage.h"
+#include "OpenVDB/AirlightDensityImage.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowPlanesFilter.h"
 
-#include "AirlightAbort.h"
-#include "AirlightConvert.h"
-#include "AirlightShadowPieces.h"
+#include "Medium/AirlightConvert.h"
+#include "Scene/AirlightAbort.h"
+#include "Silhouette/AirlightShadowPieces.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSilhouetteEdgesFilter.h"
 
-#include "AirlightAbort.h"
-#include "AirlightConvert.h"
-#include "AirlightMeshCache.h"
-#include "AirlightShadowPieces.h"
-#include "AirlightSilhouette.h"
+#include "Medium/AirlightConvert.h"
+#include "Scene/AirlightAbort.h"
+#include "Silhouette/AirlightMeshCache.h"
+#include "Silhouette/AirlightShadowPieces.h"
+#include "Silhouette/AirlightSilhouette.h"
 
 #include "vtkCommand.h"
 #include "vtkInformation.h"

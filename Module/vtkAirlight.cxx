@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlight.h"
 
-#include "AirlightConvert.h"
-#include "AirlightIntegrate.h"
+#include "Integration/AirlightIntegrate.h"
+#include "Medium/AirlightConvert.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticipatingMedium.h"
 
-#include "AirlightPhaseFunctions.h"
+#include "Phase/AirlightPhaseFunctions.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlightPass.h"
 
-#include "AirlightMediaMethods.h"
-#include "vtkAirlightPassInternals.h"
+#include "Medium/AirlightMediaMethods.h"
+#include "Pass/vtkAirlightPassInternals.h"
 
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkHardwareSelector.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlightPolyDataMapper.h"
 
-#include "AirlightMatrix.h"
-#include "AirlightMediaMethods.h"
+#include "Integration/AirlightMatrix.h"
+#include "MapperShaders/vtkAirlightPolyDataMapperInternals.h"
+#include "Medium/AirlightMediaMethods.h"
 #include "vtkAirlightPass.h"
-#include "vtkAirlightPolyDataMapperInternals.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"

@@ -80,11 +80,13 @@ update_clone()
 # build_for TESTS: builds what the tests run, and no more. The log has its output.
 build_for()
 {
-  local target=vtkAirlightCxxTests name
+  local targets=() folder name
   for name in ${1//|/ }; do
-    [[ -e $root/Testing/Cxx/$name.cxx ]] || target=all
+    folder=$(cd "$root/Testing/Cxx" && find . -name "$name.cxx" -printf '%h')
+    targets+=("${folder:+vtkAirlight${folder#./}CxxTests}")
   done
-  cmake --build "$build" --parallel "$jobs" --target "$target" > "$log" 2>&1 || return 1
+  mapfile -t targets < <(printf '%s\n' "${targets[@]}" | sed 's/^$/all/' | sort -u)
+  cmake --build "$build" --parallel "$jobs" --target "${targets[@]}" > "$log" 2>&1 || return 1
   if [[ $1 == *ParaView* ]]; then
     "$root/Utilities/paraview-test.sh" --build >> "$log" 2>&1 || (($? == 125)) || return 1
   fi

@@ -81,7 +81,7 @@ check_cpp()
   cppcheck --std=c++17 --language=c++ --enable=warning,style,performance,portability --quiet \
     --inline-suppr --suppress=useStlAlgorithm --library=Utilities/cppcheck.cfg -j "$jobs" \
     --error-exitcode=1 --template='{file}:{line}: {severity}: {message} [{id}]' \
-    -I Module -I Filters -I Rendering -I Testing/Cxx -I Testing/Benchmark -I Examples/Cxx \
+    -I Module -I Filters -I Rendering -I Testing/Support -I Testing/Benchmark -I Examples/airlight \
     "${sources[@]}" || findings=1
 }
 

@@ -9,12 +9,12 @@
  *   AnimatedFog figure1.json --live
  */
 
-#include "FogAnimation.h"
-#include "ModelScene.h"
-#include "OptionText.h"
-#include "Picture.h"
-#include "Program.h"
-#include "UserError.h"
+#include "commands/OptionText.h"
+#include "commands/Program.h"
+#include "formats/Picture.h"
+#include "formats/UserError.h"
+#include "scene/FogAnimation.h"
+#include "scene/ModelScene.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>

@@ -15,7 +15,7 @@
 // "cpu" counters are medians of the processor's time, of all threads, which other programs on the
 // machine disturb less: without threads (Sequential) they are what a quiet machine would take.
 
-#include "AirlightSilhouette.h"
+#include "Silhouette/AirlightSilhouette.h"
 #include "vtkCellArray.h"
 #include "vtkFeatureEdges.h"
 #include "vtkNew.h"

@@ -5,8 +5,8 @@
 
 #include "AirlightFuzz.h"
 
-#include "MediumFile.h"
-#include "UserError.h"
+#include "formats/UserError.h"
+#include "scene/MediumFile.h"
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
 

@@ -5,7 +5,7 @@
 
 #include "AirlightFuzz.h"
 
-#include "AirlightPhotometry.h"
+#include "Photometry/AirlightPhotometry.h"
 
 using namespace airlight_fuzz;
 

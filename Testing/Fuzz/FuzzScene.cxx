@@ -6,8 +6,8 @@
 
 #include "AirlightFuzz.h"
 
-#include "SceneReader.h"
-#include "UserError.h"
+#include "formats/UserError.h"
+#include "scene/SceneReader.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LoadTools.h"
 
-#include "AirlightOpenGL.h"
+#include "OpenGL/AirlightOpenGL.h"
 
 #include <fstream>
 #include <iomanip>

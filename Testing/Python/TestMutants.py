@@ -13,8 +13,8 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "Testing" / "Mutants"
 LEAST = 48
-LAYERS = ("Module", "Module/glsl", "Filters", "Rendering", "Rendering/glsl", "ParaView/*",
-          "Examples/Cxx", "Wrapping/*")
+LAYERS = ("Module/[A-Z]*", "Module/glsl/*", "Filters/*", "Rendering/*", "Rendering/*/glsl",
+          "ParaView/*", "Examples/airlight/*", "Wrapping/*")
 
 
 class Patch:
@@ -58,7 +58,8 @@ def has_test(name):
     if kind == "RandomScenes":
         return True
     return any((ROOT / folder / script).with_suffix(suffix).exists() for folder, suffix in (
-        ("Testing/Cxx", ".cxx"), ("Testing/Faults", ".cxx"), ("Testing/Python", ".py"),
+        ("Testing/Cxx/Module", ".cxx"), ("Testing/Cxx/Filters", ".cxx"),
+        ("Testing/Cxx/Rendering", ".cxx"), ("Testing/Faults", ".cxx"), ("Testing/Python", ".py"),
         ("ParaView/Testing", ".py")))
 
 

@@ -45,7 +45,7 @@
 #include "AirlightTestScene.h"
 #include "ScreenTriangles.h"
 
-#include "AirlightReferenceTracer.h"
+#include "Reference/AirlightReferenceTracer.h"
 #include "vtkPointData.h"
 
 #include <iosfwd>

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/LightOptions.h"
+
+#include "commands/LightText.h"
+#include "formats/UserError.h"
+
+namespace airlight
+{
+
+namespace
+{
+// Change the lamp before the option, or add one.
+void Apply(const std::string& option, const std::string& text, std::vector<LightSource>& lights)
+{
+  if (option == "--point")
+  {
+    lights.push_back(ParsePoint(option, text));
+  }
+  else if (option == "--spot")
+  {
+    lights.push_back(ParseSpot(option, text));
+  }
+  else if (option == "--sun")
+  {
+    lights.push_back(ParseSun(option, text));
+  }
+  else if (lights.empty() || lights.back().Type == LightSource::Kind::Directional)
+  {
+    throw UserError(option + " '" + text + "': expected behind the --point or --spot it is for");
+  }
+  else if (option == "--ies")
+  {
+    ParsePhotometry(option, text, lights.back());
+  }
+  else if (option == "--ies-aim")
+  {
+    ParsePhotometryAim(option, text, lights.back());
+  }
+  else if (option == "--ies-up")
+  {
+    ParsePhotometryUp(option, text, lights.back());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+CLI::Option* LightOptions::Add(const char* name, const char* help)
+{
+  return this->Command->add_option(name, this->Texts[name], help)
+    ->take_all()
+    ->allow_extra_args(false);
+}
+
+//------------------------------------------------------------------------------
+void LightOptions::AddTo(CLI::App* command)
+{
+  this->Command = command;
+  this->Add("--point",
+    "x,y,z:I: a point lamp, in place of the scene's lamps; I is its radiant intensity in W/sr, a "
+    "number or r,g,b. Repeat it for more lamps");
+  this->Add("--spot",
+    "x,y,z:tx,ty,tz:ANGLE:I[:EXPONENT]: a spot at x,y,z that aims at tx,ty,tz, in place of the "
+    "scene's lamps. ANGLE is the half angle of its cone in degrees, above 0 and below 90; I is the "
+    "radiant intensity on its axis in W/sr, a number or r,g,b; off the axis it falls with the "
+    "cosine to the power of EXPONENT, 0 to 128 (default 0: even up to a hard edge). Repeat it for "
+    "more");
+  this->Add("--sun",
+    "dx,dy,dz:E: a sun that stands in the direction dx,dy,dz, in place of the scene's lamps; E is "
+    "the irradiance in W/m^2 of a surface that faces it, a number or r,g,b. Repeat it for more");
+  this->PassOptions = {
+    this->Add("--ies",
+      "FILE: the --point or --spot before it shines as this photometric file (IES LM-63) says, "
+      "with "
+      "I in its brightest direction"),
+    this->Add("--ies-aim",
+      "tx,ty,tz: the point that the axis of the --point with --ies before it aims at (default: "
+      "below the lamp, along 0,-1,0)"),
+    this->Add("--ies-up",
+      "ux,uy,uz: the direction of the file's horizontal angle 0 (type C) or vertical angle 90 "
+      "(types A and B) for the lamp with --ies before it (default 0,1,0, or 0,0,1 where that lies "
+      "along the axis)"),
+  };
+}
+
+//------------------------------------------------------------------------------
+std::vector<LightSource> LightOptions::Read() const
+{
+  std::vector<LightSource> lights;
+  std::map<std::string, std::size_t> used;
+  for (const CLI::Option* option : this->Command->parse_order())
+  {
+    const auto texts = this->Texts.find(option->get_name());
+    if (texts != this->Texts.end())
+    {
+      Apply(texts->first, texts->second.at(used[texts->first]++), lights);
+    }
+  }
+  return lights;
+}
+
+}

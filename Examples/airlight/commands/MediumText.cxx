@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/MediumText.h"
+
+#include "commands/OptionNumbers.h"
+#include "scene/PhaseName.h"
+#include "scene/Scene.h"
+
+#include <vtkParticipatingMedium.h>
+
+#include <vector>
+
+namespace airlight
+{
+
+//------------------------------------------------------------------------------
+void ParsePhase(const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
+{
+  const std::vector<std::string> parts = SplitText(text, ':');
+  const PhaseName* phase = FindPhaseName(parts[0]);
+  if (!phase)
+  {
+    FailOption(option, text, "one of " + ListPhaseNames() + "; for a table, use --phase-table");
+  }
+  if (!phase->Parameter && parts.size() != 1)
+  {
+    FailOption(option, text, parts[0] + " alone: it has no parameter");
+  }
+  double anisotropy = 0.0;
+  if (phase->Parameter &&
+    (parts.size() != 2 || !GetNumber(parts[1], anisotropy) ||
+      !IsInRange({ anisotropy }, -MaximumAnisotropy, MaximumAnisotropy)))
+  {
+    FailOption(option, text,
+      parts[0] + ":" + phase->Parameter + " with a number of -0.99 to 0.99 for " +
+        phase->Parameter);
+  }
+  SetPhase(medium, *phase, anisotropy);
+}
+
+//------------------------------------------------------------------------------
+void ParseBox(const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
+{
+  const std::vector<double> bounds = GetNumbers(text);
+  if (bounds.size() != 6 || !IsInRange(bounds, -LargestNumber, LargestNumber) ||
+    bounds[0] > bounds[1] || bounds[2] > bounds[3] || bounds[4] > bounds[5])
+  {
+    FailOption(option, text,
+      "xmin,xmax,ymin,ymax,zmin,zmax from -1e30 to 1e30, each minimum at most its maximum");
+  }
+  medium->SetRegionToBox();
+  medium->SetBounds(bounds.data());
+}
+
+//------------------------------------------------------------------------------
+void ParseSphere(const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
+{
+  const std::vector<std::string> parts = SplitText(text, ':');
+  Vector3 center;
+  double radius = 0.0;
+  if (parts.size() != 2 || !GetVector(parts[0], center) || !GetNumber(parts[1], radius) ||
+    radius < 0.0 || radius > LargestNumber)
+  {
+    FailOption(option, text, "x,y,z:R with a radius of 0 to 1e30");
+  }
+  medium->SetRegionToSphere();
+  medium->SetCenter(center.data());
+  medium->SetRadius(radius);
+}
+
+//------------------------------------------------------------------------------
+void ParseHeightFog(
+  const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
+{
+  const std::vector<std::string> parts = SplitText(text, ':');
+  double reference = 0.0;
+  double scale = 0.0;
+  Vector3 up = { 0.0, 1.0, 0.0 };
+  if (parts.size() < 2 || parts.size() > 3 || !GetNumber(parts[0], reference) ||
+    !IsInRange({ reference }, -LargestNumber, LargestNumber) || !GetNumber(parts[1], scale) ||
+    !IsInRange({ scale }, SmallestScaleHeight, LargestNumber) ||
+    (parts.size() == 3 && !GetDirection(parts[2], up)))
+  {
+    FailOption(option, text,
+      "REFERENCE:SCALE or REFERENCE:SCALE:ux,uy,uz with a scale height of 1e-30 to 1e30 and a "
+      "direction up "
+      "other than 0");
+  }
+  medium->SetDensityToExponentialHeight();
+  medium->SetReferenceHeight(reference);
+  medium->SetScaleHeight(scale);
+  medium->SetUp(up.data());
+}
+
+}

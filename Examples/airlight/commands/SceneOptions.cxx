@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/SceneOptions.h"
+
+#include "commands/MediumText.h"
+#include "commands/OptionText.h"
+#include "formats/ModelReader.h"
+#include "formats/UserError.h"
+#include "scene/MediumFile.h"
+#include "scene/ModelScene.h"
+#include "scene/PhaseName.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace airlight
+{
+
+namespace
+{
+constexpr double Largest = std::numeric_limits<double>::max();
+constexpr double Smallest = std::numeric_limits<double>::min();
+
+const char* const Description = R"(Lengths are in world units, colours linear.
+A model stands on its own: its camera looks along -z and sees all of it; a point lamp hangs above,
+to the left and in front; the medium is unbounded, isotropic and purely scattering, with a
+visibility of 10 times the diagonal of the box around the model. The options change all of that.
+Over a scene file, --point, --spot and --sun replace all of its lamps and add up with each other,
+and the --ies options change the lamp before them on the command line; any other option replaces
+what it names and leaves the rest as the file has it.)";
+
+// An option with one value, which leaves the words after it to others.
+CLI::Option* AddText(
+  CLI::App* command, const char* name, std::vector<std::string>& texts, const char* help)
+{
+  return command->add_option(name, texts, help)->expected(1)->allow_extra_args(false);
+}
+
+const std::map<std::string, int> Techniques = {
+  { "Automatic", vtkAirlightPass::AUTOMATIC },
+  { "ShadowPlanes", vtkAirlightPass::SHADOW_PLANES },
+  { "ShadowMap", vtkAirlightPass::SHADOW_MAP },
+  { "RayMarch", vtkAirlightPass::RAY_MARCH },
+  { "None", vtkAirlightPass::NONE },
+};
+
+std::vector<std::string> GetTechniqueNames()
+{
+  std::vector<std::string> names;
+  names.reserve(Techniques.size());
+  for (const auto& technique : Techniques)
+  {
+    names.push_back(technique.first);
+  }
+  return names;
+}
+
+// To what is wrong with a file, add the option that names it.
+template <typename Task>
+void UseFile(const char* option, const std::string& file, const Task& task)
+{
+  try
+  {
+    task(file);
+  }
+  catch (const UserError& error)
+  {
+    throw UserError(std::string(option) + " " + error.what());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+const std::string& GetTechniqueName(int technique)
+{
+  return std::find_if(Techniques.begin(), Techniques.end(), [technique](const auto& entry) {
+    return entry.second == technique;
+  })->first;
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::AddTo(CLI::App* command)
+{
+  command->footer(Description);
+  command
+    ->add_option("SCENE", this->FileName,
+      "Scene (.json) or model (.gltf .glb .obj .ply .stl .vtp .vtk .vtu .wrl .3ds)")
+    ->required();
+  AddText(command, "--size", this->Size, "Size of the picture, WxH pixels");
+  AddText(command, "--camera", this->Camera,
+    "px,py,pz:fx,fy,fz[:angle]: position, point looked at, vertical view angle in degrees");
+  this->Lights.AddTo(command);
+  this->AddMediumOptions(command);
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::AddMediumOptions(CLI::App* command)
+{
+  std::vector<CLI::Option*> options = this->Lights.GetPassOptions();
+  const auto add = [command, &options](const char* name, Text& text, const char* help) {
+    options.push_back(AddText(command, name, text, help));
+  };
+  add("--scattering", this->Scattering, "r,g,b: scattering coefficient per world unit");
+  add("--absorption", this->Absorption, "r,g,b: absorption coefficient per world unit");
+  add("--visibility", this->Visibility,
+    "Distance in world units at which a black object's contrast falls to 2 %; scales the "
+    "coefficients");
+  this->AddPhaseOptions(command, options);
+  add("--ambient", this->Ambient,
+    "r,g,b: ambient radiance in W/(m^2 sr) that the medium scatters (default 0,0,0)");
+  this->AddRegionOptions(command, options);
+  add("--height-fog", this->HeightFog,
+    "REFERENCE:SCALE[:ux,uy,uz]: the medium thins out with height and has its coefficients at the "
+    "height REFERENCE, 1/e of them SCALE above it; heights are along ux,uy,uz from the origin "
+    "(default 0,1,0)");
+  options.push_back(command->add_flag("--glow", this->Glow,
+    "Light surfaces also by the light that the medium scatters onto them; slow without a graphics "
+    "card"));
+  options.push_back(command->add_option("--technique", this->Technique, "Shadow technique")
+                      ->check(CLI::IsMember(GetTechniqueNames()))
+                      ->capture_default_str());
+  options.push_back(command
+                      ->add_option("--steps", this->Steps,
+                        "Steps along each ray of the techniques ShadowMap and RayMarch")
+                      ->check(CLI::Range(1, 2048))
+                      ->capture_default_str());
+  CLI::Option* noMedium = command->add_flag(
+    "--no-medium", this->NoMedium, "VTK's plain lighting: no medium and no shadows");
+  for (CLI::Option* option : options)
+  {
+    noMedium->excludes(option);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::AddPhaseOptions(CLI::App* command, std::vector<CLI::Option*>& options)
+{
+  CLI::Option* anisotropy = AddText(command, "--anisotropy", this->Anisotropy,
+    "Mean cosine g of the Henyey-Greenstein phase function, -0.99 to 0.99, above 0 forward; 0 is "
+    "isotropic");
+  CLI::Option* phase = AddText(command, "--phase", this->Phase,
+    "Phase function: isotropic, rayleigh, mie_hazy, mie_murky, henyey_greenstein:g, schlick:k or "
+    "cornette_shanks:g, with g or k from -0.99 to 0.99, above 0 forward");
+  CLI::Option* table = AddText(command, "--phase-table", this->PhaseTable,
+    "FILE: measured phase function, lines of angle,value: the scattering angle in degrees, "
+    "ascending from 0 (forward) to 180, and a value above 0 in any unit");
+  anisotropy->excludes(phase)->excludes(table);
+  phase->excludes(table);
+  options.insert(options.end(), { anisotropy, phase, table });
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::AddRegionOptions(CLI::App* command, std::vector<CLI::Option*>& options)
+{
+  CLI::Option* box = AddText(command, "--box", this->Box,
+    "xmin,xmax,ymin,ymax,zmin,zmax: the medium fills this box, with vacuum around it");
+  CLI::Option* sphere = AddText(command, "--sphere", this->Sphere,
+    "x,y,z:R: the medium fills this sphere of centre x,y,z and radius R, with vacuum around it");
+  CLI::Option* surface = AddText(command, "--surface", this->Surface,
+    "FILE: the medium fills this closed mesh, any kind of model, with vacuum around it");
+  box->excludes(sphere)->excludes(surface);
+  sphere->excludes(surface);
+  options.insert(options.end(), { box, sphere, surface });
+}
+
+//------------------------------------------------------------------------------
+Scene SceneOptions::Load() const
+{
+  for (const std::string& file : this->Surface) // before the first file is read
+  {
+    UseFile("--surface", file, CheckModelFile);
+  }
+  Scene scene = ReadSceneOrModel(this->FileName);
+  for (const std::string& text : this->Size)
+  {
+    std::tie(scene.Width, scene.Height) = ParseSize("--size", text);
+  }
+  for (const std::string& text : this->Camera)
+  {
+    scene.Camera = ParseCamera("--camera", text, scene.Camera);
+  }
+  std::vector<LightSource> lights = this->Lights.Read();
+  if (!lights.empty())
+  {
+    scene.Lights = std::move(lights);
+  }
+  this->ChangeMedium(scene.Medium);
+  scene.ScatteredSurfaceLight = scene.ScatteredSurfaceLight || this->Glow;
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::ChangeMedium(vtkParticipatingMedium* medium) const
+{
+  for (const std::string& text : this->Scattering)
+  {
+    medium->SetScattering(ParseColor("--scattering", text).data());
+  }
+  for (const std::string& text : this->Absorption)
+  {
+    medium->SetAbsorption(ParseColor("--absorption", text).data());
+  }
+  for (const std::string& text : this->Visibility) // last, because it scales the coefficients
+  {
+    medium->SetVisibility(ParseNumber("--visibility", text, Smallest, Largest));
+  }
+  this->ChangePhase(medium);
+  for (const std::string& text : this->Ambient)
+  {
+    medium->SetAmbientRadiance(ParseColor("--ambient", text).data());
+  }
+  this->ChangeRegion(medium);
+  for (const std::string& text : this->HeightFog)
+  {
+    ParseHeightFog("--height-fog", text, medium);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::ChangePhase(vtkParticipatingMedium* medium) const
+{
+  for (const std::string& text : this->Anisotropy)
+  {
+    SetPhase(medium, *FindPhaseName("henyey_greenstein"),
+      ParseNumber("--anisotropy", text, -MaximumAnisotropy, MaximumAnisotropy));
+  }
+  for (const std::string& text : this->Phase)
+  {
+    ParsePhase("--phase", text, medium);
+  }
+  for (const std::string& file : this->PhaseTable)
+  {
+    UseFile("--phase-table", file, [medium](const auto& name) { ReadPhaseTable(name, medium); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::ChangeRegion(vtkParticipatingMedium* medium) const
+{
+  for (const std::string& text : this->Box)
+  {
+    ParseBox("--box", text, medium);
+  }
+  for (const std::string& text : this->Sphere)
+  {
+    ParseSphere("--sphere", text, medium);
+  }
+  for (const std::string& file : this->Surface)
+  {
+    UseFile("--surface", file, [medium](const auto& name) { ReadMediumSurface(name, medium); });
+  }
+}
+
+//------------------------------------------------------------------------------
+RenderSettings SceneOptions::GetSettings() const
+{
+  RenderSettings settings;
+  settings.UseMedium = !this->NoMedium;
+  settings.ShadowTechnique = Techniques.at(this->Technique);
+  settings.Steps = this->Steps;
+  return settings;
+}
+
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/Commands.h"
+
+#include "commands/SceneOptions.h"
+#include "viewer/Viewer.h"
+
+#include <memory>
+
+namespace airlight
+{
+
+namespace
+{
+struct ViewOptions
+{
+  SceneOptions Scene;
+  ViewerSettings Viewer;
+};
+
+void View(const ViewOptions& options)
+{
+  RenderSettings settings = options.Scene.GetSettings();
+  settings.OffScreen = false;
+  Viewer viewer(options.Scene.Load(), settings, options.Viewer);
+  viewer.Run();
+}
+}
+
+//------------------------------------------------------------------------------
+void AddViewCommand(CLI::App& program)
+{
+  auto options = std::make_shared<ViewOptions>();
+  CLI::App* command = program.add_subcommand("view", "Show a scene or a model in a window");
+  options->Scene.AddTo(command);
+  ViewerSettings& viewer = options->Viewer;
+  command
+    ->add_option("--screenshots", viewer.Screenshots,
+      "Files that the key s writes (.png), with %d or %03d for a number; those that exist stay")
+    ->capture_default_str();
+  command->add_option("--record", viewer.Record, "Write what keys and mouse do into this file");
+  command->add_option("--play", viewer.Play,
+    "Do first what this file says: one of --record, or of VTK's vtkInteractorEventRecorder");
+  command->footer(command->get_footer() + "\n\nIn the window:\n" + Viewer::GetKeys());
+  command->callback([options] { View(*options); });
+}
+
+}

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/ModelReader.h"
+
+#include "formats/ChildProcess.h"
+#include "formats/Files.h"
+#include "formats/ImportedFile.h"
+#include "formats/PolyDataFile.h"
+#include "formats/UserError.h"
+#include "scene/LambertActor.h"
+
+#include <vtkAppendPolyData.h>
+#include <vtkDataArray.h>
+#include <vtkMatrixToLinearTransform.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace airlight
+{
+
+namespace
+{
+constexpr double DefaultAlbedo = 0.7;
+
+// Colours come as bytes; other arrays are measurements, which say nothing about reflection.
+bool HasColors(vtkPolyData* mesh)
+{
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(mesh->GetPointData()->GetScalars());
+  return colors && colors->GetNumberOfComponents() >= 3;
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckModelFile(const std::string& fileName)
+{
+  CheckInputFile(fileName);
+  if (!IsImportedFile(fileName) && !IsPolyDataFile(fileName))
+  {
+    throw UserError(fileName +
+      ": unknown kind of model; known: gltf, glb, obj, ply, stl, vtp, vtk, vtu, wrl, 3ds");
+  }
+  TryInChildProcess(fileName, [&fileName] { ReadModel(fileName); });
+}
+
+//------------------------------------------------------------------------------
+std::vector<Surface> ReadModel(const std::string& fileName)
+{
+  std::vector<Surface> surfaces;
+  if (IsImportedFile(fileName))
+  {
+    for (const auto& actor : ImportFile(fileName))
+    {
+      surfaces.push_back({ fileName, actor });
+    }
+    return surfaces;
+  }
+  vtkSmartPointer<vtkPolyData> mesh = ReadPolyDataFile(fileName);
+  vtkSmartPointer<vtkActor> actor =
+    MakeLambertActor(mesh, { DefaultAlbedo, DefaultAlbedo, DefaultAlbedo });
+  actor->GetMapper()->SetScalarVisibility(HasColors(mesh));
+  surfaces.push_back({ fileName, actor });
+  return surfaces;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& fileName)
+{
+  if (IsPolyDataFile(fileName))
+  {
+    return ReadPolyDataFile(fileName);
+  }
+  vtkNew<vtkAppendPolyData> append;
+  for (const auto& actor : ImportFile(fileName))
+  {
+    vtkNew<vtkMatrixToLinearTransform> placement;
+    placement->SetInput(actor->GetMatrix());
+    vtkNew<vtkTransformPolyDataFilter> placed;
+    placed->SetTransform(placement);
+    placed->SetInputData(vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->GetInput());
+    placed->Update();
+    append->AddInputData(placed->GetOutput());
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+}

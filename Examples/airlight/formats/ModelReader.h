@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ModelReader_h
+#define ModelReader_h
+
+#include "scene/Scene.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+namespace airlight
+{
+
+/**
+ * Throws UserError, naming file and reason, unless the file is a model that can be read: gltf, glb,
+ * obj, ply, stl, vtp, vtk, vtu, wrl or 3ds. It is read in a child process, which a damaged file may
+ * crash. Check all files before the first one is read: afterwards VTK may have started threads.
+ */
+void CheckModelFile(const std::string& fileName);
+
+/**
+ * The surfaces of a model, matt, in the model's own colours where it has any. Throws UserError.
+ */
+std::vector<Surface> ReadModel(const std::string& fileName);
+
+/**
+ * All polygons of a model as one mesh in world coordinates. Throws UserError.
+ */
+vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& fileName);
+
+}
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LambertActor_h
+#define LambertActor_h
+
+#include "formats/Vector3.h"
+
+#include <vtkActor.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+namespace airlight
+{
+
+/**
+ * A mesh as an opaque, two-sided, perfectly matt surface of the given albedo: it sends the radiance
+ * albedo/pi times its irradiance in all directions, with the flat normal of each polygon turned to
+ * the viewer. No ambient light, no highlight.
+ */
+vtkSmartPointer<vtkActor> MakeLambertActor(vtkPolyData* mesh, const Vector3& albedo);
+
+}
+
+#endif

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/SceneBuilder.h"
+
+#include "formats/UserError.h"
+#include "formats/VTKMessages.h"
+#include "scene/Display.h"
+
+#include <vtkAirlight.h>
+#include <vtkCamera.h>
+#include <vtkMath.h>
+
+namespace airlight
+{
+
+namespace
+{
+vtkSmartPointer<vtkLight> MakeLight(const LightSource& source)
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  Vector3 position = source.Position;
+  if (source.Type == LightSource::Kind::Directional)
+  {
+    vtkAirlight::SetIrradiance(light, source.Power.data());
+    position = { 0.0, 0.0, 0.0 }; // only the direction counts
+  }
+  else
+  {
+    vtkAirlight::SetRadiantIntensity(light, source.Power.data());
+  }
+  if (source.Type == LightSource::Kind::Spot)
+  {
+    light->SetConeAngle(source.ConeHalfAngle);
+    light->SetExponent(source.Exponent);
+  }
+  Vector3 target;
+  vtkMath::Add(position.data(), source.Direction.data(), target.data());
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(position.data());
+  light->SetFocalPoint(target.data());
+  return light;
+}
+
+void AddPhotometry(vtkAirlightPass* pass, vtkLight* light, const LightSource& source)
+{
+  if (!source.PhotometryFile.empty())
+  {
+    const VTKMessages messages;
+    if (!pass->SetLightPhotometry(light, source.PhotometryFile.c_str()))
+    {
+      throw UserError(messages.GetFirstError());
+    }
+    const Vector3& up = source.PhotometryUp;
+    pass->SetLightPhotometryUp(light, up[0], up[1], up[2]);
+  }
+}
+
+// The picture's camera, with a depth range that holds every surface. There may be none.
+void SetCamera(vtkRenderer* renderer, const Scene& scene)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(scene.Camera.Position.data());
+  camera->SetFocalPoint(scene.Camera.FocalPoint.data());
+  camera->SetViewUp(scene.Camera.ViewUp.data());
+  camera->SetViewAngle(scene.Camera.ViewAngle);
+  double bounds[6];
+  if (scene.GetBounds(bounds))
+  {
+    renderer->ResetCameraClippingRange(bounds);
+  }
+  else
+  {
+    const double distance = camera->GetDistance();
+    camera->SetClippingRange(0.01 * distance, 10.0 * distance);
+  }
+}
+
+// All but the camera, whose depth range the window's depth buffer decides on.
+RenderedScene MakeRenderer(const Scene& scene)
+{
+  RenderedScene built;
+  built.Renderer = vtkSmartPointer<vtkRenderer>::New();
+  built.Renderer->SetBackground(0.0, 0.0, 0.0);
+  built.Renderer->TwoSidedLightingOn();
+  built.Renderer->AutomaticLightCreationOff();
+  for (const LightSource& source : scene.Lights)
+  {
+    built.Lights.push_back(MakeLight(source));
+    built.Renderer->AddLight(built.Lights.back());
+  }
+  for (const Surface& surface : scene.Surfaces)
+  {
+    built.Renderer->AddActor(surface.Actor);
+  }
+  return built;
+}
+}
+
+//------------------------------------------------------------------------------
+void RenderedScene::Render()
+{
+  const VTKMessages messages;
+  this->Window->Render();
+  ReportMessages(messages, "rendering failed");
+}
+
+//------------------------------------------------------------------------------
+RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
+{
+  CheckDisplay();
+  RenderedScene built = MakeRenderer(scene);
+  if (settings.UseMedium)
+  {
+    built.Pass = vtkSmartPointer<vtkAirlightPass>::New();
+    built.Pass->SetMedium(scene.Medium);
+    built.Pass->SetShadowTechnique(settings.ShadowTechnique);
+    built.Pass->SetNumberOfSteps(settings.Steps);
+    built.Pass->SetRecordBuffers(settings.RecordBuffers);
+    built.Pass->SetScatteredSurfaceLight(scene.ScatteredSurfaceLight);
+    for (std::size_t i = 0; i < scene.Lights.size(); ++i)
+    {
+      AddPhotometry(built.Pass, built.Lights[i], scene.Lights[i]);
+    }
+    built.Renderer->SetPass(built.Pass);
+  }
+  built.Window = vtkSmartPointer<vtkRenderWindow>::New();
+  built.Window->SetMultiSamples(0);
+  built.Window->SetOffScreenRendering(settings.OffScreen);
+  built.Window->SetSize(scene.Width, scene.Height);
+  built.Window->SetWindowName("Airlight");
+  built.Window->AddRenderer(built.Renderer);
+  SetCamera(built.Renderer, scene);
+  return built;
+}
+
+//------------------------------------------------------------------------------
+RenderedScene BuildSceneWithoutWindow(const Scene& scene)
+{
+  RenderedScene built = MakeRenderer(scene);
+  SetCamera(built.Renderer, scene);
+  return built;
+}
+
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SceneBuilder_h
+#define SceneBuilder_h
+
+#include "scene/Scene.h"
+
+#include <vtkAirlightPass.h>
+#include <vtkLight.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+namespace airlight
+{
+
+struct RenderSettings
+{
+  bool OffScreen = true;
+  bool UseMedium = true;      ///< false: VTK's plain lighting, without medium and shadows
+  bool RecordBuffers = false; ///< for vtkAirlightPass::GetBuffer()
+  int ShadowTechnique = vtkAirlightPass::AUTOMATIC;
+  int Steps = 64; ///< vtkAirlightPass::SetNumberOfSteps()
+};
+
+/**
+ * A scene ready to render, as VTK objects.
+ */
+struct RenderedScene
+{
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkAirlightPass> Pass; ///< null without medium
+  std::vector<vtkSmartPointer<vtkLight>> Lights;
+
+  /**
+   * Draw a frame. Throws UserError with VTK's first error if there was one, and prints its first
+   * warning.
+   */
+  void Render();
+};
+
+/**
+ * Open a window on a scene: black background, no multisampling, two-sided lighting and the scene's
+ * lamps alone. Throws UserError if there is no display to open it on.
+ */
+RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings);
+
+/**
+ * The same scene without a window and a pass, for vtkAirlightReference.
+ */
+RenderedScene BuildSceneWithoutWindow(const Scene& scene);
+
+}
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/SceneReader.h"
+
+#include "formats/LocatedJson.h"
+#include "formats/ModelReader.h"
+#include "formats/PhotometryFile.h"
+#include "scene/LambertActor.h"
+#include "scene/SceneFile.h"
+#include "scene/SceneMediumReader.h"
+
+#include <vtkMath.h>
+
+#include <string>
+#include <vector>
+
+namespace airlight
+{
+
+namespace
+{
+constexpr int MaximumImageSize = 16384;
+
+CameraSettings ReadCamera(const LocatedJson& json)
+{
+  json.CheckKeys({ "position", "focal_point", "view_up", "view_angle_deg" });
+  CameraSettings camera;
+  camera.Position = json["position"].GetVector(-LargestNumber, LargestNumber);
+  camera.FocalPoint = json["focal_point"].GetVector(-LargestNumber, LargestNumber);
+  camera.ViewUp = ReadSceneDirection(json["view_up"]);
+  camera.ViewAngle = json["view_angle_deg"].GetNumber(0.001, 179.0);
+  Vector3 forward;
+  Vector3 right;
+  vtkMath::Subtract(camera.FocalPoint.data(), camera.Position.data(), forward.data());
+  if (vtkMath::Norm(forward.data()) == 0.0)
+  {
+    json["focal_point"].Fail("must differ from camera.position");
+  }
+  vtkMath::Cross(forward.data(), camera.ViewUp.data(), right.data());
+  if (vtkMath::Norm(right.data()) <=
+    1e-9 * vtkMath::Norm(forward.data()) * vtkMath::Norm(camera.ViewUp.data()))
+  {
+    json["view_up"].Fail("must not be parallel to the direction of view");
+  }
+  return camera;
+}
+
+// How a lamp shines into all directions, from a photometric file.
+void ReadPhotometry(const LocatedJson& json, const std::string& sceneFile, LightSource& light)
+{
+  light.PhotometryFile = FindSceneFile(json["photometry"], sceneFile);
+  UseSceneFile(json["photometry"], [&light] { CheckPhotometryFile(light.PhotometryFile); });
+  if (json.Has("photometry_up"))
+  {
+    light.PhotometryUp = ReadSceneDirection(json["photometry_up"]);
+  }
+  if (json.Has("direction"))
+  {
+    light.Direction = ReadSceneDirection(json["direction"]);
+  }
+}
+
+void CheckLightKeys(const LocatedJson& json, LightSource::Kind type)
+{
+  std::vector<std::string> optional = { "photometry" };
+  if (json.Has("photometry"))
+  {
+    optional.emplace_back("photometry_up");
+  }
+  switch (type)
+  {
+    case LightSource::Kind::Point:
+      if (json.Has("photometry"))
+      {
+        optional.emplace_back("direction");
+      }
+      json.CheckKeys({ "type", "position", "intensity" }, optional);
+      break;
+    case LightSource::Kind::Spot:
+      json.CheckKeys(
+        { "type", "position", "direction", "cone_half_angle_deg", "exponent", "intensity" },
+        optional);
+      break;
+    default:
+      json.CheckKeys({ "type", "direction", "irradiance" });
+  }
+}
+
+LightSource::Kind ReadLightType(const LocatedJson& json)
+{
+  const std::string type = json["type"].GetString();
+  if (type == "point")
+  {
+    return LightSource::Kind::Point;
+  }
+  if (type == "spot")
+  {
+    return LightSource::Kind::Spot;
+  }
+  if (type != "directional")
+  {
+    json["type"].Fail("must be \"point\", \"spot\" or \"directional\", not \"" + type + "\"");
+  }
+  return LightSource::Kind::Directional;
+}
+
+LightSource ReadLight(const LocatedJson& json, const std::string& sceneFile)
+{
+  json.CheckKeys({ "type" },
+    { "position", "direction", "intensity", "irradiance", "cone_half_angle_deg", "exponent",
+      "photometry", "photometry_up" });
+  LightSource light;
+  light.Type = ReadLightType(json);
+  CheckLightKeys(json, light.Type);
+  if (light.Type == LightSource::Kind::Spot)
+  {
+    light.ConeHalfAngle =
+      json["cone_half_angle_deg"].GetNumber(SmallestConeAngle, LargestConeAngle);
+    light.Exponent = json["exponent"].GetNumber(0.0, LargestExponent);
+  }
+  const bool directional = light.Type == LightSource::Kind::Directional;
+  if (!directional)
+  {
+    light.Position = json["position"].GetVector(-LargestNumber, LargestNumber);
+  }
+  if (light.Type != LightSource::Kind::Point)
+  {
+    light.Direction = ReadSceneDirection(json["direction"]);
+  }
+  light.Power = json[directional ? "irradiance" : "intensity"].GetVector(0.0, LargestNumber);
+  if (json.Has("photometry"))
+  {
+    ReadPhotometry(json, sceneFile, light);
+  }
+  return light;
+}
+
+// The files of all surfaces, each looked at in a child process.
+std::vector<std::string> CheckSurfaces(const LocatedJson& json, const std::string& sceneFile)
+{
+  std::vector<std::string> files;
+  for (const LocatedJson& item : json.GetItems())
+  {
+    item.CheckKeys({ "mesh", "albedo" });
+    item["albedo"].GetVector(0.0, 1.0);
+    files.push_back(FindSceneFile(item["mesh"], sceneFile));
+  }
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    UseSceneFile(json.GetItems()[i]["mesh"], [&files, i] { CheckModelFile(files[i]); });
+  }
+  return files;
+}
+
+std::vector<Surface> ReadSurfaces(const LocatedJson& json, const std::vector<std::string>& files)
+{
+  std::vector<Surface> surfaces;
+  for (const LocatedJson& item : json.GetItems())
+  {
+    const std::string& file = files[surfaces.size()];
+    const Vector3 albedo = item["albedo"].GetVector(0.0, 1.0);
+    surfaces.push_back({ file, MakeLambertActor(ReadMesh(file), albedo) });
+  }
+  return surfaces;
+}
+}
+
+//------------------------------------------------------------------------------
+Scene ReadScene(const std::string& fileName)
+{
+  const LocatedJson json = LocatedJson::ReadFile(fileName);
+  json.CheckKeys({ "image", "camera", "medium", "lights", "surfaces" },
+    { "name", "description", "scattered_surface_light" });
+  Scene scene;
+  scene.FileName = fileName;
+  for (const char* text : { "name", "description" })
+  {
+    if (json.Has(text))
+    {
+      json[text].GetString();
+    }
+  }
+  json["image"].CheckKeys({ "width", "height" });
+  scene.Width = json["image"]["width"].GetInteger(1, MaximumImageSize);
+  scene.Height = json["image"]["height"].GetInteger(1, MaximumImageSize);
+  scene.Camera = ReadCamera(json["camera"]);
+  scene.Medium = ReadMedium(json["medium"], fileName);
+  for (const LocatedJson& light : json["lights"].GetItems())
+  {
+    scene.Lights.push_back(ReadLight(light, fileName));
+  }
+  scene.ScatteredSurfaceLight =
+    json.Has("scattered_surface_light") && json["scattered_surface_light"].GetBoolean();
+  // All files are checked before the first is read: see CheckModelFile().
+  const std::vector<std::string> files = CheckSurfaces(json["surfaces"], fileName);
+  CheckMediumBoundary(json["medium"], fileName);
+  ReadMediumBoundary(json["medium"], fileName, scene.Medium);
+  scene.Surfaces = ReadSurfaces(json["surfaces"], files);
+  return scene;
+}
+
+}

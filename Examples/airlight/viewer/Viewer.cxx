@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer/Viewer.h"
+
+#include "commands/OptionText.h"
+#include "formats/Files.h"
+#include "formats/ImageFile.h"
+#include "formats/Picture.h"
+#include "formats/UserError.h"
+#include "viewer/EventLog.h"
+#include "viewer/ViewerStyle.h"
+
+#include <vtkCamera.h>
+#include <vtkInteractorEventRecorder.h>
+#include <vtkMath.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+namespace airlight
+{
+
+namespace
+{
+// Keys on the number pad and in the top row that mean the same.
+const std::map<std::string, std::string> SameKeys = { { "equal", "plus" }, { "KP_Add", "plus" },
+  { "KP_Subtract", "minus" }, { "KP_Left", "Left" }, { "KP_Right", "Right" }, { "KP_Up", "Up" },
+  { "KP_Down", "Down" }, { "KP_Prior", "Prior" }, { "KP_Next", "Next" } };
+
+std::string FindFreeFile(const std::string& pattern)
+{
+  int number = 0;
+  while (std::filesystem::exists(NumberFile("--screenshots", pattern, number)))
+  {
+    ++number;
+  }
+  return NumberFile("--screenshots", pattern, number);
+}
+}
+
+//------------------------------------------------------------------------------
+const char* Viewer::GetKeys()
+{
+  return R"(  t, T               shadow technique: next, previous
+  v, V               view: picture, airlight only, boundary count, outlines of
+                     shadows, difference from the ray march
+  +, -               visibility: times 1.25, by 1.25
+  arrows, Ctrl+drag  move the lamp
+  Page Up, Page Down move the lamp away, near
+  n                  the next lamp
+  s                  screenshot of the window
+  i                  read-out on, off
+  h                  these keys on, off
+  r                  the first view again
+  drag, Shift+drag   turn, move; wheel: zoom
+  q                  quit)";
+}
+
+//------------------------------------------------------------------------------
+Viewer::Viewer(const Scene& scene, const RenderSettings& settings, const ViewerSettings& viewer)
+  : Settings(viewer)
+{
+  if (CheckImageFile(NumberFile("--screenshots", viewer.Screenshots, 0)) != ImageFormat::Png)
+  {
+    throw UserError("--screenshots " + viewer.Screenshots + ": a screenshot is a .png");
+  }
+  if (!viewer.Record.empty())
+  {
+    CheckOutputFile(viewer.Record);
+  }
+  this->Log = viewer.Play.empty() ? "" : ReadEventLog(viewer.Play);
+  this->Rendered = BuildScene(scene, settings);
+  this->Controls = std::make_unique<SceneControls>(this->Rendered);
+  this->Text = std::make_unique<ReadOut>(this->Rendered.Renderer);
+  this->Text->SetHelp(Viewer::GetKeys());
+  vtkNew<ViewerStyle> style;
+  style->SetOwner(this);
+  this->Interactor->SetInteractorStyle(style);
+  this->Interactor->SetRenderWindow(this->Rendered.Window);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Run()
+{
+  vtkRenderWindow* window = this->Rendered.Window;
+  window->AddObserver(vtkCommand::StartEvent, this, &Viewer::StartFrame);
+  window->AddObserver(vtkCommand::EndEvent, this, &Viewer::EndFrame);
+  this->Interactor->AddObserver(vtkCommand::ExitEvent, this, &Viewer::Quit);
+  this->Interactor->Initialize();
+  this->DrawTwice();
+  vtkNew<vtkInteractorEventRecorder> recorder;
+  recorder->SetInteractor(this->Interactor);
+  recorder->SetKeyPressActivation(false); // or the key i would start and stop it
+  if (!this->Log.empty())
+  {
+    recorder->ReadFromInputStringOn();
+    recorder->SetInputString(this->Log.c_str());
+    recorder->Play();
+  }
+  if (!this->Done && !this->Settings.Record.empty())
+  {
+    recorder->SetFileName(this->Settings.Record.c_str());
+    recorder->On();
+    recorder->Record();
+  }
+  if (!this->Done)
+  {
+    this->Interactor->Start();
+  }
+  if (!this->Error.empty())
+  {
+    throw UserError(this->Error);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::PressKey(const std::string& name)
+{
+  if (this->Done) // the rest of a log that quits before its end
+  {
+    return;
+  }
+  const auto same = SameKeys.find(name);
+  const std::string key = same == SameKeys.end() ? name : same->second;
+  try
+  {
+    if (key == "s")
+    {
+      this->SaveScreenshot();
+    }
+    else if (this->ChangeText(key) || this->Controls->PressKey(key))
+    {
+      this->DrawTwice();
+    }
+  }
+  catch (const UserError& error) // not through VTK's event loop
+  {
+    this->Fail(error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Viewer::ChangeText(const std::string& name)
+{
+  if (name == "i")
+  {
+    this->Text->SetVisible(!this->Text->GetVisible());
+    return true;
+  }
+  if (name == "h")
+  {
+    this->Text->SetHelpVisible(!this->Text->GetHelpVisible());
+    return true;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::DragLamp(int right, int up)
+{
+  if (!this->Done)
+  {
+    this->Controls->DragLamp(right, up);
+    this->Interactor->Render();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SaveScreenshot()
+{
+  const std::string file = FindFreeFile(this->Settings.Screenshots);
+  WritePng(GrabWindow(this->Rendered.Window), file);
+  std::string state = this->Shown;
+  std::replace(state.begin(), state.end(), '\n', ';');
+  std::cout << file << ": " << state << std::endl;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::DrawTwice()
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Rendered.Render();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::EndFrame()
+{
+  this->Rendered.Window->WaitForCompletion();
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->FrameStart;
+  this->FrameTime = time.count();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Quit()
+{
+  this->Done = true;
+  this->Interactor->TerminateApp();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Fail(const std::string& error)
+{
+  this->Error = error;
+  this->Quit();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::StartFrame()
+{
+  this->FrameStart = std::chrono::steady_clock::now();
+  this->Shown = this->GetState();
+  this->Text->SetText(this->Shown);
+  if (vtkLight* lamp = this->Controls->GetLamp())
+  {
+    vtkCamera* camera = this->Rendered.Renderer->GetActiveCamera();
+    Vector3 place;
+    std::copy_n(lamp->GetPosition(), 3, place.begin());
+    Vector3 way;
+    vtkMath::Subtract(place.data(), camera->GetPosition(), way.data());
+    const bool ahead = vtkMath::Dot(way.data(), camera->GetDirectionOfProjection()) > 0.0;
+    this->Text->SetLamp(place, lamp->GetPositional() && ahead);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string Viewer::GetState() const
+{
+  std::ostringstream text;
+  text << this->Controls->GetState() << "\nframe " << std::fixed << std::setprecision(1)
+       << 1000.0 * this->FrameTime << " ms";
+  return text.str();
+}
+
+}

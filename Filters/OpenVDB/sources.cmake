@@ -1,0 +1,15 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+if (NOT TARGET OpenVDB::openvdb)
+  return ()
+endif ()
+airlight_sources(
+  PRIVATE_CLASSES
+    AirlightDensityImage
+    AirlightOpenVDBFile
+  SOURCES
+    AirlightDensityImagePlan.cxx
+  HEADERS
+    AirlightOpenVDBArchive.h
+    AirlightOpenVDBScanner.h
+    AirlightOpenVDBTreeCheck.h)

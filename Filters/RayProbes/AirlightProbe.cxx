@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RayProbes/AirlightProbe.h"
+
+#include "RayProbes/AirlightFilterInput.h"
+#include "vtkAirlight.h"
+
+#include "vtkLight.h"
+
+#include <cmath>
+
+namespace airlight
+{
+namespace
+{
+// Unshadowed. The lamp, which scatters, and the media are relative to the point.
+glm::dvec3 IrradianceOf(
+  const f64::AirlightMedia& media, const f64::AirlightLight& lamp, const glm::dvec3* normal)
+{
+  const glm::dvec3 point(0.0);
+  const bool sun = f64::airlightIsDirectional(lamp);
+  const double r = glm::length(lamp.position);
+  if (!(r > 0.0))
+  {
+    return glm::dvec3(0.0); // in the lamp, light has no direction
+  }
+  const glm::dvec3 toLamp = lamp.position / r;
+  const double cosine = normal ? std::max(glm::dot(*normal, toLamp), 0.0) : 1.0;
+  if (lamp.cosCone > 0.0 && glm::dot(-toLamp, lamp.axis) < lamp.cosCone)
+  {
+    return glm::dvec3(0.0);
+  }
+  const glm::dvec3 depth = sun ? f64::airlightSunDepths(media, point, toLamp)
+                               : f64::airlightDepthBetween(media, point, lamp.position);
+  // The square of the least distance is not 0.
+  const double fall = sun ? 1.0 : f64::airlightFalloff(lamp, point, std::max(r, 1e-100));
+  return lamp.intensity * (cosine * fall) * glm::exp(-depth);
+}
+
+// Calls use(light, lamp) for the lights that shine, relative to the point.
+template <typename Use>
+void ForEachLamp(
+  const Probe& probe, const f64::AirlightMedia& media, const glm::dvec3& point, const Use& use)
+{
+  for (vtkLight* light : probe.Lights)
+  {
+    f64::AirlightLight lamp;
+    if (ConvertLamp(media, light, point, lamp) == LightSupport::Scatters)
+    {
+      use(light, lamp);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 Probe::FindRadiance(const glm::dvec3& eye, const glm::dvec3& point) const
+{
+  glm::dvec3 sum(0.0);
+  const double length = glm::distance(eye, point);
+  if (!(length > 0.0))
+  {
+    return sum;
+  }
+  const glm::dvec3 direction = (point - eye) / length;
+  vtkAirlight::Ambient(this->Medium, &eye.x, &direction.x, length, &sum.x);
+  std::vector<Occluders::Shadow> shadows;
+  std::vector<Occluders::Interval> lit;
+  for (vtkLight* light : this->Lights)
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    const HomogeneousPoint position = GetHomogeneousPosition(light);
+    this->Shades->FindShadows(position, eye, direction, 0.0, length, shadows);
+    Occluders::LitIntervals(shadows, 0.0, length, lit, this->Shades->GetGap(position, eye));
+    for (const Occluders::Interval& part : lit)
+    {
+      glm::dvec3 rgb;
+      vtkAirlight::Inscatter(this->Medium, light, &eye.x, &direction.x, part.From, part.To, &rgb.x);
+      sum += rgb;
+    }
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 Probe::FindTransmittance(const glm::dvec3& eye, const glm::dvec3& point) const
+{
+  glm::dvec3 rgb;
+  vtkAirlight::Transmittance(this->Medium, &eye.x, &point.x, &rgb.x);
+  return rgb;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 Probe::FindDirect(const glm::dvec3& point, const glm::dvec3* normal, double margin) const
+{
+  glm::dvec3 sum(0.0);
+  const f64::AirlightMedia media = ConvertMedia({ this->Medium }, point);
+  ForEachLamp(*this, media, point, [&](vtkLight* light, const f64::AirlightLight& lamp) {
+    const glm::dvec3 irradiance = IrradianceOf(media, lamp, normal);
+    const bool arrives = irradiance != glm::dvec3(0.0);
+    if (arrives && !this->Shades->Blocked(point, GetHomogeneousPosition(light), margin))
+    {
+      sum += irradiance;
+    }
+  });
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 Probe::FindScattered(const glm::dvec3& point, const glm::dvec3& normal) const
+{
+  glm::dvec3 sum(0.0);
+  const f64::AirlightMedia media = ConvertMedia({ this->Medium }, point);
+  ForEachLamp(*this, media, point, [&](vtkLight*, const f64::AirlightLight& lamp) {
+    const glm::dvec3 glow = f64::airlightGlow(media, lamp, glm::dvec3(0.0), normal);
+    for (int c = 0; c < 3; ++c)
+    {
+      sum[c] += std::isfinite(glow[c]) ? glow[c] : 0.0; // with the lamp on the point
+    }
+  });
+  return sum;
+}
+}

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reference/AirlightReferenceLights.h"
+
+#include "Reference/AirlightReferenceMesh.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace airlight
+{
+namespace
+{
+// What double precision resolves of the distance between a ray and a light, with some room.
+constexpr double RelativeRadius = 1e-12;
+
+// The least cosine by which VTK's mappers shade what is turned away from a headlight, since 9.2, and
+// the least of a gleam, since 9.3.
+constexpr double LeastToHeadlight = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0) ? 1e-6 : 0.0;
+constexpr double LeastGleam = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 1e-5 : 0.0;
+
+ReferenceLight Convert(vtkLight* light, const f64::AirlightMedia& media, const glm::dvec3& eye,
+  double radius, const LightSwitches& switches)
+{
+  ReferenceLight result;
+  result.Support = ConvertLight(media, light, eye, result.Values);
+  if (result.Support == LightSupport::Scatters)
+  {
+    const bool directional = f64::airlightIsDirectional(result.Values);
+    result.World = directional ? HomogeneousPoint(result.Values.position, 0.0)
+                               : HomogeneousPoint(result.Values.position + eye, 1.0);
+    const double distance = directional ? 1.0 : glm::length(result.Values.position);
+    result.Values.radius = std::max({ radius, RelativeRadius * distance, 1e-100 });
+    // A headlight sees what the camera sees: all its shadows lie behind what casts them.
+    result.CastsShadows = !light->LightTypeIsHeadlight();
+  }
+  if (!switches.Scatters(light))
+  {
+    result.LeftOut = result.Support == LightSupport::Scatters && !switches.IsSet(light);
+    result.CastsShadows = result.CastsShadows && !IsFixedToCamera(light);
+    result.Values.intensity = glm::dvec3(0.0);
+  }
+  light->GetDiffuseColor(&result.Colour.x);
+  result.Colour *= light->GetIntensity();
+  result.Positional = light->GetPositional() != 0;
+  glm::dvec3 focalPoint;
+  light->GetTransformedPosition(&result.Position.x);
+  light->GetTransformedFocalPoint(&focalPoint.x);
+  result.Direction = focalPoint - result.Position;
+  const double length = glm::length(result.Direction);
+  result.Direction = length > 0.0 ? result.Direction / length : result.Direction;
+  light->GetAttenuationValues(&result.Attenuation.x);
+  result.ConeAngle = light->GetConeAngle();
+  result.Exponent = light->GetExponent();
+  return result;
+}
+
+// The corners' weights of a point of a triangle.
+glm::dvec3 GetWeights(const OccluderTriangle& t, const glm::dvec3& p)
+{
+  const glm::dvec3 normal = glm::cross(t.B - t.A, t.C - t.A);
+  const double a = glm::dot(normal, glm::cross(t.B - p, t.C - p));
+  const double b = glm::dot(normal, glm::cross(t.C - p, t.A - p));
+  const double c = glm::dot(normal, glm::cross(t.A - p, t.B - p));
+  return glm::dvec3(a, b, c) / (a + b + c);
+}
+
+// On the viewer's side. Given normals are turned by the winding of the corners, as mappers do it.
+glm::dvec3 GetNormal(const ReferencePart& part, const OccluderTriangle& triangle,
+  const glm::dvec3& weights, const glm::dvec3& direction)
+{
+  const glm::dvec3 flat = glm::cross(triangle.B - triangle.A, triangle.C - triangle.A);
+  glm::dvec3 normal = flat;
+  if (!part.Normals.empty())
+  {
+    const glm::dvec3* n = &part.Normals[3 * triangle.Cell];
+    normal = weights.x * n[0] + weights.y * n[1] + weights.z * n[2];
+  }
+  const double length = glm::length(normal);
+  normal = length > 0.0 ? normal / length : glm::dvec3(0.0);
+  return IsSeenFromFront(triangle, direction) ? normal : -normal;
+}
+
+// The light's direction at a point and what is left of it there.
+glm::dvec3 GetDirection(
+  const ReferenceLight& light, const glm::dvec3& position, double& attenuation)
+{
+  attenuation = 1.0;
+  if (!light.Positional)
+  {
+    return light.Direction;
+  }
+  const glm::dvec3 way = position - light.Position;
+  const double r = glm::length(way);
+  const glm::dvec3 direction = r > 0.0 ? way / r : glm::dvec3(0.0);
+  const glm::dvec3& a = light.Attenuation;
+  attenuation = 1.0 / (a.x + r * (a.y + r * a.z));
+  if (light.ConeAngle < 90.0)
+  {
+    const double cosine = glm::dot(direction, light.Direction);
+    attenuation *=
+      cosine >= std::cos(glm::radians(light.ConeAngle)) ? std::pow(cosine, light.Exponent) : 0.0;
+  }
+  return direction;
+}
+}
+
+//------------------------------------------------------------------------------
+ReferenceLights::ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
+  const glm::dvec3& eye, double radius, const LightSwitches& switches)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  const auto visit = [&](const std::function<void(vtkLight*)>& use) {
+    vtkCollectionSimpleIterator it = nullptr;
+    lights->InitTraversal(it);
+    while (vtkLight* light = lights->GetNextLight(it))
+    {
+      if (light->GetSwitch())
+      {
+        use(light);
+      }
+    }
+  };
+  int count = 0;
+  visit([&](vtkLight*) { ++count; });
+  if (count == 0 && renderer->GetAutomaticLightCreation())
+  {
+    renderer->CreateLight();
+  }
+  if (renderer->GetLightFollowCamera())
+  {
+    renderer->UpdateLightsGeometryToFollowCamera();
+  }
+  visit([&](vtkLight* light) {
+    this->Lights.push_back(Convert(light, media, eye, radius, switches));
+    this->IsHeadlight =
+      this->Lights.size() == 1 && light->LightTypeIsHeadlight() && !light->GetPositional();
+  });
+  renderer->GetActiveCamera()->GetDirectionOfProjection(&this->Forward.x);
+}
+
+//------------------------------------------------------------------------------
+bool ReferenceLights::HasInvalid() const
+{
+  return std::any_of(this->Lights.begin(), this->Lights.end(),
+    [](const ReferenceLight& light) { return light.Support == LightSupport::Invalid; });
+}
+
+//------------------------------------------------------------------------------
+std::string ReferenceLights::DescribeLeftOut() const
+{
+  const auto count = std::count_if(this->Lights.begin(), this->Lights.end(),
+    [](const ReferenceLight& light) { return light.LeftOut; });
+  const bool dark =
+    std::all_of(this->Lights.begin(), this->Lights.end(), [](const ReferenceLight& light) {
+      return light.Support != LightSupport::Scatters || light.Values.intensity == glm::dvec3(0.0);
+    });
+  return count > 0 ? GetCameraLightsText(static_cast<int>(count), dark) : "";
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 ReferenceLights::Shade(const ReferencePart& part, const OccluderTriangle& triangle,
+  const glm::dvec3& position, const glm::dvec3& direction, const glm::dvec3& eye,
+  const std::vector<glm::dvec3>& arriving) const
+{
+  ReferenceMaterial material = IsSeenFromFront(triangle, direction) ? part.Front : part.Back;
+  const glm::dvec3 weights = GetWeights(triangle, position);
+  if (!part.Colours.empty())
+  {
+    const glm::dvec4* c = &part.Colours[3 * triangle.Cell];
+    const glm::dvec4 colour = weights.x * c[0] + weights.y * c[1] + weights.z * c[2];
+    material.Ambient = part.AmbientFactor * glm::dvec3(colour);
+    material.Diffuse = part.DiffuseFactor * glm::dvec3(colour);
+    material.Opacity *= colour.a;
+  }
+  if (!part.Lighting || this->Lights.empty())
+  {
+    return { material.Ambient + material.Diffuse, material.Opacity };
+  }
+  const glm::dvec3 normal = GetNormal(part, triangle, weights, direction);
+  const glm::dvec3 toEye = glm::normalize(eye - position);
+  glm::dvec3 diffuse(0.0);
+  glm::dvec3 specular(0.0);
+  for (size_t k = 0; k < this->Lights.size(); ++k)
+  {
+    const glm::dvec3 colour = this->Lights[k].Colour * arriving[k];
+    double attenuation = 0.0;
+    const glm::dvec3 way = GetDirection(this->Lights[k], position, attenuation);
+    const double towards = this->IsHeadlight
+      ? std::max(LeastToHeadlight, glm::dot(normal, -this->Forward))
+      : std::max(0.0, attenuation * glm::dot(normal, -way));
+    diffuse += towards * colour;
+    if (this->IsHeadlight)
+    {
+      specular += std::pow(towards, material.SpecularPower) * colour;
+    }
+    else if (towards > 0.0)
+    {
+      const double gleam = std::max(LeastGleam, glm::dot(glm::reflect(way, normal), toEye));
+      specular += attenuation * std::pow(gleam, material.SpecularPower) * colour;
+    }
+  }
+  return { material.Ambient + diffuse * material.Diffuse + specular * material.Specular,
+    material.Opacity };
+}
+}

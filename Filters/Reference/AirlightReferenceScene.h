@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What vtkAirlightReference sees of a renderer's props: triangles in the world, with what VTK's mappers
+ * shade them by.
+ */
+
+#ifndef AirlightReferenceScene_h
+#define AirlightReferenceScene_h
+
+#include "Occlusion/AirlightOccluders.h"
+
+#include <glm/glm.hpp>
+
+#include <set>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkDataObject;
+class vtkMatrix4x4;
+class vtkPolyData;
+class vtkProp;
+class vtkProperty;
+class vtkRenderer;
+
+namespace airlight
+{
+// A property as VTK's Phong shading takes it, colours times their coefficients.
+struct ReferenceMaterial
+{
+  ReferenceMaterial() = default;
+  explicit ReferenceMaterial(vtkProperty* property);
+
+  glm::dvec3 Ambient{ 0.0 };
+  glm::dvec3 Diffuse{ 0.0 };
+  glm::dvec3 Specular{ 0.0 };
+  double SpecularPower = 1.0;
+  double Opacity = 1.0;
+};
+
+// One mesh in its place.
+struct ReferencePart
+{
+  ReferenceMaterial Front;
+  ReferenceMaterial Back; // differs with a backface property
+  // What the colours of scalars are multiplied by where there are any.
+  double AmbientFactor = 0.0;
+  double DiffuseFactor = 0.0;
+  bool Lighting = true;
+  bool HidesFront = false;
+  bool HidesBack = false;
+  std::vector<glm::dvec4> ClippingPlanes; // of the world; what is below 0 is not drawn
+  std::vector<glm::dvec3> Normals;        // three for each triangle, or none
+  std::vector<glm::dvec4> Colours;        // three for each triangle, or none: RGBA of scalars
+};
+
+class ReferenceScene
+{
+public:
+  // Brings the props' pipelines up to date.
+  explicit ReferenceScene(vtkRenderer* renderer);
+
+  const ReferencePart& GetPart(const OccluderTriangle& triangle) const
+  {
+    return this->Parts[triangle.Caster];
+  }
+
+  const Occluders& GetOpaque() const { return this->Opaque; }
+  const Occluders& GetTranslucent() const { return this->Translucent; }
+  // The opaque triangles that cast shadows.
+  const Occluders& GetCasters() const { return this->AllCast ? this->Opaque : this->Casting; }
+
+  // What there is that is left out or drawn otherwise than VTK does; empty if nothing.
+  std::string GetUnsupported() const;
+
+  // Whether the ray does not see the triangle at t: culled or clipped away. `origin` in the world.
+  bool IsHidden(const OccluderTriangle& triangle, const glm::dvec3& origin,
+    const glm::dvec3& direction, double t) const;
+
+private:
+  void AddProp(vtkProp* prop);
+  void AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool casts);
+  bool CanDraw(vtkActor* actor);
+  void AddDataObject(vtkDataObject* data, vtkActor* actor, vtkMatrix4x4* matrix, bool casts);
+  void AddData(vtkPolyData* data, vtkActor* actor, vtkMatrix4x4* matrix, bool casts);
+
+  std::vector<ReferencePart> Parts;
+  Occluders Opaque;
+  Occluders Casting;
+  Occluders Translucent;
+  bool AllCast = true;
+  std::set<std::string> Unsupported;
+};
+}
+
+#endif

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reference/AirlightReferenceTracer.h"
+
+#include "Integration/AirlightIntegrate.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace airlight
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+// A surface is lit as the air this little before it, relative to the distance: its own shadow, and
+// those of what it touches, begin or end there.
+constexpr double Before = 1e-9;
+
+// A light whose numbers are not finite shades surfaces with NaN.
+glm::dvec3 MakeFinite(glm::dvec3 colour)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    colour[c] = std::isnan(colour[c]) ? 0.0 : std::min(colour[c], 1e30);
+  }
+  return colour;
+}
+}
+
+//------------------------------------------------------------------------------
+struct ReferenceTracer::PixelRay
+{
+  glm::dvec3 Origin; // from the eye
+  glm::dvec3 World;  // the same in the world
+  glm::dvec3 Direction;
+  double Nearest;
+  double Farthest;
+  std::vector<std::vector<Occluders::Interval>> Lit; // for each light, up to the end of the ray
+};
+
+//------------------------------------------------------------------------------
+ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
+  const std::vector<vtkParticipatingMedium*>& media, const ReferenceSettings& settings)
+  : Settings(settings)
+  , Rays(renderer->GetActiveCamera(), static_cast<double>(settings.Width) / settings.Height,
+      settings.Width, settings.Height)
+  , Media(ConvertMedia(media, this->Rays.GetEye()))
+  , Scene(renderer)
+  , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius, settings.Switches)
+{
+  renderer->GetBackground(&this->Bottom.x);
+  this->Top = this->Bottom;
+  if (renderer->GetGradientBackground())
+  {
+    renderer->GetBackground2(&this->Top.x);
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 ReferenceTracer::GetBackground(double y) const
+{
+  return glm::mix(this->Bottom, this->Top, y / this->Settings.Height);
+}
+
+//------------------------------------------------------------------------------
+// The first one that is seen.
+bool ReferenceTracer::FindSurface(const Occluders& surfaces, const PixelRay& ray, double after,
+  double before, SurfaceHit& hit) const
+{
+  Occluders::Hit found;
+  while (surfaces.FirstHit(ray.World, ray.Direction, after, before, found))
+  {
+    const OccluderTriangle& triangle = surfaces.GetTriangles()[found.Triangle];
+    if (!this->Scene.IsHidden(triangle, ray.World, ray.Direction, found.T))
+    {
+      hit = { found.T, &triangle };
+      return true;
+    }
+    after = found.T;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void ReferenceTracer::FindLitParts(PixelRay& ray, double end) const
+{
+  const Occluders& casters = this->Scene.GetCasters();
+  std::vector<Occluders::Shadow> shadows;
+  for (const ReferenceLight& light : this->Lights.GetAll())
+  {
+    shadows.clear();
+    double gap = 0.0;
+    if (light.CastsShadows)
+    {
+      casters.FindShadows(light.World, ray.World, ray.Direction, 0.0, end, shadows);
+      gap = casters.GetGap(light.World, ray.World);
+    }
+    ray.Lit.emplace_back();
+    Occluders::LitIntervals(shadows, 0.0, end, ray.Lit.back(), gap);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ReferenceTracer::IsLit(const PixelRay& ray, size_t light, double t) const
+{
+  if (!this->Settings.SurfaceShadows || !this->Lights.GetAll()[light].CastsShadows)
+  {
+    return true;
+  }
+  return std::any_of(ray.Lit[light].begin(), ray.Lit[light].end(), [t](const auto& part) {
+    return part.From < t * (1.0 - Before) && part.To >= t * (1.0 - Before);
+  });
+}
+
+//------------------------------------------------------------------------------
+// Scattered into the ray before `end`, and the length of it that is lit, inside media, for all
+// lights together.
+glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* litLength) const
+{
+  end = std::min(end, AIRLIGHT_FAR);
+  glm::dvec3 sum = IntegrateAmbient(this->Media, ray.Origin, ray.Direction, end);
+  for (size_t k = 0; k < this->Lights.GetAll().size(); ++k)
+  {
+    const ReferenceLight& light = this->Lights.GetAll()[k];
+    if (light.Support != LightSupport::Scatters)
+    {
+      continue;
+    }
+    const f64::AirlightRay part =
+      f64::airlightRay(this->Media, light.Values, ray.Origin, ray.Direction, end);
+    for (const Occluders::Interval& lit : ray.Lit[k])
+    {
+      const double from = std::max(lit.From, part.lit.x);
+      const double to = std::min(lit.To, part.lit.y);
+      if (!(from < to))
+      {
+        continue;
+      }
+      if (light.Values.intensity != glm::dvec3(0.0))
+      {
+        sum += IntegrateAirlight(this->Media, light.Values, part, from, to);
+      }
+      if (litLength)
+      {
+        *litLength += f64::airlightLengthInside(this->Media, ray.Origin, ray.Direction, from, to);
+      }
+    }
+  }
+  // A channel that does not scatter is dark, whatever the limit of its integral.
+  for (int c = 0; c < 3; ++c)
+  {
+    const bool scatters = std::any_of(this->Media.item, this->Media.item + this->Media.count,
+      [c](const auto& medium) { return medium.sigmaS[c] > 0.0; });
+    sum[c] = scatters && std::isfinite(sum[c]) ? sum[c] : 0.0;
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 ReferenceTracer::Shade(const PixelRay& ray, const SurfaceHit& hit) const
+{
+  const glm::dvec3 point = ray.Origin + hit.T * ray.Direction;
+  std::vector<glm::dvec3> arriving;
+  for (size_t k = 0; k < this->Lights.GetAll().size(); ++k)
+  {
+    const ReferenceLight& light = this->Lights.GetAll()[k];
+    glm::dvec3 share(1.0);
+    if (light.Support == LightSupport::Scatters)
+    {
+      const glm::dvec3& position = light.Values.position;
+      share = glm::exp(-(f64::airlightIsDirectional(light.Values)
+          ? f64::airlightSunDepths(this->Media, point, position)
+          : f64::airlightDepthBetween(this->Media, point, position)));
+      share *= this->IsLit(ray, k, hit.T) ? 1.0 : 0.0;
+    }
+    arriving.push_back(share);
+  }
+  const glm::dvec3& eye = this->Rays.GetEye();
+  const glm::dvec4 shaded = this->Lights.Shade(
+    this->Scene.GetPart(*hit.Triangle), *hit.Triangle, point + eye, ray.Direction, eye, arriving);
+  return { MakeFinite(glm::dvec3(shaded)), shaded.a };
+}
+
+//------------------------------------------------------------------------------
+// The share of light that passes from `end` to the eye.
+glm::dvec3 ReferenceTracer::Pass(const PixelRay& ray, double end) const
+{
+  return glm::exp(
+    -f64::airlightDepth(this->Media, ray.Origin, ray.Direction, std::min(end, AIRLIGHT_FAR)));
+}
+
+//------------------------------------------------------------------------------
+// Puts translucent surfaces before what is seen, the farthest first, each behind the medium before
+// it.
+void ReferenceTracer::AddLayers(const PixelRay& ray, double end, glm::dvec3& radiance) const
+{
+  std::vector<SurfaceHit> layers;
+  SurfaceHit hit{ ray.Nearest, nullptr };
+  while (
+    this->FindSurface(this->Scene.GetTranslucent(), ray, hit.T, std::min(end, ray.Farthest), hit))
+  {
+    layers.push_back(hit);
+  }
+  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
+  {
+    const glm::dvec4 shaded = this->Shade(ray, *layer);
+    const glm::dvec3 seen =
+      glm::dvec3(shaded) * this->Pass(ray, layer->T) + this->Scatter(ray, layer->T, nullptr);
+    radiance = glm::mix(radiance, seen, std::clamp(shaded.a, 0.0, 1.0));
+  }
+}
+
+//------------------------------------------------------------------------------
+ReferenceTracer::PixelRay ReferenceTracer::MakeRay(
+  double x, double y, const ReferenceChange& change) const
+{
+  const PixelRays::Ray own = this->Rays.GetRay(x, y);
+  const glm::dvec3 origin = own.Origin + change.Shift;
+  return { origin, origin + this->Rays.GetEye(), own.Direction,
+    std::max(own.Nearest / change.Wider, change.After), own.Farthest * change.Wider, {} };
+}
+
+//------------------------------------------------------------------------------
+void ReferenceTracer::TraceMedium(PixelRay& ray, double end, ReferencePixel& pixel) const
+{
+  this->FindLitParts(ray, end);
+  pixel.Airlight = this->Scatter(ray, end, &pixel.LitLength);
+  pixel.Transmittance = this->Pass(ray, end);
+}
+
+//------------------------------------------------------------------------------
+ReferencePixel ReferenceTracer::TraceTo(double x, double y, double end) const
+{
+  PixelRay ray = this->MakeRay(x, y, {});
+  ReferencePixel pixel;
+  pixel.Depth = end;
+  this->TraceMedium(ray, end, pixel);
+  return pixel;
+}
+
+//------------------------------------------------------------------------------
+ReferencePixel ReferenceTracer::Trace(double x, double y, const ReferenceChange& change) const
+{
+  PixelRay ray = this->MakeRay(x, y, change);
+  ReferencePixel pixel;
+  SurfaceHit hit{ Infinity, nullptr };
+  if (this->FindSurface(this->Scene.GetOpaque(), ray, ray.Nearest, ray.Farthest, hit))
+  {
+    pixel.Depth = hit.T;
+  }
+  this->TraceMedium(ray, hit.T, pixel);
+  glm::dvec3 behind = this->GetBackground(y);
+  if (hit.Triangle)
+  {
+    behind = glm::dvec3(this->Shade(ray, hit));
+    pixel.Surface = pixel.Transmittance * behind;
+  }
+  pixel.Radiance = pixel.Airlight + pixel.Transmittance * behind;
+  this->AddLayers(ray, hit.T, pixel.Radiance);
+  return pixel;
+}
+}

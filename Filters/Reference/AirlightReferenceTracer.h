@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * One pixel of vtkAirlightReference: its ray's surfaces, shadows and integrals.
+ */
+
+#ifndef AirlightReferenceTracer_h
+#define AirlightReferenceTracer_h
+
+#include "Reference/AirlightReferenceLights.h"
+#include "Reference/AirlightReferenceScene.h"
+#include "Scene/AirlightPixelRays.h"
+#include "vtkAirlightModule.h" // for export macro
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+class vtkParticipatingMedium;
+class vtkRenderer;
+
+namespace airlight
+{
+struct ReferencePixel
+{
+  glm::dvec3 Radiance{ 0.0 };
+  glm::dvec3 Airlight{ 0.0 };
+  glm::dvec3 Surface{ 0.0 };
+  glm::dvec3 Transmittance{ 1.0 };
+  double Depth = -1.0;
+  double LitLength = 0.0;
+};
+
+struct ReferenceSettings
+{
+  int Width = 0;
+  int Height = 0;
+  double LightRadius = 0.0;
+  bool SurfaceShadows = true;
+  LightSwitches Switches;
+};
+
+// What is otherwise on a ray, to find out what rounding does to pictures.
+struct ReferenceChange
+{
+  glm::dvec3 Shift{ 0.0 }; // of the ray, in the world
+  double Wider = 1.0;      // the clipping range in which surfaces are seen
+  double After = 0.0;      // distance up to which surfaces are not seen
+};
+
+// Reads the whole scene when it is made; Trace() may then run in many threads.
+class VTKAIRLIGHT_EXPORT ReferenceTracer
+{
+public:
+  ReferenceTracer(vtkRenderer* renderer, const std::vector<vtkParticipatingMedium*>& media,
+    const ReferenceSettings& settings);
+
+  // False where the camera's matrices are not finite or cannot be inverted.
+  bool IsValid() const { return this->Rays.IsValid(); }
+  const ReferenceScene& GetScene() const { return this->Scene; }
+  const ReferenceLights& GetLights() const { return this->Lights; }
+
+  // What is to be said of lights that the medium leaves out; empty if there are none.
+  std::string DescribeLeftOut() const
+  {
+    return HasScattering(this->Media) ? this->Lights.DescribeLeftOut() : "";
+  }
+
+  // At a point of the picture, in pixels from its lower left corner; the middle of the first pixel is
+  // at 0.5, 0.5.
+  ReferencePixel Trace(double x, double y, const ReferenceChange& change = {}) const;
+
+  // The medium before a surface at a distance that others found: airlight, transmittance and lit length.
+  ReferencePixel TraceTo(double x, double y, double end) const;
+
+private:
+  struct PixelRay;
+  struct SurfaceHit
+  {
+    double T;
+    const OccluderTriangle* Triangle;
+  };
+
+  PixelRay MakeRay(double x, double y, const ReferenceChange& change) const;
+  void TraceMedium(PixelRay& ray, double end, ReferencePixel& pixel) const;
+  bool FindSurface(const Occluders& surfaces, const PixelRay& ray, double after, double before,
+    SurfaceHit& hit) const;
+  void FindLitParts(PixelRay& ray, double end) const;
+  bool IsLit(const PixelRay& ray, size_t light, double t) const;
+  glm::dvec3 Scatter(const PixelRay& ray, double end, double* litLength) const;
+  glm::dvec4 Shade(const PixelRay& ray, const SurfaceHit& hit) const;
+  glm::dvec3 Pass(const PixelRay& ray, double end) const;
+  void AddLayers(const PixelRay& ray, double end, glm::dvec3& radiance) const;
+  glm::dvec3 GetBackground(double y) const;
+
+  ReferenceSettings Settings;
+  PixelRays Rays;
+  f64::AirlightMedia Media;
+  ReferenceScene Scene;
+  ReferenceLights Lights;
+  glm::dvec3 Bottom{ 0.0 }; // of the background
+  glm::dvec3 Top{ 0.0 };
+};
+}
+
+#endif

@@ -1,0 +1,12 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  PRIVATE_CLASSES
+    AirlightReferenceLights
+    AirlightReferenceMesh
+    AirlightReferenceScene
+    AirlightReferenceTracer
+  SOURCES
+    vtkAirlightReferencePicture.cxx
+  HEADERS
+    vtkAirlightReferenceInternals.h)

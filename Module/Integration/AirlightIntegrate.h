@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Integrals along a ray in double precision, each by the best way that there is: closed forms,
+ * adaptive quadrature, or for densities from images quadrature cell by cell. Not installed.
+ */
+
+#ifndef AirlightIntegrate_h
+#define AirlightIntegrate_h
+
+#include "Integration/AirlightMath.h"
+
+namespace airlight
+{
+// Whether the density of one of the media comes from an image.
+bool HasGrid(const f64::AirlightMedia& media);
+
+// What the light scatters into the part [from, to] of a ray that lies inside ray.lit.
+glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::AirlightLight& light,
+  const f64::AirlightRay& ray, double from, double to);
+
+// What the media scatter of their ambient radiance into [0, to] of a ray of unit direction.
+glm::dvec3 IntegrateAmbient(const f64::AirlightMedia& media, const glm::dvec3& origin,
+  const glm::dvec3& direction, double to);
+
+// The same as AdaptiveQuadrature() with images among the densities: panels end where the ray passes
+// from one cell to the next, and those whose error is the largest are halved until all errors
+// together are below 1e-6 of the integral, or there are 20 000 panels more.
+glm::dvec3 GridQuadrature(const f64::AirlightMedia& media, const f64::AirlightLight& light,
+  const f64::AirlightRay& ray, double t0, double t1);
+}
+
+#endif

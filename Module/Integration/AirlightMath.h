@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The mathematics of the folder glsl as C++, through GLM: namespace airlight::f64 in double precision
+ * for the CPU classes, airlight::f32 in the shaders' single precision for the tests. The text of
+ * the functions is the shaders' own.
+ */
+
+#ifndef AirlightMath_h
+#define AirlightMath_h
+
+#include "Density/AirlightDensityGrid.h"
+
+#include <glm/glm.hpp>
+
+// More poles than any fit uses.
+#define AIRLIGHT_MAX_POLES 8
+// More media than any scene needs at once.
+#define AIRLIGHT_MAX_MEDIA 8
+
+#define AIRLIGHT_FN inline
+#define AIRLIGHT_OUT(T) T&
+#define AIRLIGHT_INOUT(T) T&
+#define AIRLIGHT_IN(T) const T&
+#define AIRLIGHT_PRECISE
+// Surfaces and tables lie in memory.
+#define AIRLIGHT_DATA_MEMBER const real4* data;
+#define AIRLIGHT_FETCH(owner, i) ((owner).data[(i)])
+#define AIRLIGHT_HAS_SURFACE 1
+#define AIRLIGHT_MAY_TRY true
+#define AIRLIGHT_FEW_ROUNDS true
+#define AIRLIGHT_COUNT_ROUND
+#define AIRLIGHT_HAS_TABLE 1
+#define AIRLIGHT_HAS_PHOTOMETRY 1
+// So do images of density, in world coordinates.
+#define AIRLIGHT_HAS_GRID 1
+#define AIRLIGHT_GRID_MEMBER                                          \
+  const DensityGrid* grid;                                            \
+  glm::dvec3 gridOrigin; /* the origin of coordinates in the world */ \
+  int gridFirst;         /* texel of the samples on a graphics card */
+#define AIRLIGHT_GRID_DENSITY(medium, point) \
+  real((medium).grid->GetDensity((medium).gridOrigin + glm::dvec3(point)))
+#define AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to) \
+  real((medium).grid->Integrate(                                 \
+    (medium).gridOrigin + glm::dvec3(origin), glm::dvec3(direction), from, to))
+
+namespace airlight
+{
+namespace f64
+{
+using real = double;
+using real2 = glm::dvec2;
+using real3 = glm::dvec3;
+using real4 = glm::dvec4;
+using bool3 = glm::bvec3;
+using namespace glm;
+#define AIRLIGHT_DOUBLE
+#include "Integration/AirlightFunctions.inl"
+#undef AIRLIGHT_DOUBLE
+}
+
+namespace f32
+{
+using real = float;
+using real2 = glm::vec2;
+using real3 = glm::vec3;
+using real4 = glm::vec4;
+using bool3 = glm::bvec3;
+using namespace glm;
+#include "Integration/AirlightFunctions.inl"
+}
+}
+
+#undef AIRLIGHT_FN
+#undef AIRLIGHT_OUT
+#undef AIRLIGHT_INOUT
+#undef AIRLIGHT_IN
+#undef AIRLIGHT_PRECISE
+#undef AIRLIGHT_DATA_MEMBER
+#undef AIRLIGHT_FETCH
+#undef AIRLIGHT_GRID_MEMBER
+#undef AIRLIGHT_GRID_DENSITY
+#undef AIRLIGHT_GRID_DEPTH
+
+#endif

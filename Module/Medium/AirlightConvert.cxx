@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Medium/AirlightConvert.h"
+
+#include "Phase/AirlightPhaseFit.h"
+#include "Region/AirlightSurfaceTree.h"
+
+#include "vtkAirlight.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkParticipatingMedium.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace airlight
+{
+namespace
+{
+int ConvertRegion(int region)
+{
+  switch (region)
+  {
+    case vtkParticipatingMedium::BOX:
+      return AIRLIGHT_REGION_BOX;
+    case vtkParticipatingMedium::SPHERE:
+      return AIRLIGHT_REGION_SPHERE;
+    case vtkParticipatingMedium::SURFACE:
+      return AIRLIGHT_REGION_SURFACE;
+    default:
+      return AIRLIGHT_REGION_UNBOUNDED;
+  }
+}
+
+void MakeNowhere(f64::AirlightMedium& medium)
+{
+  medium.region.kind = AIRLIGHT_REGION_BOX;
+  medium.region.boxMin = glm::dvec3(0.0);
+  medium.region.boxMax = glm::dvec3(0.0);
+  medium.sigmaS = glm::dvec3(0.0);
+  medium.sigmaT = glm::dvec3(0.0);
+}
+
+// A medium whose surface is missing or no good is nowhere.
+void ConvertSurface(
+  vtkParticipatingMedium* medium, const glm::dvec3& origin, f64::AirlightMedium& result)
+{
+  f64::AirlightRegion& region = result.region;
+  const std::shared_ptr<const SurfaceTree> tree = medium->GetSurfaceTree();
+  if (!tree)
+  {
+    MakeNowhere(result);
+    return;
+  }
+  region.boxMin = tree->GetLeast() - origin;
+  region.boxMax = tree->GetGreatest() - origin;
+  region.centre = tree->GetCentre() - origin;
+  region.data = tree->GetTexels().data();
+  region.nodes = tree->GetNodeCount();
+}
+
+// A medium whose image is missing or no good is nowhere. Boxes shrink to where the image is.
+void ConvertGrid(
+  vtkParticipatingMedium* medium, const glm::dvec3& origin, f64::AirlightMedium& result)
+{
+  const std::shared_ptr<const DensityGrid> grid = medium->GetDensityGrid();
+  if (!grid)
+  {
+    MakeNowhere(result);
+    return;
+  }
+  result.density = AIRLIGHT_DENSITY_GRID;
+  result.grid = grid.get();
+  result.gridOrigin = origin;
+  f64::AirlightRegion& region = result.region;
+  if (region.kind == AIRLIGHT_REGION_UNBOUNDED)
+  {
+    region.kind = AIRLIGHT_REGION_BOX;
+    region.boxMin = grid->GetLeast() - origin;
+    region.boxMax = grid->GetGreatest() - origin;
+  }
+  else if (region.kind == AIRLIGHT_REGION_BOX)
+  {
+    region.boxMin = glm::max(region.boxMin, grid->GetLeast() - origin);
+    region.boxMax = glm::min(region.boxMax, grid->GetGreatest() - origin);
+    if (glm::any(glm::greaterThan(region.boxMin, region.boxMax)))
+    {
+      MakeNowhere(result);
+    }
+  }
+}
+
+f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dvec3& origin)
+{
+  f64::AirlightMedium result{};
+  medium->GetScattering(&result.sigmaS.x);
+  medium->GetExtinction(&result.sigmaT.x);
+  medium->GetAmbientRadiance(&result.ambient.x);
+  const std::shared_ptr<const PhaseShape> phase = medium->GetPhaseShape();
+  result.phase = Convert(phase->Fit);
+  result.phase.data = phase->Rows.data();
+  result.phase.rows = static_cast<int>(phase->Rows.size());
+  result.region.kind = ConvertRegion(medium->GetRegion());
+  const double* bounds = medium->GetBounds();
+  result.region.boxMin = glm::dvec3(bounds[0], bounds[2], bounds[4]) - origin;
+  result.region.boxMax = glm::dvec3(bounds[1], bounds[3], bounds[5]) - origin;
+  medium->GetCenter(&result.region.centre.x);
+  result.region.centre -= origin;
+  result.region.radius = medium->GetRadius();
+  if (result.region.kind == AIRLIGHT_REGION_SURFACE)
+  {
+    ConvertSurface(medium, origin, result);
+  }
+  if (medium->GetDensity() == vtkParticipatingMedium::EXPONENTIAL_HEIGHT)
+  {
+    result.density = AIRLIGHT_DENSITY_HEIGHT;
+    medium->GetUp(&result.up.x);
+    result.inverseScaleHeight = 1.0 / medium->GetScaleHeight();
+    result.originHeight = glm::dot(result.up, origin) - medium->GetReferenceHeight();
+  }
+  else if (medium->GetDensity() == vtkParticipatingMedium::IMAGE)
+  {
+    ConvertGrid(medium, origin, result);
+  }
+  return result;
+}
+
+// The closed form holds for one uniform medium where the whole way from light to sample is inside:
+// inverse square, no exponent, and the light inside the convex region.
+int PointKind(const f64::AirlightMedia& media, const f64::AirlightLight& light)
+{
+  const f64::AirlightMedium& first = media.item[0];
+  const bool inverseSquare = light.attenuation.x == 0.0 && light.attenuation.y == 0.0;
+  const bool evenCone = light.cosCone < 0.0 || light.exponent == 0.0;
+  return media.count == 1 && first.density == AIRLIGHT_DENSITY_UNIFORM &&
+      first.region.kind != AIRLIGHT_REGION_SURFACE &&
+      f64::airlightHolds(first.region, light.position) && inverseSquare && evenCone &&
+      HasClosedForm(first.phase)
+    ? AIRLIGHT_POINT_CLOSED
+    : AIRLIGHT_POINT_QUADRATURE;
+}
+
+int DirectionalKind(const f64::AirlightMedia& media)
+{
+  const f64::AirlightMedium& first = media.item[0];
+  const bool unbounded = first.region.kind == AIRLIGHT_REGION_UNBOUNDED;
+  if (media.count == 1 && first.density == AIRLIGHT_DENSITY_HEIGHT && unbounded)
+  {
+    return AIRLIGHT_DIRECTIONAL_HEIGHT;
+  }
+  return media.count == 1 && first.density == AIRLIGHT_DENSITY_UNIFORM &&
+      (unbounded || first.region.kind == AIRLIGHT_REGION_BOX)
+    ? AIRLIGHT_DIRECTIONAL_CLOSED
+    : AIRLIGHT_DIRECTIONAL_QUADRATURE;
+}
+}
+
+//------------------------------------------------------------------------------
+f64::AirlightMedia ConvertMedia(
+  const std::vector<vtkParticipatingMedium*>& media, const glm::dvec3& origin)
+{
+  f64::AirlightMedia result{};
+  result.count = static_cast<int>(std::min<size_t>(media.size(), AIRLIGHT_MAX_MEDIA));
+  for (int i = 0; i < result.count; ++i)
+  {
+    result.item[i] = ConvertMedium(media[i], origin);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm::dvec3& position,
+  const glm::dvec3& radiantIntensity, const glm::dvec3& origin)
+{
+  f64::AirlightLight result{};
+  result.position = position - origin;
+  result.intensity = radiantIntensity;
+  result.attenuation = glm::dvec3(0.0, 0.0, 1.0);
+  result.cosCone = -1.0;
+  result.kind = PointKind(media, result);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool HasScattering(const f64::AirlightMedia& media)
+{
+  return std::any_of(media.item, media.item + media.count,
+    [](const f64::AirlightMedium& medium) { return medium.sigmaS != glm::dvec3(0.0); });
+}
+
+//------------------------------------------------------------------------------
+LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
+  const glm::dvec3& origin, f64::AirlightLight& result)
+{
+  result = f64::AirlightLight{};
+  glm::dvec3 position;
+  glm::dvec3 focalPoint;
+  vtkAirlight::GetRadiantIntensity(light, &result.intensity.x);
+  light->GetTransformedPosition(&position.x);
+  light->GetTransformedFocalPoint(&focalPoint.x);
+  light->GetAttenuationValues(&result.attenuation.x);
+  result.cosCone = -1.0;
+  result.exponent = light->GetExponent();
+  if (!light->GetSwitch() || result.intensity == glm::dvec3(0.0))
+  {
+    return LightSupport::Dark;
+  }
+  const glm::dvec3 axis = focalPoint - position;
+  const double length = glm::length(axis);
+  if (!IsModerate(result.intensity) || !IsModerate(position) || !IsModerate(focalPoint) ||
+    !std::isfinite(result.exponent) || result.exponent < 0.0)
+  {
+    return LightSupport::Invalid;
+  }
+  const bool isSpot = light->GetPositional() && light->GetConeAngle() < 90.0;
+  if ((!light->GetPositional() || isSpot) && !(length > 0.0))
+  {
+    return LightSupport::Invalid;
+  }
+  if (!light->GetPositional())
+  {
+    result.position = -axis / length;
+    result.attenuation = glm::dvec3(1.0, 0.0, 0.0);
+    result.kind = DirectionalKind(media);
+    return LightSupport::Scatters;
+  }
+  if (!IsModerate(result.attenuation) ||
+    glm::any(glm::lessThan(result.attenuation, glm::dvec3(0.0))) ||
+    result.attenuation == glm::dvec3(0.0))
+  {
+    return LightSupport::Invalid;
+  }
+  if (isSpot)
+  {
+    result.axis = axis / length;
+    result.cosCone = std::cos(vtkMath::RadiansFromDegrees(std::max(light->GetConeAngle(), 0.0)));
+  }
+  result.position = position - origin;
+  result.kind = PointKind(media, result);
+  if (result.kind == AIRLIGHT_POINT_CLOSED)
+  {
+    result.intensity /= result.attenuation.z;
+    result.attenuation.z = 1.0;
+  }
+  return LightSupport::Scatters;
+}
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * From VTK's objects to the structures of the mathematics. The only place where a vtkLight's
+ * numbers become physical ones. Not installed; exported for the module's own tests.
+ */
+
+#ifndef AirlightConvert_h
+#define AirlightConvert_h
+
+#include "Integration/AirlightMath.h"
+#include "vtkAirlightModule.h" // for export macro
+
+#include <vector>
+
+class vtkLight;
+class vtkParticipatingMedium;
+
+namespace airlight
+{
+// Whether all components are finite and their squares, too. False for NaN.
+inline bool IsModerate(const glm::dvec3& v)
+{
+  return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(1e100)));
+}
+
+// Media with positions relative to `origin`; those beyond AIRLIGHT_MAX_MEDIA are left out.
+VTKAIRLIGHT_EXPORT f64::AirlightMedia ConvertMedia(
+  const std::vector<vtkParticipatingMedium*>& media, const glm::dvec3& origin);
+
+// Whether any of the media scatters light.
+VTKAIRLIGHT_EXPORT bool HasScattering(const f64::AirlightMedia& media);
+
+// What the mathematics can do with a light.
+enum class LightSupport
+{
+  Dark,     // switched off or without power: contributes nothing
+  Scatters, // done
+  Invalid   // numbers that are not finite, or attenuation without a positive term
+};
+
+// What is said of lights that are LightSupport::Invalid.
+constexpr const char* InvalidLampText =
+  "A light is left out of the medium: its position, colour and attenuation must be finite, "
+  "its attenuation at least 0 with one term above 0, its exponent at least 0, and the focal "
+  "point of a spot or a directional light apart from its position.";
+
+// A point light of this radiant intensity and inverse-square attenuation, relative to `origin`.
+f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm::dvec3& position,
+  const glm::dvec3& radiantIntensity, const glm::dvec3& origin);
+
+// Any vtkLight, relative to `origin`. The light's radius is left for the caller to set.
+VTKAIRLIGHT_EXPORT LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
+  const glm::dvec3& origin, f64::AirlightLight& result);
+}
+
+#endif

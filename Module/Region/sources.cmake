@@ -1,0 +1,9 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  PRIVATE_CLASSES
+    AirlightSurfaceTree
+    AirlightTriangulate
+  SOURCES
+    AirlightSurfaceOrientation.cxx
+    vtkParticipatingMediumRegion.cxx)

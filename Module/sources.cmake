@@ -1,0 +1,33 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  CLASSES
+    vtkAirlight
+    vtkParticipatingMedium
+  GLSL
+    glsl/Integrals/AirlightAmbient.glsl
+    glsl/Integrals/AirlightExponentialIntegral.glsl
+    glsl/Integrals/AirlightGauss.glsl
+    glsl/Integrals/AirlightGlow.glsl
+    glsl/Integrals/AirlightGlowRay.glsl
+    glsl/Integrals/AirlightGoniometricRay.glsl
+    glsl/Integrals/AirlightGridRay.glsl
+    glsl/Integrals/AirlightKinks.glsl
+    glsl/Integrals/AirlightPrelude.glsl
+    glsl/Integrals/AirlightQuadrature.glsl
+    glsl/Integrals/AirlightScattering.glsl
+    glsl/Integrals/AirlightTurn.glsl
+    glsl/Integrals/AirlightTurnPart.glsl
+    glsl/Integrals/AirlightTurnWhole.glsl
+    glsl/Light/AirlightGoniometric.glsl
+    glsl/Light/AirlightLight.glsl
+    glsl/Light/AirlightPointLight.glsl
+    glsl/Medium/AirlightClosedSurface.glsl
+    glsl/Medium/AirlightGrid.glsl
+    glsl/Medium/AirlightHeightFog.glsl
+    glsl/Medium/AirlightMedia.glsl
+    glsl/Medium/AirlightMedium.glsl
+    glsl/Medium/AirlightPath.glsl
+    glsl/Medium/AirlightPhase.glsl
+    glsl/Medium/AirlightPieces.glsl
+    glsl/Medium/AirlightRegion.glsl)

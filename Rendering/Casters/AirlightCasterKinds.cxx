@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Casters/AirlightCasterKinds.h"
+
+#include "Casters/AirlightGlyphs.h"
+#include "vtkAirlightPass.h"
+#include "vtkDataSet.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkMapper.h"
+#include "vtkProp.h"
+
+namespace airlight
+{
+//------------------------------------------------------------------------------
+bool MayCast(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return prop->GetVisibility() &&
+    !(keys && keys->Has(vtkAirlightPass::CASTS_SHADOW()) &&
+      keys->Get(vtkAirlightPass::CASTS_SHADOW()) == 0);
+}
+
+//------------------------------------------------------------------------------
+bool DrawsItsPolygons(vtkMapper* mapper)
+{
+  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") ||
+           mapper->IsA("vtkCompositePolyDataMapper")) &&
+    !mapper->IsA("vtkPointGaussianMapper") && !mapper->IsA("vtkOpenGLSphereMapper") &&
+    !mapper->IsA("vtkOpenGLStickMapper");
+}
+
+//------------------------------------------------------------------------------
+bool IsKnown(vtkMapper* mapper)
+{
+  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
+  if (!glyphs || glyphs->GetNumberOfInputConnections(0) == 0)
+  {
+    return glyphs || DrawsItsPolygons(mapper);
+  }
+  glyphs->Update();
+  return HasKnownGlyphs(glyphs);
+}
+
+//------------------------------------------------------------------------------
+bool ShowsAll(vtkDataObject* input)
+{
+  auto* data = vtkDataSet::SafeDownCast(input);
+  return data && !data->HasAnyGhostCells() && !data->HasAnyBlankCells();
+}
+}

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Casters/AirlightCasters.h"
+
+#include "Casters/AirlightCasterBlocks.h"
+#include "Casters/AirlightCasterKinds.h"
+#include "Casters/AirlightGlyphs.h"
+#include "Integration/AirlightMatrix.h"
+#include "Scene/AirlightPropParts.h"
+#include "vtkActor.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkGeometryFilter.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <cmath>
+#include <iterator>
+
+namespace airlight
+{
+namespace
+{
+template <typename Map>
+void EraseUnused(Map& map)
+{
+  for (auto entry = map.begin(); entry != map.end();)
+  {
+    entry = entry->second.Used ? std::next(entry) : map.erase(entry);
+  }
+}
+
+// A flattened or undefined object has no shadow volume.
+bool HasVolume(const glm::dmat4& toWorld)
+{
+  const double determinant = glm::determinant(toWorld);
+  return std::isfinite(determinant) && determinant != 0.0;
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer, bool translucent)
+{
+  this->Translucent = false;
+  this->TakesTranslucent = translucent;
+  this->Error.clear();
+  this->Casters.clear();
+  this->Others.clear();
+  this->Skipped.clear();
+  for (auto& entry : this->Meshes)
+  {
+    entry.second.Used = false;
+  }
+  for (auto& surface : this->Surfaces)
+  {
+    surface.second.Used = false;
+  }
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it = nullptr;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    this->AddProp(prop);
+  }
+  EraseUnused(this->Meshes);
+  EraseUnused(this->Surfaces);
+  return this->Casters;
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::Clear()
+{
+  this->Meshes.clear();
+  this->Surfaces.clear();
+  this->Casters.clear();
+  this->Others.clear();
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddProp(vtkProp* prop)
+{
+  if (!MayCast(prop))
+  {
+    return;
+  }
+  VisitParts(
+    prop,
+    [&](vtkActor* actor, vtkMatrix4x4* matrix) {
+      vtkMapper* mapper = actor->GetMapper();
+      if (MayCast(actor))
+      {
+        mapper && !IsKnown(mapper) ? this->AddOther(actor, prop, matrix)
+                                   : this->AddActor(actor, prop, matrix);
+      }
+    },
+    [&](vtkProp* part) {
+      if (part->IsA("vtkLODProp3D") && MayCast(part))
+      {
+        this->Skipped = part->GetClassName();
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec3> OtherCaster::GetCorners() const
+{
+  // A part's own bounds are those of where it stands without the assembly.
+  const double* b = this->Place ? this->Actor->GetMapper()->GetBounds() : this->Actor->GetBounds();
+  std::vector<glm::dvec3> corners;
+  for (int i = 0; i < 8 && b && vtkMath::AreBoundsInitialized(b); ++i)
+  {
+    const glm::dvec4 corner(b[i & 1], b[2 + (i >> 1 & 1)], b[4 + (i >> 2)], 1.0);
+    corners.emplace_back(this->Place ? ToGlm(this->Place) * corner : corner);
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddOther(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix)
+{
+  OtherCaster other;
+  other.Actor = actor;
+  other.Owner = owner;
+  if (actor != owner)
+  {
+    other.Place = vtkSmartPointer<vtkMatrix4x4>::New();
+    other.Place->DeepCopy(matrix);
+  }
+  if (actor->HasOpaqueGeometry() && !other.GetCorners().empty())
+  {
+    this->Others.push_back(other);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Where the opacity is not the property's, that of the surface's places is not known here, and the
+// actor casts nothing.
+CasterCache::Look CasterCache::GetLook(vtkActor* actor, vtkProp* owner)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  vtkProperty* property = actor->GetProperty();
+  Look look;
+  look.Owner = owner;
+  look.Culled = property->GetBackfaceCulling() || property->GetFrontfaceCulling() ||
+    (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0);
+  look.HidesFaces = look.Culled;
+  const double opacity = property->GetOpacity();
+  if (actor->HasTranslucentPolygonalGeometry() && (opacity < 1.0 || !actor->HasOpaqueGeometry()))
+  {
+    look.HidesFaces = true;
+    look.Opacity = glm::dvec3(opacity < 1.0 ? opacity : 0.0);
+  }
+  // VTK hands an assembly's keys to its parts while it draws them.
+  look.FromKey = ReadShadowOpacity(owner, look.Opacity, this->Error);
+  return look;
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
+  if (!mapper || !(glyphs || DrawsItsPolygons(mapper)) ||
+    mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  // Actors outside the view are not rendered, so nobody else updates them.
+  mapper->Update();
+  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE ||
+    !(actor->HasOpaqueGeometry() || actor->HasTranslucentPolygonalGeometry()))
+  {
+    return;
+  }
+  Look look = this->GetLook(actor, owner);
+  if (glyphs)
+  {
+    this->AddGlyphs(glyphs, matrix, look);
+    return;
+  }
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  look.ShowsAll = owner == actor && ShowsAll(input);
+  if (auto* data = vtkPolyData::SafeDownCast(input))
+  {
+    this->AddData(data, matrix, look);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    for (const CasterBlock& block : GetBlocks(composite, mapper))
+    {
+      Look own = look;
+      if (block.Opacity >= 0.0)
+      {
+        own.HidesFaces = look.Culled || block.Opacity < 1.0;
+        own.Opacity = look.FromKey ? look.Opacity : glm::dvec3(block.Opacity);
+      }
+      this->AddData(block.Data, matrix, own);
+    }
+  }
+  else if (auto* grid = vtkDataSet::SafeDownCast(input))
+  {
+    this->AddData(this->GetSurface(grid), matrix, look);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Each a caster of its own; they share the meshes of their sources.
+void CasterCache::AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Look& look)
+{
+  vtkNew<vtkMatrix4x4> toWorld;
+  for (const Glyph& glyph : GetGlyphs(mapper))
+  {
+    vtkMatrix4x4::Multiply4x4(matrix, glyph.ToActor, toWorld);
+    this->AddData(glyph.Source, toWorld, look);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* CasterCache::GetSurface(vtkDataSet* grid)
+{
+  Surface& surface = this->Surfaces[grid];
+  if (!surface.Filter)
+  {
+    surface.Filter = vtkSmartPointer<vtkGeometryFilter>::New();
+    surface.Filter->SetInputData(grid);
+  }
+  surface.Used = true;
+  surface.Filter->Update();
+  return surface.Filter->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Look& look)
+{
+  Caster caster;
+  caster.HidesFaces = look.HidesFaces;
+  caster.Owner = look.Owner;
+  caster.Layer = GetShadowLayer(look.Opacity);
+  caster.ToWorld = ToGlm(matrix);
+  if (!HasVolume(caster.ToWorld) || caster.Layer == ShadowLayer{})
+  {
+    return;
+  }
+  const bool translucent = caster.Layer.Blocks != glm::ivec3(1);
+  this->Translucent = this->Translucent || translucent;
+  if (translucent && !this->TakesTranslucent)
+  {
+    return;
+  }
+  Entry& entry = this->Meshes[data];
+  const GeometryTimes times = GetGeometryTimes(data);
+  // Another data set may have got a deleted one's address.
+  if (entry.Data != data || entry.Times != times)
+  {
+    entry.Data = data;
+    entry.Times = times;
+    entry.Mesh = std::make_shared<CasterMesh>(data);
+    entry.Faces = std::make_shared<std::vector<FlatFace>>(FindFlatFaces(*entry.Mesh));
+  }
+  entry.Used = true;
+  if (!entry.Mesh->Triangles.empty())
+  {
+    caster.Mesh = entry.Mesh;
+    const bool hides = look.ShowsAll && !look.HidesFaces && !translucent && !entry.Faces->empty();
+    caster.Faces = hides ? entry.Faces : nullptr;
+    this->Casters.push_back(caster);
+  }
+}
+}

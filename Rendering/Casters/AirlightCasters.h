@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What casts shadows in a renderer, inside the view or not.
+ */
+
+#ifndef AirlightCasters_h
+#define AirlightCasters_h
+
+#include "Casters/AirlightFlatFaces.h"
+#include "Casters/AirlightShadowLayer.h"
+#include "Scene/AirlightGeometryTimes.h"
+#include "Silhouette/AirlightCasterMesh.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/glm.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkDataSet;
+class vtkGeometryFilter;
+class vtkGlyph3DMapper;
+class vtkPolyData;
+class vtkProp;
+class vtkRenderer;
+
+namespace airlight
+{
+// A mesh in its place.
+struct Caster
+{
+  std::shared_ptr<const CasterMesh> Mesh;
+  glm::dmat4 ToWorld;
+  bool HidesFaces =
+    false;           // culled, clipped or translucent: rays can go through parts of it that cast
+  ShadowLayer Layer; // what each of its triangles does to light
+  // What of it hides what lies behind, where the prop draws its triangles as they are; else null.
+  std::shared_ptr<const std::vector<FlatFace>> Faces;
+  const vtkProp* Owner = nullptr; // in the renderer; to be compared only
+
+  bool HasSameShape(const Caster& other) const
+  {
+    return this->Mesh == other.Mesh && this->ToWorld == other.ToWorld &&
+      this->HidesFaces == other.HidesFaces;
+  }
+
+  bool operator==(const Caster& other) const
+  {
+    return this->HasSameShape(other) && this->Layer == other.Layer;
+  }
+};
+
+// An opaque actor whose mapper draws something else than its input's polygons.
+struct OtherCaster
+{
+  // The corners of its box in the world; empty if it has none.
+  std::vector<glm::dvec3> GetCorners() const;
+
+  vtkActor* Actor = nullptr;
+  vtkProp* Owner = nullptr;            // in the renderer: the actor, or what it is a part of
+  vtkSmartPointer<vtkMatrix4x4> Place; // of a part, to the world; else null
+};
+
+// Meshes are prepared once per change of their points or polygons and kept while anything in the
+// renderer shows them.
+class CasterCache
+{
+public:
+  // All visible polygonal actors, glyphs, parts of assemblies and blocks of composite data sets, but
+  // for those whose property keys say otherwise; those that let light through where asked for.
+  const std::vector<Caster>& Collect(vtkRenderer* renderer, bool translucent);
+
+  // Whether the last Collect() met casters that let light through, and what is wrong with the keys of
+  // one of the props.
+  bool MetTranslucent() const { return this->Translucent; }
+  const std::string& GetError() const { return this->Error; }
+
+  // What the last Collect() returned.
+  const std::vector<Caster>& GetCasters() const { return this->Casters; }
+
+  // Those of the last Collect(): splats, imposters, glyphs that GetGlyphs() does not know.
+  const std::vector<OtherCaster>& GetOthers() const { return this->Others; }
+
+  // A vtkLODProp3D of the last Collect() that shows something else than an actor; empty if there is none.
+  const std::string& GetSkipped() const { return this->Skipped; }
+
+  void Clear();
+
+private:
+  struct Entry
+  {
+    vtkWeakPointer<vtkPolyData> Data;
+    GeometryTimes Times{};
+    std::shared_ptr<const CasterMesh> Mesh;
+    std::shared_ptr<const std::vector<FlatFace>> Faces;
+    bool Used = false;
+  };
+
+  // The surface of a grid, extracted as vtkDataSetMapper does.
+  struct Surface
+  {
+    vtkSmartPointer<vtkGeometryFilter> Filter;
+    bool Used = false;
+  };
+
+  // How an actor's triangles stand in the light and in the way of rays.
+  struct Look
+  {
+    glm::dvec3 Opacity{ 1.0 };
+    bool HidesFaces = false;
+    bool Culled = false;  // or clipped
+    bool FromKey = false; // the opacity, which then is that of all blocks
+    const vtkProp* Owner = nullptr;
+    bool ShowsAll = false; // the mapper's input and nothing else
+  };
+
+  void AddProp(vtkProp* prop);
+  void AddOther(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix);
+  void AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix);
+  Look GetLook(vtkActor* actor, vtkProp* owner);
+  void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Look& look);
+  void AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Look& look);
+
+  vtkPolyData* GetSurface(vtkDataSet* grid);
+
+  std::map<vtkPolyData*, Entry> Meshes;
+  std::map<vtkDataSet*, Surface> Surfaces;
+  std::vector<Caster> Casters;
+  std::vector<OtherCaster> Others;
+  std::string Skipped;
+  bool Translucent = false;
+  bool TakesTranslucent = false;
+  std::string Error;
+};
+}
+
+#endif

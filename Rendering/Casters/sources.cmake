@@ -1,0 +1,11 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  PRIVATE_CLASSES
+    AirlightCasterBlocks
+    AirlightCasterBox
+    AirlightCasterKinds
+    AirlightCasters
+    AirlightFlatFaces
+    AirlightGlyphs
+    AirlightShadowLayer)

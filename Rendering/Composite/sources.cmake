@@ -1,0 +1,7 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  GLSL
+    glsl/AirlightCompositeFS.glsl
+    glsl/AirlightCopyFS.glsl
+    glsl/AirlightDisplay.glsl)

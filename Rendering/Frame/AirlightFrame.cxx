@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/AirlightFrame.h"
+
+#include "AirlightDistancesFS.h"
+#include "AirlightViewShader.h"
+#include "OpenGL/AirlightOpenGL.h"
+
+#include "vtkImageData.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+//------------------------------------------------------------------------------
+bool IsClear(const f64::AirlightMedia& media)
+{
+  return std::all_of(media.item, media.item + media.count,
+    [](const f64::AirlightMedium& medium) { return medium.sigmaT == glm::dvec3(0.0); });
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Fail(const std::string& reason)
+{
+  this->Error = reason;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
+  f64::AirlightMedia& converted, std::vector<Lamp>& lamps)
+{
+  this->OverBudget = false;
+  this->TakesReference = false;
+  return UploadData(this->Data, &this->Grids, window, media, converted, lamps) ||
+    this->Fail(this->Data.GetError());
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
+  const std::vector<Lamp>& lamps, const View& view, const FrameSettings& settings, int width,
+  int height)
+{
+  this->Renderer = renderer;
+  this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->Media = media;
+  this->Lamps = lamps;
+  this->Rays = view;
+  this->Settings = settings;
+  this->Width = width;
+  this->Height = height;
+  Targets::Needs needs;
+  needs.Lamps = lamps.size();
+  needs.Drawn = !settings.KnowsAll;
+  needs.Dark = settings.Apart >= 0;
+  needs.Record = settings.Record;
+  needs.Layers = settings.Layers;
+  needs.Reference = settings.Difference;
+  if (!this->Textures.Prepare(this->Window, width, height, needs))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Frame::ClearTarget(float value)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglClearColor(value, value, value, value);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+}
+
+//------------------------------------------------------------------------------
+bool Frame::BindDistances()
+{
+  const vtkNew<vtkTextureObject>& target =
+    this->Settings.KnowsAll ? this->Textures.Distances : this->Textures.Drawn;
+  if (!this->Textures.Bind({ target }, this->Textures.Depth))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->ClearTarget(-1.0f);
+  this->ClearDepth();
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDisable(GL_BLEND);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Frame::ClearDepth()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+}
+
+//------------------------------------------------------------------------------
+bool Frame::BindCollect()
+{
+  if (!this->Textures.Bind({}, this->Textures.Depth))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDisable(GL_BLEND);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::FinishDistances()
+{
+  if (this->Settings.KnowsAll)
+  {
+    return true;
+  }
+  if (!this->Textures.Bind({ this->Textures.Distances }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  vtkShaderProgram* program = this->DistancesQuad.Ready(
+    this->Window, std::string("#version 330\n") + AirlightViewShader + AirlightDistancesFS);
+  if (!program)
+  {
+    return this->Fail(std::string("the shader of distances") + ProgramMaker::GetReason());
+  }
+  this->Rays->SetUniforms(program, 0, 0);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  this->DistancesQuad.Draw(
+    { { "drawn", this->Textures.Drawn }, { "sceneDepth", this->Textures.Depth } });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+LayerRecords::Outcome Frame::CheckCollected()
+{
+  const LayerRecords::Outcome outcome = this->LayerLists.Check();
+  if (outcome == LayerRecords::Outcome::Failed)
+  {
+    this->Fail(this->LayerLists.GetError());
+  }
+  return outcome;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTextureObject*> Frame::GetScatterTargets()
+{
+  if (this->TakesReference)
+  {
+    return { this->Textures.Reference };
+  }
+  std::vector<vtkTextureObject*> targets = { this->Textures.Scattered };
+  if (this->Settings.Record)
+  {
+    targets.push_back(this->Textures.Counts);
+    targets.push_back(this->Textures.Single);
+  }
+  if (this->HasMoreLit())
+  {
+    targets.push_back(this->Textures.Lit);
+  }
+  return targets;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::ScatterLights()
+{
+  this->Joined = -1;
+  this->LeftOver = false;
+  if (this->Settings.Whole)
+  {
+    this->Buffers.clear();
+    this->ReleaseMaps(this->Window);
+    return true;
+  }
+  if (!this->Textures.Bind(this->GetScatterTargets(), nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->ClearTarget(0.0f);
+  this->Buffers.clear();
+  this->Volumes.resize(this->Lamps.size());
+  // Maps are large: those of lamps, or of a technique, that are no more go.
+  const bool mapped = this->Settings.Shadows == ShadowMethod::Map ||
+    this->Settings.Shadows == ShadowMethod::March || this->Settings.Difference;
+  if (this->Maps.size() > this->Lamps.size() || !mapped)
+  {
+    this->ReleaseMaps(this->Window);
+  }
+  this->Maps.resize(this->Lamps.size());
+  if (!this->UpdateShadows())
+  {
+    return false;
+  }
+  for (size_t k = 0; k < this->Lamps.size(); ++k)
+  {
+    const Lamp& lamp = this->Lamps[k];
+    if (lamp.Scatters() && !this->ScatterLight(static_cast<int>(k)))
+    {
+      return false;
+    }
+    if (this->Settings.Record && !this->RecordSingle(static_cast<int>(k)))
+    {
+      return false;
+    }
+  }
+  // The mappers read what the resolves wrote.
+  if (this->Settings.LayerRecords || this->Dimmed)
+  {
+    // No test fails without it, see AirlightOpenGL.h.
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  }
+  return !this->Settings.Difference || this->ScatterReference();
+}
+
+//------------------------------------------------------------------------------
+void Frame::ReleaseMaps(vtkWindow* window)
+{
+  for (const auto& map : this->Maps)
+  {
+    if (map)
+    {
+      map->Release(window);
+    }
+  }
+  this->Maps.clear();
+}
+
+//------------------------------------------------------------------------------
+void Frame::ReleaseObjects(vtkWindow* window)
+{
+  for (Quad& quad : this->ResolveQuads)
+  {
+    quad.Release();
+  }
+  this->DistancesQuad.Release();
+  this->CompositeQuad.Release();
+  this->LayersQuad.Release();
+  this->CopyQuad.Release();
+  this->MapQuad.Release();
+  this->Boundaries.Release();
+  this->LayerLists.Release();
+  this->SurfaceDimming.Release();
+  this->Volumes.clear();
+  this->ReleaseMaps(window);
+  this->Textures.Release(window);
+  this->Data.Release(window);
+}
+
+//------------------------------------------------------------------------------
+void Frame::Release(vtkWindow* window)
+{
+  this->ReleaseObjects(window);
+  this->Casters.Clear();
+  this->FoundCasters = nullptr;
+  this->OpaqueCasters.clear();
+}
+}

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * One frame of vtkAirlightPass, step by step, and what is kept from frame to frame:
+ *
+ *   1. distances of the opaque surfaces, and what casts shadows;
+ *   2. for each light: shadow planes into lists, or casters into a shadow map, and from these
+ *      airlight and the bit that says whether the light reaches the surface;
+ *   3. colours of the scene, each light dimmed and shadowed;
+ *   4. airlight + transmittance * colours, and what is drawn over it, translucent surfaces and
+ *      volumes;
+ *   5. into the caller's framebuffer.
+ *
+ * Most scenes are drawn once: steps 1 and 3 are one, in place of the first (vtkAirlightPassOnce.cxx).
+ * Where no light's airlight has shadows, step 2 is done with step 4 (AirlightFrameWholeRays.cxx).
+ */
+
+#ifndef AirlightFrame_h
+#define AirlightFrame_h
+
+#include "Casters/AirlightCasters.h"
+#include "Frame/AirlightFrameSettings.h"
+#include "Frame/AirlightTargets.h"
+#include "MapperShaders/AirlightSurfaceShader.h"
+#include "OpenGL/AirlightQuad.h"
+#include "Scene/AirlightLamps.h"
+#include "Scene/AirlightSceneData.h"
+#include "Scene/AirlightView.h"
+#include "ShadowMaps/AirlightShadowMap.h"
+#include "ShadowVolumes/AirlightHidingFaces.h"
+#include "ShadowVolumes/AirlightRemoteShadows.h"
+#include "ShadowVolumes/AirlightShadowLists.h"
+#include "ShadowVolumes/AirlightShadowVolumes.h"
+#include "Translucency/AirlightDimming.h"
+#include "Translucency/AirlightLayerRecords.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkParticipatingMedium;
+class vtkProp;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace airlight
+{
+// Asks the shaders for what is recorded.
+constexpr const char* RecordDefinition = "#define AIRLIGHT_RECORD\n";
+
+// What the pass states of the airlight's relative error, beside the phase function's (see
+// Documentation/accuracy.md).
+constexpr float ClosedFormError = 1e-4f;
+constexpr float QuadratureError = 1e-3f;
+// In an image that its medium's region cuts: where the way to the light begins to leave the region instead of
+// the image there is a kink, at which cells are not cut. 6e-3 measured.
+constexpr float CutImageError = 1e-2f;
+
+// Whether the media neither scatter nor absorb.
+bool IsClear(const f64::AirlightMedia& media);
+
+class Frame
+{
+public:
+  // UploadData() for the shaders, before Begin().
+  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
+    f64::AirlightMedia& converted, std::vector<Lamp>& lamps);
+
+  // Finds what casts shadows, before Begin(), with what lets light through or without; and what of
+  // it has no polygons to draw planes from.
+  void FindCasters(vtkRenderer* renderer, bool translucent)
+  {
+    this->Casters.Collect(renderer, translucent);
+  }
+  // Whether there was something that lets light through.
+  bool MetTranslucent() const { return this->Casters.MetTranslucent(); }
+  const std::vector<OtherCaster>& GetOtherCasters() const { return this->Casters.GetOthers(); }
+
+  // What the casters of other processes do, for all frames until it is forgotten.
+  void AddRemoteShadows(const RemoteShadows& remote) { this->Remotes.push_back(remote); }
+  void ForgetRemoteShadows() { this->Remotes.clear(); }
+  bool HasRemoteShadows() const { return !this->Remotes.empty(); }
+
+  // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
+  bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps,
+    const View& view, const FrameSettings& settings, int width, int height);
+
+  // Step 1: binds the target that the opaque geometry is to be drawn into, cleared.
+  bool BindDistances();
+  // After that.
+  bool FinishDistances();
+
+  // Before step 2 where there are records: binds nothing but the depth of the opaque geometry, for the
+  // translucent geometry to be drawn; and whether it has to be drawn again.
+  bool BindCollect();
+  LayerRecords::Outcome CheckCollected();
+  // Room for what the casters found take; before the records are made.
+  bool PrepareCasters();
+  // Whether some of it lets light through; the mappers' shaders then have to know.
+  bool IsDimmed() const { return this->Dimmed; }
+  const CasterCache& GetCasters() const { return this->Casters; }
+
+  // Step 2.
+  bool ScatterLights();
+
+  // Step 3: binds the target that the scene is to be drawn into.
+  bool BindScene();
+
+  // Steps 1 and 3 in one, in place of them: binds the targets of colours and distances, of which the
+  // background is drawn into the first alone.
+  bool BindOnce();
+
+  // In either case, before the opaque surfaces and after them.
+  void BeginSurfaces();
+  void EndSurfaces();
+
+  // Step 4 where something is to be drawn over the medium, or buffers to be recorded: into a texture,
+  // which stays bound.
+  bool CompositeLayers();
+
+  // The buffers of vtkAirlightPass::GetBuffer(), after that.
+  bool Record();
+  vtkImageData* GetBuffer(const std::string& name);
+  void ForgetBuffers() { this->Buffers.clear(); }
+
+  // Step 5: into the framebuffer that is bound, with the viewport at x, y.
+  bool Composite(int x, int y, bool blend);
+
+  // Over it, the edges of all shadow planes.
+  bool DrawPlanes();
+
+  // For the meantime of what is drawn with a light's camera into a shadow map: its rays, and the
+  // face's lower left corner.
+  void SetMapRays(const View* rays, int x, int y);
+
+  bool IsClear() const { return airlight::IsClear(this->Media); }
+  // After a failure: whether it was for too many shadow boundaries, or only the ray march's.
+  bool IsOverBudget() const { return this->OverBudget; }
+  bool IsReferenceMissing() const { return this->TakesReference; }
+
+  bool IsOnce() const { return this->Settings.Once; }
+  bool HasLayers() const { return this->Settings.Layers; }
+  bool HasLayerRecords() const { return this->Settings.LayerRecords; }
+
+  SurfaceUniforms GetSurfaceUniforms(SurfaceStage stage);
+
+  // Brings them to the target that a delegate has bound, which may be of another size, and binds
+  // the textures again whose units it may have used.
+  void FitToTarget(SurfaceUniforms& values);
+  vtkOpenGLRenderWindow* GetWindow() const { return this->Window; }
+  vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Textures.GetFramebuffer(); }
+  const std::string& GetError() const { return this->Error; }
+
+  // Frees all OpenGL objects, of which some may be what OpenGL refused; the next frame makes others.
+  // Release() frees what is known of casters, too.
+  void ReleaseObjects(vtkWindow* window);
+  void Release(vtkWindow* window);
+
+private:
+  bool Fail(const std::string& reason);
+  bool UpdateShadows();
+  bool UpdateShadows(int index, const std::vector<Caster>& casters);
+  ShadowVolumes::Remotes GetRemotes(int index) const;
+  bool ScatterLight(int index);
+  bool ScatterReference();
+  ShadowLists::Source GetPlanesSource(int index);
+  bool ScatterWithLists(int index);
+  bool ResolveLong(int index, int row, int rows);
+  bool RecordSingle(int index);
+
+  // Which pixels a draw of the resolve does.
+  enum class Lists
+  {
+    None,     // all, without shadows
+    Short,    // those with lists that it sorts itself
+    Long,     // the others, sorted beforehand
+    LongRest, // what the draw before left of them
+    Map       // all, shadows from a map
+  };
+  bool Resolve(int index, Lists lists, int row, int rows);
+  bool DrawResolve(int index, Lists lists, bool layersOnly, int row, int rows);
+  bool IsTurned(int index, Lists lists) const;
+  std::string GetResolveSource(int index, Lists lists, bool layersOnly) const;
+  static std::string GetTurnSource(); // AirlightTurn.glsl and what it takes, and the media
+  std::string GetTurnedSource(int index, Lists lists) const;
+  std::string GetResolveHead(int index, bool storage) const;
+  void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool layersOnly);
+  void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);
+  double GetIntegralError(int index) const;
+  void SetTurnedConstants(vtkShaderProgram* program, const std::vector<int>& lights);
+  void SetMapUniforms(vtkShaderProgram* program, int index);
+  ShadowMap* GetMap(int index) const;
+
+  std::string GetWholeRaysSource(const std::vector<int>& lights) const;
+  bool MayJoin(int index) const;
+  std::string GetJoinedSource() const;
+  bool AreTurned(const std::vector<int>& lights) const;
+  void SetWholeRaysUniforms(vtkShaderProgram* program, const std::vector<int>& lights);
+
+  vtkShaderProgram* ReadyComposite(bool layers, int x, int y);
+  vtkShaderProgram* ReadyCopy(int x, int y);
+  std::vector<std::pair<const char*, vtkTextureObject*>> GetCompositeTextures();
+  std::vector<vtkTextureObject*> GetScatterTargets();
+  bool HasMoreLit() const { return this->Lamps.size() > BitsPerChannel; }
+  void ClearTarget(float value);
+  void ClearDepth();
+  void BlendColours();
+  void ReleaseMaps(vtkWindow* window);
+
+  Targets Textures;
+  SceneData Data;
+  LightGrids Grids;
+  ShadowLists Boundaries;
+  LayerRecords LayerLists;
+  CasterCache Casters;
+  std::vector<RemoteShadows> Remotes; // by process
+  Dimming SurfaceDimming;
+  std::vector<ShadowVolumes> Volumes;           // by light number
+  std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise
+  // The light whose boundaries the composition resolves, -1: none; whether some pixels' were resolved
+  // before it.
+  int Joined = -1;
+  bool LeftOver = false;
+  std::array<Quad, 5> ResolveQuads; // none, short, long, map, records only
+  Quad DistancesQuad;
+  Quad CompositeQuad;
+  Quad LayersQuad;
+  Quad CopyQuad;
+  Quad MapQuad; // of all maps, as are the programs
+  ProgramMaker MapPrograms;
+  std::map<std::string, vtkSmartPointer<vtkImageData>> Buffers;
+  std::string Error;
+
+  // This frame's.
+  vtkRenderer* Renderer = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  f64::AirlightMedia Media{};
+  std::vector<Lamp> Lamps;
+  std::optional<View> Rays;
+  const View* MapRays = nullptr;
+  const std::vector<Caster>* FoundCasters = nullptr; // null: without shadows
+  std::vector<HidingFace> Faces;                     // behind which no shadow planes are drawn
+  std::vector<Caster> OpaqueCasters;                 // those for maps
+  bool Dimmed = false;
+  int MapX = 0;
+  int MapY = 0;
+  FrameSettings Settings;
+  bool OverBudget = false;
+  bool TakesReference = false; // the ray march, beside the picture
+  int Width = 0;
+  int Height = 0;
+};
+}
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What casts shadows in a frame, and what becomes of a frame where some of it lets light through.
+
+#include "Frame/AirlightFrame.h"
+
+#include "OpenGL/AirlightOpenGL.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace airlight
+{
+//------------------------------------------------------------------------------
+// Maps know of light and dark only: what lets light through is left out of them.
+bool Frame::PrepareCasters()
+{
+  const bool planes = this->Settings.Shadows == ShadowMethod::Planes;
+  this->FoundCasters = nullptr;
+  this->OpaqueCasters.clear();
+  if (this->Settings.Shadows != ShadowMethod::None)
+  {
+    this->FoundCasters = &this->Casters.GetCasters();
+  }
+  if (!planes || this->Settings.Difference)
+  {
+    std::copy_if(this->Casters.GetCasters().begin(), this->Casters.GetCasters().end(),
+      std::back_inserter(this->OpaqueCasters),
+      [](const Caster& caster) { return caster.Layer.Blocks == glm::ivec3(1); });
+  }
+  if (this->FoundCasters && !planes)
+  {
+    this->FoundCasters = &this->OpaqueCasters;
+  }
+  this->Faces = planes
+    ? FindHidingFaces(this->Casters.GetCasters(), this->Settings.Solids, *this->Rays)
+    : std::vector<HidingFace>();
+  this->Dimmed = planes && this->Settings.TranslucentShadows && this->Casters.MetTranslucent();
+  std::vector<int> slots(this->Lamps.size(), -1);
+  int count = 0;
+  for (size_t k = 0; k < slots.size() && k < MaximumShadowingLights; ++k)
+  {
+    const Lamp& lamp = this->Lamps[k];
+    if (this->Dimmed && this->Settings.SurfaceShadows && lamp.Scatters() && lamp.CastsShadows)
+    {
+      slots[k] = count++;
+    }
+  }
+  if (!this->SurfaceDimming.Prepare(this->Width, this->Height, slots))
+  {
+    return this->Fail(this->SurfaceDimming.GetError());
+  }
+  const int words = this->Dimmed ? 9 + 2 * count : 8;
+  return !this->Settings.LayerRecords ||
+    this->LayerLists.Prepare(this->Width, this->Height, words) ||
+    this->Fail(this->LayerLists.GetError());
+}
+
+//------------------------------------------------------------------------------
+// Those that were made for the light as it is, but for roundings.
+ShadowVolumes::Remotes Frame::GetRemotes(int index) const
+{
+  ShadowVolumes::Remotes found;
+  for (const RemoteShadows& remote : this->Remotes)
+  {
+    const auto k = static_cast<size_t>(index);
+    const glm::dvec4& light = this->Lamps[k].World;
+    if (k < remote.size() && glm::distance(remote[k]->Light, light) <= 1e-9 * glm::length(light))
+    {
+      found.push_back(remote[k]);
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+// Of all lights. How much room boundaries get follows from the planes that are to be drawn.
+bool Frame::UpdateShadows()
+{
+  size_t edges = 0;
+  for (size_t k = 0; k < this->Lamps.size() && this->FoundCasters; ++k)
+  {
+    const Lamp& lamp = this->Lamps[k];
+    if (lamp.Scatters() && lamp.CastsShadows)
+    {
+      if (!this->UpdateShadows(static_cast<int>(k), *this->FoundCasters))
+      {
+        return false;
+      }
+      edges = std::max(edges, this->Volumes[k].GetEdges().size());
+    }
+  }
+  return this->Settings.Shadows != ShadowMethod::Planes ||
+    this->Boundaries.Prepare(this->Window, this->Width, this->Height, this->Dimmed, edges,
+      this->Settings.MemoryLimit, this->Settings.PlaneBudget) ||
+    this->Fail(this->Boundaries.GetError());
+}
+
+//------------------------------------------------------------------------------
+// Of one light.
+bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
+{
+  const Lamp& lamp = this->Lamps[index];
+  if (this->Settings.Shadows == ShadowMethod::Planes)
+  {
+    this->Volumes[index].SetRemotes(this->GetRemotes(index));
+    if (this->Volumes[index].Update(casters, lamp.World, *this->Rays))
+    {
+      return this->Boundaries.SetVolumes(index, this->Volumes[index]) ||
+        this->Fail(this->Boundaries.GetError());
+    }
+    return true;
+  }
+  if (!this->Maps[index])
+  {
+    this->Maps[index] = std::make_unique<ShadowMap>();
+  }
+  ShadowMap& map = *this->Maps[index];
+  if (!map.Update(casters, this->Casters.GetOthers(), lamp, this->Settings.MapResolution))
+  {
+    return true;
+  }
+  if (!map.Prepare(this->Window))
+  {
+    return this->Fail(map.GetError());
+  }
+  if (!this->Textures.Bind({ map.GetTexture() }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  if (!map.Draw(this->Window, this->MapPrograms))
+  {
+    return this->Fail(map.GetError());
+  }
+  if (!map.HasOthers())
+  {
+    return true;
+  }
+  if (!this->Textures.Bind({ map.GetOthersTexture() }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  map.DrawOthers(this->Window, this->Settings.Draw);
+  if (!this->Textures.Bind({ map.GetTexture() }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  return map.JoinOthers(this->Window, this->MapQuad) || this->Fail(map.GetError());
+}
+
+//------------------------------------------------------------------------------
+// How casters stand between the light and the start of the rays.
+void Frame::SetStartUniforms(vtkShaderProgram* program, int index, bool planes)
+{
+  if (!this->Dimmed)
+  {
+    program->SetUniformi("startCount", planes ? this->Volumes[index].GetStartCount() : 0);
+    return;
+  }
+  const ShadowLayer start = planes ? this->Volumes[index].GetStartLayers() : ShadowLayer{};
+  // Vectors of integers, which vtkShaderProgram cannot set.
+  const auto set = [program](const char* name, const glm::ivec3& value) {
+    glUniform3iv(glGetUniformLocation(program->GetHandle(), name), 1, &value.x);
+  };
+  set("startBlocks", start.Blocks);
+  set("startThickness", start.Thickness);
+  program->SetUniformi("dimmingSlot", this->SurfaceDimming.GetSlot(index));
+  this->SurfaceDimming.Use(program);
+}
+}

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The last steps of a frame: the medium before the scene, the recorded buffers, and the picture into
+// the caller's framebuffer.
+
+#include "Frame/AirlightFrame.h"
+
+#include "AirlightCompositeFS.h"
+#include "AirlightCopyFS.h"
+#include "AirlightDisplay.h"
+#include "AirlightViewShader.h"
+#include "OpenGL/AirlightOpenGL.h"
+
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+namespace
+{
+std::string Define(const char* name, int value)
+{
+  return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
+}
+
+bool HasAmbient(const f64::AirlightMedia& media)
+{
+  return std::any_of(media.item, media.item + media.count,
+    [](const f64::AirlightMedium& medium) { return medium.ambient != glm::dvec3(0.0); });
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<const char*, vtkTextureObject*>> Frame::GetCompositeTextures()
+{
+  std::vector<std::pair<const char*, vtkTextureObject*>> textures = { { "distances",
+                                                                        this->Textures.Distances },
+    { "scene", this->Textures.Scene }, { "airlightData", this->Data.GetTexture() } };
+  const bool leftOver = this->Joined < 0 || this->LeftOver;
+  if (!this->Settings.Whole && leftOver)
+  {
+    textures.emplace_back("scattered", this->Textures.Scattered);
+  }
+  if (this->Settings.Apart >= 0)
+  {
+    textures.emplace_back("dark", this->Textures.Dark);
+    if (leftOver && this->Settings.Apart >= BitsPerChannel)
+    {
+      textures.emplace_back("lit", this->Textures.Lit);
+    }
+  }
+  return textures;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
+{
+  const std::vector<int> whole =
+    this->Settings.Whole ? FindScattering(this->Lamps) : std::vector<int>();
+  const int kind = whole.empty() ? AIRLIGHT_POINT_CLOSED : this->Lamps[whole[0]].Values.kind;
+  const bool joined = this->Joined >= 0;
+  const std::vector<int> lights = joined ? std::vector<int>{ this->Joined } : whole;
+  const bool cones = std::any_of(
+    lights.begin(), lights.end(), [this](int k) { return this->Lamps[k].Values.cosCone > 0.0; });
+  const bool turned = joined || this->AreTurned(whole);
+  const std::string source = std::string(GetShaderVersion(joined)) + Define("JOINED", joined) +
+    (joined ? Define("LEFT_OVER", this->LeftOver) : "") +
+    (cones ? "" : "#define AIRLIGHT_NO_CONE\n") + Define("TURNED", turned) +
+    (layers ? "#define AIRLIGHT_LAYERS\n" : "") +
+    (layers && this->Settings.Record ? RecordDefinition : "") +
+    Define("DEBUG_VIEW", layers ? 0 : this->Settings.DebugView) +
+    Define("APART", this->Settings.Apart) + Define("BITS", BitsPerChannel) +
+    Define("AMBIENT", HasAmbient(this->Media)) +
+    Define("ENCODED_INPUT", this->Settings.EncodedInput) +
+    Define("ENCODED_OUTPUT", this->Settings.EncodedOutput) +
+    Define("PARALLEL", this->Rays->IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
+    GetScatteringSource(this->Media, kind, false) + AirlightViewShader +
+    (turned ? GetTurnSource() : "uniform AirlightMedia media;\n") +
+    (joined ? this->GetJoinedSource() : this->GetWholeRaysSource(whole)) + AirlightDisplay +
+    AirlightCompositeFS;
+  Quad& quad = layers ? this->LayersQuad : this->CompositeQuad;
+  vtkShaderProgram* program = quad.Ready(this->Window, source);
+  if (!program)
+  {
+    this->Fail(std::string("the composite shader") + ProgramMaker::GetReason());
+    return nullptr;
+  }
+  if (joined)
+  {
+    SetLightUniforms(program, "givenLight", this->Lamps[this->Joined].Values);
+    this->SetTurnedConstants(program, { this->Joined });
+    this->SetStartUniforms(program, this->Joined, true);
+    this->Boundaries.Use(program);
+  }
+  else
+  {
+    this->SetWholeRaysUniforms(program, whole);
+  }
+  SetMediaUniforms(program, turned ? "givenMedia" : "media", this->Media);
+  // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
+  this->Rays->SetUniforms(program, x, y);
+  if (layers && this->Settings.Record)
+  {
+    program->SetUniformf("error", ClosedFormError);
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* Frame::ReadyCopy(int x, int y)
+{
+  vtkShaderProgram* program = this->CopyQuad.Ready(
+    this->Window, std::string("#version 330\n") + AirlightDisplay + AirlightCopyFS);
+  if (!program)
+  {
+    this->Fail(std::string("the shader of the last step") + ProgramMaker::GetReason());
+    return nullptr;
+  }
+  const int corner[2] = { x, y };
+  program->SetUniform2i("airlightViewport", corner);
+  program->SetUniformi("encodedOutput", this->Settings.EncodedOutput ? 1 : 0);
+  return program;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::CompositeLayers()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  if (!this->ReadyComposite(true, 0, 0))
+  {
+    return false;
+  }
+  std::vector<vtkTextureObject*> targets = { this->Textures.Radiance };
+  auto textures = this->GetCompositeTextures();
+  if (this->Settings.Record)
+  {
+    targets.insert(targets.end(),
+      { this->Textures.Airlight, this->Textures.Surface, this->Textures.Transmittance });
+    textures.emplace_back("counts", this->Textures.Counts);
+  }
+  if (!this->Textures.Bind(targets, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->LayersQuad.Draw(textures);
+  if (!this->Textures.Bind({ this->Textures.Radiance }, this->Textures.Depth))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Record()
+{
+  if (!this->Textures.Bind({ this->Textures.Radiance, this->Textures.Airlight,
+                             this->Textures.Surface, this->Textures.Transmittance },
+        nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Buffers["Radiance"] = this->Textures.Read(0, 0, 3);
+  this->Buffers["Airlight"] = this->Textures.Read(1, 0, 3);
+  this->Buffers["Surface"] = this->Textures.Read(2, 0, 3);
+  this->Buffers["Transmittance"] = this->Textures.Read(3, 0, 3);
+  this->Buffers["Depth"] = this->Textures.Read(3, 3, 1);
+  this->Buffers["ErrorBound"] = this->Textures.Read(1, 3, 1);
+  if (!this->Textures.Bind({ this->Textures.Counts }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Buffers["BoundaryCount"] = this->Textures.Read(0, 0, 1);
+  this->Buffers["LitLength"] = this->Textures.Read(0, 2, 1);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Reads one light's airlight and clears its target for the next one.
+bool Frame::RecordSingle(int index)
+{
+  if (!this->Textures.Bind({ this->Textures.Single }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Buffers["Airlight:" + std::to_string(index)] = this->Textures.Read(0, 0, 3);
+  this->ClearTarget(0.0f);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* Frame::GetBuffer(const std::string& name)
+{
+  const auto it = this->Buffers.find(name);
+  return it != this->Buffers.end() ? it->second.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Composite(int x, int y, bool blend)
+{
+  const bool copy = this->Settings.Layers;
+  vtkShaderProgram* program = copy ? this->ReadyCopy(x, y) : this->ReadyComposite(false, x, y);
+  if (!program)
+  {
+    return false;
+  }
+  program->SetUniformi("blended", blend ? 1 : 0);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglViewport(x, y, this->Width, this->Height);
+  state->vtkglScissor(x, y, this->Width, this->Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglDepthMask(GL_TRUE);
+  if (blend)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  else
+  {
+    state->vtkglDisable(GL_BLEND);
+  }
+  if (copy)
+  {
+    this->CopyQuad.Draw({ { "radiances", this->Textures.Radiance },
+      { "sceneDepth", this->Textures.Depth }, { "scene", this->Textures.Scene } });
+  }
+  else
+  {
+    auto textures = this->GetCompositeTextures();
+    textures.emplace_back("sceneDepth", this->Textures.Depth);
+    if (this->Settings.Record)
+    {
+      textures.emplace_back("counts", this->Textures.Counts);
+    }
+    if (this->Settings.Difference)
+    {
+      textures.emplace_back("reference", this->Textures.Reference);
+    }
+    this->CompositeQuad.Draw(textures);
+  }
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::DrawPlanes()
+{
+  const bool planes = this->Settings.Shadows == ShadowMethod::Planes;
+  for (size_t k = 0; k < this->Lamps.size() && planes; ++k)
+  {
+    const Lamp& lamp = this->Lamps[k];
+    if (lamp.Scatters() && lamp.CastsShadows && this->Volumes[k].HasShadows() &&
+      !this->Boundaries.DrawWireframe(this->GetPlanesSource(static_cast<int>(k))))
+    {
+      return this->Fail(this->Boundaries.GetError());
+    }
+  }
+  return true;
+}
+}

@@ -1,0 +1,18 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  PRIVATE_CLASSES
+    AirlightFrame
+    AirlightTargets
+  SOURCES
+    AirlightFrameCasters.cxx
+    AirlightFrameComposite.cxx
+    AirlightFrameResolve.cxx
+    AirlightFrameResolveShader.cxx
+    AirlightFrameSurfaces.cxx
+    AirlightFrameTurned.cxx
+    AirlightFrameWholeRays.cxx
+  HEADERS
+    AirlightFrameSettings.h
+  GLSL
+    glsl/AirlightDistancesFS.glsl)

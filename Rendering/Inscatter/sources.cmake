@@ -1,0 +1,14 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  GLSL
+    glsl/AirlightConstants.glsl
+    glsl/AirlightNoBoundaries.glsl
+    glsl/AirlightNoKeys.glsl
+    glsl/AirlightResolveFS.glsl
+    glsl/AirlightResolveLayers.glsl
+    glsl/AirlightResolveOutputs.glsl
+    glsl/AirlightShadowCounts.glsl
+    glsl/AirlightTurnedFS.glsl
+    glsl/AirlightTurnedRay.glsl
+    glsl/AirlightWholeRays.glsl)

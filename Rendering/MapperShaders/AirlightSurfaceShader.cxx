@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapperShaders/AirlightSurfaceShader.h"
+
+#include "AirlightBefore.h"
+#include "AirlightDimmed.h"
+#include "AirlightDisplay.h"
+#include "AirlightFragment.h"
+#include "AirlightLayers.h"
+#include "AirlightLayersBefore.h"
+#include "AirlightSurface.h"
+#include "AirlightSurfaceGlow.h"
+#include "AirlightSurfaceLights.h"
+#include "AirlightSurfaceMedium.h"
+#include "AirlightVertexMedium.h"
+#include "AirlightViewShader.h"
+#include "OpenGL/AirlightQuad.h"
+
+#include <algorithm>
+#include <regex>
+
+namespace airlight
+{
+namespace
+{
+// What VTK makes of the line for the version, with one that has storage buffers: some compilers refuse
+// them as extensions of 1.50.
+const char* StorageSystem = "#version 430\n"
+                            "#define highp\n"
+                            "#define mediump\n"
+                            "#define lowp\n"
+                            "#define texelFetchBuffer texelFetch\n"
+                            "#define texture1D texture\n"
+                            "#define texture2D texture\n"
+                            "#define texture3D texture\n"
+                            "#define varying in\n";
+
+// The prelude's words must not reach the mapper's own text.
+const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef bool3\n";
+
+std::string DefineStages()
+{
+  const auto define = [](const char* name, SurfaceStage stage) {
+    return std::string("#define AIRLIGHT_STAGE_") + name + " " +
+      std::to_string(static_cast<int>(stage)) + "\n";
+  };
+  return define("DISTANCE", SurfaceStage::Distance) + define("COLOUR", SurfaceStage::Colour) +
+    define("LAYER", SurfaceStage::Layer) + define("COLLECT", SurfaceStage::Collect);
+}
+
+bool HasRecords(const SurfaceText& text)
+{
+  return text.InPass && text.Translucent && text.LayerRecords;
+}
+
+bool IsDimmed(const SurfaceText& text) { return text.InPass && text.Dimmed; }
+
+// What both shaders begin with.
+std::string CommonDeclarations(const SurfaceText& text)
+{
+  const auto define = [](const char* name, int value) {
+    return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
+  };
+  return text.Mathematics + DefineStages() + define("LAYER_RECORDS", HasRecords(text)) +
+    define("DIMMED", IsDimmed(text)) + define("LAMPS", text.LampCount) +
+    define("BITS", BitsPerChannel) +
+    define("ONLY_COLOURS", text.Once && text.KnownView && !text.Translucent) +
+    define("MORE_LIT", text.LampCount > BitsPerChannel) + define("IN_PASS", text.InPass) +
+    define("READS_LIT", text.InPass && text.ReadsLit) + define("AT_VERTICES", text.AtVertices) +
+    (text.KnownView ? define("PARALLEL", text.Parallel) + define("FRAGMENT_IS_PIXEL", 1) : "") +
+    DefineLamps(text.Known, text.Apart) + AirlightSurfaceLights;
+}
+
+std::string StorageDeclarations(const SurfaceText& text)
+{
+  return std::string(HasRecords(text) ? AirlightLayers : "") +
+    (IsDimmed(text) ? AirlightDimmed : "");
+}
+
+std::string Declarations(const SurfaceText& text)
+{
+  const std::string glow = text.GlowLightCount > 0 ? "#define AIRLIGHT_GLOW_LIGHTS " +
+      std::to_string(text.GlowLightCount) + "\n" + AirlightSurfaceGlow
+                                                   : "";
+  const char* before = HasRecords(text) ? AirlightLayersBefore
+    : text.AtVertices                   ? ""
+                                        : AirlightBefore;
+  const std::string medium =
+    text.Translucent ? std::string(before) + AirlightDisplay + AirlightSurfaceMedium : "";
+  return CommonDeclarations(text) + AirlightViewShader + AirlightFragment +
+    StorageDeclarations(text) + AirlightSurface + glow + medium + Undefine;
+}
+
+// Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
+// meets the surface head on, in the diffuse part. Unlit shaders have neither place.
+std::string AddGlow(const std::string& body)
+{
+  const std::string glow = "airlightGlowColour(normalVCVSOutput)";
+  static const std::regex phong("\\bambientColor \\+ diffuse \\+ specular\\b");
+  static const std::regex physical("\\bcolor \\+= Lo;");
+  return std::regex_replace(std::regex_replace(body, phong,
+                              "ambientColor + diffuse + diffuseColor * " + glow + " + specular"),
+    physical, "color += Lo + (1.0 - metallic) * DiffuseLambert(albedo) * " + glow + ";");
+}
+
+// Puts the fragment behind the medium, before other passes make of it what they blend.
+std::string AddMedium(const std::string& body)
+{
+  const std::string marker = "//VTK::DepthPeeling::Impl";
+  const size_t place = body.find(marker);
+  return place == std::string::npos ? body
+                                    : body.substr(0, place) +
+      "\n  gl_FragData[0].rgb = airlightThrough(gl_FragData[0].rgb);\n  " + body.substr(place);
+}
+
+std::string WithoutComments(const std::string& body)
+{
+  static const std::regex comment("//[^\n]*");
+  return std::regex_replace(body, comment, "");
+}
+
+// Whether nothing but the template's own test of the final opacity can discard a fragment. Then a
+// fragment of an opaque surface is as good as drawn before it is shaded. `body` without comments.
+bool MayLeaveEarly(const std::string& body)
+{
+  const size_t first = body.find("discard");
+  return (first == std::string::npos || body.find("discard", first + 1) == std::string::npos) &&
+    body.find("texture(") == std::string::npos && body.find("gl_FragDepth") == std::string::npos;
+}
+
+// Whether the mapper's shading has the places of lights and of the fragment, which is drawn where the triangle
+// is. `body` without comments.
+bool HasPositions(
+  const std::string& shader, const std::string& body, const std::vector<KnownLamp>& known)
+{
+  for (size_t k = 0; k < known.size(); ++k)
+  {
+    if (known[k].Positional &&
+      shader.find("uniform vec3 lightPositionVC" + std::to_string(k) + ";") == std::string::npos)
+    {
+      return false;
+    }
+  }
+  return shader.find("in vec4 vertexVCVSOutput;") != std::string::npos &&
+    body.find("gl_FragDepth") == std::string::npos;
+}
+
+// Below 0 in green: no shader that writes colours does that.
+const char* WriteDistance = "    gl_FragData[0] = vec4(airlightFragmentPlace(), -1.0, 0.0, 1.0);\n";
+
+// What is drawn where no colours are.
+std::string OtherStages(bool records, bool leave)
+{
+  const std::string end = leave ? "    return;\n  }\n" : "  }\n";
+  return std::string("  if (airlightStage == AIRLIGHT_STAGE_DISTANCE)\n  {\n") + WriteDistance +
+    end +
+    // Discarded: opaque splats would hide one another.
+    (records ? "  if (airlightStage == AIRLIGHT_STAGE_COLLECT)\n  {\n    airlightCollect();\n"
+               "    discard;\n  }\n"
+             : "");
+}
+
+// For AirlightDistancePrograms.h.
+std::string OnlyDistances(const std::string& hide, const std::string& shade)
+{
+  return "#ifdef AIRLIGHT_ONLY_DISTANCES\nvoid main()\n{\n" + hide + WriteDistance + "}\n#else\n" +
+    shade + "\n#endif\n";
+}
+
+// main() where all that is known of a fragment is drawn at once. Shades in a function, which may have
+// returned from anywhere.
+std::string DrawOnce(const SurfaceText& text)
+{
+  const char* dark = "    vec4 colour = gl_FragData[0];\n"
+                     "    airlightApart = 0.0;\n"
+                     "    airlightShade();\n"
+                     "    gl_FragData[2] = gl_FragData[0];\n"
+                     "    gl_FragData[0] = colour;\n";
+  return std::string("\nvoid main()\n{\n  airlightShade();\n"
+                     "  if (airlightStage == AIRLIGHT_STAGE_COLOUR)\n  {\n"
+                     "    gl_FragData[1] = vec4(airlightFragmentPlace(), 0.0, 0.0, 1.0);\n") +
+    (text.Apart >= 0 ? dark : "") + "  }\n}\n";
+}
+}
+
+//------------------------------------------------------------------------------
+void AddExtensions(std::string& shader, const SurfaceText& text)
+{
+  const std::string system = "//VTK::System::Dec"; // VTK's line for the version, which is 1.50
+  const size_t line = shader.find(system);
+  if (line == std::string::npos)
+  {
+    return;
+  }
+  if (HasRecords(text) || IsDimmed(text))
+  {
+    shader.replace(line, system.size(), StorageSystem);
+    return;
+  }
+  shader.insert(line + system.size(), "\n#extension GL_ARB_gpu_shader5 : enable\n");
+}
+
+//------------------------------------------------------------------------------
+std::string GetVolumeDeclarations(const SurfaceText& text, const std::string& volume)
+{
+  return CommonDeclarations(text) + AirlightViewShader + AirlightFragment +
+    StorageDeclarations(text) + AirlightSurface +
+    (HasRecords(text) ? AirlightLayersBefore : AirlightBefore) + AirlightDisplay + volume +
+    Undefine;
+}
+
+//------------------------------------------------------------------------------
+void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, bool splats)
+{
+  const size_t mainStart = fragmentShader.find("void main");
+  const size_t bodyStart = fragmentShader.find('{', mainStart);
+  const size_t bodyEnd = fragmentShader.rfind('}');
+  if (mainStart == std::string::npos || bodyStart == std::string::npos || bodyEnd < bodyStart ||
+    fragmentShader.find("airlightArrived") != std::string::npos)
+  {
+    return;
+  }
+  const std::string body = fragmentShader.substr(bodyStart + 1, bodyEnd - bodyStart - 1);
+
+  // VTK names the lights lightColor0, lightColor1, ...
+  static const std::regex lightColor("\\blightColor([0-9]+)\\b");
+  const bool anyLight = std::regex_search(body, lightColor);
+  std::string lit = TellTypes(
+    std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])"), text.Known);
+  lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
+  lit = text.Translucent ? AddMedium(lit) : lit;
+  const bool records = HasRecords(text);
+  const bool hides = splats || text.Hides;
+  const std::string hide = hides ? "  if (airlightHidden != 0)\n  {\n    discard;\n  }\n" : "";
+  const std::string find = records
+    ? "  if (airlightStage == AIRLIGHT_STAGE_LAYER)\n  {\n    airlightFindLayer();\n  }\n"
+    : "";
+  const std::string bare = WithoutComments(body);
+  const bool early = MayLeaveEarly(bare);
+  const std::string others = text.InPass ? OtherStages(records, early) : "";
+  const std::string shade = (text.Once ? "void airlightShade()\n{\n" : "void main()\n{\n") + hide +
+    (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
+    (early ? "" : others) + fragmentShader.substr(bodyEnd) + (text.Once ? DrawOnce(text) : "");
+  fragmentShader.replace(mainStart, fragmentShader.size(),
+    (text.Everywhere && HasPositions(fragmentShader, bare, text.Known)
+        ? "#define AIRLIGHT_EVERYWHERE\n"
+        : "") +
+      Declarations(text) + (hides ? "uniform int airlightHidden;\n" : "") +
+      (early && text.InPass ? OnlyDistances(hide, shade) : shade));
+  AddExtensions(fragmentShader, text);
+}
+
+//------------------------------------------------------------------------------
+void InjectVertexShader(std::string& vertexShader, const SurfaceText& text)
+{
+  const size_t mainStart = vertexShader.find("void main");
+  const size_t bodyStart = vertexShader.find('{', mainStart);
+  if (mainStart == std::string::npos || bodyStart == std::string::npos)
+  {
+    return;
+  }
+  vertexShader.insert(
+    bodyStart + 1, "\n  airlightAtVertex((airlightVertexToEye * vertexMC).xyz);\n");
+  vertexShader.insert(
+    mainStart, CommonDeclarations(text) + AirlightBefore + AirlightVertexMedium + Undefine);
+  AddExtensions(vertexShader, text);
+}
+
+//------------------------------------------------------------------------------
+bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
+  const std::vector<Lamp>& lamps, bool glows, bool translucent)
+{
+  const int lampCount = static_cast<int>(lamps.size());
+  const bool lights = glows || (translucent && !(text.InPass && text.LayerRecords));
+  const int kind = lights ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
+  const bool photometry = std::any_of(
+    lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
+  const std::string source =
+    GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
+  // VTK's own text knows the number of lights, too, and is made anew where another number shines; a
+  // mapper without the pass is to stay as it is.
+  const std::vector<KnownLamp> known =
+    text.InPass ? FindKnownLamps(lamps) : std::vector<KnownLamp>();
+  const bool everywhere = std::all_of(media.item, media.item + media.count, [](const auto& medium) {
+    return medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
+      medium.density == AIRLIGHT_DENSITY_UNIFORM;
+  });
+  if (lampCount <= text.LampCount && everywhere == text.Everywhere && source == text.Mathematics &&
+    translucent == text.Translucent && known == text.Known)
+  {
+    return false;
+  }
+  text.Known = known;
+  text.Everywhere = everywhere;
+  text.Translucent = translucent;
+  // Some more, so that another lamp does not make other shaders.
+  text.LampCount = std::max(text.LampCount, (lampCount + 7) / 8 * 8);
+  text.GlowLightCount = glows ? std::min(text.LampCount, MaximumGlowLights) : 0;
+  text.Mathematics = source;
+  return true;
+}
+}

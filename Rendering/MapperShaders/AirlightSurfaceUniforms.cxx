@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The state that what is added to the mappers' shaders reads.
+
+#include "MapperShaders/AirlightSurfaceShader.h"
+
+#include "OpenGL/AirlightQuad.h"
+#include "Scene/AirlightView.h"
+#include "Translucency/AirlightDimming.h"
+#include "Translucency/AirlightLayerRecords.h"
+
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+namespace airlight
+{
+namespace
+{
+void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
+{
+  int count = 0;
+  for (const Lamp& lamp : *values.Lamps)
+  {
+    if (lamp.Glows() && count < MaximumGlowLights)
+    {
+      SetLightUniforms(program, "airlightGlowLights[" + std::to_string(count) + "]", lamp.Values);
+      ++count;
+    }
+  }
+  program->SetUniformi("airlightGlowCount", count);
+  glm::mat3 normals = values.Rays->GetNormalMatrix();
+  program->SetUniformMatrix3x3("airlightNormalToWorld", &normals[0].x);
+}
+}
+
+//------------------------------------------------------------------------------
+// Shaders without photometry do not have these uniforms.
+void SetPhotometries(vtkShaderProgram* program, const std::vector<Lamp>& lamps)
+{
+  if (!program->IsUniformUsed("airlightGoniometric"))
+  {
+    return;
+  }
+  std::vector<int> goniometric;
+  for (size_t k = 0; k < lamps.size(); ++k)
+  {
+    goniometric.push_back(lamps[k].Values.goniometric);
+    if (lamps[k].Values.goniometric != 0)
+    {
+      SetPhotometryUniforms(
+        program, "airlightPhotometries[" + std::to_string(k) + "]", lamps[k].Values.photometry);
+    }
+  }
+  program->SetUniform1iv(
+    "airlightGoniometric", static_cast<int>(goniometric.size()), goniometric.data());
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTextureObject*> SurfaceUniforms::GetTextures() const
+{
+  std::vector<vtkTextureObject*> textures;
+  for (vtkTextureObject* texture :
+    { this->Lit, this->MoreLit != this->Lit ? this->MoreLit : nullptr, this->Data })
+  {
+    if (texture)
+    {
+      textures.push_back(texture);
+    }
+  }
+  return textures;
+}
+
+//------------------------------------------------------------------------------
+void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
+{
+  if (values.Lit)
+  {
+    program->SetUniformi("airlightStage", static_cast<int>(values.Stage));
+    // A sampler left at unit 0 would clash with the mapper's own.
+    program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
+    program->SetUniformi("airlightMoreLit", values.MoreLit->GetTextureUnit());
+    program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
+  }
+  values.Rays->SetUniforms(program, values.ViewportX, values.ViewportY, values.Pixels);
+  if (values.Data)
+  {
+    program->SetUniformi("airlightData", values.Data->GetTextureUnit());
+  }
+  if (values.Records)
+  {
+    values.Records->Use(program);
+  }
+  if (values.Hides)
+  {
+    program->SetUniformi("airlightHidden", values.Hidden ? 1 : 0);
+  }
+  if (values.Stage == SurfaceStage::Distance || values.Stage == SurfaceStage::Collect)
+  {
+    return;
+  }
+  SetMediaUniforms(program, "airlightMedia", *values.Media);
+  std::vector<glm::vec4> lamps;
+  for (const Lamp& lamp : *values.Lamps)
+  {
+    const float kind = !lamp.Scatters()         ? -1.0f
+      : f64::airlightIsDirectional(lamp.Values) ? 0.0f
+                                                : 1.0f;
+    lamps.emplace_back(glm::vec3(lamp.Values.position), kind);
+  }
+  if (!lamps.empty())
+  {
+    program->SetUniform4fv("airlightLamps", static_cast<int>(lamps.size()), &lamps[0].x);
+  }
+  program->SetUniformi("airlightLampCount", static_cast<int>(lamps.size()));
+  SetPhotometries(program, *values.Lamps);
+  if (values.Dims)
+  {
+    values.Dims->UseInMapper(program);
+  }
+  if (values.Glow)
+  {
+    SetGlowUniforms(program, values);
+  }
+  program->SetUniformi("airlightEncodedInput", values.EncodedInput ? 1 : 0);
+  program->SetUniformi("airlightAdditive", values.Additive ? 1 : 0);
+  const bool lights = values.Stage == SurfaceStage::Layer && !values.Records;
+  for (size_t k = 0; k < values.Lamps->size() && lights; ++k)
+  {
+    SetLightUniforms(
+      program, "airlightLights[" + std::to_string(k) + "]", (*values.Lamps)[k].Values);
+  }
+}
+}

@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  PRIVATE_CLASSES
+    AirlightDistancePrograms
+    AirlightKnownLamps
+    AirlightKnownMaterials
+    AirlightSurfaceShader
+    AirlightVolumeShader
+    vtkAirlightPolyDataMapperInternals
+  SOURCES
+    AirlightSurfaceUniforms.cxx
+  GLSL
+    glsl/AirlightBefore.glsl
+    glsl/AirlightFragment.glsl
+    glsl/AirlightSurface.glsl
+    glsl/AirlightSurfaceGlow.glsl
+    glsl/AirlightSurfaceLights.glsl
+    glsl/AirlightSurfaceMedium.glsl
+    glsl/AirlightVertexMedium.glsl
+    glsl/AirlightVolume.glsl)

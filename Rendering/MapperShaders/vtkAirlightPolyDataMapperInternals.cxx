@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapperShaders/vtkAirlightPolyDataMapperInternals.h"
+
+#include "OpenGL/AirlightOpenGL.h"
+
+#include "vtkActor.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+using namespace airlight;
+
+namespace
+{
+// Shaders that are too large do not link, and VTK's mappers do not survive that. Counts, from
+// above, what members of structures take where each has a register of four components.
+bool HasRoom(const SurfaceText& text, int mediaCount)
+{
+  GLint fragment = 0;
+  GLint vertex = 0;
+  glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &fragment);
+  glGetIntegerv(GL_MAX_VERTEX_UNIFORM_COMPONENTS, &vertex);
+  return 256 + 128 * mediaCount + 72 * text.LampCount <= std::min(fragment, vertex);
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::Internals::SetWindow(vtkOpenGLRenderWindow* window)
+{
+  if (this->Window && this->Window != window)
+  {
+    this->Window->PushContext();
+    this->Data.Release(this->Window);
+    this->Window->PopContext();
+  }
+  this->Window = window;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPolyDataMapper::Internals::Prepare(vtkRenderer* renderer, double radius)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  // The target may be a texture, in which the viewport begins elsewhere than in the window.
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, this->Viewport);
+  this->Rays.emplace(renderer, this->Viewport[2], this->Viewport[3]);
+  if (!this->Rays->IsValid())
+  {
+    this->Error = "the camera's matrices are not finite or cannot be inverted";
+    return false;
+  }
+  this->Error = this->Media.CheckDensities();
+  if (!this->Error.empty())
+  {
+    return false;
+  }
+  const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
+  this->Converted = ConvertMedia(media, this->Rays->GetEye());
+  this->Lamps = CollectLamps(renderer, this->Converted, *this->Rays, radius, this->Switches, {});
+  if (!UploadData(this->Data, nullptr, window, media, this->Converted, this->Lamps))
+  {
+    this->Error = this->Data.GetError();
+    return false;
+  }
+  if (UpdateSurfaceText(this->Text, this->Converted, this->Lamps, false, true))
+  {
+    ++this->TextVersion;
+  }
+  if (!HasRoom(this->Text, this->Converted.count))
+  {
+    this->Error = "the graphics card's shaders have no room for " +
+      std::to_string(this->Lamps.size()) + " lights and " + std::to_string(this->Converted.count) +
+      " media; switch lights off or use a vtkAirlightPass";
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPolyDataMapper::Internals::Compiles(
+  vtkActor* actor, const std::string& vertex, std::string& fragment, const std::string& geometry)
+{
+  const bool ok = !IsLastToChange(nullptr, actor) ||
+    this->Programs.Ready(this->Window, vertex, fragment, geometry);
+  this->NotCompiled = this->NotCompiled || !ok;
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::Internals::CheckShaders(vtkAirlightPolyDataMapper* self)
+{
+  if (this->NotCompiled && !this->ReportedShaders)
+  {
+    vtkErrorWithObjectMacro(self, << "The surface is drawn without the medium: its shader"
+                                  << ProgramMaker::GetReason() << ".");
+  }
+  this->ReportedShaders = this->NotCompiled;
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPolyDataMapper::Internals::Check(vtkAirlightPolyDataMapper* self)
+{
+  const std::string tooMany = this->Media.Check();
+  if (!tooMany.empty() && !this->WarnedMedia)
+  {
+    this->WarnedMedia = true;
+    vtkErrorWithObjectMacro(self, << tooMany);
+  }
+  if (!this->Shades && this->ReportedError != this->Error)
+  {
+    vtkErrorWithObjectMacro(
+      self, << "The surface is drawn without the medium: " << this->Error << ".");
+  }
+  this->ReportedError = this->Shades ? "" : this->Error;
+  const bool invalid = this->Shades &&
+    std::any_of(this->Lamps.begin(), this->Lamps.end(),
+      [](const Lamp& lamp) { return lamp.Support == LightSupport::Invalid; });
+  if (invalid && !this->WarnedLights)
+  {
+    this->WarnedLights = true;
+    vtkWarningWithObjectMacro(self, << InvalidLampText);
+  }
+  if (this->Shades && HasScattering(this->Converted) && !this->WarnedCameraLights &&
+    std::any_of(this->Lamps.begin(), this->Lamps.end(), IsLeftOut))
+  {
+    this->WarnedCameraLights = true;
+    vtkWarningWithObjectMacro(self, << DescribeLeftOut(this->Lamps));
+  }
+}

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pass/AirlightScenePass.h"
+
+#include "MapperShaders/AirlightVolumeShader.h"
+
+#include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkRenderState.h"
+#include "vtkTranslucentPass.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(AirlightScenePass);
+
+namespace
+{
+vtkPointGaussianMapper* GetSplatMapper(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+}
+
+void RenderSplats(const vtkRenderState* s)
+{
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    if (AirlightScenePass::IsSplats(s->GetPropArray()[i]))
+    {
+      s->GetPropArray()[i]->RenderOpaqueGeometry(s->GetRenderer());
+    }
+  }
+}
+
+// Whether volumes are drawn with the translucent surfaces.
+bool PeelsVolumes(vtkRenderer* renderer, vtkRenderPass* translucentPass)
+{
+  if (translucentPass)
+  {
+    auto* peeling = vtkDualDepthPeelingPass::SafeDownCast(translucentPass);
+    return peeling && peeling->GetVolumetricPass();
+  }
+  return renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes();
+}
+}
+
+//------------------------------------------------------------------------------
+AirlightScenePass::AirlightScenePass()
+{
+  this->Unordered->SetTranslucentPass(this->Blending);
+  this->Peeling->SetTranslucentPass(this->Blending);
+}
+
+AirlightScenePass::~AirlightScenePass() = default;
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::PrepareLights(vtkRenderer* renderer)
+{
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+}
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::Render(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  this->ClearLights(renderer);
+  this->PrepareLights(renderer);
+  if (this->OpaqueOnly)
+  {
+    this->BeforeOpaque();
+    renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer());
+    this->AfterOpaque();
+  }
+  else
+  {
+    this->UpdateGeometry(renderer, s->GetFrameBuffer());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Without a scale they are plain points.
+bool AirlightScenePass::IsSplats(vtkProp* prop)
+{
+  vtkPointGaussianMapper* mapper = GetSplatMapper(prop);
+  return mapper && mapper->GetScaleFactor() != 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool AirlightScenePass::IsEmissive(vtkProp* prop)
+{
+  vtkPointGaussianMapper* mapper = GetSplatMapper(prop);
+  return mapper && mapper->GetEmissive();
+}
+
+//------------------------------------------------------------------------------
+// Assemblies and the like may hold volumes.
+bool AirlightScenePass::HasTransparent(const vtkRenderState* s)
+{
+  vtkProp** props = s->GetPropArray();
+  return std::any_of(props, props + s->GetPropArrayCount(), [](vtkProp* prop) {
+    return prop->HasTranslucentPolygonalGeometry() || IsSplats(prop) ||
+      !(prop->IsA("vtkActor") || prop->IsA("vtkActor2D"));
+  });
+}
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::RenderFragments(const vtkRenderState* s)
+{
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = s->GetPropArray()[i];
+    if (IsSplats(prop))
+    {
+      prop->RenderOpaqueGeometry(s->GetRenderer());
+    }
+    prop->RenderTranslucentPolygonalGeometry(s->GetRenderer());
+    if (airlight::HasRayCastVolume(prop))
+    {
+      prop->RenderVolumetricGeometry(s->GetRenderer());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::RenderTransparentOf(const vtkRenderState* s)
+{
+  RenderSplats(s);
+  vtkRenderer* renderer = s->GetRenderer();
+  if (renderer->GetUseDepthPeeling())
+  {
+    this->Peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
+    this->Peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
+    this->Peeling->Render(s);
+  }
+  else
+  {
+    this->Unordered->Render(s);
+  }
+}
+
+//------------------------------------------------------------------------------
+// In VTK's order; where translucent surfaces are peeled together with volumes, these are done.
+void AirlightScenePass::RenderTransparent(const vtkRenderState* s, vtkRenderPass* translucentPass)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkProp** props = s->GetPropArray();
+  const int count = s->GetPropArrayCount();
+  RenderSplats(s);
+  const bool translucent = std::any_of(
+    props, props + count, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+  if (translucent && translucentPass)
+  {
+    translucentPass->Render(s);
+  }
+  else if (translucent)
+  {
+    renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
+  }
+  if (!translucent || !PeelsVolumes(renderer, translucentPass))
+  {
+    std::for_each(
+      props, props + count, [&](vtkProp* prop) { prop->RenderVolumetricGeometry(renderer); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::Antialias(vtkRenderer* renderer)
+{
+  if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
+  {
+    this->Antialiasing->UpdateConfiguration(options);
+  }
+  this->Antialiasing->Execute(vtkOpenGLRenderer::SafeDownCast(renderer));
+}
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::RenderOverlay(const vtkRenderState* s)
+{
+  vtkProp** props = s->GetPropArray();
+  std::for_each(props, props + s->GetPropArrayCount(),
+    [&](vtkProp* prop) { prop->RenderOverlay(s->GetRenderer()); });
+}
+
+//------------------------------------------------------------------------------
+void AirlightScenePass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Antialiasing->ReleaseGraphicsResources();
+  this->Unordered->ReleaseGraphicsResources(window);
+  this->Peeling->ReleaseGraphicsResources(window);
+}

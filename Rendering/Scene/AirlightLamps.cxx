@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/AirlightLamps.h"
+
+#include "Integration/AirlightMatrix.h"
+#include "Phase/AirlightPhaseFit.h"
+#include "Region/AirlightSurfaceTree.h"
+#include "Scene/AirlightView.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkParticipatingMedium.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace airlight
+{
+namespace
+{
+// What single precision resolves of the distance between a ray and a light.
+constexpr double RelativeRadius = 1e-5;
+
+Lamp MakeLamp(vtkLight* light, const f64::AirlightMedia& media, const View& view, double radius)
+{
+  Lamp lamp;
+  lamp.Light = light;
+  lamp.Support = ConvertLight(media, light, view.GetEye(), lamp.Values);
+  if (lamp.Scatters())
+  {
+    const bool directional = f64::airlightIsDirectional(lamp.Values);
+    lamp.World = directional ? glm::dvec4(lamp.Values.position, 0.0)
+                             : glm::dvec4(lamp.Values.position + view.GetEye(), 1.0);
+    const double distance = directional ? 1.0 : glm::length(lamp.Values.position);
+    lamp.Values.radius = std::max(radius, RelativeRadius * std::max(distance, view.GetNear()));
+    // A headlight sees what the camera sees: all its shadows lie behind what casts them.
+    lamp.CastsShadows = !light->LightTypeIsHeadlight();
+  }
+  return lamp;
+}
+
+// The camera carries headlights and camera lights along; VTK gives its matrix to the latter only.
+glm::dvec3 TransformDirection(vtkLight* light, vtkRenderer* renderer, const glm::dvec3& direction)
+{
+  vtkMatrix4x4* matrix = light->LightTypeIsHeadlight()
+    ? renderer->GetActiveCamera()->GetCameraLightTransformMatrix()
+    : light->GetTransformMatrix();
+  return matrix ? glm::dvec3(ToGlm(matrix) * glm::dvec4(direction, 0.0)) : direction;
+}
+
+// `up` made perpendicular to the axis; another direction across it where up lies along it.
+glm::dvec3 MakeAcross(glm::dvec3 up, const glm::dvec3& axis)
+{
+  // Squares of very small or large components would leave the range of numbers.
+  up /= std::max({ std::abs(up.x), std::abs(up.y), std::abs(up.z) });
+  for (const glm::dvec3& other : { up, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.0, 0.0) })
+  {
+    const glm::dvec3 across = other - glm::dot(other, axis) * axis;
+    if (glm::length(across) > 1e-6 * glm::length(other))
+    {
+      return glm::normalize(across);
+    }
+  }
+  return glm::dvec3(0.0, 1.0, 0.0);
+}
+
+// A light without power in the medium still lights surfaces: those have its colour from VTK.
+void Apply(const LightSwitches& switches, Lamp& lamp)
+{
+  if (switches.Scatters(lamp.Light))
+  {
+    return;
+  }
+  lamp.LeftOut = lamp.Glows() && !switches.IsSet(lamp.Light);
+  lamp.CastsShadows = lamp.CastsShadows && !IsFixedToCamera(lamp.Light);
+  lamp.Values.intensity = glm::dvec3(0.0);
+}
+
+void Apply(const LightOptions& options, vtkRenderer* renderer, Lamp& lamp)
+{
+  glm::dvec3 position;
+  glm::dvec3 focalPoint;
+  lamp.Light->GetTransformedPosition(&position.x);
+  lamp.Light->GetTransformedFocalPoint(&focalPoint.x);
+  const glm::dvec3 axis = focalPoint - position;
+  if (!options.Table || !lamp.Scatters() || f64::airlightIsDirectional(lamp.Values) ||
+    !(glm::length(axis) > 0.0))
+  {
+    return;
+  }
+  lamp.Table = options.Table;
+  lamp.Values.kind = AIRLIGHT_POINT_QUADRATURE;
+  lamp.Values.goniometric = 1;
+  lamp.Values.photometry.axis = glm::normalize(axis);
+  lamp.Values.photometry.up =
+    MakeAcross(TransformDirection(lamp.Light, renderer, options.Up), lamp.Values.photometry.axis);
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
+  const View& view, double radius, const LightSwitches& switches,
+  const std::vector<LightOptions>& options)
+{
+  std::vector<Lamp> lamps;
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it = nullptr;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (light->GetSwitch())
+    {
+      lamps.push_back(MakeLamp(light, media, view, radius));
+      Apply(switches, lamps.back());
+      const auto own = std::find_if(options.begin(), options.end(),
+        [light](const LightOptions& option) { return option.Light == light; });
+      if (own != options.end())
+      {
+        Apply(*own, renderer, lamps.back());
+      }
+    }
+  }
+  return lamps;
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeLeftOut(const std::vector<Lamp>& lamps)
+{
+  const auto count = std::count_if(lamps.begin(), lamps.end(), IsLeftOut);
+  const bool dark =
+    std::none_of(lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Glows(); });
+  return GetCameraLightsText(static_cast<int>(count), dark);
+}
+
+//------------------------------------------------------------------------------
+int CommonKind(const std::vector<Lamp>& lamps)
+{
+  int kind = AIRLIGHT_POINT_CLOSED;
+  bool first = true;
+  for (const Lamp& lamp : lamps)
+  {
+    if (lamp.Glows())
+    {
+      kind = first || lamp.Values.kind == kind ? lamp.Values.kind : -1;
+      first = false;
+    }
+  }
+  return kind;
+}
+
+//------------------------------------------------------------------------------
+bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* window,
+  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
+  std::vector<Lamp>& lamps)
+{
+  std::vector<Texels> arrays;
+  std::vector<int*> first;
+  const auto add = [&](const Texels& array, int& place) {
+    arrays.push_back(array);
+    first.push_back(&place);
+  };
+  for (int i = 0; i < converted.count; ++i)
+  {
+    f64::AirlightMedium& medium = converted.item[i];
+    if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
+    {
+      const std::shared_ptr<const SurfaceTree> tree = media[i]->GetSurfaceTree();
+      add(Texels(tree, &tree->GetTexels()), medium.region.first);
+    }
+    if (medium.phase.rows > 0)
+    {
+      const std::shared_ptr<const PhaseShape> shape = media[i]->GetPhaseShape();
+      add(Texels(shape, &shape->Rows), medium.phase.first);
+    }
+  }
+  if (grids && converted.count == 1 && converted.item[0].density == AIRLIGHT_DENSITY_GRID)
+  {
+    f64::AirlightMedium& medium = converted.item[0];
+    add(grids->GetSamples(media[0]->GetDensityGrid()), medium.gridFirst);
+    for (Lamp& lamp : lamps)
+    {
+      if (lamp.Scatters())
+      {
+        const LightGrid& grid = grids->GetLight(medium, lamp.Values, medium.gridOrigin);
+        lamp.Values.gridSize = grid.Cells;
+        lamp.GridError = grid.Error;
+        add(grid.Means, lamp.Values.gridFirst);
+      }
+    }
+    grids->Forget();
+  }
+  for (Lamp& lamp : lamps)
+  {
+    if (lamp.Table)
+    {
+      add(lamp.Table, lamp.Values.photometry.first);
+    }
+  }
+  const bool ok = data.Update(window, arrays);
+  for (size_t i = 0; i < first.size() && ok; ++i)
+  {
+    *first[i] = data.GetFirst(i);
+  }
+  return ok;
+}
+}

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The lights of a renderer as the shaders take them.
+ */
+
+#ifndef AirlightLamps_h
+#define AirlightLamps_h
+
+#include "Medium/AirlightConvert.h"
+#include "Photometry/AirlightLightSwitches.h"
+#include "Photometry/AirlightPhotometry.h"
+#include "Scene/AirlightLightGrid.h"
+#include "Scene/AirlightSceneData.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkLight;
+class vtkOpenGLRenderWindow;
+class vtkParticipatingMedium;
+class vtkRenderer;
+
+namespace airlight
+{
+class View;
+
+// What the pass, rather than the light itself, says of a light.
+struct LightOptions
+{
+  vtkWeakPointer<vtkLight> Light;
+  std::string PhotometryFile;
+  std::shared_ptr<const Photometry> Goniometry; // null: the same intensity in all directions
+  Texels Table;                                 // the packed goniometry
+  glm::dvec3 Up{ 0.0, 1.0, 0.0 };               // of the goniometry
+};
+
+struct Lamp
+{
+  vtkLight* Light;
+  LightSupport Support;
+  f64::AirlightLight Values; // relative to the eye
+  glm::dvec4 World{ 0.0 };   // homogeneous position
+  bool CastsShadows = false;
+  bool LeftOut = false;   // of the medium, as it is fixed to the camera and its user did not set it
+  Texels Table;           // of a light that shines by a photometric file, else null
+  double GridError = 0.0; // of the optical depth on the way to it, where an image is the density
+
+  bool Scatters() const { return this->Support == LightSupport::Scatters; }
+  bool Glows() const { return this->Scatters() && this->Values.intensity != glm::dvec3(0.0); }
+};
+
+// The kind of all lights that are scattered, -1 where there are several.
+int CommonKind(const std::vector<Lamp>& lamps);
+
+// The switched-on lights, in the order in which VTK's mappers number them. `radius` is the light
+// radius asked for, 0 for the smallest that single precision resolves.
+std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
+  const View& view, double radius, const LightSwitches& switches,
+  const std::vector<LightOptions>& options);
+
+// GetCameraLightsText() of these lamps.
+inline bool IsLeftOut(const Lamp& lamp) { return lamp.LeftOut; }
+std::string DescribeLeftOut(const std::vector<Lamp>& lamps);
+
+// Puts on the graphics card the surfaces, images and tables of media and lamps, and their places there
+// into `converted` and `lamps`. `grids` may be null where there are no images. False with a reason in data.GetError() where the card has no room.
+bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* window,
+  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
+  std::vector<Lamp>& lamps);
+}
+
+#endif

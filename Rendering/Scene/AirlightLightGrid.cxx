@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/AirlightLightGrid.h"
+
+#include "vtkSMPTools.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace airlight
+{
+namespace
+{
+// Grids are refined until optical depths between their points are no more wrong than this, up to
+// the largest grid: points along the image's longest side.
+constexpr double Tolerance = 1e-3;
+constexpr int Smallest = 5;
+constexpr int Largest = 65;
+
+constexpr int TestPoints = 500;
+// Where less light than this is left, errors do not matter.
+constexpr double Dark = 5.0; // optical depth
+constexpr int MostAge = 4;
+// Density that single precision can reckon with, and through which nothing is seen.
+constexpr double Opaque = 1e25;
+
+// Samples that are looked at before a way is followed: it has hundreds itself.
+constexpr double MostSearched = 5000.0;
+// Inside by so much, in samples: ways along the image's faces are inside it.
+constexpr double Inset = 1e-6;
+
+// The ways from points of the image to a light.
+class Ways
+{
+public:
+  Ways(const f64::AirlightMedium& medium, const f64::AirlightLight& light)
+    : Medium(medium)
+    , Grid(*medium.grid)
+    , Light(light.position)
+    , Directional(f64::airlightIsDirectional(light))
+  {
+  }
+
+  // Mean density and length of a way from a place in samples.
+  glm::dvec2 Measure(const glm::dvec3& samples) const
+  {
+    const glm::dvec3 inside = glm::clamp(
+      samples, glm::dvec3(Inset), glm::max(this->Grid.GetLast() - Inset, glm::dvec3(Inset)));
+    const glm::dvec3 point = this->Grid.ToWorld(inside);
+    glm::dvec3 way = this->Light;
+    double length = AIRLIGHT_FAR;
+    if (!this->Directional)
+    {
+      way = this->Light - point;
+      length = std::max(glm::length(way), 1e-300);
+      way /= length;
+    }
+    glm::dvec2 range = f64::airlightRegionRange(this->Medium.region, point, way, length);
+    range = this->Grid.GetRange(point, way, range.x, range.y);
+    length = std::max(range.y - range.x, 0.0);
+    const bool any = length * glm::length(this->Grid.GetAxes() * way) > 10.0 * Inset;
+    return { any ? this->Grid.Integrate(point, way, range.x, range.y) / length
+                 : this->Grid.GetDensityAt(inside),
+      length };
+  }
+
+  // Whether something is scattered there.
+  bool Scatters(const glm::dvec3& samples) const
+  {
+    return this->Grid.GetDensityAt(samples) > 0.0 &&
+      f64::airlightHolds(this->Medium.region, this->Grid.ToWorld(samples));
+  }
+
+  const DensityGrid& GetGrid() const { return this->Grid; }
+
+private:
+  const f64::AirlightMedium& Medium;
+  const DensityGrid& Grid;
+  glm::dvec3 Light;
+  bool Directional;
+};
+
+// As many points along each side as make cells about as long as wide.
+glm::ivec3 GetSize(const DensityGrid& grid, int longest)
+{
+  const glm::dmat3 steps = glm::inverse(grid.GetAxes());
+  const glm::dvec3 sides = grid.GetLast() *
+    glm::dvec3(glm::length(steps[0]), glm::length(steps[1]), glm::length(steps[2]));
+  const double most = std::max({ sides.x, sides.y, sides.z });
+  return glm::max(glm::ivec3(glm::ceil(sides / most * (longest - 1.0))), 1) + 1;
+}
+
+// Whether the medium is in a cell that a point of the light's grid belongs to. `scale` is from
+// points to samples.
+bool IsNeeded(const DensityGrid& grid, const glm::dvec3& node, const glm::dvec3& scale)
+{
+  const glm::ivec3 size = glm::ivec3(grid.GetLast()) + 1;
+  const glm::ivec3 low = glm::max(glm::ivec3(glm::floor((node - 1.0) * scale)), 0);
+  const glm::ivec3 high = glm::min(glm::ivec3(glm::ceil((node + 1.0) * scale)), size - 1);
+  const glm::ivec3 count = high - low + 1;
+  if (static_cast<double>(count.x) * count.y * count.z > MostSearched)
+  {
+    return true;
+  }
+  for (int k = low.z; k <= high.z; ++k)
+  {
+    for (int j = low.y; j <= high.y; ++j)
+    {
+      const double* row = &grid.GetSamples()[(static_cast<size_t>(k) * size.y + j) * size.x];
+      if (std::any_of(row + low.x, row + high.x + 1, [](double value) { return value > 0.0; }))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// 0 where nothing is scattered.
+std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size)
+{
+  std::vector<double> means(static_cast<size_t>(size.x) * size.y * size.z);
+  const glm::dvec3 step = ways.GetGrid().GetLast() / glm::dvec3(size - 1); // samples
+  vtkSMPTools::For(0, static_cast<vtkIdType>(size.y) * size.z, 1, [&](vtkIdType a, vtkIdType b) {
+    for (vtkIdType row = a; row < b; ++row)
+    {
+      const vtkIdType y = row % size.y;
+      const vtkIdType z = row / size.y;
+      const glm::dvec3 first(0.0, static_cast<double>(y), static_cast<double>(z));
+      for (int i = 0; i < size.x; ++i)
+      {
+        const glm::dvec3 node = first + glm::dvec3(i, 0.0, 0.0);
+        if (IsNeeded(ways.GetGrid(), node, step))
+        {
+          means[row * size.x + i] = ways.Measure(step * node).x;
+        }
+      }
+    }
+  });
+  return means;
+}
+
+double Interpolate(const std::vector<double>& means, const glm::ivec3& size, const glm::dvec3& p)
+{
+  const glm::ivec3 cell = glm::clamp(glm::ivec3(p), glm::ivec3(0), size - 2);
+  const glm::dvec3 f = p - glm::dvec3(cell);
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::ivec3 far(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const glm::dvec3 share = glm::mix(1.0 - f, f, glm::bvec3(far));
+    const glm::ivec3 at = cell + far;
+    sum += share.x * share.y * share.z *
+      means[(static_cast<size_t>(at.z) * size.y + at.y) * size.x + at.x];
+  }
+  return sum;
+}
+
+// Van der Corput's sequence in this base: evenly spread and the same every time.
+double Spread(int i, int base)
+{
+  double value = 0.0;
+  for (double place = 1.0 / base; i > 0; i /= base, place /= base)
+  {
+    value += place * (i % base);
+  }
+  return value;
+}
+
+struct TestPoint
+{
+  glm::dvec3 Share; // of the image's sides
+  double Mean;
+  double Length;
+};
+
+std::vector<TestPoint> MakeTests(const Ways& ways, double sigmaT)
+{
+  std::vector<TestPoint> points;
+  for (int i = 1; i <= TestPoints; ++i)
+  {
+    const glm::dvec3 share(Spread(i, 2), Spread(i, 3), Spread(i, 5));
+    const glm::dvec3 place = share * ways.GetGrid().GetLast();
+    if (ways.Scatters(place))
+    {
+      const glm::dvec2 way = ways.Measure(place);
+      if (sigmaT * way.x * way.y < Dark)
+      {
+        points.push_back({ share, way.x, way.y });
+      }
+    }
+  }
+  return points;
+}
+}
+
+//------------------------------------------------------------------------------
+LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::AirlightLight& light)
+{
+  const Ways ways(medium, light);
+  const double sigmaT = std::max({ medium.sigmaT.x, medium.sigmaT.y, medium.sigmaT.z });
+  const std::vector<TestPoint> tests = MakeTests(ways, sigmaT);
+  LightGrid result{};
+  for (int longest = Smallest; longest <= Largest; longest = 2 * longest - 1)
+  {
+    const glm::ivec3 size = GetSize(ways.GetGrid(), longest);
+    const std::vector<double> means = MeasureAll(ways, size);
+    result.Error = 0.0;
+    for (const TestPoint& test : tests)
+    {
+      const double mean = Interpolate(means, size, test.Share * glm::dvec3(size - 1));
+      result.Error = std::max(result.Error, sigmaT * std::abs(mean - test.Mean) * test.Length);
+    }
+    if (result.Error <= Tolerance || 2 * longest - 1 > Largest)
+    {
+      result.Cells = glm::dvec3(size - 1);
+      result.Means = PackSamples(means, size);
+      break;
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+Texels PackSamples(const std::vector<double>& samples, const glm::ivec3& size)
+{
+  const auto at = [&](int i, int j, int k) {
+    return std::min(samples[(static_cast<size_t>(k) * size.y + j) * size.x + i], Opaque);
+  };
+  auto texels = std::make_shared<std::vector<glm::dvec4>>();
+  texels->reserve(static_cast<size_t>(size.x - 1) * (size.y - 1) * size.z);
+  for (int k = 0; k < size.z; ++k)
+  {
+    for (int j = 0; j + 1 < size.y; ++j)
+    {
+      for (int i = 0; i + 1 < size.x; ++i)
+      {
+        texels->emplace_back(at(i, j, k), at(i + 1, j, k), at(i, j + 1, k), at(i + 1, j + 1, k));
+      }
+    }
+  }
+  return texels;
+}
+
+//------------------------------------------------------------------------------
+Texels LightGrids::GetSamples(const std::shared_ptr<const DensityGrid>& grid)
+{
+  if (this->Grid != grid)
+  {
+    this->Grid = grid;
+    this->Samples = PackSamples(grid->GetSamples(), glm::ivec3(grid->GetLast()) + 1);
+    this->Entries.clear();
+  }
+  return this->Samples;
+}
+
+//------------------------------------------------------------------------------
+const LightGrid& LightGrids::GetLight(
+  const f64::AirlightMedium& medium, const f64::AirlightLight& light, const glm::dvec3& eye)
+{
+  const bool directional = f64::airlightIsDirectional(light);
+  // Back in the world, where a moving eye rounds a little.
+  f64::AirlightMedium there = medium;
+  there.gridOrigin = glm::dvec3(0.0);
+  there.region.boxMin += eye;
+  there.region.boxMax += eye;
+  there.region.centre += eye;
+  f64::AirlightLight lamp = light;
+  lamp.position += directional ? glm::dvec3(0.0) : eye;
+  const double near =
+    1e-9 * (glm::length(eye) + glm::length(there.region.boxMax - there.region.boxMin));
+  const auto same = [near](const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::length(a - b) <= near;
+  };
+  for (const std::unique_ptr<Entry>& entry : this->Entries)
+  {
+    const f64::AirlightRegion& region = entry->Region;
+    if (entry->Directional == directional && same(entry->Position, lamp.position) &&
+      entry->SigmaT == medium.sigmaT && region.kind == there.region.kind &&
+      same(region.boxMin, there.region.boxMin) && same(region.boxMax, there.region.boxMax) &&
+      same(region.centre, there.region.centre) && region.radius == there.region.radius)
+    {
+      entry->Age = 0;
+      return entry->Values;
+    }
+  }
+  this->Entries.push_back(std::make_unique<Entry>(Entry{
+    there.region, medium.sigmaT, lamp.position, directional, 0, LightGrid::Build(there, lamp) }));
+  return this->Entries.back()->Values;
+}
+
+//------------------------------------------------------------------------------
+void LightGrids::Forget()
+{
+  this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
+                        [](const std::unique_ptr<Entry>& entry) { return ++entry->Age > MostAge; }),
+    this->Entries.end());
+}
+}

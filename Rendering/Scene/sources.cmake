@@ -1,0 +1,10 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  PRIVATE_CLASSES
+    AirlightLamps
+    AirlightLightGrid
+    AirlightSceneData
+    AirlightView
+  GLSL
+    glsl/AirlightViewShader.glsl)

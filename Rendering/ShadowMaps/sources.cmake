@@ -1,0 +1,15 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  PRIVATE_CLASSES
+    AirlightShadowMap
+  SOURCES
+    AirlightShadowMapOthers.cxx
+    AirlightShadowMapProjection.cxx
+  GLSL
+    glsl/AirlightMapBoundaries.glsl
+    glsl/AirlightMapMarch.glsl
+    glsl/AirlightMapMergeFS.glsl
+    glsl/AirlightRayMarch.glsl
+    glsl/AirlightShadowMapFS.glsl
+    glsl/AirlightShadowMapVS.glsl)

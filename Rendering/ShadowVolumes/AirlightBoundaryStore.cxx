@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShadowVolumes/AirlightBoundaryStore.h"
+
+#include "AirlightHeads.h"
+#include "AirlightSlots.h"
+#include "OpenGL/AirlightOpenGL.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+namespace
+{
+constexpr std::uint64_t PlainNodeWords = 3;
+constexpr std::uint64_t DimmedNodeWords = 6;
+// For the few pixels whose slots do not suffice, and where there are none.
+constexpr std::uint64_t InitialCapacity = 1u << 18;
+// What AirlightHeads.glsl begins with.
+constexpr int HeadOffset = 2;
+// More silhouette edges than these have pixels enough with more than 16 boundaries.
+constexpr size_t ManyEdges = 8192;
+
+// Bindings of the shaders' buffers.
+constexpr GLuint NodeBinding = 1;
+constexpr GLuint HeadBinding = 2;
+constexpr GLuint SlotBinding = 7;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t BoundaryStore::GetNodeSize() const
+{
+  return 4 * (this->Dimmed ? DimmedNodeWords : PlainNodeWords);
+}
+
+//------------------------------------------------------------------------------
+// Of one row of pixels.
+std::uint64_t BoundaryStore::GetSlotBytes() const
+{
+  return static_cast<std::uint64_t>(this->Width) * this->SlotsPerPixel * 4;
+}
+
+//------------------------------------------------------------------------------
+bool BoundaryStore::Allocate(unsigned int buffer, std::uint64_t bytes, const std::string& what)
+{
+  if (!AllocateStorageBlock(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY))
+  {
+    this->Error = "no memory on the graphics card for " + what +
+      ": lower SetMemoryLimit(), make the window smaller or call SetShadowTechniqueToShadowMap()";
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool BoundaryStore::Reserve(std::uint64_t boundaries)
+{
+  const bool ok = this->Allocate(this->Nodes, boundaries * this->GetNodeSize(),
+    "the lists of " + std::to_string(boundaries) + " boundaries");
+  this->Capacity = ok ? static_cast<std::uint32_t>(boundaries) : 0;
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+bool BoundaryStore::ReserveSome()
+{
+  return this->Reserve(std::min(InitialCapacity, this->GetMost()));
+}
+
+//------------------------------------------------------------------------------
+// A quarter of the limit is left to lists.
+bool BoundaryStore::ReserveSlots()
+{
+  const std::uint64_t most = std::min(this->Limit - this->Limit / 4, this->MostBytes);
+  const std::uint64_t row = std::max<std::uint64_t>(this->GetSlotBytes(), 1);
+  const auto height = static_cast<std::uint64_t>(this->Height);
+  this->SlotRows = this->Dimmed ? 0 : static_cast<int>(std::min(height, most / row));
+  const std::uint64_t bytes = this->SlotRows * row;
+  if (bytes == this->SlotSize)
+  {
+    return true;
+  }
+  this->SlotSize = bytes;
+  return this->Allocate(
+    this->Slots, bytes, "the boundaries of " + std::to_string(this->SlotRows) + " rows of pixels");
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t BoundaryStore::GetMost() const
+{
+  const std::uint64_t left = this->Limit - std::min(this->SlotSize, this->Limit);
+  return std::min(left, this->MostBytes) / this->GetNodeSize();
+}
+
+//------------------------------------------------------------------------------
+bool BoundaryStore::Prepare(int width, int height, bool dimmed, size_t edges, std::uint64_t limit)
+{
+  // The lists keep their bytes.
+  const std::uint64_t listBytes = this->Capacity * this->GetNodeSize();
+  this->Dimmed = dimmed;
+  this->Capacity = static_cast<std::uint32_t>(listBytes / this->GetNodeSize());
+  this->Width = width;
+  this->Height = height;
+  this->Limit = limit;
+  this->SlotsPerPixel = edges > ManyEdges ? 32 : 16;
+  if (this->Nodes == 0)
+  {
+    glGenBuffers(1, &this->Nodes);
+    glGenBuffers(2, this->Heads);
+    glGenBuffers(1, &this->Slots);
+    GLint64 most = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    // Indices of words are 32 bits wide.
+    this->MostBytes = std::clamp<std::uint64_t>(most, 1u << 24, 0x7fffffff);
+  }
+  const std::uint64_t row = 2 * static_cast<std::uint64_t>(width);
+  const std::uint64_t most = (this->MostBytes / 4 - HeadOffset) / row;
+  this->HeadRows = static_cast<int>(std::min<std::uint64_t>(height, most));
+  const std::uint64_t heads = row * this->HeadRows + HeadOffset;
+  for (int i = 0; i < 2 && this->HeadCount != heads; ++i)
+  {
+    if (!this->Allocate(this->Heads[i], 4 * heads,
+          "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels"))
+    {
+      return false;
+    }
+  }
+  this->HeadCount = heads;
+  if (!this->ReserveSlots())
+  {
+    return false;
+  }
+  const bool fits = this->Capacity > 0 && this->Capacity <= this->GetMost();
+  return fits || this->ReserveSome();
+}
+
+//------------------------------------------------------------------------------
+int BoundaryStore::LimitRows(int rows) const
+{
+  rows = std::min(rows, this->HeadRows);
+  return this->GetSlots() > 0 ? std::min(rows, this->SlotRows) : rows;
+}
+
+//------------------------------------------------------------------------------
+void BoundaryStore::Clear(int row)
+{
+  this->FirstRow = row;
+  this->Turn = 1 - this->Turn;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads[this->Turn]);
+  glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+std::string BoundaryStore::DefineNodes(bool dimmed)
+{
+  return "#define AIRLIGHT_DIMMED " + std::to_string(dimmed) + "\n#define AIRLIGHT_NODE_WORDS " +
+    std::to_string(dimmed ? DimmedNodeWords : PlainNodeWords) + "u\n";
+}
+
+//------------------------------------------------------------------------------
+std::string BoundaryStore::GetSource() const
+{
+  return "#define AIRLIGHT_SLOTS " + std::to_string(this->GetSlots()) + "\n" + AirlightHeads +
+    (this->GetSlots() > 0 ? AirlightSlots : "");
+}
+
+//------------------------------------------------------------------------------
+void BoundaryStore::Use(vtkShaderProgram* program)
+{
+  // Integers in vectors of three, which vtkShaderProgram cannot set.
+  glUniform3i(glGetUniformLocation(program->GetHandle(), "givenPlaces"), this->FirstRow,
+    this->Width, this->HeadRows);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads[this->Turn]);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SlotBinding, this->Slots);
+}
+
+//------------------------------------------------------------------------------
+BoundaryStore::Counts BoundaryStore::ReadCounts()
+{
+  GLuint values[HeadOffset] = {};
+  // No test fails without it, see AirlightOpenGL.h.
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads[this->Turn]);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(values), values);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  Counts counts;
+  counts.Boundaries = values[0];
+  counts.Longest = values[1];
+  return counts;
+}
+
+//------------------------------------------------------------------------------
+void BoundaryStore::Release()
+{
+  DeleteBuffer(this->Nodes);
+  DeleteBuffer(this->Heads[0]);
+  DeleteBuffer(this->Heads[1]);
+  DeleteBuffer(this->Slots);
+  this->Capacity = 0;
+  this->HeadCount = 0;
+  this->SlotSize = 0;
+  this->SlotRows = 0;
+}
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What casts shadows in other processes, each of which draws a part of the scene: the silhouettes of
+ * all their casters, light by light, not their triangles. They are sent as bytes.
+ */
+
+#ifndef AirlightRemoteShadows_h
+#define AirlightRemoteShadows_h
+
+#include "ShadowVolumes/AirlightShadowVolumes.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace airlight
+{
+// What the opaque casters of a process do in one light.
+struct RemoteShadow
+{
+  glm::dvec4 Light{ 0.0 };  // homogeneous world position
+  glm::dvec3 Anchor{ 0.0 }; // of edges and caps, as ShadowVolumes::GetAnchor()
+  int StartCount = 0;       // as ShadowVolumes::GetStartCount()
+  std::vector<ShadowEdge> Edges;
+  std::vector<ShadowCap> Caps;
+};
+
+// By light number.
+using RemoteShadows = std::vector<std::shared_ptr<const RemoteShadow>>;
+
+// For processes on machines of one kind: the bytes of another kind are refused, as what is cut short.
+std::vector<unsigned char> WriteRemoteShadows(const std::vector<RemoteShadow>& shadows);
+// False with a reason in `error`.
+bool ReadRemoteShadows(
+  const unsigned char* bytes, size_t size, RemoteShadows& shadows, std::string& error);
+}
+
+#endif

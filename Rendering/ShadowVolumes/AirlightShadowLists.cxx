@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The drawing of a light's shadow planes.
+
+#include "ShadowVolumes/AirlightShadowLists.h"
+
+#include "AirlightOutlineFS.h"
+#include "AirlightPlanesFS.h"
+#include "AirlightPlanesVS.h"
+#include "AirlightViewShader.h"
+#include "OpenGL/AirlightOpenGL.h"
+#include "Scene/AirlightView.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+namespace
+{
+// Bindings of the shaders' buffers.
+constexpr GLuint EdgeBinding = 0;
+constexpr GLuint EndBinding = 3;
+constexpr GLuint LayerBinding = 6;
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
+{
+  int major = 0;
+  int minor = 0;
+  window->GetOpenGLVersion(major, minor);
+  GLint vertexBlocks = 0;
+  if (major > 4 || (major == 4 && minor >= 3))
+  {
+    glGetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &vertexBlocks);
+  }
+  return vertexBlocks >= 2;
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool dimmed,
+  size_t edges, std::uint64_t memoryLimit, bool budgeted)
+{
+  this->Window = window;
+  this->Width = width;
+  this->Height = height;
+  this->Budgeted = budgeted;
+  this->OverBudget = false;
+  if (this->VertexArray == 0)
+  {
+    glGenVertexArrays(1, &this->VertexArray);
+  }
+  if (!this->Store.Prepare(width, height, dimmed, edges, memoryLimit))
+  {
+    this->Error = this->Store.GetError();
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* ShadowLists::ReadyPlanes(
+  PlaneKind kind, const std::string& fragment, const Source& source)
+{
+  const std::string head = "#version 430\n#define AIRLIGHT_NEAR_PLANES " +
+    std::to_string(kind == PlaneKind::Near) + "\n#define AIRLIGHT_CAPS " +
+    std::to_string(kind == PlaneKind::Cap) + "\n";
+  std::string text = head + fragment;
+  vtkShaderProgram* program =
+    this->PlanePrograms.Ready(this->Window, head + AirlightPlanesVS, text);
+  if (!program)
+  {
+    this->Error = std::string("the shader of shadow planes") + ProgramMaker::GetReason();
+    return nullptr;
+  }
+  const View& view = source.Rays;
+  view.SetUniforms(program, 0, 0);
+  glm::mat4 clip = view.GetClipMatrix(source.Volumes.GetAnchor());
+  const glm::vec3 anchor(source.Volumes.GetAnchor() - view.GetEye());
+  const glm::vec4 fromLight = source.Light.w != 0.0 ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)
+                                                    : glm::vec4(-glm::vec3(source.Light), 0.0f);
+  program->SetUniformMatrix4x4("anchorToClip", &clip[0][0]);
+  program->SetUniform3f("anchor", &anchor.x);
+  program->SetUniform4f("fromLight", &fromLight.x);
+  return program;
+}
+
+//------------------------------------------------------------------------------
+std::string ShadowLists::GetPlanesSource(const View& view) const
+{
+  // The near planes' fragments need all of the view, the others little.
+  return BoundaryStore::DefineNodes(this->Store.IsDimmed()) + "#define AIRLIGHT_PLACES_IN\n" +
+    this->Store.GetSource() + "#define AIRLIGHT_PARALLEL " + std::to_string(view.IsParallel()) +
+    "\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n" + AirlightViewShader + AirlightPlanesFS;
+}
+
+//------------------------------------------------------------------------------
+// By parts that a storage block of any driver holds. Front faces are seen from outside the volume. By
+// indices, a plane takes four vertices instead of six, and software renderers take few planes at a time:
+// after every fifty vertices that they have clipped they go through all that they took.
+void ShadowLists::DrawRecords(PlaneKind kind, const Buffer& buffer) const
+{
+  const bool planes = kind == PlaneKind::Plane;
+  const size_t size = kind == PlaneKind::Near ? sizeof(NearEdge)
+    : planes                                  ? sizeof(ShadowEdge)
+                                              : sizeof(ShadowCap);
+  const int most = planes ? PlanesPerDraw : RecordsPerDraw;
+  glBindVertexArray(this->VertexArray);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Corners.Handle);
+  for (int first = 0; first < buffer.Count; first += most)
+  {
+    const int count = std::min(buffer.Count - first, most);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, EdgeBinding, buffer.Handle,
+      static_cast<GLintptr>(first * size), static_cast<GLsizeiptr>(count * size));
+    if (planes)
+    {
+      glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_SHORT, nullptr);
+    }
+    else
+    {
+      glDrawArrays(GL_TRIANGLES, 0, 3 * count);
+    }
+  }
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, int rows)
+{
+  const Buffer* const buffers[3] = { &this->Edges[source.Slot], &this->Caps[source.Slot],
+    &this->NearEdges[source.Slot] };
+  const Buffer& buffer = *buffers[static_cast<int>(kind)];
+  if (buffer.Count == 0)
+  {
+    return true;
+  }
+  vtkShaderProgram* program = this->ReadyPlanes(kind, this->GetPlanesSource(source.Rays), source);
+  if (!program)
+  {
+    return false;
+  }
+  program->SetUniformi("distances", source.Distances->GetTextureUnit());
+  program->SetUniformi("inParallel", source.Rays.IsParallel() ? 1 : 0);
+  this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
+  this->Store.Use(program);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LayerBinding, this->Layers[source.Slot].Handle);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, this->Ends.Handle);
+  this->DrawRecords(kind, buffer);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Draws all planes and caps, clipped to some rows.
+bool ShadowLists::DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts)
+{
+  this->Store.Clear(row);
+  // No test fails without it, see AirlightOpenGL.h.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  const bool ok = this->DrawFragments(source, PlaneKind::Plane, row, rows) &&
+    this->DrawFragments(source, PlaneKind::Cap, row, rows) &&
+    this->DrawFragments(source, PlaneKind::Near, row, rows);
+  // No test fails without it, see AirlightOpenGL.h.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  counts = this->Store.ReadCounts();
+  if (!ok || counts.Boundaries == 0 || !this->HasSlots())
+  {
+    return ok;
+  }
+  const bool spilled = this->Spill(row, rows);
+  counts = this->Store.ReadCounts();
+  return spilled;
+}
+
+//------------------------------------------------------------------------------
+int ShadowLists::DrawRows(const Source& source, int row, int rows)
+{
+  const std::uint64_t most = this->Store.GetMost();
+  const std::uint64_t all = rows;
+  rows = this->Store.LimitRows(rows);
+  while (rows > 0)
+  {
+    BoundaryStore::Counts counts;
+    if (!this->DrawOnce(source, row, rows, counts))
+    {
+      return 0;
+    }
+    const std::uint64_t needed = counts.Boundaries + 1; // the first is not used
+    if (needed <= this->Store.GetCapacity())
+    {
+      this->Longest = counts.Longest;
+      this->FirstRow = row;
+      this->Rows = rows;
+      return rows;
+    }
+    if (this->Budgeted && needed * all / rows > MostBands * most)
+    {
+      break;
+    }
+    // A quarter more than asked for, so that a scene in motion does not grow it each frame.
+    if (needed <= most && this->Store.Reserve(std::min(needed + needed / 4, most)))
+    {
+      continue;
+    }
+    if (this->Store.GetCapacity() == 0 && !this->Store.ReserveSome())
+    {
+      this->Error = this->Store.GetError();
+      return 0;
+    }
+    rows /= 2;
+  }
+  this->OverBudget = true;
+  this->Error = "one row of pixels crosses more shadow boundaries than the memory limit allows";
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+int ShadowLists::Fill(const Source& source, int row, int rows)
+{
+  if (!this->UploadEnds(source))
+  {
+    return 0;
+  }
+  source.Distances->Activate();
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  glEnable(GL_DEPTH_CLAMP);
+  // Lenient: what the depth buffer's rounding leaves open, the shader's own test decides.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(-2.0f, -8.0f);
+  const int done = this->DrawRows(source, row, rows);
+  glPolygonOffset(0.0f, 0.0f);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_CLAMP);
+  state->vtkglDepthMask(GL_TRUE);
+  source.Distances->Deactivate();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::DrawWireframe(const Source& source)
+{
+  vtkShaderProgram* program = this->ReadyPlanes(PlaneKind::Plane, AirlightOutlineFS, source);
+  if (!program || !this->UploadEnds(source))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDepthMask(GL_FALSE);
+  glEnable(GL_DEPTH_CLAMP);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, this->Ends.Handle);
+  this->DrawRecords(PlaneKind::Plane, this->Edges[source.Slot]);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glDisable(GL_DEPTH_CLAMP);
+  state->vtkglDepthMask(GL_TRUE);
+  return true;
+}
+}

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws a light's shadow planes and collects, for each pixel, the boundaries that its ray crosses
+ * before the surface (AirlightBoundaryStore.h). None is left out: where they do not fit, the buffer
+ * grows; where it may not grow, fewer rows are drawn at a time.
+ */
+
+#ifndef AirlightShadowLists_h
+#define AirlightShadowLists_h
+
+#include "OpenGL/AirlightQuad.h"
+#include "ShadowVolumes/AirlightBoundaryStore.h"
+#include "ShadowVolumes/AirlightShadowVolumes.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace airlight
+{
+class Targets;
+class View;
+
+class ShadowLists
+{
+public:
+  static constexpr std::uint64_t MostBands = 16;
+  // What indices of 16 bits reach, four vertices a plane. Multiples of 16 records are aligned as parts of
+  // a storage buffer have to be.
+  static constexpr int PlanesPerDraw = 16368;
+  // Caps and near planes, up to 64 bytes each: what the smallest storage blocks hold.
+  static constexpr int RecordsPerDraw = 1 << 18;
+
+  // Whether the window's OpenGL has what this needs: 4.3.
+  static bool IsSupported(vtkOpenGLRenderWindow* window);
+
+  // Fragment source that reads the boundaries, after a "#version 430" and
+  // BoundaryStore::DefineNodes(). A first draw does the pixels with few. Where GetLongDraws() is above 0 afterwards, there are others: Sort() puts
+  // them in order and that many draws of the source for sorted lists do them, all but the first
+  // with the uniform "resume" set.
+  std::string GetBoundariesSource(bool sorted) const;
+
+  // Where there are slots: functions that read a pixel's boundaries in order, from its slots, or from
+  // its list once that is sorted (glsl/AirlightSortedSlots.glsl, glsl/AirlightSortedList.glsl).
+  std::string GetKeysSource(bool sorted) const;
+
+  // As BoundaryStore::Prepare(); with `budgeted`, Fill() gives up where all rows at once would need
+  // more than MostBands times the memory limit.
+  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool dimmed, size_t edges,
+    std::uint64_t memoryLimit, bool budgeted);
+  const std::string& GetError() const { return this->Error; }
+
+  // Uploads a light's edges and caps; `slot` is the light's number. False with a reason in GetError()
+  // where there is no memory for them.
+  bool SetVolumes(int slot, const ShadowVolumes& volumes);
+
+  // What a light's planes are drawn from.
+  struct Source
+  {
+    int Slot;
+    const ShadowVolumes& Volumes;
+    const glm::dvec4& Light;
+    const View& Rays;
+    vtkTextureObject* Distances;
+    std::vector<glm::vec4> Ends; // of planes, FindPlaneEnds()
+  };
+
+  // Fills the lists of the rows [row, row + rows) into the bound framebuffer, which has the
+  // scene's depth. Returns the number of rows done, fewer where the memory limit asks for it; 0
+  // with a reason in GetError() where nothing could be drawn.
+  int Fill(const Source& source, int row, int rows);
+
+  // Draws the outlines of a light's planes into the bound framebuffer, where nothing hides them; red
+  // where the view enters a shadow through a plane, blue where it leaves it. False with a reason in
+  // GetError() where the shader does not compile.
+  bool DrawWireframe(const Source& source);
+
+  // Whether Fill() failed since there are too many boundaries.
+  bool IsOverBudget() const { return this->OverBudget; }
+
+  // For a program with the source above: binds the boundaries and sets its uniforms.
+  void Use(vtkShaderProgram* program) { this->Store.Use(program); }
+
+  // Whether boundaries have slots.
+  bool HasSlots() const { return this->Store.GetSlots() > 0; }
+
+  // Number of draws for the lists that the first draw left out; 0 where it left out none.
+  int GetLongDraws();
+
+  // Sorts the long lists. Draws nothing into the bound framebuffer. False with a reason in
+  // GetError() where the shader does not compile.
+  bool Sort();
+
+  void Release();
+
+private:
+  struct Buffer
+  {
+    unsigned int Handle = 0;
+    int Count = 0;
+  };
+
+  bool Upload(Buffer& buffer, const void* data, size_t count, size_t size);
+  bool UploadEnds(const Source& source);
+  bool UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers);
+  // As in AirlightPlanesVS.glsl.
+  enum class PlaneKind
+  {
+    Plane,
+    Cap,
+    Near
+  };
+
+  vtkShaderProgram* ReadyPlanes(PlaneKind kind, const std::string& fragment, const Source& source);
+  bool MakeCorners();
+  void DrawRecords(PlaneKind kind, const Buffer& buffer) const;
+  std::string GetPlanesSource(const View& view) const;
+  bool DrawFragments(const Source& source, PlaneKind kind, int row, int rows);
+  bool DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts);
+  int DrawRows(const Source& source, int row, int rows);
+  bool Spill(int row, int rows);
+  vtkShaderProgram* ReadyLists(Quad& quad, const std::string& fragment);
+
+  vtkOpenGLRenderWindow* Window = nullptr;
+  int Width = 0;
+  int Height = 0;
+  bool Budgeted = false;
+  bool OverBudget = false;
+  std::uint32_t Longest = 0; // list
+  int FirstRow = 0;          // of those that the lists are of
+  int Rows = 0;
+  unsigned int VertexArray = 0;
+  Buffer Corners; // of how many planes
+  Buffer Ends;
+  std::vector<Buffer> Edges; // by slot
+  std::vector<Buffer> NearEdges;
+  std::vector<Buffer> Caps;
+  std::vector<Buffer> Layers;
+  BoundaryStore Store;
+  ProgramMaker PlanePrograms;
+  Quad SortQuad;
+  Quad SpillQuad;
+  std::string Error;
+};
+}
+
+#endif

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The shadow volumes of all casters in one light: the edges to draw planes from, and how many
+ * volumes hold the start of the view rays. Kept between frames; a caster that neither moved nor
+ * changed keeps its silhouette while the light stands still.
+ */
+
+#ifndef AirlightShadowVolumes_h
+#define AirlightShadowVolumes_h
+
+#include "Casters/AirlightCasters.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace airlight
+{
+class ClippedView;
+class View;
+struct RemoteShadow;
+
+// As glsl/AirlightPlanesVS.glsl reads it. Positions are relative to the anchor.
+struct ShadowEdge
+{
+  glm::vec4 A;      // w: weight
+  glm::vec4 B;      // w: number of the caster in Update(), after the last one for those of others
+  glm::vec4 Normal; // w: index of the layer
+};
+
+// An edge whose plane the eye lies on.
+struct NearEdge
+{
+  ShadowEdge Edge; // B.w: the plane's offset from the eye
+  glm::vec4 Sides; // the eye's place: from the sides that begin at A and at B, and beyond the edge
+};
+
+// A caster's triangle, for rays that go through it: where its front faces are culled, where it is
+// cut away, and before the near clipping plane.
+struct ShadowCap
+{
+  glm::vec4 A; // w: 1 where the light is on the side of the normal, -1 behind, 0 edge-on
+  glm::vec4 B;
+  glm::vec4 C; // w: index of the layer
+};
+
+class ShadowVolumes
+{
+public:
+  // `light` is the homogeneous world position; `anyPicture`: for views of any width and height. Returns
+  // true where edges, near edges or caps changed.
+  bool Update(const std::vector<Caster>& casters, const glm::dvec4& light, const View& view,
+    bool anyPicture = false);
+
+  // What the casters of other processes do in this light, for Update() to add.
+  using Remotes = std::vector<std::shared_ptr<const RemoteShadow>>;
+  void SetRemotes(const Remotes& remotes);
+
+  const std::vector<ShadowEdge>& GetEdges() const { return this->Edges; }
+  const std::vector<ShadowCap>& GetCaps() const { return this->Caps; }
+  // Planes, or casters that enclose the light and leave none: then the start of the rays, and all else
+  // outside, is in their shadow.
+  bool HasShadows() const
+  {
+    return !this->Edges.empty() || !this->NearEdges.empty() || !this->Caps.empty() ||
+      this->StartCount != 0;
+  }
+  // Shadow volumes that hold the start of the rays, and what their layers do together.
+  int GetStartCount() const { return this->StartCount; }
+  const ShadowLayer& GetStartLayers() const { return this->StartLayers; }
+
+  // What the layers of the casters do, each kind once.
+  const std::vector<ShadowLayer>& GetLayers() const { return this->Layers; }
+
+  // The edges whose planes the eye lies on or nearly so, which it sees edge-on. They are not among
+  // GetEdges().
+  const std::vector<NearEdge>& GetNearEdges() const { return this->NearEdges; }
+
+  // The world position that edges and caps are relative to: the light, or where it is at infinity
+  // a place among the casters.
+  const glm::dvec3& GetAnchor() const { return this->Anchor; }
+
+private:
+  struct Part
+  {
+    Caster Source;
+    bool Capped = false;
+    std::vector<ShadowEdge> Edges;
+    std::vector<ShadowCap> Caps;
+  };
+
+  void SetAnchor(const std::vector<Caster>& casters);
+  glm::dvec3 Place(const Caster& caster, int point) const;
+  void MakeEdges(Part& part) const;
+  void MakeCaps(Part& part) const;
+  void CollectEdges();
+  void CollectRemotes();
+  float GetLayerIndex(const ShadowLayer& layer);
+  bool UpdateParts(const std::vector<Caster>& casters, const ClippedView& view, bool moved);
+  bool IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) const;
+  NearEdge MakeNear(const ShadowEdge& edge, const glm::dvec3& eye) const;
+  bool SplitNearEdges(const View& view);
+  void CountAtStart(const View& view);
+
+  glm::dvec4 Light{ 0.0 };
+  glm::dvec4 Start{ 0.0 };
+  glm::dvec3 Anchor{ 0.0 };
+  std::vector<Part> Parts; // in the order of the casters
+  Remotes Others;
+  bool OthersChanged = false;
+  std::vector<ShadowEdge> Edges;
+  std::vector<NearEdge> NearEdges;
+  std::vector<ShadowCap> Caps;
+  std::vector<ShadowLayer> Layers;
+  ShadowLayer StartLayers;
+  int StartCount = 0;
+};
+}
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Translucency/AirlightLayerRecords.h"
+
+#include "OpenGL/AirlightOpenGL.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+namespace
+{
+// Numbers of bytes have to fit into an integer.
+constexpr std::uint32_t MostBytes = 0x7fffffffu;
+constexpr GLuint RecordBinding = 3;
+constexpr GLuint HeadBinding = 4;
+
+std::string NoMemory(const std::string& what)
+{
+  return "no memory on the graphics card for the records of " + what +
+    ": make the window smaller, or fewer surfaces translucent";
+}
+}
+
+//------------------------------------------------------------------------------
+bool LayerRecords::Reserve(std::uint32_t records)
+{
+  const bool ok = AllocateStorageBlock(
+    this->Records, static_cast<GLsizeiptr>(records) * this->Words * 4, nullptr, GL_DYNAMIC_COPY);
+  this->Capacity = ok ? records : 0;
+  this->Error = ok ? "" : NoMemory(std::to_string(records) + " translucent fragments");
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+void LayerRecords::Clear()
+{
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  // No test fails without it, see AirlightOpenGL.h.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
+bool LayerRecords::Prepare(int width, int height, int words)
+{
+  if (this->Records == 0)
+  {
+    glGenBuffers(1, &this->Records);
+    glGenBuffers(1, &this->Heads);
+  }
+  if (this->Width != width || this->Height != height)
+  {
+    this->Width = this->Height = 0;
+    const GLsizeiptr count = static_cast<GLsizeiptr>(width) * height + 1;
+    if (!AllocateStorageBlock(
+          this->Heads, count * static_cast<GLsizeiptr>(sizeof(GLuint)), nullptr, GL_DYNAMIC_COPY))
+    {
+      this->Error = NoMemory(
+        "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
+      return false;
+    }
+    this->Width = width;
+    this->Height = height;
+  }
+  if (this->Words != words)
+  {
+    this->Capacity =
+      static_cast<std::uint32_t>(static_cast<std::uint64_t>(this->Capacity) * this->Words / words);
+    this->Words = words;
+  }
+  // Room for one layer over a quarter of the pixels, at first.
+  const bool ok =
+    this->Capacity > 0 || this->Reserve(static_cast<std::uint32_t>(width * height / 4 + 64));
+  this->Clear();
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+void LayerRecords::Use(vtkShaderProgram* program) const
+{
+  program->SetUniformi("airlightLayerWidth", this->Width);
+  program->SetUniformi("airlightLayerWords", this->Words);
+  program->SetUniformi("airlightLayerCapacity", static_cast<int>(this->Capacity));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RecordBinding, this->Records);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
+}
+
+//------------------------------------------------------------------------------
+LayerRecords::Outcome LayerRecords::Check()
+{
+  GLuint count = 0;
+  // No test fails without it, see AirlightOpenGL.h.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(count), &count);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  if (count < this->Capacity)
+  {
+    return Outcome::Done;
+  }
+  const std::uint32_t most = MostBytes / (4u * static_cast<std::uint32_t>(this->Words));
+  if (count >= most)
+  {
+    this->Error = NoMemory(std::to_string(count) + " translucent fragments");
+    return Outcome::Failed;
+  }
+  if (!this->Reserve(std::min(count + count / 4 + 1, most)))
+  {
+    return Outcome::Failed;
+  }
+  this->Clear();
+  return Outcome::Again;
+}
+
+//------------------------------------------------------------------------------
+void LayerRecords::Release()
+{
+  DeleteBuffer(this->Records);
+  DeleteBuffer(this->Heads);
+  this->Width = this->Height = 0;
+  this->Capacity = 0;
+}
+}

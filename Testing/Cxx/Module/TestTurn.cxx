@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A point light's airlight before every point of a ray by AirlightTurn.glsl, as the shaders' text compiled
+// in double and in single precision, against the closed form in double precision (which TestClosedForm
+// compares with quadrature). The limits are parts of the whole ray's airlight, as in the error
+// contract of the documentation.
+
+#include "AirlightTestTools.h"
+
+#include "AirlightTestPhase.h"
+#include "Integration/AirlightMath.h"
+#include "vtkNew.h"
+#include "vtkParticipatingMedium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+using namespace airlight;
+using namespace airlight_test;
+
+namespace
+{
+// The light's foot is at tL, its distance from the ray h; the ray is [0, l], its channels fade by
+// SigmaT.
+struct Setting
+{
+  glm::dvec3 SigmaT;
+  double TL;
+  double H;
+  double Length;
+  std::vector<double> Places;
+
+  std::string Describe() const
+  {
+    return Text("sigmaT ", this->SigmaT.x, " ", this->SigmaT.y, " ", this->SigmaT.z, ", tL ",
+      this->TL, ", h ", this->H, ", length ", this->Length);
+  }
+};
+
+// What single precision makes of it; volatile as in TestClosedForm.
+double Rounded(double v)
+{
+  const volatile float rounded = static_cast<float>(v);
+  return rounded;
+}
+
+Setting RandomSetting(Random& random)
+{
+  Setting s;
+  const double sigmaT = random.LogUniform(1e-3, 10.0);
+  const bool grey = random.Index(2) == 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    s.SigmaT[k] = Rounded(grey || k == 0 ? sigmaT : sigmaT * random.LogUniform(1e-3, 1e3));
+  }
+  s.TL = Rounded(random.Uniform(-30.0, 60.0));
+  s.H = Rounded(random.LogUniform(1e-3, 100.0));
+  s.Length = Rounded(random.Index(4) == 0 ? 1e18 : random.LogUniform(1e-3, 1e3));
+  for (int i = 0; i < 6; ++i)
+  {
+    const double place =
+      i % 2 ? random.Uniform(0.0, std::min(s.Length, 100.0)) : s.TL + s.H * random.Uniform(-2, 2);
+    s.Places.push_back(Rounded(std::clamp(place, 0.0, s.Length)));
+  }
+  s.Places.push_back(s.Length);
+  std::sort(s.Places.begin(), s.Places.end());
+  return s;
+}
+
+// The sums of one precision: what is scattered before each place, per unit sigmaS I.
+template <typename Ray, typename Medium, typename Phase>
+void Prepare(const Setting& s, const Phase& phase, Medium& medium, Ray& ray)
+{
+  using Vector = decltype(medium.sigmaT);
+  medium.phase = phase;
+  medium.sigmaT = Vector(s.SigmaT);
+  medium.sigmaS = medium.sigmaT;
+  medium.region.kind = AIRLIGHT_REGION_UNBOUNDED;
+  ray.direction = Vector(0, 0, 1);
+  ray.range = decltype(ray.range)(0.0, s.Length);
+  ray.lit = ray.range;
+  ray.foot.tL = s.TL;
+  ray.foot.h = s.H;
+  ray.litFromFoot = ray.lit - ray.foot.tL;
+  ray.litWay = ray.lit.y - ray.lit.x;
+}
+
+struct Sums
+{
+  std::vector<glm::dvec3> Before;   // each place
+  std::vector<glm::dvec3> After;    // in closed form; -1 where too much of the light is left
+  glm::dvec3 Whole{ 0.0 };          // by parts that are not kept
+  std::vector<glm::dvec3> Tangents; // between each place and the next, for an isotropic medium
+};
+
+Sums SumDouble(const Setting& s, const f64::AirlightPhase& phase)
+{
+  f64::AirlightMedium medium{};
+  f64::AirlightRay ray{};
+  Prepare(s, phase, medium, ray);
+  const f64::AirlightTurn turn = f64::airlightTurn(medium, ray, 0.0, s.Length);
+  Sums sums;
+  sums.Whole = f64::airlightTurnByAngles(medium, ray, 0.0, s.Length) / s.H;
+  sums.Before.resize(s.Places.size(), glm::dvec3(0.0));
+  for (double psi = 0.0; psi < turn.end;)
+  {
+    const double end = f64::airlightTurnPartEnd(medium, turn, psi);
+    const f64::AirlightTurnPart part = f64::airlightTurnPart(medium, turn, psi, end);
+    for (size_t i = 0; i < s.Places.size(); ++i)
+    {
+      sums.Before[i] +=
+        f64::airlightTurnBefore(part, f64::airlightTurned(turn, ray, s.Places[i])) / s.H;
+    }
+    psi = end;
+  }
+  const double least = f64::airlightTurnLeastFading(medium, turn.h);
+  const double reach = f64::airlightTurnReach(turn, ray, s.Length);
+  for (size_t i = 0; i < s.Places.size(); ++i)
+  {
+    const double done = f64::airlightTurnReach(turn, ray, s.Places[i]);
+    const bool open = least * (reach - done) > 24.0; // AIRLIGHT_TURN_FADED
+    sums.After.push_back(open ? f64::airlightTurnRest(medium, turn, done) / s.H : glm::dvec3(-1.0));
+    const double from = i > 0 ? s.Places[i - 1] : 0.0;
+    sums.Tangents.push_back(f64::airlightTurnByTangents(medium, ray, from, s.Places[i]) / s.H);
+  }
+  return sums;
+}
+
+Sums SumSingle(const Setting& s, const f32::AirlightPhase& phase)
+{
+  f32::AirlightMedium medium{};
+  f32::AirlightRay ray{};
+  Prepare(s, phase, medium, ray);
+  const f32::AirlightTurn turn = f32::airlightTurn(medium, ray, 0.0f, ray.lit.y);
+  Sums sums;
+  sums.Whole = glm::dvec3(f32::airlightTurnByAngles(medium, ray, 0.0f, ray.lit.y) / ray.foot.h);
+  sums.Before.resize(s.Places.size(), glm::dvec3(0.0));
+  for (float psi = 0.0f; psi < turn.end;)
+  {
+    const float end = f32::airlightTurnPartEnd(medium, turn, psi);
+    const f32::AirlightTurnPart part = f32::airlightTurnPart(medium, turn, psi, end);
+    for (size_t i = 0; i < s.Places.size(); ++i)
+    {
+      const float at = f32::airlightTurned(turn, ray, static_cast<float>(s.Places[i]));
+      sums.Before[i] += glm::dvec3(f32::airlightTurnBefore(part, at) / ray.foot.h);
+    }
+    psi = end;
+  }
+  const float least = f32::airlightTurnLeastFading(medium, turn.h);
+  const float reach = f32::airlightTurnReach(turn, ray, ray.lit.y);
+  for (size_t i = 0; i < s.Places.size(); ++i)
+  {
+    const float done = f32::airlightTurnReach(turn, ray, static_cast<float>(s.Places[i]));
+    const bool open = least * (reach - done) > 14.0f; // AIRLIGHT_TURN_FADED
+    sums.After.push_back(
+      open ? glm::dvec3(f32::airlightTurnRest(medium, turn, done) / ray.foot.h) : glm::dvec3(-1.0));
+    const float from = i > 0 ? static_cast<float>(s.Places[i - 1]) : 0.0f;
+    sums.Tangents.push_back(
+      glm::dvec3(f32::airlightTurnByTangents(medium, ray, from, static_cast<float>(s.Places[i]))) /
+      s.H);
+  }
+  return sums;
+}
+
+// The only phase function whose rests the shaders take in closed form, in single precision.
+bool IsIsotropic(const f64::AirlightPhase& phase)
+{
+  return phase.poleCount == 1 && phase.order == 1 && phase.pole[0].x == 1.0;
+}
+
+bool ComparePhase(const std::string& name, vtkParticipatingMedium* medium, Random& random)
+{
+  Comparison inDouble(name + ", double precision, of the whole ray");
+  Comparison inSingle(name + ", single precision, of the whole ray");
+  Comparison afterInDouble(name + ", rests in double precision, of the whole ray");
+  Comparison afterInSingle(name + ", rests in single precision, of the whole ray");
+  Comparison tangentsInDouble(name + ", without angles in double precision");
+  Comparison tangentsInSingle(name + ", without angles in single precision");
+  const auto phase = GetPhase<f64::AirlightPhase>(medium);
+  const auto narrowPhase = GetPhase<f32::AirlightPhase>(medium);
+  for (int n = 0; n < 1500; ++n)
+  {
+    const Setting s = RandomSetting(random);
+    const Sums wide = SumDouble(s, phase);
+    const Sums narrow = SumSingle(s, narrowPhase);
+    const f64::AirlightFoot foot{ s.TL, s.H };
+    for (int k = 0; k < 3; ++k)
+    {
+      const double whole = f64::airlightSegment(phase, s.SigmaT[k], foot, 0.0, s.Length);
+      if (whole <= 1e-28) // lost in single precision
+      {
+        continue;
+      }
+      const auto describeRay = [&] { return s.Describe(); };
+      inDouble.Add(std::abs(wide.Whole[k] - whole) / whole, 5e-5, describeRay);
+      inSingle.Add(std::abs(narrow.Whole[k] - whole) / whole, 1e-4, describeRay);
+      for (size_t i = 0; i < s.Places.size(); ++i)
+      {
+        const double expected = s.Places[i] > 0.0
+          ? f64::airlightSegment(phase, s.SigmaT[k], foot, 0.0, s.Places[i])
+          : 0.0;
+        const auto describe = [&] { return Text(s.Describe(), ", at ", s.Places[i]); };
+        inDouble.Add(std::abs(wide.Before[i][k] - expected) / whole, 5e-5, describe);
+        inSingle.Add(std::abs(narrow.Before[i][k] - expected) / whole, 1e-4, describe);
+        if (IsIsotropic(phase))
+        {
+          const double from = i > 0 ? s.Places[i - 1] : 0.0;
+          const double between = s.Places[i] > from
+            ? f64::airlightSegment(phase, s.SigmaT[k], foot, from, s.Places[i])
+            : 0.0;
+          tangentsInDouble.Add(std::abs(wide.Tangents[i][k] - between) / whole, 2e-6, describe);
+          tangentsInSingle.Add(std::abs(narrow.Tangents[i][k] - between) / whole, 1e-4, describe);
+        }
+        const double rest = s.Places[i] < s.Length
+          ? f64::airlightSegment(phase, s.SigmaT[k], foot, s.Places[i], s.Length)
+          : 0.0;
+        if (wide.After[i][k] >= 0.0)
+        {
+          afterInDouble.Add(std::abs(wide.After[i][k] - rest) / whole, 1e-9, describe);
+        }
+        if (narrow.After[i][k] >= 0.0 && IsIsotropic(phase))
+        {
+          afterInSingle.Add(std::abs(narrow.After[i][k] - rest) / whole, 1e-4, describe);
+        }
+      }
+    }
+  }
+  const bool ok = AllOk({ &inDouble, &inSingle, &afterInDouble });
+  return (!IsIsotropic(phase) || AllOk({ &afterInSingle, &tangentsInDouble, &tangentsInSingle })) &&
+    ok;
+}
+}
+
+//------------------------------------------------------------------------------
+int TestTurn(int, char*[])
+{
+  Random random(11);
+  vtkNew<vtkParticipatingMedium> medium;
+  bool ok = ComparePhase("isotropic", medium, random);
+  medium->SetPhaseFunctionToRayleigh();
+  ok = ComparePhase("Rayleigh", medium, random) && ok;
+  medium->SetPhaseFunctionToSchlick();
+  medium->SetAnisotropy(0.7);
+  ok = ComparePhase("Schlick 0.7", medium, random) && ok;
+  medium->SetPhaseFunctionToHenyeyGreenstein();
+  for (double g : { -0.6, 0.5, 0.85, 0.95 })
+  {
+    medium->SetAnisotropy(g);
+    ok = ComparePhase(Text("Henyey-Greenstein ", g), medium, random) && ok;
+  }
+  return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}

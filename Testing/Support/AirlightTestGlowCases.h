@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * airlightGlow() of Module/glsl in double and in single precision against the brute force of
+ * AirlightTestGlow.h, over random settings: a light of strength 1 at distance 1, optical distance
+ * 0.01 to 10, any normal.
+ */
+
+#ifndef AirlightTestGlowCases_h
+#define AirlightTestGlowCases_h
+
+#include "AirlightTestGlow.h"
+#include "AirlightTestMatrix.h"
+#include "AirlightTestTools.h"
+#include "Medium/AirlightConvert.h"
+
+#include "vtkNew.h"
+
+#include <vector>
+
+namespace airlight_test
+{
+enum GlowKind
+{
+  GLOW_POINT,
+  GLOW_SUN,
+  GLOW_SPOT,
+  GLOW_BOX_INSIDE,
+  GLOW_BOX_FACE, // a wall of the region
+  GLOW_BOX_OUTSIDE,
+  GLOW_SPHERE_INSIDE,
+  GLOW_SPHERE_OUTSIDE,
+  GLOW_SUN_BOX,
+  GLOW_FALLOFF,   // by quadrature
+  GLOW_LIGHT_OUT, // light outside the box that holds the surface: by quadrature
+  GLOW_KINDS
+};
+
+struct GlowFamily
+{
+  const char* Name;
+  int Count;    // settings
+  int Fineness; // of the brute force
+  double Limit; // relative, as the header of vtkAirlightPass states it
+};
+
+inline const GlowFamily& GetGlowFamily(int kind)
+{
+  static const GlowFamily families[GLOW_KINDS] = {
+    { "point light, unbounded", 40, 1, 0.003 },
+    { "directional light, unbounded", 40, 1, 0.003 },
+    { "spot, unbounded", 40, 1, 0.01 },
+    { "point light in a box that holds the surface", 24, 1, 0.01 },
+    { "point light in a box that the surface is a face of", 24, 1, 0.01 },
+    { "point light in a box away from the surface", 24, 1, 0.01 },
+    { "point light in a sphere that holds the surface", 24, 1, 0.01 },
+    { "point light in a sphere away from the surface", 24, 1, 0.01 },
+    { "directional light, box", 24, 1, 0.03 },
+    { "point light of another attenuation", 4, 1, 0.01 },
+    { "point light outside the box", 4, 1, 0.03 },
+  };
+  return families[kind];
+}
+
+// The same numbers in single precision.
+inline airlight::f32::AirlightMedia ToSingle(const airlight::f64::AirlightMedia& media)
+{
+  airlight::f32::AirlightMedia result{};
+  result.count = media.count;
+  for (int i = 0; i < media.count; ++i)
+  {
+    const airlight::f64::AirlightMedium& from = media.item[i];
+    airlight::f32::AirlightMedium& to = result.item[i];
+    to.sigmaS = from.sigmaS;
+    to.sigmaT = from.sigmaT;
+    to.phase.poleCount = from.phase.poleCount;
+    for (int k = 0; k < from.phase.poleCount; ++k)
+    {
+      to.phase.pole[k] = from.phase.pole[k];
+    }
+    to.region.kind = from.region.kind;
+    to.region.boxMin = from.region.boxMin;
+    to.region.boxMax = from.region.boxMax;
+    to.region.centre = from.region.centre;
+    to.region.radius = static_cast<float>(from.region.radius);
+    to.density = from.density;
+  }
+  return result;
+}
+
+inline airlight::f32::AirlightLight ToSingle(const airlight::f64::AirlightLight& light)
+{
+  airlight::f32::AirlightLight result{};
+  result.kind = light.kind;
+  result.position = light.position;
+  result.intensity = light.intensity;
+  result.attenuation = light.attenuation;
+  result.radius = static_cast<float>(light.radius);
+  result.axis = light.axis;
+  result.cosCone = static_cast<float>(light.cosCone);
+  result.exponent = static_cast<float>(light.exponent);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// A setting with the surface's point at the origin.
+class GlowSetting
+{
+public:
+  GlowSetting(int kind, int index, Random& random)
+  {
+    const double anisotropies[] = { 0.0, 0.9, -0.6, 0.5 };
+    const double sigma = random.LogUniform(0.01, 10.0);
+    this->Medium->SetScattering(sigma, 0.5 * sigma, 0.0);
+    this->Medium->SetAbsorption(0.0, 0.3 * sigma, sigma);
+    this->Medium->SetPhaseFunctionToHenyeyGreenstein();
+    this->Medium->SetAnisotropy(anisotropies[index % 4]);
+    this->Normal = RandomUnit(random);
+    this->Position = RandomUnit(random);
+    const double one[3] = { 1.0, 1.0, 1.0 };
+    vtkAirlight::SetRadiantIntensity(this->Light, one);
+    if (kind == GLOW_SUN || kind == GLOW_SUN_BOX)
+    {
+      vtkAirlight::SetIrradiance(this->Light, one);
+    }
+    if (kind == GLOW_BOX_OUTSIDE || kind == GLOW_SPHERE_OUTSIDE)
+    {
+      // The surface sees some of the region.
+      this->Normal *= glm::dot(this->Normal, this->Position) < 0.0 ? -1.0 : 1.0;
+    }
+    this->PlaceRegion(kind, random);
+    this->Light->SetPosition(&this->Position.x);
+    this->Light->SetExponent(0.0);
+    if (kind == GLOW_SPOT)
+    {
+      const glm::dvec3 aim = this->Position + RandomUnit(random);
+      this->Light->SetFocalPoint(&aim.x);
+      this->Light->SetConeAngle(random.Uniform(10.0, 80.0));
+    }
+    if (kind == GLOW_FALLOFF)
+    {
+      this->Light->SetAttenuationValues(1.0, 0.1, 0.02);
+    }
+  }
+
+  std::string Describe() const
+  {
+    const double* b = this->Medium->GetBounds();
+    return Text("sigmaT ", this->Medium->GetExtinction()[0], ", g ", this->Medium->GetAnisotropy(),
+      ", normal ", Text3(&this->Normal.x), ", light ", Text3(&this->Position.x), " to ",
+      Text3(this->Light->GetFocalPoint()), ", cone ", this->Light->GetConeAngle(), ", box ",
+      Text3(b), " ", Text3(b + 3), ", sphere ", Text3(this->Medium->GetCenter()), " ",
+      this->Medium->GetRadius());
+  }
+
+  vtkNew<vtkParticipatingMedium> Medium;
+  vtkNew<vtkLight> Light;
+  glm::dvec3 Normal;
+  glm::dvec3 Position;
+
+private:
+  // A box that holds two points, its faces 0.05 to 2 away from them.
+  void SetBox(const glm::dvec3& a, const glm::dvec3& b, Random& random)
+  {
+    double bounds[6];
+    for (int i = 0; i < 3; ++i)
+    {
+      bounds[2 * i] = std::min(a[i], b[i]) - random.LogUniform(0.05, 2.0);
+      bounds[2 * i + 1] = std::max(a[i], b[i]) + random.LogUniform(0.05, 2.0);
+    }
+    this->Medium->SetBounds(bounds);
+    this->Medium->SetRegionToBox();
+  }
+
+  void PlaceRegion(int kind, Random& random)
+  {
+    const glm::dvec3 origin(0.0);
+    double bounds[6];
+    switch (kind)
+    {
+      case GLOW_BOX_INSIDE:
+      case GLOW_SUN_BOX:
+        this->SetBox(origin, this->Position, random);
+        break;
+      case GLOW_BOX_FACE:
+        this->Position.z = std::abs(this->Position.z);
+        this->SetBox(origin, this->Position, random);
+        this->Medium->GetBounds(bounds);
+        bounds[4] = 0.0;
+        this->Medium->SetBounds(bounds);
+        this->Normal = { 0.0, 0.0, 1.0 };
+        break;
+      case GLOW_BOX_OUTSIDE:
+      case GLOW_LIGHT_OUT:
+        for (int i = 0; i < 6; ++i)
+        {
+          // No face reaches as far as the other of the two.
+          const double centre = kind == GLOW_LIGHT_OUT ? 0.0 : this->Position[i / 2];
+          bounds[i] = centre + (i % 2 ? 1.0 : -1.0) * random.Uniform(0.05, 0.5);
+        }
+        this->Medium->SetBounds(bounds);
+        this->Medium->SetRegionToBox();
+        break;
+      case GLOW_SPHERE_INSIDE:
+      case GLOW_SPHERE_OUTSIDE:
+        this->PlaceSphere(kind == GLOW_SPHERE_INSIDE, random);
+        break;
+      default:
+        break;
+    }
+  }
+
+  void PlaceSphere(bool holdsSurface, Random& random)
+  {
+    double radius = random.LogUniform(0.05, 0.6);
+    glm::dvec3 centre = this->Position + 0.6 * radius * RandomUnit(random);
+    if (holdsSurface)
+    {
+      centre = 0.5 * this->Position + 0.3 * RandomUnit(random);
+      radius += std::max(glm::length(centre), glm::distance(centre, this->Position));
+    }
+    this->Medium->SetCenter(&centre.x);
+    this->Medium->SetRadius(radius);
+    this->Medium->SetRegionToSphere();
+  }
+};
+
+//------------------------------------------------------------------------------
+// Errors relative to the irradiance, or to 1e-7 of the light's strength where it is less.
+inline double GlowError(const glm::dvec3& value, const glm::dvec3& expected)
+{
+  double worst = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double error = std::abs(value[i] - expected[i]) / std::max(expected[i], 1e-7);
+    worst = error <= worst ? worst : error; // keeps NaN
+  }
+  return worst;
+}
+
+// One family. The brute force is known to have converged because twice as many panels change every
+// fourth setting by a fifth of the limit at most.
+inline bool CompareGlow(int kind)
+{
+  const GlowFamily& family = GetGlowFamily(kind);
+  Comparison doubles(Text(family.Name, ", double precision, relative"));
+  Comparison singles(Text(family.Name, ", single precision, relative"));
+  Comparison brute(Text(family.Name, ", brute force against twice the panels, relative"));
+  std::vector<double> errors;
+  Random random(100 + kind);
+  for (int i = 0; i < family.Count; ++i)
+  {
+    const GlowSetting setting(kind, i, random);
+    const Hemisphere hemisphere(setting.Medium, setting.Light, glm::dvec3(0.0), setting.Normal);
+    glm::dvec3 expected = hemisphere.Irradiance(family.Fineness);
+    const auto describe = [&] { return Text("setting ", i, ": ", setting.Describe()); };
+    if (i % 4 == i / 4 % 4)
+    {
+      const glm::dvec3 finer = hemisphere.Irradiance(2 * family.Fineness);
+      brute.Add(GlowError(expected, finer), 0.2 * family.Limit, describe);
+      expected = finer;
+    }
+    const airlight::f64::AirlightMedia media =
+      airlight::ConvertMedia({ setting.Medium }, glm::dvec3(0.0));
+    airlight::f64::AirlightLight light;
+    airlight::ConvertLight(media, setting.Light, glm::dvec3(0.0), light);
+    light.radius = 1e-5; // as the pass has it
+    const double error = GlowError(
+      airlight::f64::airlightGlow(media, light, glm::dvec3(0.0), setting.Normal), expected);
+    doubles.Add(error, family.Limit, describe);
+    errors.push_back(GlowError(airlight::f32::airlightGlow(ToSingle(media), ToSingle(light),
+                                 glm::vec3(0.0f), glm::vec3(setting.Normal)),
+      expected));
+    singles.Add(errors.back(), family.Limit, describe);
+  }
+  std::nth_element(errors.begin(), errors.begin() + family.Count / 2, errors.end());
+  std::cout << family.Name << ": median " << errors[family.Count / 2] << "\n";
+  return AllOk({ &doubles, &singles, &brute });
+}
+}
+
+#endif

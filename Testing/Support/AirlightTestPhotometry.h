@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Photometric files for the tests: tables, their text, and their intensities by hand. Symmetry is
+ * followed by folding the angle back into the table, where the library expands the table.
+ */
+
+#ifndef AirlightTestPhotometry_h
+#define AirlightTestPhotometry_h
+
+#include "AirlightTestTools.h"
+
+#include "Integration/AirlightMath.h"
+#include "Photometry/AirlightPhotometry.h"
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace airlight_test
+{
+constexpr double Degree = 3.14159265358979323846 / 180.0;
+
+struct LampTable
+{
+  int Type; // 1 C, 2 B, 3 A
+  std::vector<double> Vertical;
+  std::vector<double> Horizontal;
+  std::vector<double> Candela;
+};
+
+inline std::string Join(const std::vector<double>& numbers, const std::string& separator)
+{
+  std::string text;
+  for (const double number : numbers)
+  {
+    text += Text(number) + separator;
+  }
+  return text;
+}
+
+// The numbers of a file of multiplier 2 and ballast factor 0.75: candela are 1.5 times the values.
+inline std::string TableNumbers(
+  const LampTable& table, const std::string& separator = " ", const char* lampFactor = "1")
+{
+  const std::vector<double> head = { 1, 1000, 2, static_cast<double>(table.Vertical.size()),
+    static_cast<double>(table.Horizontal.size()), static_cast<double>(table.Type), 2, 0.1, 0.2, 0,
+    0.75 };
+  return Join(head, separator) + lampFactor + separator + "40" + separator +
+    Join(table.Vertical, separator) + Join(table.Horizontal, separator) +
+    Join(table.Candela, separator);
+}
+
+inline std::string TableText(const LampTable& table)
+{
+  return "IESNA:LM-63-2002\n[TEST] made up\nTILT=NONE\n" + TableNumbers(table, "\n");
+}
+
+//------------------------------------------------------------------------------
+// Writes the reason where the answer is null.
+inline std::shared_ptr<const airlight::Photometry> ReadOrTell(const std::string& file)
+{
+  std::string error;
+  const auto photometry = airlight::Photometry::Read(file, error);
+  if (!photometry)
+  {
+    std::cerr << "FAILED: " << error << "\n";
+  }
+  return photometry;
+}
+
+inline std::shared_ptr<const airlight::Photometry> ParseOrTell(const LampTable& table)
+{
+  std::string error;
+  auto photometry = airlight::Photometry::Parse(TableText(table), "table", error);
+  if (!photometry)
+  {
+    std::cerr << "FAILED: " << error << "\n";
+  }
+  return photometry;
+}
+
+inline std::shared_ptr<const airlight::Photometry> WriteAndRead(
+  const std::string& file, const std::string& text)
+{
+  std::ofstream(file, std::ios::binary) << text;
+  return ReadOrTell(file);
+}
+
+//------------------------------------------------------------------------------
+// The place of x among ascending angles: the interval and the share of it; false outside.
+inline bool FindPlace(const std::vector<double>& angles, double x, size_t& index, double& share)
+{
+  for (index = 0; index + 1 < angles.size(); ++index)
+  {
+    if (x >= angles[index] && x <= angles[index + 1])
+    {
+      share = (x - angles[index]) / (angles[index + 1] - angles[index]);
+      return true;
+    }
+  }
+  return false;
+}
+
+// A horizontal angle of type C as the one of the table's range that shines alike.
+inline double FoldHorizontal(const LampTable& table, double h)
+{
+  const double last = table.Horizontal.back();
+  h -= 360.0 * std::floor(h / 360.0);
+  if (table.Horizontal.front() == 90.0)
+  {
+    return h < 90.0 ? 180.0 - h : (h > 270.0 ? 540.0 - h : h);
+  }
+  if (last <= 180.0 && h > 180.0)
+  {
+    h = 360.0 - h;
+  }
+  return last == 90.0 && h > 90.0 ? 180.0 - h : h;
+}
+
+// The value of the table at angles in degrees, by the rules of LM-63.
+inline double TableValue(LampTable table, double v, double h)
+{
+  const size_t rows = table.Vertical.size();
+  if (table.Type == 1)
+  {
+    h = FoldHorizontal(table, h);
+    if (table.Horizontal.back() == 0.0)
+    {
+      h = 0.0;
+    }
+    if (table.Horizontal.back() < 360.0)
+    {
+      // Behind the last angle comes the first one again. Folded angles do not get there.
+      table.Horizontal.push_back(360.0);
+      const std::vector<double> again(table.Candela.begin(), table.Candela.begin() + rows);
+      table.Candela.insert(table.Candela.end(), again.begin(), again.end());
+    }
+  }
+  else if (table.Horizontal.front() == 0.0)
+  {
+    h = std::abs(h);
+  }
+  size_t i = 0;
+  size_t j = 0;
+  double s = 0.0;
+  double t = 0.0;
+  if (!FindPlace(table.Vertical, v, i, s) || !FindPlace(table.Horizontal, h, j, t))
+  {
+    return 0.0;
+  }
+  const double* c = table.Candela.data() + j * rows + i;
+  return (1 - t) * ((1 - s) * c[0] + s * c[1]) + t * ((1 - s) * c[rows] + s * c[rows + 1]);
+}
+
+//------------------------------------------------------------------------------
+// The look-up of the library in both precisions.
+class TestLamp
+{
+public:
+  TestLamp(const airlight::Photometry& photometry, const glm::dvec3& axis, const glm::dvec3& up)
+    : Texels(photometry.Pack())
+    , Texels32(this->Texels.begin(), this->Texels.end())
+  {
+    // Other texels before the lamp's own, as where lamps share a buffer.
+    this->Texels.insert(this->Texels.begin(), 3, glm::dvec4(7.0));
+    this->In64 = { this->Texels.data(), 3, axis, up };
+    this->In32 = { this->Texels32.data(), 0, glm::vec3(axis), glm::vec3(up) };
+  }
+  TestLamp(const TestLamp&) = delete;
+  void operator=(const TestLamp&) = delete;
+
+  // The direction of a pair of angles in degrees, as the coordinates are defined.
+  glm::dvec3 Direction(int type, double v, double h) const
+  {
+    const glm::dvec3 right = glm::cross(this->In64.axis, this->In64.up);
+    const glm::dvec3 components = Components(type, v * Degree, h * Degree);
+    return components.x * this->In64.axis + components.y * this->In64.up + components.z * right;
+  }
+
+  double Look(const glm::dvec3& direction) const
+  {
+    return airlight::f64::airlightPhotometry(this->In64, direction);
+  }
+
+  std::vector<glm::dvec4> Texels;
+  std::vector<glm::vec4> Texels32;
+  airlight::f64::AirlightPhotometry In64;
+  airlight::f32::AirlightPhotometry In32;
+
+private:
+  // Along axis, up and right.
+  static glm::dvec3 Components(int type, double v, double h)
+  {
+    if (type == 1)
+    {
+      return { std::cos(v), std::sin(v) * std::cos(h), -std::sin(v) * std::sin(h) };
+    }
+    if (type == 2)
+    {
+      return { std::cos(h) * std::cos(v), std::cos(h) * std::sin(v), std::sin(h) };
+    }
+    return { std::cos(v) * std::cos(h), std::sin(v), std::cos(v) * std::sin(h) };
+  }
+};
+
+//------------------------------------------------------------------------------
+// Angles that ascend from first to last in random steps of at least 0.3 of the mean one.
+inline std::vector<double> RandomAngles(Random& random, double first, double last)
+{
+  std::vector<double> ends = { 0.0 };
+  const int count = 1 + random.Index(12);
+  for (int i = 0; i < count; ++i)
+  {
+    ends.push_back(ends.back() + random.Uniform(0.3, 1.0));
+  }
+  std::vector<double> angles;
+  for (const double end : ends)
+  {
+    angles.push_back(first + (last - first) * end / ends.back());
+  }
+  angles.back() = last;
+  return angles;
+}
+
+// One of the kinds of symmetry and range that LM-63 has, with random values up to 1000.
+constexpr int TableKinds = 12;
+
+inline LampTable RandomTable(Random& random, int kind)
+{
+  constexpr double TypeC[7][2] = { { 0, 0 }, { 0, 90 }, { 0, 180 }, { 0, 360 }, { 0, 345 },
+    { 0, 200 }, { 90, 270 } };
+  constexpr double VerticalC[3][2] = { { 0, 90 }, { 90, 180 }, { 0, 180 } };
+  constexpr double Front[5][2] = { { -90, 90 }, { 0, 90 }, { -90, 90 }, { 0, 90 }, { -30, 41 } };
+  LampTable table;
+  if (kind < 7)
+  {
+    const double* vertical = VerticalC[random.Index(3)];
+    table.Type = 1;
+    table.Vertical = RandomAngles(random, vertical[0], vertical[1]);
+    table.Horizontal = RandomAngles(random, TypeC[kind][0], TypeC[kind][1]);
+    if (kind == 0)
+    {
+      table.Horizontal = { 0.0 };
+    }
+  }
+  else
+  {
+    const double* vertical = Front[random.Index(5)];
+    const double* horizontal = Front[kind - 7];
+    table.Type = 2 + random.Index(2);
+    table.Vertical = RandomAngles(random, vertical[0], vertical[1]);
+    table.Horizontal = RandomAngles(random, horizontal[0], horizontal[1]);
+  }
+  for (size_t i = 0; i < table.Vertical.size() * table.Horizontal.size(); ++i)
+  {
+    table.Candela.push_back(random.Uniform(0.0, 1000.0));
+  }
+  return table;
+}
+
+// A random right-handed frame.
+inline void RandomFrame(Random& random, glm::dvec3& axis, glm::dvec3& up)
+{
+  const auto number = [&] { return random.Uniform(-1.0, 1.0); };
+  axis = glm::normalize(glm::dvec3(number(), number(), number() + 1.5));
+  up = glm::normalize(glm::cross(axis, glm::dvec3(1.5 + number(), number(), number())));
+}
+}
+
+#endif
