@@ -69,7 +69,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   const bool cones = std::any_of(
     lights.begin(), lights.end(), [this](int k) { return this->Lamps[k].Values.cosCone > 0.0; });
   const bool turned = joined || this->AreTurned(whole);
-  const std::string source = std::string(GetShaderVersion(joined)) + Define("JOINED", joined) +
+  const std::string source = GetShaderVersion(joined) + Define("JOINED", joined) +
     (joined ? Define("LEFT_OVER", this->LeftOver) : "") +
     (cones ? "" : "#define AIRLIGHT_NO_CONE\n") + Define("TURNED", turned) +
     (layers ? "#define AIRLIGHT_LAYERS\n" : "") +

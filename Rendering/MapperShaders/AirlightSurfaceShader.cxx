@@ -15,6 +15,7 @@
 #include "AirlightVertexMedium.h"
 #include "AirlightViewShader.h"
 #include "OpenGL/AirlightQuad.h"
+#include "OpenGL/AirlightStorageBinding.h"
 
 #include <algorithm>
 #include <regex>
@@ -73,8 +74,8 @@ std::string CommonDeclarations(const SurfaceText& text)
 
 std::string StorageDeclarations(const SurfaceText& text)
 {
-  return std::string(HasRecords(text) ? AirlightLayers : "") +
-    (IsDimmed(text) ? AirlightDimmed : "");
+  return (HasRecords(text) || IsDimmed(text) ? DefineStorageBindings() : "") +
+    (HasRecords(text) ? AirlightLayers : "") + (IsDimmed(text) ? AirlightDimmed : "");
 }
 
 std::string Declarations(const SurfaceText& text)

@@ -62,32 +62,6 @@ inline void DeleteVertexArray(GLuint& array)
   }
 }
 
-// Frees the storage bindings of the pass when it goes out of scope: they are not part of what VTK keeps
-// in mind of OpenGL's state.
-class ScopedStorageBindings
-{
-public:
-  static constexpr GLuint Count = 8;
-
-  // `supported`: the context has storage buffers.
-  explicit ScopedStorageBindings(bool supported)
-    : Supported(supported)
-  {
-  }
-  ScopedStorageBindings(const ScopedStorageBindings&) = delete;
-  void operator=(const ScopedStorageBindings&) = delete;
-  ~ScopedStorageBindings()
-  {
-    for (GLuint binding = 0; this->Supported && binding < Count; ++binding)
-    {
-      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
-    }
-  }
-
-private:
-  bool Supported;
-};
-
 // After one that may have been refused. VTK's own calls in between may make other errors.
 inline bool IsOutOfMemory()
 {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/AirlightProgram.h"
 
+#include "OpenGL/AirlightStorageBinding.h"
+
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderPass.h"
@@ -19,6 +21,13 @@ namespace
 {
 // Calls between attempts: less than two to the power of this.
 constexpr int MostDoublings = 16;
+}
+
+//------------------------------------------------------------------------------
+std::string GetShaderVersion(bool storage)
+{
+  return storage ? "#version 430\n" + DefineStorageBindings()
+                 : "#version 330\n#extension GL_ARB_gpu_shader5 : enable\n";
 }
 
 //------------------------------------------------------------------------------

@@ -20,11 +20,8 @@ class vtkShaderProgram;
 
 namespace airlight
 {
-// First lines of a fragment shader; `storage`: it has storage buffers.
-inline const char* GetShaderVersion(bool storage)
-{
-  return storage ? "#version 430\n" : "#version 330\n#extension GL_ARB_gpu_shader5 : enable\n";
-}
+// First lines of a shader; `storage`: it has storage buffers.
+std::string GetShaderVersion(bool storage);
 
 // Whether `pass` is the last that changes a prop's shaders; null: whether no pass does. Where others do
 // later, or the user's replacements, what is compiled is known to the mapper alone.

@@ -4,6 +4,7 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightProgram
     AirlightQuad
+    AirlightStorageBinding
   HEADERS
     AirlightOpenGL.h
   GLSL

@@ -5,6 +5,7 @@
 #include "Integration/AirlightIntegrate.h"
 #include "MapperShaders/AirlightVolumeShader.h"
 #include "OpenGL/AirlightOpenGL.h"
+#include "OpenGL/AirlightStorageBinding.h"
 
 #include "vtkCamera.h"
 #include "vtkOpenGLFramebufferObject.h"

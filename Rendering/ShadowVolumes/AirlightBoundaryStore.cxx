@@ -4,7 +4,7 @@
 
 #include "AirlightHeads.h"
 #include "AirlightSlots.h"
-#include "OpenGL/AirlightOpenGL.h"
+#include "OpenGL/AirlightStorageBinding.h"
 
 #include "vtkShaderProgram.h"
 
@@ -22,11 +22,6 @@ constexpr std::uint64_t InitialCapacity = 1u << 18;
 constexpr int HeadOffset = 2;
 // More silhouette edges than these have pixels enough with more than 16 boundaries.
 constexpr size_t ManyEdges = 8192;
-
-// Bindings of the shaders' buffers.
-constexpr GLuint NodeBinding = 1;
-constexpr GLuint HeadBinding = 2;
-constexpr GLuint SlotBinding = 7;
 }
 
 //------------------------------------------------------------------------------
@@ -173,9 +168,9 @@ void BoundaryStore::Use(vtkShaderProgram* program)
   // Integers in vectors of three, which vtkShaderProgram cannot set.
   glUniform3i(glGetUniformLocation(program->GetHandle(), "givenPlaces"), this->FirstRow,
     this->Width, this->HeadRows);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, NodeBinding, this->Nodes);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads[this->Turn]);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SlotBinding, this->Slots);
+  BindStorage(StorageBinding::Boundaries, this->Nodes);
+  BindStorage(StorageBinding::ListHeads, this->Heads[this->Turn]);
+  BindStorage(StorageBinding::KBuffer, this->Slots);
 }
 
 //------------------------------------------------------------------------------

@@ -47,7 +47,7 @@ public:
   // Empties all for the rows from this one on.
   void Clear(int row);
 
-  // What shaders that write or read boundaries begin with, after "#version 430". The lists' words
+  // What shaders that write or read boundaries begin with, after GetShaderVersion(true). The lists' words
   // alone for others that have the lists' kinds of light, not their boundaries.
   std::string GetSource() const;
   static std::string DefineNodes(bool dimmed);

@@ -10,6 +10,7 @@
 #include "AirlightPlanesVS.h"
 #include "AirlightViewShader.h"
 #include "OpenGL/AirlightOpenGL.h"
+#include "OpenGL/AirlightStorageBinding.h"
 #include "Scene/AirlightView.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -21,14 +22,6 @@
 
 namespace airlight
 {
-namespace
-{
-// Bindings of the shaders' buffers.
-constexpr GLuint EdgeBinding = 0;
-constexpr GLuint EndBinding = 3;
-constexpr GLuint LayerBinding = 6;
-}
-
 //------------------------------------------------------------------------------
 bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
 {
@@ -40,7 +33,7 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
   {
     glGetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &vertexBlocks);
   }
-  return vertexBlocks >= 2;
+  return vertexBlocks >= 2 && HasStorageBindings();
 }
 
 //------------------------------------------------------------------------------
@@ -68,7 +61,7 @@ bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height, 
 vtkShaderProgram* ShadowLists::ReadyPlanes(
   PlaneKind kind, const std::string& fragment, const Source& source)
 {
-  const std::string head = "#version 430\n#define AIRLIGHT_NEAR_PLANES " +
+  const std::string head = GetShaderVersion(true) + "#define AIRLIGHT_NEAR_PLANES " +
     std::to_string(kind == PlaneKind::Near) + "\n#define AIRLIGHT_CAPS " +
     std::to_string(kind == PlaneKind::Cap) + "\n";
   std::string text = head + fragment;
@@ -116,8 +109,8 @@ void ShadowLists::DrawRecords(PlaneKind kind, const Buffer& buffer) const
   for (int first = 0; first < buffer.Count; first += most)
   {
     const int count = std::min(buffer.Count - first, most);
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, EdgeBinding, buffer.Handle,
-      static_cast<GLintptr>(first * size), static_cast<GLsizeiptr>(count * size));
+    BindStorage(StorageBinding::SilhouetteEdges, buffer.Handle, static_cast<GLintptr>(first * size),
+      static_cast<GLsizeiptr>(count * size));
     if (planes)
     {
       glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_SHORT, nullptr);
@@ -149,8 +142,8 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
   program->SetUniformi("inParallel", source.Rays.IsParallel() ? 1 : 0);
   this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
   this->Store.Use(program);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LayerBinding, this->Layers[source.Slot].Handle);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, this->Ends.Handle);
+  BindStorage(StorageBinding::CasterThickness, this->Layers[source.Slot].Handle);
+  BindStorage(StorageBinding::TruncationPlanes, this->Ends.Handle);
   this->DrawRecords(kind, buffer);
   return true;
 }
@@ -261,7 +254,7 @@ bool ShadowLists::DrawWireframe(const Source& source)
   state->vtkglDepthMask(GL_FALSE);
   glEnable(GL_DEPTH_CLAMP);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, EndBinding, this->Ends.Handle);
+  BindStorage(StorageBinding::TruncationPlanes, this->Ends.Handle);
   this->DrawRecords(PlaneKind::Plane, this->Edges[source.Slot]);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_DEPTH_CLAMP);

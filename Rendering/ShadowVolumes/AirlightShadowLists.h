@@ -40,7 +40,7 @@ public:
   // Whether the window's OpenGL has what this needs: 4.3.
   static bool IsSupported(vtkOpenGLRenderWindow* window);
 
-  // Fragment source that reads the boundaries, after a "#version 430" and
+  // Fragment source that reads the boundaries, after a GetShaderVersion(true) and
   // BoundaryStore::DefineNodes(). A first draw does the pixels with few. Where GetLongDraws() is above 0 afterwards, there are others: Sort() puts
   // them in order and that many draws of the source for sorted lists do them, all but the first
   // with the uniform "resume" set.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Translucency/AirlightDimming.h"
 
-#include "OpenGL/AirlightOpenGL.h"
+#include "OpenGL/AirlightStorageBinding.h"
 
 #include "vtkShaderProgram.h"
 
@@ -12,7 +12,6 @@ namespace airlight
 {
 namespace
 {
-constexpr GLuint DimmingBinding = 5;
 constexpr long long PixelSize = 8;
 }
 
@@ -48,7 +47,7 @@ void Dimming::Use(vtkShaderProgram* program) const
 {
   const int size[2] = { this->Width, this->Height };
   program->SetUniform2i("airlightDimmingSize", size);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, DimmingBinding, this->Handle);
+  BindStorage(StorageBinding::ShadowTransmittance, this->Handle);
 }
 
 //------------------------------------------------------------------------------

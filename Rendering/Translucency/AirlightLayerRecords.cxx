@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Translucency/AirlightLayerRecords.h"
 
-#include "OpenGL/AirlightOpenGL.h"
+#include "OpenGL/AirlightStorageBinding.h"
 
 #include "vtkShaderProgram.h"
 
@@ -14,8 +14,6 @@ namespace
 {
 // Numbers of bytes have to fit into an integer.
 constexpr std::uint32_t MostBytes = 0x7fffffffu;
-constexpr GLuint RecordBinding = 3;
-constexpr GLuint HeadBinding = 4;
 
 std::string NoMemory(const std::string& what)
 {
@@ -85,8 +83,8 @@ void LayerRecords::Use(vtkShaderProgram* program) const
   program->SetUniformi("airlightLayerWidth", this->Width);
   program->SetUniformi("airlightLayerWords", this->Words);
   program->SetUniformi("airlightLayerCapacity", static_cast<int>(this->Capacity));
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RecordBinding, this->Records);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HeadBinding, this->Heads);
+  BindStorage(StorageBinding::TranslucentFragments, this->Records);
+  BindStorage(StorageBinding::TranslucentHeads, this->Heads);
 }
 
 //------------------------------------------------------------------------------

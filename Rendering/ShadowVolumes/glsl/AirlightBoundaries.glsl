@@ -9,7 +9,7 @@
 // AIRLIGHT_DIMMED the weight is eight times the number of layers and a bit for each channel that they
 // block, and the optical thickness of the layers follows.
 
-layout(std430, binding = 1) buffer AirlightNodes
+layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
 {
   uint nodes[];
 };

@@ -1,6 +1,6 @@
 // What is known of each pixel's boundaries.
 
-layout(std430, binding = 2) buffer AirlightHeads
+layout(std430, binding = AIRLIGHT_BINDING_LIST_HEADS) buffer AirlightHeads
 {
   // The lists' boundaries; the longest list's. Then for each pixel the first of its list, 0 for none,
   // then for each pixel the number of boundaries that were to have slots.

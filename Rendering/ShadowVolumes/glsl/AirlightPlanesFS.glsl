@@ -7,14 +7,14 @@
 layout(early_fragment_tests) in;
 
 // The words of a boundary are those of AirlightBoundaries.glsl; index 0 ends a list.
-layout(std430, binding = 1) buffer AirlightNodes
+layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
 {
   uint nodes[];
 };
 
 #if AIRLIGHT_DIMMED
 // By kind of caster: the thickness of a layer, and a bit for each channel that it blocks.
-layout(std430, binding = 6) readonly buffer AirlightShadowLayers
+layout(std430, binding = AIRLIGHT_BINDING_CASTER_THICKNESS) readonly buffer AirlightShadowLayers
 {
   ivec4 shadowLayers[];
 };

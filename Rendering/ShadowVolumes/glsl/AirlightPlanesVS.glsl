@@ -9,7 +9,7 @@
 // (1: where the triangle's normal points, -1: behind), B and the size of the mesh's coordinates, C. Per near plane: as an edge, B with the
 // plane's offset from the eye, and fourth the eye's place in the plane. The third's w is the kind of
 // caster.
-layout(std430, binding = 0) readonly buffer AirlightEdges
+layout(std430, binding = AIRLIGHT_BINDING_SILHOUETTE_EDGES) readonly buffer AirlightEdges
 {
   vec4 edges[];
 };
@@ -81,7 +81,7 @@ void draw()
 }
 #else
 // By caster, from the eye: the plane of a surface that hides all behind it (AirlightHidingFaces.h), or 0.
-layout(std430, binding = 3) readonly buffer AirlightPlaneEnds
+layout(std430, binding = AIRLIGHT_BINDING_TRUNCATION_PLANES) readonly buffer AirlightPlaneEnds
 {
   vec4 planeEnds[];
 };

@@ -8,7 +8,7 @@
 // by the weight: 2, 1, -1, -2 as 0 to 3. So boundaries at one distance come as entries before exits,
 // and volumes that touch stay joined.
 
-layout(std430, binding = 7) buffer AirlightSlots
+layout(std430, binding = AIRLIGHT_BINDING_K_BUFFER) buffer AirlightSlots
 {
   uint slots[];
 };

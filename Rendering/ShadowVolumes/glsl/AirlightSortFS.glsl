@@ -4,7 +4,7 @@
 // logarithm of the longest list's length. Split into draws because some software renderers bound
 // the iterations of all loops of one shader run together.
 
-layout(std430, binding = 1) buffer AirlightNodes
+layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
 {
   uint nodes[];
 };

@@ -3,7 +3,7 @@
 
 const uint AIRLIGHT_NO_KEY = 0xffffffffu;
 
-layout(std430, binding = 1) readonly buffer AirlightNodes
+layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) readonly buffer AirlightNodes
 {
   uint nodes[];
 };

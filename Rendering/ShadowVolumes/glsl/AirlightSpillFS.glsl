@@ -2,7 +2,7 @@
 // boundaries as there are slots is put in order, in the registers of AirlightSortedSlots.glsl, for
 // AirlightSortFS.glsl to merge.
 
-layout(std430, binding = 1) buffer AirlightNodes
+layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
 {
   uint nodes[];
 };

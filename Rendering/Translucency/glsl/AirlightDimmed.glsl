@@ -1,6 +1,6 @@
 // What translucent casters leave of a light, kept for surfaces: 21 bits a channel in two words.
 
-layout(std430, binding = 5) buffer AirlightDimming
+layout(std430, binding = AIRLIGHT_BINDING_SHADOW_TRANSMITTANCE) buffer AirlightDimming
 {
   uint dimming[]; // by light, row and column
 };

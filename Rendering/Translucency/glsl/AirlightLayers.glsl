@@ -12,11 +12,11 @@ const uint AIRLIGHT_LAYER_WORDS = 8u;
 // Eight words a record: index of the next, 0 at the end; t; radiance; bits of the lights that reach
 // it, 32 a word. With AIRLIGHT_DIMMED nine and two for each light that is dimmed: the distance just
 // before the fragment at which it is lit, and what passes.
-layout(std430, binding = 3) buffer AirlightLayers
+layout(std430, binding = AIRLIGHT_BINDING_TRANSLUCENT_FRAGMENTS) buffer AirlightLayers
 {
   uint layers[];
 };
-layout(std430, binding = 4) buffer AirlightLayerHeads
+layout(std430, binding = AIRLIGHT_BINDING_TRANSLUCENT_HEADS) buffer AirlightLayerHeads
 {
   uint layerHeads[]; // counter of records, one head a pixel
 };

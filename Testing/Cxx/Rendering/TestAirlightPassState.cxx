@@ -74,7 +74,9 @@ std::string ToText(const std::vector<GLint>& values)
 
 void CheckStorage(const std::string& what)
 {
-  for (int binding = 0; binding < 8; ++binding)
+  GLint count = 0;
+  glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &count);
+  for (GLint binding = 0; binding < count; ++binding)
   {
     GLint buffer = 0;
     glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, binding, &buffer);
