@@ -27,7 +27,7 @@ from vtkmodules.vtkRenderingCore import vtkLight, vtkWindowToImageFilter
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GUIDE = ROOT / "Documentation" / "guide.md"
 SOURCES = [path for folder in ("Module", "Filters", "Rendering")
-           for path in (ROOT / folder).glob("*.[ch]*")]
+           for path in (ROOT / folder).rglob("*.[ch]*") if path.is_file()]
 
 
 def henyey_greenstein(g, mu):
