@@ -138,9 +138,9 @@ bool vtkAirlightPolyDataMapper::GetNeedToRebuildShaders(
 {
   const bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
   Internals::Build& built = this->Impl->Built[&cellBO];
-  const Internals::Build now{ this->Impl->Shades, this->Impl->TextVersion };
+  const Internals::Build now{ this->Impl->Shades, this->Impl->OptionsVersion };
   const bool other = built.Shades != now.Shades ||
-    (now.Shades && built.TextVersion != now.TextVersion) || this->Impl->Retries;
+    (now.Shades && built.OptionsVersion != now.OptionsVersion) || this->Impl->Retries;
   built = now;
   return rebuild || other;
 }
@@ -154,15 +154,15 @@ void vtkAirlightPolyDataMapper::ReplaceShaderRenderPass(
 {
   if (!prePass && this->Impl->Shades)
   {
-    SurfaceText text = this->Impl->Text;
-    text.AtVertices =
+    SurfaceShaderOptions options = this->Impl->Options;
+    options.AtVertices =
       this->Evaluation == VERTEX && shaders[vtkShader::Geometry]->GetSource().empty();
     std::string vertexShader = shaders[vtkShader::Vertex]->GetSource();
     std::string fragmentShader = shaders[vtkShader::Fragment]->GetSource();
-    InjectSurfaceShader(fragmentShader, text);
-    if (text.AtVertices)
+    InjectSurfaceShader(fragmentShader, options);
+    if (options.AtVertices)
     {
-      InjectVertexShader(vertexShader, text);
+      InjectVertexShader(vertexShader, options);
     }
     if (this->Impl->Compiles(
           actor, vertexShader, fragmentShader, shaders[vtkShader::Geometry]->GetSource()))

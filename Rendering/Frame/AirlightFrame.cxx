@@ -60,7 +60,7 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   needs.Drawn = !settings.KnowsAll;
   needs.Dark = settings.Apart >= 0;
   needs.Record = settings.Record;
-  needs.Layers = settings.Layers;
+  needs.Translucent = settings.Translucent;
   needs.Reference = settings.Difference;
   if (!this->Textures.Prepare(this->Window, width, height, needs))
   {
@@ -147,12 +147,12 @@ bool Frame::FinishDistances()
 }
 
 //------------------------------------------------------------------------------
-LayerRecords::Outcome Frame::CheckCollected()
+TranslucentFragments::Outcome Frame::CheckCollected()
 {
-  const LayerRecords::Outcome outcome = this->LayerLists.Check();
-  if (outcome == LayerRecords::Outcome::Failed)
+  const TranslucentFragments::Outcome outcome = this->FragmentLists.Check();
+  if (outcome == TranslucentFragments::Outcome::Failed)
   {
-    this->Fail(this->LayerLists.GetError());
+    this->Fail(this->FragmentLists.GetError());
   }
   return outcome;
 }
@@ -220,7 +220,7 @@ bool Frame::ScatterLights()
     }
   }
   // The mappers read what the resolves wrote.
-  if (this->Settings.LayerRecords || this->Dimmed)
+  if (this->Settings.TranslucentFragments || this->TransmitsShadows)
   {
     // No test fails without it, see AirlightOpenGL.h.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -250,12 +250,12 @@ void Frame::ReleaseObjects(vtkWindow* window)
   }
   this->DistancesQuad.Release();
   this->CompositeQuad.Release();
-  this->LayersQuad.Release();
+  this->TranslucentQuad.Release();
   this->CopyQuad.Release();
   this->MapQuad.Release();
   this->Boundaries.Release();
-  this->LayerLists.Release();
-  this->SurfaceDimming.Release();
+  this->FragmentLists.Release();
+  this->SurfaceTransmittance.Release();
   this->Volumes.clear();
   this->ReleaseMaps(window);
   this->Textures.Release(window);

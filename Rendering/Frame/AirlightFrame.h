@@ -31,8 +31,8 @@
 #include "ShadowVolumes/AirlightRemoteShadows.h"
 #include "ShadowVolumes/AirlightShadowLists.h"
 #include "ShadowVolumes/AirlightShadowVolumes.h"
-#include "Translucency/AirlightDimming.h"
-#include "Translucency/AirlightLayerRecords.h"
+#include "Translucency/AirlightShadowTransmittance.h"
+#include "Translucency/AirlightTranslucentFragments.h"
 
 #include <array>
 #include <cstdint>
@@ -102,11 +102,11 @@ public:
   // Before step 2 where there are records: binds nothing but the depth of the opaque geometry, for the
   // translucent geometry to be drawn; and whether it has to be drawn again.
   bool BindCollect();
-  LayerRecords::Outcome CheckCollected();
+  TranslucentFragments::Outcome CheckCollected();
   // Room for what the casters found take; before the records are made.
   bool PrepareCasters();
   // Whether some of it lets light through; the mappers' shaders then have to know.
-  bool IsDimmed() const { return this->Dimmed; }
+  bool HasShadowTransmittance() const { return this->TransmitsShadows; }
   const CasterCache& GetCasters() const { return this->Casters; }
 
   // Step 2.
@@ -125,7 +125,7 @@ public:
 
   // Step 4 where something is to be drawn over the medium, or buffers to be recorded: into a texture,
   // which stays bound.
-  bool CompositeLayers();
+  bool CompositeTranslucent();
 
   // The buffers of vtkAirlightPass::GetBuffer(), after that.
   bool Record();
@@ -148,8 +148,8 @@ public:
   bool IsReferenceMissing() const { return this->TakesReference; }
 
   bool IsOnce() const { return this->Settings.Once; }
-  bool HasLayers() const { return this->Settings.Layers; }
-  bool HasLayerRecords() const { return this->Settings.LayerRecords; }
+  bool HasTranslucent() const { return this->Settings.Translucent; }
+  bool HasTranslucentFragments() const { return this->Settings.TranslucentFragments; }
 
   SurfaceUniforms GetSurfaceUniforms(SurfaceStage stage);
 
@@ -187,13 +187,13 @@ private:
     Map       // all, shadows from a map
   };
   bool Resolve(int index, Lists lists, int row, int rows);
-  bool DrawResolve(int index, Lists lists, bool layersOnly, int row, int rows);
+  bool DrawResolve(int index, Lists lists, bool fragmentsOnly, int row, int rows);
   bool IsTurned(int index, Lists lists) const;
-  std::string GetResolveSource(int index, Lists lists, bool layersOnly) const;
+  std::string GetResolveSource(int index, Lists lists, bool fragmentsOnly) const;
   static std::string GetTurnSource(); // AirlightTurn.glsl and what it takes, and the media
   std::string GetTurnedSource(int index, Lists lists) const;
   std::string GetResolveHead(int index, bool storage) const;
-  void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool layersOnly);
+  void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool fragmentsOnly);
   void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);
   double GetIntegralError(int index) const;
   void SetTurnedConstants(vtkShaderProgram* program, const std::vector<int>& lights);
@@ -220,10 +220,10 @@ private:
   SceneData Data;
   LightGrids Grids;
   ShadowLists Boundaries;
-  LayerRecords LayerLists;
+  TranslucentFragments FragmentLists;
   CasterCache Casters;
   std::vector<RemoteShadows> Remotes; // by process
-  Dimming SurfaceDimming;
+  ShadowTransmittance SurfaceTransmittance;
   std::vector<ShadowVolumes> Volumes;           // by light number
   std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise
   // The light whose boundaries the composition resolves, -1: none; whether some pixels' were resolved
@@ -233,7 +233,7 @@ private:
   std::array<Quad, 5> ResolveQuads; // none, short, long, map, records only
   Quad DistancesQuad;
   Quad CompositeQuad;
-  Quad LayersQuad;
+  Quad TranslucentQuad;
   Quad CopyQuad;
   Quad MapQuad; // of all maps, as are the programs
   ProgramMaker MapPrograms;
@@ -250,7 +250,7 @@ private:
   const std::vector<Caster>* FoundCasters = nullptr; // null: without shadows
   std::vector<HidingFace> Faces;                     // behind which no shadow planes are drawn
   std::vector<Caster> OpaqueCasters;                 // those for maps
-  bool Dimmed = false;
+  bool TransmitsShadows = false;
   int MapX = 0;
   int MapY = 0;
   FrameSettings Settings;

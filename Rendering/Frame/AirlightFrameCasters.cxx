@@ -38,25 +38,27 @@ bool Frame::PrepareCasters()
   this->Faces = planes
     ? FindHidingFaces(this->Casters.GetCasters(), this->Settings.Solids, *this->Rays)
     : std::vector<HidingFace>();
-  this->Dimmed = planes && this->Settings.TranslucentShadows && this->Casters.MetTranslucent();
+  this->TransmitsShadows =
+    planes && this->Settings.TranslucentShadows && this->Casters.MetTranslucent();
   std::vector<int> slots(this->Lamps.size(), -1);
   int count = 0;
   for (size_t k = 0; k < slots.size() && k < MaximumShadowingLights; ++k)
   {
     const Lamp& lamp = this->Lamps[k];
-    if (this->Dimmed && this->Settings.SurfaceShadows && lamp.Scatters() && lamp.CastsShadows)
+    if (this->TransmitsShadows && this->Settings.SurfaceShadows && lamp.Scatters() &&
+      lamp.CastsShadows)
     {
       slots[k] = count++;
     }
   }
-  if (!this->SurfaceDimming.Prepare(this->Width, this->Height, slots))
+  if (!this->SurfaceTransmittance.Prepare(this->Width, this->Height, slots))
   {
-    return this->Fail(this->SurfaceDimming.GetError());
+    return this->Fail(this->SurfaceTransmittance.GetError());
   }
-  const int words = this->Dimmed ? 9 + 2 * count : 8;
-  return !this->Settings.LayerRecords ||
-    this->LayerLists.Prepare(this->Width, this->Height, words) ||
-    this->Fail(this->LayerLists.GetError());
+  const int words = this->TransmitsShadows ? 9 + 2 * count : 8;
+  return !this->Settings.TranslucentFragments ||
+    this->FragmentLists.Prepare(this->Width, this->Height, words) ||
+    this->Fail(this->FragmentLists.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -94,7 +96,7 @@ bool Frame::UpdateShadows()
     }
   }
   return this->Settings.Shadows != ShadowMethod::Planes ||
-    this->Boundaries.Prepare(this->Window, this->Width, this->Height, this->Dimmed, edges,
+    this->Boundaries.Prepare(this->Window, this->Width, this->Height, this->TransmitsShadows, edges,
       this->Settings.MemoryLimit, this->Settings.PlaneBudget) ||
     this->Fail(this->Boundaries.GetError());
 }
@@ -155,7 +157,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
 // How casters stand between the light and the start of the rays.
 void Frame::SetStartUniforms(vtkShaderProgram* program, int index, bool planes)
 {
-  if (!this->Dimmed)
+  if (!this->TransmitsShadows)
   {
     program->SetUniformi("startCount", planes ? this->Volumes[index].GetStartCount() : 0);
     return;
@@ -167,7 +169,7 @@ void Frame::SetStartUniforms(vtkShaderProgram* program, int index, bool planes)
   };
   set("startBlocks", start.Blocks);
   set("startThickness", start.Thickness);
-  program->SetUniformi("dimmingSlot", this->SurfaceDimming.GetSlot(index));
-  this->SurfaceDimming.Use(program);
+  program->SetUniformi("transmittanceSlot", this->SurfaceTransmittance.GetSlot(index));
+  this->SurfaceTransmittance.Use(program);
 }
 }

@@ -72,7 +72,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   const std::string source = GetShaderVersion(joined) + Define("JOINED", joined) +
     (joined ? Define("LEFT_OVER", this->LeftOver) : "") +
     (cones ? "" : "#define AIRLIGHT_NO_CONE\n") + Define("TURNED", turned) +
-    (layers ? "#define AIRLIGHT_LAYERS\n" : "") +
+    (layers ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
     (layers && this->Settings.Record ? RecordDefinition : "") +
     Define("DEBUG_VIEW", layers ? 0 : this->Settings.DebugView) +
     Define("APART", this->Settings.Apart) + Define("BITS", BitsPerChannel) +
@@ -84,7 +84,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     (turned ? GetTurnSource() : "uniform AirlightMedia media;\n") +
     (joined ? this->GetJoinedSource() : this->GetWholeRaysSource(whole)) + AirlightDisplay +
     AirlightCompositeFS;
-  Quad& quad = layers ? this->LayersQuad : this->CompositeQuad;
+  Quad& quad = layers ? this->TranslucentQuad : this->CompositeQuad;
   vtkShaderProgram* program = quad.Ready(this->Window, source);
   if (!program)
   {
@@ -129,7 +129,7 @@ vtkShaderProgram* Frame::ReadyCopy(int x, int y)
 }
 
 //------------------------------------------------------------------------------
-bool Frame::CompositeLayers()
+bool Frame::CompositeTranslucent()
 {
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglDisable(GL_BLEND);
@@ -150,7 +150,7 @@ bool Frame::CompositeLayers()
   {
     return this->Fail(this->Textures.GetError());
   }
-  this->LayersQuad.Draw(textures);
+  this->TranslucentQuad.Draw(textures);
   if (!this->Textures.Bind({ this->Textures.Radiance }, this->Textures.Depth))
   {
     return this->Fail(this->Textures.GetError());
@@ -210,7 +210,7 @@ vtkImageData* Frame::GetBuffer(const std::string& name)
 //------------------------------------------------------------------------------
 bool Frame::Composite(int x, int y, bool blend)
 {
-  const bool copy = this->Settings.Layers;
+  const bool copy = this->Settings.Translucent;
   vtkShaderProgram* program = copy ? this->ReadyCopy(x, y) : this->ReadyComposite(false, x, y);
   if (!program)
   {

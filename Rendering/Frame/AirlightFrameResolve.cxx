@@ -43,10 +43,10 @@ bool Frame::ScatterLight(int index)
 bool Frame::ScatterReference()
 {
   const ShadowMethod method = this->Settings.Shadows;
-  const bool dimmed = this->Dimmed;
+  const bool transmitsShadows = this->TransmitsShadows;
   this->TakesReference = true;
   this->Settings.Shadows = ShadowMethod::March;
-  this->Dimmed = false; // maps know of light and dark only
+  this->TransmitsShadows = false; // maps know of light and dark only
   bool ok = this->Textures.Bind(this->GetScatterTargets(), nullptr) ||
     this->Fail(this->Textures.GetError());
   if (ok)
@@ -63,7 +63,7 @@ bool Frame::ScatterReference()
         this->Resolve(index, Lists::Map, 0, this->Height));
   }
   this->Settings.Shadows = method;
-  this->Dimmed = dimmed;
+  this->TransmitsShadows = transmitsShadows;
   this->TakesReference = !ok;
   return ok;
 }
@@ -119,7 +119,7 @@ bool Frame::ResolveLong(int index, int row, int rows)
   }
   const bool turned = this->IsTurned(index, Lists::Long);
   bool ok = draws == 0 || !turned || this->DrawResolve(index, Lists::Long, false, row, rows);
-  for (int draw = 0; draw < draws && ok && (!turned || this->Settings.LayerRecords); ++draw)
+  for (int draw = 0; draw < draws && ok && (!turned || this->Settings.TranslucentFragments); ++draw)
   {
     ok = this->DrawResolve(index, draw == 0 ? Lists::Long : Lists::LongRest, turned, row, rows);
   }
@@ -132,19 +132,19 @@ bool Frame::ResolveLong(int index, int row, int rows)
 bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
   return this->DrawResolve(index, lists, false, row, rows) &&
-    (!this->Settings.LayerRecords || !this->IsTurned(index, lists) ||
+    (!this->Settings.TranslucentFragments || !this->IsTurned(index, lists) ||
       this->DrawResolve(index, lists, true, row, rows));
 }
 
 //------------------------------------------------------------------------------
-bool Frame::DrawResolve(int index, Lists lists, bool layersOnly, int row, int rows)
+bool Frame::DrawResolve(int index, Lists lists, bool fragmentsOnly, int row, int rows)
 {
   const size_t own = lists == Lists::Map
     ? 3
     : std::min<size_t>(static_cast<size_t>(lists), static_cast<size_t>(Lists::Long));
-  Quad& quad = this->ResolveQuads[layersOnly ? 4 : own];
+  Quad& quad = this->ResolveQuads[fragmentsOnly ? 4 : own];
   vtkShaderProgram* program =
-    quad.Ready(this->Window, this->GetResolveSource(index, lists, layersOnly));
+    quad.Ready(this->Window, this->GetResolveSource(index, lists, fragmentsOnly));
   if (!program)
   {
     return this->Fail(std::string("the airlight shader") + ProgramMaker::GetReason());
@@ -153,11 +153,11 @@ bool Frame::DrawResolve(int index, Lists lists, bool layersOnly, int row, int ro
   {
     return this->Fail(this->Textures.GetError());
   }
-  this->SetResolveUniforms(program, index, lists, layersOnly);
+  this->SetResolveUniforms(program, index, lists, fragmentsOnly);
 
   vtkOpenGLState* state = this->Window->GetState();
   vtkOpenGLState::ScopedglColorMask maskSaver(state);
-  if (layersOnly)
+  if (fragmentsOnly)
   {
     state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   }

@@ -5,16 +5,16 @@
 
 #include "Frame/AirlightFrame.h"
 
-#include "AirlightDimmed.h"
-#include "AirlightLayers.h"
 #include "AirlightMapBoundaries.h"
 #include "AirlightMapMarch.h"
 #include "AirlightNoBoundaries.h"
 #include "AirlightRayMarch.h"
 #include "AirlightResolveFS.h"
-#include "AirlightResolveLayers.h"
 #include "AirlightResolveOutputs.h"
+#include "AirlightResolveTranslucent.h"
 #include "AirlightShadowCounts.h"
+#include "AirlightTranslucentLists.h"
+#include "AirlightTransmittanceBuffer.h"
 #include "AirlightViewShader.h"
 #include "Integration/AirlightIntegrate.h"
 #include "OpenGL/AirlightOpenGL.h"
@@ -50,17 +50,17 @@ double GetFadingLength(const airlight::f64::AirlightMedia& media)
 namespace airlight
 {
 //------------------------------------------------------------------------------
-std::string Frame::GetResolveSource(int index, Lists lists, bool layersOnly) const
+std::string Frame::GetResolveSource(int index, Lists lists, bool fragmentsOnly) const
 {
-  const bool records = this->Settings.LayerRecords;
-  if (this->IsTurned(index, lists) && !layersOnly)
+  const bool records = this->Settings.TranslucentFragments;
+  if (this->IsTurned(index, lists) && !fragmentsOnly)
   {
     return this->GetTurnedSource(index, lists);
   }
   const bool planes = lists != Lists::None && lists != Lists::Map;
   const bool march = this->Settings.Shadows == ShadowMethod::March;
   const std::string layers =
-    records ? std::string(AirlightLayers) + AirlightResolveLayers : std::string();
+    records ? std::string(AirlightTranslucentLists) + AirlightResolveTranslucent : std::string();
   std::string boundaries = AirlightNoBoundaries + layers;
   if (planes)
   {
@@ -71,11 +71,11 @@ std::string Frame::GetResolveSource(int index, Lists lists, bool layersOnly) con
     boundaries = std::string(AirlightMapMarch) +
       (march ? AirlightNoBoundaries + layers + AirlightRayMarch : AirlightMapBoundaries + layers);
   }
-  return this->GetResolveHead(index, planes || records || this->Dimmed) +
-    (records ? "#define AIRLIGHT_LAYER_RECORDS\n" : "") +
+  return this->GetResolveHead(index, planes || records || this->TransmitsShadows) +
+    (records ? "#define AIRLIGHT_TRANSLUCENT_FRAGMENTS\n" : "") +
     (march ? "#define AIRLIGHT_RAY_MARCH\n" : "") + GivenUniforms +
-    (this->Dimmed ? AirlightDimmed : "") + AirlightShadowCounts + boundaries +
-    AirlightResolveOutputs + AirlightResolveFS;
+    (this->TransmitsShadows ? AirlightTransmittanceBuffer : "") + AirlightShadowCounts +
+    boundaries + AirlightResolveOutputs + AirlightResolveFS;
 }
 
 //------------------------------------------------------------------------------
@@ -83,7 +83,7 @@ std::string Frame::GetResolveSource(int index, Lists lists, bool layersOnly) con
 std::string Frame::GetResolveHead(int index, bool storage) const
 {
   const f64::AirlightLight& light = this->Lamps[index].Values;
-  return GetShaderVersion(storage) + BoundaryStore::DefineNodes(this->Dimmed) +
+  return GetShaderVersion(storage) + BoundaryStore::DefineNodes(this->TransmitsShadows) +
     (this->Settings.Record ? RecordDefinition : "") + "#define AIRLIGHT_MORE_LIT " +
     std::to_string(this->HasMoreLit()) + "\n" +
     "#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define AIRLIGHT_PARALLEL " +
@@ -103,7 +103,7 @@ double Frame::GetIntegralError(int index) const
     (cut                            ? CutImageError
         : IsQuadrature(lamp.Values) ? QuadratureError
                                     : ClosedFormError);
-  if (this->Dimmed && this->Lamps[index].CastsShadows)
+  if (this->TransmitsShadows && this->Lamps[index].CastsShadows)
   {
     double thickness = 0.0;
     for (const ShadowLayer& layer : this->Volumes[index].GetLayers())
@@ -116,10 +116,11 @@ double Frame::GetIntegralError(int index) const
 }
 
 //------------------------------------------------------------------------------
-void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool layersOnly)
+void Frame::SetResolveUniforms(
+  vtkShaderProgram* program, int index, Lists lists, bool fragmentsOnly)
 {
   this->Rays->SetUniforms(program, 0, 0);
-  const bool turned = this->IsTurned(index, lists) && !layersOnly;
+  const bool turned = this->IsTurned(index, lists) && !fragmentsOnly;
   if (turned)
   {
     SetMediaUniforms(program, "givenMedia", this->Media);
@@ -152,10 +153,10 @@ void Frame::SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists
     program->SetUniformf("phaseError", static_cast<float>(this->Settings.PhaseErrorBound));
     program->SetUniformf("error", static_cast<float>(this->GetIntegralError(index)));
   }
-  if (this->Settings.LayerRecords && !turned)
+  if (this->Settings.TranslucentFragments && !turned)
   {
-    this->LayerLists.Use(program);
-    program->SetUniformi("layerBit", index < MaximumShadowingLights ? index : -1);
+    this->FragmentLists.Use(program);
+    program->SetUniformi("lightBit", index < MaximumShadowingLights ? index : -1);
     // No test fails without it, see AirlightOpenGL.h.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }

@@ -32,17 +32,17 @@ struct FrameSettings
   int MapResolution = 1024;
   int Steps = 64;
   bool SurfaceShadows = false;
-  bool TranslucentShadows = false; // casters dim light by their opacity
-  bool SurfaceGlow = false;        // surfaces are lit by scattered light, too
-  bool Layers = false;             // translucent surfaces or volumes are drawn over the medium
-  bool LayerRecords = false;       // and their fragments have records
-  bool KnowsAll = false;           // shaders that the pass adds to draw all that is opaque
-  bool Once = false;               // opaque surfaces are drawn once: steps 1 and 3 are one
-  int Apart = -1;                  // then: the light whose shadows fall on them; none below 0
-  bool Whole = false;              // no light's airlight has shadows: steps 2 and 4 are one
-  bool Solid = false;              // each fragment of opaque surfaces hides all behind it
-  std::vector<vtkProp*> Solids;    // the props of which that is true and that are drawn as they are
-  int VolumeNodes = 2;             // on the rays through volumes
+  bool TranslucentShadows = false;   // casters dim light by their opacity
+  bool SurfaceGlow = false;          // surfaces are lit by scattered light, too
+  bool Translucent = false;          // translucent surfaces or volumes are drawn over the medium
+  bool TranslucentFragments = false; // and their fragments have records
+  bool KnowsAll = false;             // shaders that the pass adds to draw all that is opaque
+  bool Once = false;                 // opaque surfaces are drawn once: steps 1 and 3 are one
+  int Apart = -1;                    // then: the light whose shadows fall on them; none below 0
+  bool Whole = false;                // no light's airlight has shadows: steps 2 and 4 are one
+  bool Solid = false;                // each fragment of opaque surfaces hides all behind it
+  std::vector<vtkProp*> Solids; // the props of which that is true and that are drawn as they are
+  int VolumeNodes = 2;          // on the rays through volumes
   bool Record = false;
   bool EncodedInput = false;     // the scene's colours are encoded for display
   bool EncodedOutput = false;    // the picture is

@@ -126,11 +126,11 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Data = this->Data.GetTexture();
   values.Glow = this->Settings.SurfaceGlow;
   values.EncodedInput = this->Settings.EncodedInput;
-  values.Records = this->Settings.LayerRecords ? &this->LayerLists : nullptr;
-  values.Dims = &this->SurfaceDimming;
+  values.Records = this->Settings.TranslucentFragments ? &this->FragmentLists : nullptr;
+  values.Transmittances = &this->SurfaceTransmittance;
   // Without records the bits are those of the opaque surface, which lies behind the layers.
   values.UseLit = this->Settings.Shadows != ShadowMethod::None && this->Settings.SurfaceShadows &&
-    (stage != SurfaceStage::Layer ? !this->Settings.Once : values.Records != nullptr);
+    (stage != SurfaceStage::Translucent ? !this->Settings.Once : values.Records != nullptr);
   return values;
 }
 

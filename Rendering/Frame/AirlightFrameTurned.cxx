@@ -36,7 +36,7 @@ bool Frame::IsTurned(int index, Lists lists) const
 {
   const f64::AirlightPhase& phase = this->Media.item[0].phase;
   return this->Lamps[index].Values.kind == AIRLIGHT_POINT_CLOSED && phase.rows == 0 &&
-    phase.power.x <= 0.0 && !this->Dimmed && lists != Lists::Map &&
+    phase.power.x <= 0.0 && !this->TransmitsShadows && lists != Lists::Map &&
     (lists == Lists::None || this->Boundaries.HasSlots());
 }
 
@@ -70,7 +70,7 @@ std::string Frame::GetTurnedSource(int index, Lists lists) const
 // and nothing else asks for a picture of it.
 bool Frame::MayJoin(int index) const
 {
-  return this->Settings.Once && !this->Settings.Record && !this->Settings.Layers &&
+  return this->Settings.Once && !this->Settings.Record && !this->Settings.Translucent &&
     this->Settings.DebugView == 0 && !this->Settings.Difference &&
     FindScattering(this->Lamps).size() == 1 && this->IsTurned(index, Lists::Short);
 }
@@ -78,7 +78,8 @@ bool Frame::MayJoin(int index) const
 //------------------------------------------------------------------------------
 std::string Frame::GetJoinedSource() const
 {
-  return GlobalLight + ("#define AIRLIGHT_DIMMED 0\n" + std::string(AirlightShadowCounts)) +
+  return GlobalLight +
+    ("#define AIRLIGHT_SHADOW_TRANSMITTANCE 0\n" + std::string(AirlightShadowCounts)) +
     this->Boundaries.GetKeysSource(false) + AirlightTurnedRay;
 }
 

@@ -35,7 +35,7 @@ public:
     bool Drawn = false;
     bool Dark = false;
     bool Record = false;
-    bool Layers = false;
+    bool Translucent = false;
     bool Reference = false;
   };
   bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, const Needs& needs);

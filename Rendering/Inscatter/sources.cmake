@@ -6,7 +6,7 @@ airlight_sources(
     glsl/AirlightNoBoundaries.glsl
     glsl/AirlightNoKeys.glsl
     glsl/AirlightResolveFS.glsl
-    glsl/AirlightResolveLayers.glsl
+    glsl/AirlightResolveTranslucent.glsl
     glsl/AirlightResolveOutputs.glsl
     glsl/AirlightShadowCounts.glsl
     glsl/AirlightTurnedFS.glsl

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperShaders/AirlightSurfaceShader.h"
 
-#include "AirlightBefore.h"
-#include "AirlightDimmed.h"
 #include "AirlightDisplay.h"
 #include "AirlightFragment.h"
-#include "AirlightLayers.h"
-#include "AirlightLayersBefore.h"
+#include "AirlightInscatterToFragment.h"
+#include "AirlightInscatterToTranslucent.h"
 #include "AirlightSurface.h"
 #include "AirlightSurfaceGlow.h"
 #include "AirlightSurfaceLights.h"
 #include "AirlightSurfaceMedium.h"
+#include "AirlightTranslucentLists.h"
+#include "AirlightTransmittanceBuffer.h"
 #include "AirlightVertexMedium.h"
 #include "AirlightViewShader.h"
 #include "OpenGL/AirlightQuad.h"
@@ -36,7 +36,7 @@ const char* StorageSystem = "#version 430\n"
                             "#define texture3D texture\n"
                             "#define varying in\n";
 
-// The prelude's words must not reach the mapper's own text.
+// The prelude's words must not reach the mapper's own options.
 const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef bool3\n";
 
 std::string DefineStages()
@@ -46,50 +46,57 @@ std::string DefineStages()
       std::to_string(static_cast<int>(stage)) + "\n";
   };
   return define("DISTANCE", SurfaceStage::Distance) + define("COLOUR", SurfaceStage::Colour) +
-    define("LAYER", SurfaceStage::Layer) + define("COLLECT", SurfaceStage::Collect);
+    define("TRANSLUCENT", SurfaceStage::Translucent) + define("COLLECT", SurfaceStage::Collect);
 }
 
-bool HasRecords(const SurfaceText& text)
+bool HasRecords(const SurfaceShaderOptions& options)
 {
-  return text.InPass && text.Translucent && text.LayerRecords;
+  return options.InPass && options.Translucent && options.TranslucentFragments;
 }
 
-bool IsDimmed(const SurfaceText& text) { return text.InPass && text.Dimmed; }
+bool HasShadowTransmittance(const SurfaceShaderOptions& options)
+{
+  return options.InPass && options.TransmitsShadows;
+}
 
 // What both shaders begin with.
-std::string CommonDeclarations(const SurfaceText& text)
+std::string CommonDeclarations(const SurfaceShaderOptions& options)
 {
   const auto define = [](const char* name, int value) {
     return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
   };
-  return text.Mathematics + DefineStages() + define("LAYER_RECORDS", HasRecords(text)) +
-    define("DIMMED", IsDimmed(text)) + define("LAMPS", text.LampCount) +
-    define("BITS", BitsPerChannel) +
-    define("ONLY_COLOURS", text.Once && text.KnownView && !text.Translucent) +
-    define("MORE_LIT", text.LampCount > BitsPerChannel) + define("IN_PASS", text.InPass) +
-    define("READS_LIT", text.InPass && text.ReadsLit) + define("AT_VERTICES", text.AtVertices) +
-    (text.KnownView ? define("PARALLEL", text.Parallel) + define("FRAGMENT_IS_PIXEL", 1) : "") +
-    DefineLamps(text.Known, text.Apart) + AirlightSurfaceLights;
+  return options.Mathematics + DefineStages() +
+    define("TRANSLUCENT_FRAGMENTS", HasRecords(options)) +
+    define("SHADOW_TRANSMITTANCE", HasShadowTransmittance(options)) +
+    define("LAMPS", options.LampCount) + define("BITS", BitsPerChannel) +
+    define("ONLY_COLOURS", options.Once && options.KnownView && !options.Translucent) +
+    define("MORE_LIT", options.LampCount > BitsPerChannel) + define("IN_PASS", options.InPass) +
+    define("READS_LIT", options.InPass && options.ReadsLit) +
+    define("AT_VERTICES", options.AtVertices) +
+    (options.KnownView ? define("PARALLEL", options.Parallel) + define("FRAGMENT_IS_PIXEL", 1)
+                       : "") +
+    DefineEachLight(options.Lights, options.Apart) + AirlightSurfaceLights;
 }
 
-std::string StorageDeclarations(const SurfaceText& text)
+std::string StorageDeclarations(const SurfaceShaderOptions& options)
 {
-  return (HasRecords(text) || IsDimmed(text) ? DefineStorageBindings() : "") +
-    (HasRecords(text) ? AirlightLayers : "") + (IsDimmed(text) ? AirlightDimmed : "");
+  return (HasRecords(options) || HasShadowTransmittance(options) ? DefineStorageBindings() : "") +
+    (HasRecords(options) ? AirlightTranslucentLists : "") +
+    (HasShadowTransmittance(options) ? AirlightTransmittanceBuffer : "");
 }
 
-std::string Declarations(const SurfaceText& text)
+std::string Declarations(const SurfaceShaderOptions& options)
 {
-  const std::string glow = text.GlowLightCount > 0 ? "#define AIRLIGHT_GLOW_LIGHTS " +
-      std::to_string(text.GlowLightCount) + "\n" + AirlightSurfaceGlow
-                                                   : "";
-  const char* before = HasRecords(text) ? AirlightLayersBefore
-    : text.AtVertices                   ? ""
-                                        : AirlightBefore;
+  const std::string glow = options.GlowLightCount > 0 ? "#define AIRLIGHT_GLOW_LIGHTS " +
+      std::to_string(options.GlowLightCount) + "\n" + AirlightSurfaceGlow
+                                                      : "";
+  const char* before = HasRecords(options) ? AirlightInscatterToTranslucent
+    : options.AtVertices                   ? ""
+                                           : AirlightInscatterToFragment;
   const std::string medium =
-    text.Translucent ? std::string(before) + AirlightDisplay + AirlightSurfaceMedium : "";
-  return CommonDeclarations(text) + AirlightViewShader + AirlightFragment +
-    StorageDeclarations(text) + AirlightSurface + glow + medium + Undefine;
+    options.Translucent ? std::string(before) + AirlightDisplay + AirlightSurfaceMedium : "";
+  return CommonDeclarations(options) + AirlightViewShader + AirlightFragment +
+    StorageDeclarations(options) + AirlightSurface + glow + medium + Undefine;
 }
 
 // Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
@@ -132,7 +139,7 @@ bool MayLeaveEarly(const std::string& body)
 // Whether the mapper's shading has the places of lights and of the fragment, which is drawn where the triangle
 // is. `body` without comments.
 bool HasPositions(
-  const std::string& shader, const std::string& body, const std::vector<KnownLamp>& known)
+  const std::string& shader, const std::string& body, const std::vector<LightSpecialization>& known)
 {
   for (size_t k = 0; k < known.size(); ++k)
   {
@@ -161,16 +168,16 @@ std::string OtherStages(bool records, bool leave)
              : "");
 }
 
-// For AirlightDistancePrograms.h.
-std::string OnlyDistances(const std::string& hide, const std::string& shade)
+// For AirlightDepthPrePassVariants.h.
+std::string DepthPrePassBranch(const std::string& hide, const std::string& shade)
 {
-  return "#ifdef AIRLIGHT_ONLY_DISTANCES\nvoid main()\n{\n" + hide + WriteDistance + "}\n#else\n" +
+  return "#ifdef AIRLIGHT_DEPTH_PRE_PASS\nvoid main()\n{\n" + hide + WriteDistance + "}\n#else\n" +
     shade + "\n#endif\n";
 }
 
 // main() where all that is known of a fragment is drawn at once. Shades in a function, which may have
 // returned from anywhere.
-std::string DrawOnce(const SurfaceText& text)
+std::string DrawOnce(const SurfaceShaderOptions& options)
 {
   const char* dark = "    vec4 colour = gl_FragData[0];\n"
                      "    airlightApart = 0.0;\n"
@@ -180,12 +187,12 @@ std::string DrawOnce(const SurfaceText& text)
   return std::string("\nvoid main()\n{\n  airlightShade();\n"
                      "  if (airlightStage == AIRLIGHT_STAGE_COLOUR)\n  {\n"
                      "    gl_FragData[1] = vec4(airlightFragmentPlace(), 0.0, 0.0, 1.0);\n") +
-    (text.Apart >= 0 ? dark : "") + "  }\n}\n";
+    (options.Apart >= 0 ? dark : "") + "  }\n}\n";
 }
 }
 
 //------------------------------------------------------------------------------
-void AddExtensions(std::string& shader, const SurfaceText& text)
+void AddExtensions(std::string& shader, const SurfaceShaderOptions& options)
 {
   const std::string system = "//VTK::System::Dec"; // VTK's line for the version, which is 1.50
   const size_t line = shader.find(system);
@@ -193,7 +200,7 @@ void AddExtensions(std::string& shader, const SurfaceText& text)
   {
     return;
   }
-  if (HasRecords(text) || IsDimmed(text))
+  if (HasRecords(options) || HasShadowTransmittance(options))
   {
     shader.replace(line, system.size(), StorageSystem);
     return;
@@ -202,16 +209,17 @@ void AddExtensions(std::string& shader, const SurfaceText& text)
 }
 
 //------------------------------------------------------------------------------
-std::string GetVolumeDeclarations(const SurfaceText& text, const std::string& volume)
+std::string GetVolumeDeclarations(const SurfaceShaderOptions& options, const std::string& volume)
 {
-  return CommonDeclarations(text) + AirlightViewShader + AirlightFragment +
-    StorageDeclarations(text) + AirlightSurface +
-    (HasRecords(text) ? AirlightLayersBefore : AirlightBefore) + AirlightDisplay + volume +
-    Undefine;
+  return CommonDeclarations(options) + AirlightViewShader + AirlightFragment +
+    StorageDeclarations(options) + AirlightSurface +
+    (HasRecords(options) ? AirlightInscatterToTranslucent : AirlightInscatterToFragment) +
+    AirlightDisplay + volume + Undefine;
 }
 
 //------------------------------------------------------------------------------
-void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, bool splats)
+void InjectSurfaceShader(
+  std::string& fragmentShader, const SurfaceShaderOptions& options, bool splats)
 {
   const size_t mainStart = fragmentShader.find("void main");
   const size_t bodyStart = fragmentShader.find('{', mainStart);
@@ -226,33 +234,34 @@ void InjectSurfaceShader(std::string& fragmentShader, const SurfaceText& text, b
   // VTK names the lights lightColor0, lightColor1, ...
   static const std::regex lightColor("\\blightColor([0-9]+)\\b");
   const bool anyLight = std::regex_search(body, lightColor);
-  std::string lit = TellTypes(
-    std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])"), text.Known);
-  lit = text.GlowLightCount > 0 ? AddGlow(lit) : lit;
-  lit = text.Translucent ? AddMedium(lit) : lit;
-  const bool records = HasRecords(text);
-  const bool hides = splats || text.Hides;
+  std::string lit = SpecializeLightTypes(
+    std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])"), options.Lights);
+  lit = options.GlowLightCount > 0 ? AddGlow(lit) : lit;
+  lit = options.Translucent ? AddMedium(lit) : lit;
+  const bool records = HasRecords(options);
+  const bool hides = splats || options.Hides;
   const std::string hide = hides ? "  if (airlightHidden != 0)\n  {\n    discard;\n  }\n" : "";
-  const std::string find = records
-    ? "  if (airlightStage == AIRLIGHT_STAGE_LAYER)\n  {\n    airlightFindLayer();\n  }\n"
-    : "";
+  const std::string find = records ? "  if (airlightStage == AIRLIGHT_STAGE_TRANSLUCENT)\n  {\n    "
+                                     "airlightFindTranslucent();\n  }\n"
+                                   : "";
   const std::string bare = WithoutComments(body);
   const bool early = MayLeaveEarly(bare);
-  const std::string others = text.InPass ? OtherStages(records, early) : "";
-  const std::string shade = (text.Once ? "void airlightShade()\n{\n" : "void main()\n{\n") + hide +
-    (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
-    (early ? "" : others) + fragmentShader.substr(bodyEnd) + (text.Once ? DrawOnce(text) : "");
+  const std::string others = options.InPass ? OtherStages(records, early) : "";
+  const std::string shade = (options.Once ? "void airlightShade()\n{\n" : "void main()\n{\n") +
+    hide + (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
+    (early ? "" : others) + fragmentShader.substr(bodyEnd) +
+    (options.Once ? DrawOnce(options) : "");
   fragmentShader.replace(mainStart, fragmentShader.size(),
-    (text.Everywhere && HasPositions(fragmentShader, bare, text.Known)
-        ? "#define AIRLIGHT_EVERYWHERE\n"
+    (options.UniformMedia && HasPositions(fragmentShader, bare, options.Lights)
+        ? "#define AIRLIGHT_UNIFORM_MEDIA\n"
         : "") +
-      Declarations(text) + (hides ? "uniform int airlightHidden;\n" : "") +
-      (early && text.InPass ? OnlyDistances(hide, shade) : shade));
-  AddExtensions(fragmentShader, text);
+      Declarations(options) + (hides ? "uniform int airlightHidden;\n" : "") +
+      (early && options.InPass ? DepthPrePassBranch(hide, shade) : shade));
+  AddExtensions(fragmentShader, options);
 }
 
 //------------------------------------------------------------------------------
-void InjectVertexShader(std::string& vertexShader, const SurfaceText& text)
+void InjectVertexShader(std::string& vertexShader, const SurfaceShaderOptions& options)
 {
   const size_t mainStart = vertexShader.find("void main");
   const size_t bodyStart = vertexShader.find('{', mainStart);
@@ -262,42 +271,42 @@ void InjectVertexShader(std::string& vertexShader, const SurfaceText& text)
   }
   vertexShader.insert(
     bodyStart + 1, "\n  airlightAtVertex((airlightVertexToEye * vertexMC).xyz);\n");
-  vertexShader.insert(
-    mainStart, CommonDeclarations(text) + AirlightBefore + AirlightVertexMedium + Undefine);
-  AddExtensions(vertexShader, text);
+  vertexShader.insert(mainStart,
+    CommonDeclarations(options) + AirlightInscatterToFragment + AirlightVertexMedium + Undefine);
+  AddExtensions(vertexShader, options);
 }
 
 //------------------------------------------------------------------------------
-bool UpdateSurfaceText(SurfaceText& text, const f64::AirlightMedia& media,
+bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::AirlightMedia& media,
   const std::vector<Lamp>& lamps, bool glows, bool translucent)
 {
   const int lampCount = static_cast<int>(lamps.size());
-  const bool lights = glows || (translucent && !(text.InPass && text.LayerRecords));
+  const bool lights = glows || (translucent && !(options.InPass && options.TranslucentFragments));
   const int kind = lights ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
   const bool photometry = std::any_of(
     lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
   const std::string source =
     GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
-  // VTK's own text knows the number of lights, too, and is made anew where another number shines; a
+  // VTK's own options knows the number of lights, too, and is made anew where another number shines; a
   // mapper without the pass is to stay as it is.
-  const std::vector<KnownLamp> known =
-    text.InPass ? FindKnownLamps(lamps) : std::vector<KnownLamp>();
+  const std::vector<LightSpecialization> known =
+    options.InPass ? SpecializeLights(lamps) : std::vector<LightSpecialization>();
   const bool everywhere = std::all_of(media.item, media.item + media.count, [](const auto& medium) {
     return medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
       medium.density == AIRLIGHT_DENSITY_UNIFORM;
   });
-  if (lampCount <= text.LampCount && everywhere == text.Everywhere && source == text.Mathematics &&
-    translucent == text.Translucent && known == text.Known)
+  if (lampCount <= options.LampCount && everywhere == options.UniformMedia &&
+    source == options.Mathematics && translucent == options.Translucent && known == options.Lights)
   {
     return false;
   }
-  text.Known = known;
-  text.Everywhere = everywhere;
-  text.Translucent = translucent;
+  options.Lights = known;
+  options.UniformMedia = everywhere;
+  options.Translucent = translucent;
   // Some more, so that another lamp does not make other shaders.
-  text.LampCount = std::max(text.LampCount, (lampCount + 7) / 8 * 8);
-  text.GlowLightCount = glows ? std::min(text.LampCount, MaximumGlowLights) : 0;
-  text.Mathematics = source;
+  options.LampCount = std::max(options.LampCount, (lampCount + 7) / 8 * 8);
+  options.GlowLightCount = glows ? std::min(options.LampCount, MaximumGlowLights) : 0;
+  options.Mathematics = source;
   return true;
 }
 }

@@ -7,8 +7,8 @@
 
 #include "OpenGL/AirlightQuad.h"
 #include "Scene/AirlightView.h"
-#include "Translucency/AirlightDimming.h"
-#include "Translucency/AirlightLayerRecords.h"
+#include "Translucency/AirlightShadowTransmittance.h"
+#include "Translucency/AirlightTranslucentFragments.h"
 
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -114,9 +114,9 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   }
   program->SetUniformi("airlightLampCount", static_cast<int>(lamps.size()));
   SetPhotometries(program, *values.Lamps);
-  if (values.Dims)
+  if (values.Transmittances)
   {
-    values.Dims->UseInMapper(program);
+    values.Transmittances->UseInMapper(program);
   }
   if (values.Glow)
   {
@@ -124,7 +124,7 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   }
   program->SetUniformi("airlightEncodedInput", values.EncodedInput ? 1 : 0);
   program->SetUniformi("airlightAdditive", values.Additive ? 1 : 0);
-  const bool lights = values.Stage == SurfaceStage::Layer && !values.Records;
+  const bool lights = values.Stage == SurfaceStage::Translucent && !values.Records;
   for (size_t k = 0; k < values.Lamps->size() && lights; ++k)
   {
     SetLightUniforms(

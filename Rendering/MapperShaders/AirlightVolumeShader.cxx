@@ -5,7 +5,7 @@
 #include "AirlightVolume.h"
 #include "Integration/AirlightMatrix.h"
 #include "Scene/AirlightView.h"
-#include "Translucency/AirlightLayerRecords.h"
+#include "Translucency/AirlightTranslucentFragments.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkLight.h"
@@ -98,17 +98,17 @@ void MarkVolumeShader(std::string& fragmentShader)
 }
 
 //------------------------------------------------------------------------------
-void InjectVolumeShader(std::string& fragmentShader, const SurfaceText& text)
+void InjectVolumeShader(std::string& fragmentShader, const SurfaceShaderOptions& options)
 {
   std::string shader = fragmentShader;
-  if (!text.Translucent || !AddMedium(shader) || !MoveScale(shader) ||
+  if (!options.Translucent || !AddMedium(shader) || !MoveScale(shader) ||
     !Replace(shader, StartMark, "airlightStartVolume();\n") ||
-    !Replace(shader, DeclarationMark, GetVolumeDeclarations(text, AirlightVolume)))
+    !Replace(shader, DeclarationMark, GetVolumeDeclarations(options, AirlightVolume)))
   {
     return;
   }
   AddLights(shader);
-  AddExtensions(shader, text);
+  AddExtensions(shader, options);
   fragmentShader = shader;
 }
 
@@ -186,7 +186,7 @@ bool HasRayCastVolume(vtkProp* prop)
 int GetVolumeNodeCount(size_t volumes, int width, int height, std::uint64_t memoryLimit)
 {
   const std::uint64_t each =
-    LayerRecords::RecordSize * std::max<std::uint64_t>(volumes, 1) * width * height;
+    TranslucentFragments::RecordSize * std::max<std::uint64_t>(volumes, 1) * width * height;
   return static_cast<int>(std::clamp<std::uint64_t>(memoryLimit / each, 2, MaximumVolumeNodes));
 }
 }

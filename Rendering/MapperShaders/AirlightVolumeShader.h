@@ -29,7 +29,7 @@ void MarkVolumeShader(std::string& fragmentShader);
 
 // Rewrites the shader that VTK has made of it. It is left alone where samples are not blended one
 // by one over each other (projections: maximum, minimum, average, sum), and where it is not VTK's.
-void InjectVolumeShader(std::string& fragmentShader, const SurfaceText& text);
+void InjectVolumeShader(std::string& fragmentShader, const SurfaceShaderOptions& options);
 
 // Whether a program has been rewritten so.
 bool IsVolumeProgram(vtkShaderProgram* program);

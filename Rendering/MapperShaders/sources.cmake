@@ -2,16 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
-    AirlightDistancePrograms
-    AirlightKnownLamps
-    AirlightKnownMaterials
+    AirlightDepthPrePassVariants
+    AirlightLightSpecialization
+    AirlightMaterialSpecializations
     AirlightSurfaceShader
     AirlightVolumeShader
     vtkAirlightPolyDataMapperInternals
   SOURCES
     AirlightSurfaceUniforms.cxx
   GLSL
-    glsl/AirlightBefore.glsl
+    glsl/AirlightInscatterToFragment.glsl
     glsl/AirlightFragment.glsl
     glsl/AirlightSurface.glsl
     glsl/AirlightSurfaceGlow.glsl

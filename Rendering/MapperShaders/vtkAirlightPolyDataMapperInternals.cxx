@@ -17,13 +17,13 @@ namespace
 {
 // Shaders that are too large do not link, and VTK's mappers do not survive that. Counts, from
 // above, what members of structures take where each has a register of four components.
-bool HasRoom(const SurfaceText& text, int mediaCount)
+bool HasRoom(const SurfaceShaderOptions& options, int mediaCount)
 {
   GLint fragment = 0;
   GLint vertex = 0;
   glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &fragment);
   glGetIntegerv(GL_MAX_VERTEX_UNIFORM_COMPONENTS, &vertex);
-  return 256 + 128 * mediaCount + 72 * text.LampCount <= std::min(fragment, vertex);
+  return 256 + 128 * mediaCount + 72 * options.LampCount <= std::min(fragment, vertex);
 }
 }
 
@@ -64,11 +64,11 @@ bool vtkAirlightPolyDataMapper::Internals::Prepare(vtkRenderer* renderer, double
     this->Error = this->Data.GetError();
     return false;
   }
-  if (UpdateSurfaceText(this->Text, this->Converted, this->Lamps, false, true))
+  if (UpdateSurfaceShaderOptions(this->Options, this->Converted, this->Lamps, false, true))
   {
-    ++this->TextVersion;
+    ++this->OptionsVersion;
   }
-  if (!HasRoom(this->Text, this->Converted.count))
+  if (!HasRoom(this->Options, this->Converted.count))
   {
     this->Error = "the graphics card's shaders have no room for " +
       std::to_string(this->Lamps.size()) + " lights and " + std::to_string(this->Converted.count) +

@@ -27,7 +27,7 @@ class vtkRenderer;
 class vtkAirlightPolyDataMapper::Internals
 {
 public:
-  Internals() { this->Text.InPass = false; }
+  Internals() { this->Options.InPass = false; }
 
   // The window that Data is for; releases what was there for another one.
   void SetWindow(vtkOpenGLRenderWindow* window);
@@ -48,7 +48,7 @@ public:
   airlight::SurfaceUniforms GetUniforms()
   {
     airlight::SurfaceUniforms values;
-    values.Stage = airlight::SurfaceStage::Layer;
+    values.Stage = airlight::SurfaceStage::Translucent;
     values.Rays = &*this->Rays;
     values.ViewportX = this->Viewport[0];
     values.ViewportY = this->Viewport[1];
@@ -62,15 +62,15 @@ public:
   struct Build
   {
     bool Shades = false;
-    int TextVersion = 0;
+    int OptionsVersion = 0;
   };
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   airlight::MediaList Media;
   airlight::LightSwitches Switches;
   airlight::SceneData Data;
-  airlight::SurfaceText Text;
-  int TextVersion = 0;
+  airlight::SurfaceShaderOptions Options;
+  int OptionsVersion = 0;
   std::map<const vtkOpenGLHelper*, Build> Built;
   std::string Error;
   std::string ReportedError;

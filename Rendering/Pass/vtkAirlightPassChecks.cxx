@@ -109,7 +109,7 @@ void vtkAirlightPass::Internals::CheckLamps(const std::vector<Lamp>& lamps, bool
 void vtkAirlightPass::Internals::NoteVolume(vtkVolume* volume, bool through)
 {
   this->NotedVolumes.insert(volume);
-  if (!through && this->Stage == SurfaceStage::Layer && !this->CurrentFrame.IsClear())
+  if (!through && this->Stage == SurfaceStage::Translucent && !this->CurrentFrame.IsClear())
   {
     this->WarnOnce(this->WarnedVolumes,
       std::string("A volume of the mapper ") + volume->GetMapper()->GetClassName() +

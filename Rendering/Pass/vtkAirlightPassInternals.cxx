@@ -44,7 +44,7 @@ vtkAirlightPass::Internals::Internals(vtkAirlightPass* self)
   this->Context->SetRelease([this](vtkWindow* window) {
     this->CurrentFrame.Release(window);
     this->ScenePass->ReleaseGraphicsResources(window);
-    this->OnlyDistances.Release();
+    this->DepthPrePass.Release();
   });
   this->ScenePass->SetAroundOpaque(
     [this] { this->CurrentFrame.BeginSurfaces(); }, [this] { this->CurrentFrame.EndSurfaces(); });
@@ -102,23 +102,24 @@ bool vtkAirlightPass::Internals::IsGlowing(const f64::AirlightMedia& media) cons
 void vtkAirlightPass::Internals::UpdateSurfaceShader(const f64::AirlightMedia& media,
   const std::vector<Lamp>& lamps, const FrameSettings& settings, bool parallel)
 {
-  const bool translucent = settings.Layers || this->MapperText.Translucent;
-  const bool hides = this->MapperText.Hides || this->Self->DelegatePass;
+  const bool translucent = settings.Translucent || this->ShaderOptions.Translucent;
+  const bool hides = this->ShaderOptions.Hides || this->Self->DelegatePass;
   const bool reads =
     !settings.Once && settings.Shadows != ShadowMethod::None && settings.SurfaceShadows;
   // Shadow maps may be drawn with the same shaders.
   const bool known = settings.Once && !settings.Difference &&
     (settings.Shadows == ShadowMethod::None || settings.Shadows == ShadowMethod::Planes);
-  const bool other = hides != this->MapperText.Hides || reads != this->MapperText.ReadsLit ||
-    settings.Once != this->MapperText.Once || settings.Apart != this->MapperText.Apart ||
-    known != this->MapperText.KnownView || (known && parallel != this->MapperText.Parallel);
-  this->MapperText.KnownView = known;
-  this->MapperText.Parallel = known && parallel;
-  this->MapperText.Hides = hides;
-  this->MapperText.ReadsLit = reads;
-  this->MapperText.Once = settings.Once;
-  this->MapperText.Apart = settings.Apart;
-  if (UpdateSurfaceText(this->MapperText, media, lamps, this->IsGlowing(media), translucent) ||
+  const bool other = hides != this->ShaderOptions.Hides || reads != this->ShaderOptions.ReadsLit ||
+    settings.Once != this->ShaderOptions.Once || settings.Apart != this->ShaderOptions.Apart ||
+    known != this->ShaderOptions.KnownView || (known && parallel != this->ShaderOptions.Parallel);
+  this->ShaderOptions.KnownView = known;
+  this->ShaderOptions.Parallel = known && parallel;
+  this->ShaderOptions.Hides = hides;
+  this->ShaderOptions.ReadsLit = reads;
+  this->ShaderOptions.Once = settings.Once;
+  this->ShaderOptions.Apart = settings.Apart;
+  if (UpdateSurfaceShaderOptions(
+        this->ShaderOptions, media, lamps, this->IsGlowing(media), translucent) ||
     other)
   {
     this->ShaderTime.Modified();
@@ -196,8 +197,8 @@ bool vtkAirlightPass::Internals::RenderOnce(
     this->RenderPlain(s);
     return true;
   }
-  const bool layers = this->ShownView == SHADED && AirlightScenePass::HasTransparent(s);
-  this->MapperText.LayerRecords = ShadowLists::IsSupported(window);
+  const bool overMedium = this->ShownView == SHADED && AirlightScenePass::HasTransparent(s);
+  this->ShaderOptions.TranslucentFragments = ShadowLists::IsSupported(window);
   if (this->Self->ScatteredSurfaceLight && !this->IsGlowing(converted))
   {
     this->WarnOnce(this->WarnedGlowInImage,
@@ -214,8 +215,8 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.TranslucentShadows = this->Self->TranslucentShadows;
   settings.SurfaceGlow = this->IsGlowing(converted);
-  settings.Layers = layers;
-  settings.LayerRecords = layers && this->MapperText.LayerRecords;
+  settings.Translucent = overMedium;
+  settings.TranslucentFragments = overMedium && this->ShaderOptions.TranslucentFragments;
   settings.KnowsAll = this->KnowsAll(s);
   settings.Solid = this->IsSolid(s);
   settings.Once = settings.KnowsAll && this->MayDrawOnce(settings.Solid, lamps, settings.Apart);

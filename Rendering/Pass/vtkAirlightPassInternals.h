@@ -8,8 +8,8 @@
 #define vtkAirlightPassInternals_h
 
 #include "Frame/AirlightFrame.h"
-#include "MapperShaders/AirlightDistancePrograms.h"
-#include "MapperShaders/AirlightKnownMaterials.h"
+#include "MapperShaders/AirlightDepthPrePassVariants.h"
+#include "MapperShaders/AirlightMaterialSpecializations.h"
 #include "Medium/AirlightMediaList.h"
 #include "OpenGL/AirlightProgram.h"
 #include "Pass/AirlightContext.h"
@@ -131,7 +131,7 @@ public:
   int EffectiveTechnique = NONE;
   bool TooManyPlanes = false; // of this frame
   int ShownView = SHADED;
-  airlight::SurfaceText MapperText; // of the mappers' shaders
+  airlight::SurfaceShaderOptions ShaderOptions; // of the mappers' shaders
   bool DrawsMap = false;
   std::set<vtkShaderProgram*> MapPrograms; // those used for the map that is drawn
   vtkTimeStamp ShaderTime;
@@ -158,8 +158,8 @@ public:
   airlight::DelegateProps Shown;    // what a delegate is shown of them
   std::set<vtkProp*> Hidden;        // those kept from the stage of colours
 
-  airlight::DistancePrograms OnlyDistances;
-  airlight::KnownMaterials Materials;
+  airlight::DepthPrePassVariants DepthPrePass;
+  airlight::MaterialSpecializations Materials;
 
   std::set<vtkProp*> NotedVolumes;
 
@@ -188,10 +188,10 @@ private:
   bool CollectCasters();
   // Whether surfaces are lit by what the medium scatters.
   bool IsGlowing(const airlight::f64::AirlightMedia& media) const;
-  bool CollectLayers(const vtkRenderState& inner);
+  bool CollectTranslucent(const vtkRenderState& inner);
   void RenderDistances(const vtkRenderState& inner);
   void RenderColours(const vtkRenderState& inner);
-  void RenderLayers(const vtkRenderState& inner);
+  void RenderTranslucent(const vtkRenderState& inner);
   void RenderStage(airlight::SurfaceStage stage, const std::function<void()>& render);
   void UpdateSurfaceShader(const airlight::f64::AirlightMedia& media,
     const std::vector<airlight::Lamp>& lamps, const airlight::FrameSettings& settings,

@@ -146,7 +146,7 @@ bool vtkAirlightPass::Internals::MayDrawOnce(
   }
   const bool dims = this->EffectiveTechnique == SHADOW_PLANES && this->Self->TranslucentShadows &&
     this->CurrentFrame.MetTranslucent();
-  if (casting > 1 || lamps.size() > MaximumOwnLines || dims || !solid)
+  if (casting > 1 || lamps.size() > MaximumUnrolledLights || dims || !solid)
   {
     return false;
   }

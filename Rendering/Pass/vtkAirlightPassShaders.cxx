@@ -29,16 +29,16 @@ bool vtkAirlightPass::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
-  const SurfaceText& text = this->Impl->MapperText;
+  const SurfaceShaderOptions& options = this->Impl->ShaderOptions;
   this->Impl->AddToShader(
     vertexShader, geometryShader, fragmentShader, mapper, prop, [&](std::string& shader) {
       if (vtkVolume::SafeDownCast(prop))
       {
-        InjectVolumeShader(shader, text);
+        InjectVolumeShader(shader, options);
       }
       else
       {
-        this->Impl->Materials.Tell(shader, prop);
+        this->Impl->Materials.Specialize(shader, prop);
         this->Impl->ChangeSurfaceShader(shader, AirlightScenePass::IsSplats(prop));
       }
     });
@@ -49,13 +49,13 @@ bool vtkAirlightPass::PostReplaceShaderValues(std::string& vertexShader,
 void vtkAirlightPass::Internals::ChangeSurfaceShader(std::string& shader, bool splats)
 {
   const vtkMTimeType time = this->ShaderTime;
-  const bool records = this->MapperText.LayerRecords;
+  const bool records = this->ShaderOptions.TranslucentFragments;
   auto& last = this->LastChange;
   if (last.Time != time || last.Splats != splats || last.Records != records ||
     last.Before != shader)
   {
     last = { shader, shader, splats, records, time };
-    InjectSurfaceShader(last.After, this->MapperText, splats);
+    InjectSurfaceShader(last.After, this->ShaderOptions, splats);
   }
   shader = last.After;
 }
@@ -95,7 +95,7 @@ bool vtkAirlightPass::SetShaderParameters(
   }
   if (this->Impl->Stage == SurfaceStage::Distance)
   {
-    this->Impl->OnlyDistances.Watch(this->Impl->CurrentFrame.GetWindow(), mapper);
+    this->Impl->DepthPrePass.Observe(this->Impl->CurrentFrame.GetWindow(), mapper);
   }
   return true;
 }

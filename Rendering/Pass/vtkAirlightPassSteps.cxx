@@ -42,8 +42,8 @@ void RenderOther(const OtherCaster& caster, vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 bool vtkAirlightPass::Internals::IsDrawnLater(vtkProp* prop)
 {
-  if (!this->CurrentFrame.HasLayers() || this->DrawsMap || this->Stage == SurfaceStage::Layer ||
-    this->Stage == SurfaceStage::Collect ||
+  if (!this->CurrentFrame.HasTranslucent() || this->DrawsMap ||
+    this->Stage == SurfaceStage::Translucent || this->Stage == SurfaceStage::Collect ||
     !(AirlightScenePass::IsSplats(prop) ||
       (this->Self->DelegatePass && prop->IsRenderingTranslucentPolygonalGeometry())) ||
     std::find(this->FrameProps.begin(), this->FrameProps.end(), prop) == this->FrameProps.end())
@@ -68,15 +68,15 @@ bool vtkAirlightPass::Internals::RenderSteps(const vtkRenderState* s)
   const bool once = this->CurrentFrame.IsOnce();
   bool ok = once ? this->DrawColours(inner) : this->DrawDistances(inner);
   ok = ok && this->CollectCasters() &&
-    (!this->CurrentFrame.HasLayerRecords() || this->CollectLayers(inner)) &&
+    (!this->CurrentFrame.HasTranslucentFragments() || this->CollectTranslucent(inner)) &&
     this->CurrentFrame.ScatterLights();
   ok = ok && (once || this->DrawColours(inner));
-  const bool layers = this->CurrentFrame.HasLayers();
-  ok = ok && (!(layers || this->Self->RecordBuffers) || this->CurrentFrame.CompositeLayers());
+  const bool layers = this->CurrentFrame.HasTranslucent();
+  ok = ok && (!(layers || this->Self->RecordBuffers) || this->CurrentFrame.CompositeTranslucent());
   if (ok && layers)
   {
     this->NotedVolumes.clear();
-    this->RenderStage(SurfaceStage::Layer, [&] { this->RenderLayers(inner); });
+    this->RenderStage(SurfaceStage::Translucent, [&] { this->RenderTranslucent(inner); });
     this->CheckVolumes(s);
   }
   this->Shown.Clear();
@@ -145,7 +145,7 @@ void vtkAirlightPass::Internals::RenderColours(const vtkRenderState& inner)
 //------------------------------------------------------------------------------
 // What a delegate draws of the renderer's own list, volumes and what blends in assemblies, is there
 // already.
-void vtkAirlightPass::Internals::RenderLayers(const vtkRenderState& inner)
+void vtkAirlightPass::Internals::RenderTranslucent(const vtkRenderState& inner)
 {
   if (!this->Self->DelegatePass || this->Shown.WereDrawn())
   {
@@ -174,9 +174,9 @@ bool vtkAirlightPass::Internals::CollectCasters()
     return false;
   }
   this->CheckCasters();
-  if (this->CurrentFrame.IsDimmed() && !this->MapperText.Dimmed)
+  if (this->CurrentFrame.HasShadowTransmittance() && !this->ShaderOptions.TransmitsShadows)
   {
-    this->MapperText.Dimmed = true;
+    this->ShaderOptions.TransmitsShadows = true;
     this->ShaderTime.Modified();
   }
   return true;
@@ -184,10 +184,10 @@ bool vtkAirlightPass::Internals::CollectCasters()
 
 //------------------------------------------------------------------------------
 // Makes the records of translucent fragments.
-bool vtkAirlightPass::Internals::CollectLayers(const vtkRenderState& inner)
+bool vtkAirlightPass::Internals::CollectTranslucent(const vtkRenderState& inner)
 {
-  LayerRecords::Outcome outcome = LayerRecords::Outcome::Again;
-  while (outcome == LayerRecords::Outcome::Again)
+  TranslucentFragments::Outcome outcome = TranslucentFragments::Outcome::Again;
+  while (outcome == TranslucentFragments::Outcome::Again)
   {
     if (!this->CurrentFrame.BindCollect())
     {
@@ -196,7 +196,7 @@ bool vtkAirlightPass::Internals::CollectLayers(const vtkRenderState& inner)
     this->RenderStage(SurfaceStage::Collect, [&] { AirlightScenePass::RenderFragments(&inner); });
     outcome = this->CurrentFrame.CheckCollected();
   }
-  return outcome == LayerRecords::Outcome::Done;
+  return outcome == TranslucentFragments::Outcome::Done;
 }
 
 //------------------------------------------------------------------------------
@@ -258,7 +258,7 @@ void vtkAirlightPass::Internals::RenderStage(
     texture->Activate();
   }
   render();
-  this->OnlyDistances.Unwatch();
+  this->DepthPrePass.StopObserving();
   for (vtkTextureObject* texture : values.GetTextures())
   {
     texture->Deactivate();

@@ -15,7 +15,7 @@ namespace airlight
 namespace
 {
 constexpr std::uint64_t PlainNodeWords = 3;
-constexpr std::uint64_t DimmedNodeWords = 6;
+constexpr std::uint64_t TransmittingNodeWords = 6;
 // For the few pixels whose slots do not suffice, and where there are none.
 constexpr std::uint64_t InitialCapacity = 1u << 18;
 // What AirlightHeads.glsl begins with.
@@ -27,7 +27,7 @@ constexpr size_t ManyEdges = 8192;
 //------------------------------------------------------------------------------
 std::uint64_t BoundaryStore::GetNodeSize() const
 {
-  return 4 * (this->Dimmed ? DimmedNodeWords : PlainNodeWords);
+  return 4 * (this->TransmitsShadows ? TransmittingNodeWords : PlainNodeWords);
 }
 
 //------------------------------------------------------------------------------
@@ -71,7 +71,7 @@ bool BoundaryStore::ReserveSlots()
   const std::uint64_t most = std::min(this->Limit - this->Limit / 4, this->MostBytes);
   const std::uint64_t row = std::max<std::uint64_t>(this->GetSlotBytes(), 1);
   const auto height = static_cast<std::uint64_t>(this->Height);
-  this->SlotRows = this->Dimmed ? 0 : static_cast<int>(std::min(height, most / row));
+  this->SlotRows = this->TransmitsShadows ? 0 : static_cast<int>(std::min(height, most / row));
   const std::uint64_t bytes = this->SlotRows * row;
   if (bytes == this->SlotSize)
   {
@@ -90,11 +90,12 @@ std::uint64_t BoundaryStore::GetMost() const
 }
 
 //------------------------------------------------------------------------------
-bool BoundaryStore::Prepare(int width, int height, bool dimmed, size_t edges, std::uint64_t limit)
+bool BoundaryStore::Prepare(
+  int width, int height, bool transmitsShadows, size_t edges, std::uint64_t limit)
 {
   // The lists keep their bytes.
   const std::uint64_t listBytes = this->Capacity * this->GetNodeSize();
-  this->Dimmed = dimmed;
+  this->TransmitsShadows = transmitsShadows;
   this->Capacity = static_cast<std::uint32_t>(listBytes / this->GetNodeSize());
   this->Width = width;
   this->Height = height;
@@ -149,10 +150,11 @@ void BoundaryStore::Clear(int row)
 }
 
 //------------------------------------------------------------------------------
-std::string BoundaryStore::DefineNodes(bool dimmed)
+std::string BoundaryStore::DefineNodes(bool transmitsShadows)
 {
-  return "#define AIRLIGHT_DIMMED " + std::to_string(dimmed) + "\n#define AIRLIGHT_NODE_WORDS " +
-    std::to_string(dimmed ? DimmedNodeWords : PlainNodeWords) + "u\n";
+  return "#define AIRLIGHT_SHADOW_TRANSMITTANCE " + std::to_string(transmitsShadows) +
+    "\n#define AIRLIGHT_NODE_WORDS " +
+    std::to_string(transmitsShadows ? TransmittingNodeWords : PlainNodeWords) + "u\n";
 }
 
 //------------------------------------------------------------------------------

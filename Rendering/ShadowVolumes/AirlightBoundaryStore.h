@@ -29,14 +29,14 @@ namespace airlight
 class BoundaryStore
 {
 public:
-  // For a frame. `dimmed`: whether boundaries tell how much light their casters let through. `edges`:
+  // For a frame. `transmitsShadows`: whether boundaries tell how much light their casters let through. `edges`:
   // the most silhouette edges of a light, on which alone the number of slots depends, so that a
   // picture does not depend on those before it. `limit` in bytes. False with a reason in GetError()
   // where a buffer cannot be had.
-  bool Prepare(int width, int height, bool dimmed, size_t edges, std::uint64_t limit);
+  bool Prepare(int width, int height, bool transmitsShadows, size_t edges, std::uint64_t limit);
   const std::string& GetError() const { return this->Error; }
 
-  bool IsDimmed() const { return this->Dimmed; }
+  bool HasShadowTransmittance() const { return this->TransmitsShadows; }
 
   // Of each pixel; 0 where all boundaries are in lists.
   int GetSlots() const { return this->SlotRows == 0 ? 0 : this->SlotsPerPixel; }
@@ -50,7 +50,7 @@ public:
   // What shaders that write or read boundaries begin with, after GetShaderVersion(true). The lists' words
   // alone for others that have the lists' kinds of light, not their boundaries.
   std::string GetSource() const;
-  static std::string DefineNodes(bool dimmed);
+  static std::string DefineNodes(bool transmitsShadows);
 
   // Binds all and sets the uniforms of that source.
   void Use(vtkShaderProgram* program);
@@ -96,7 +96,7 @@ private:
   int FirstRow = 0; // of the heads and slots
   std::uint64_t HeadCount = 0;
   std::uint64_t SlotSize = 0; // bytes allocated
-  bool Dimmed = false;
+  bool TransmitsShadows = false;
   std::string Error;
 };
 }

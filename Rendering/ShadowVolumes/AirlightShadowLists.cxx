@@ -37,8 +37,8 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool dimmed,
-  size_t edges, std::uint64_t memoryLimit, bool budgeted)
+bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height,
+  bool transmitsShadows, size_t edges, std::uint64_t memoryLimit, bool budgeted)
 {
   this->Window = window;
   this->Width = width;
@@ -49,7 +49,7 @@ bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height, 
   {
     glGenVertexArrays(1, &this->VertexArray);
   }
-  if (!this->Store.Prepare(width, height, dimmed, edges, memoryLimit))
+  if (!this->Store.Prepare(width, height, transmitsShadows, edges, memoryLimit))
   {
     this->Error = this->Store.GetError();
     return false;
@@ -88,9 +88,10 @@ vtkShaderProgram* ShadowLists::ReadyPlanes(
 std::string ShadowLists::GetPlanesSource(const View& view) const
 {
   // The near planes' fragments need all of the view, the others little.
-  return BoundaryStore::DefineNodes(this->Store.IsDimmed()) + "#define AIRLIGHT_PLACES_IN\n" +
-    this->Store.GetSource() + "#define AIRLIGHT_PARALLEL " + std::to_string(view.IsParallel()) +
-    "\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n" + AirlightViewShader + AirlightPlanesFS;
+  return BoundaryStore::DefineNodes(this->Store.HasShadowTransmittance()) +
+    "#define AIRLIGHT_PLACES_IN\n" + this->Store.GetSource() + "#define AIRLIGHT_PARALLEL " +
+    std::to_string(view.IsParallel()) + "\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n" +
+    AirlightViewShader + AirlightPlanesFS;
 }
 
 //------------------------------------------------------------------------------

@@ -52,8 +52,8 @@ public:
 
   // As BoundaryStore::Prepare(); with `budgeted`, Fill() gives up where all rows at once would need
   // more than MostBands times the memory limit.
-  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool dimmed, size_t edges,
-    std::uint64_t memoryLimit, bool budgeted);
+  bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool transmitsShadows,
+    size_t edges, std::uint64_t memoryLimit, bool budgeted);
   const std::string& GetError() const { return this->Error; }
 
   // Uploads a light's edges and caps; `slot` is the light's number. False with a reason in GetError()

@@ -54,7 +54,7 @@ std::string ShadowLists::GetBoundariesSource(bool sorted) const
 vtkShaderProgram* ShadowLists::ReadyLists(Quad& quad, const std::string& fragment)
 {
   vtkShaderProgram* program = quad.Ready(this->Window,
-    GetShaderVersion(true) + BoundaryStore::DefineNodes(this->Store.IsDimmed()) +
+    GetShaderVersion(true) + BoundaryStore::DefineNodes(this->Store.HasShadowTransmittance()) +
       this->Store.GetSource() + fragment);
   if (!program)
   {

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
-    AirlightDimming
-    AirlightLayerRecords
+    AirlightShadowTransmittance
+    AirlightTranslucentFragments
   GLSL
-    glsl/AirlightDimmed.glsl
-    glsl/AirlightLayers.glsl
-    glsl/AirlightLayersBefore.glsl)
+    glsl/AirlightTransmittanceBuffer.glsl
+    glsl/AirlightTranslucentLists.glsl
+    glsl/AirlightInscatterToTranslucent.glsl)

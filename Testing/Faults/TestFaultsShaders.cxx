@@ -84,7 +84,7 @@ void TestDistances()
   WindowScene scene(48, 36, 2);
   Trial trial(scene);
   Restart(scene);
-  const std::string word = "#define AIRLIGHT_ONLY_DISTANCES";
+  const std::string word = "#define AIRLIGHT_DEPTH_PRE_PASS";
   RefuseShaders(word);
   scene.Window->Render();
   trial.CheckGood("no programs for distances alone");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Distances that programs of their own draw (AirlightDistancePrograms.h) beside those of the mappers'
+ * Distances that programs of their own draw (AirlightDepthPrePassVariants.h) beside those of the mappers'
  * programs.
  */
 

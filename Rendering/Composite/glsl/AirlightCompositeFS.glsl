@@ -4,7 +4,7 @@
 
 uniform sampler2D distances;
 uniform sampler2D scene;
-#ifndef AIRLIGHT_LAYERS
+#ifndef AIRLIGHT_TRANSLUCENT
 uniform sampler2D sceneDepth;
 uniform int blended; // over what the framebuffer holds
 #if AIRLIGHT_DEBUG_VIEW == 4
@@ -115,7 +115,7 @@ void main()
   surface = vec4(place >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
   transmittance = vec4(passes, place >= 0.0 ? end : -1.0);
 #endif
-#ifndef AIRLIGHT_LAYERS
+#ifndef AIRLIGHT_TRANSLUCENT
 #if AIRLIGHT_DEBUG_VIEW == 1
   radiance = vec4(added, 1.0);
 #endif

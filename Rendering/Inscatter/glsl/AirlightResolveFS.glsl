@@ -54,8 +54,8 @@ void main()
   {
     discard;
   }
-#ifdef AIRLIGHT_LAYER_RECORDS
-#if AIRLIGHT_DIMMED
+#ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
   runStart = airlightRunStart;
 #else
   runStart = from > ray.lit.x ? from : runStart; // where a draw before this one left off
@@ -98,13 +98,13 @@ void main()
         if (airlightPasses(passing))
         {
           part = airlightInterval3(media, light, ray, from, fromTail, to, toTail);
-          sum += airlightDim(part, passing);
+          sum += airlightApplyTransmittance(part, passing);
           litLength += airlightLengthInside(media, ray.origin, ray.direction, from, to);
         }
       }
-#ifdef AIRLIGHT_LAYER_RECORDS
+#ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
       float runEnd = more ? t : AIRLIGHT_FAR;
-      addToLayers(
+      addToFragments(
         media, light, pixel, ray, passing, runStart, runEnd, from, fromTail, max(from, to), part);
       runStart = runEnd;
 #endif
@@ -114,13 +114,13 @@ void main()
     shadows = next;
     passing = nextPassing;
   }
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
   airlightRunStart = runStart;
-  if (state == AIRLIGHT_END && dimmingSlot >= 0)
+  if (state == AIRLIGHT_END && transmittanceSlot >= 0)
   {
     uvec2 kept = airlightPack(passing);
-    dimming[airlightDimmingWord(dimmingSlot, pixel)] = kept.x;
-    dimming[airlightDimmingWord(dimmingSlot, pixel) + 1u] = kept.y;
+    shadowTransmittance[airlightTransmittanceWord(transmittanceSlot, pixel)] = kept.x;
+    shadowTransmittance[airlightTransmittanceWord(transmittanceSlot, pixel) + 1u] = kept.y;
   }
 #endif
   airlightCloseBoundaries(pixel, state, from, shadows);

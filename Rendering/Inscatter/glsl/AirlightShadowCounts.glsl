@@ -1,9 +1,10 @@
 // How casters stand between a light and the points of a ray. Where all of them are opaque, that is
-// the number of shadow volumes around a point. Where some let light through (AIRLIGHT_DIMMED), it is
+// the number of shadow volumes around a point. If some let light through
+// (AIRLIGHT_SHADOW_TRANSMITTANCE), it is
 // for each channel the number of those that block it, and the optical thickness of the others in
 // units of 2^-20. All integers: what a ray has left again is gone to the last bit.
 
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
 
 struct AirlightCounts
 {
@@ -14,7 +15,7 @@ struct AirlightCounts
 
 uniform ivec3 startBlocks;
 uniform ivec3 startThickness;
-uniform int dimmingSlot; // place of this light's dimming on surfaces, -1: none is kept
+uniform int transmittanceSlot; // place of this light's dimming on surfaces, -1: none is kept
 
 // Where what passes changed last, of a ray that takes several draws.
 float airlightRunStart = -1.0;
@@ -56,7 +57,7 @@ bool airlightPassesWhole(vec3 passing)
   return passing == vec3(1.0);
 }
 
-vec3 airlightDim(vec3 radiance, vec3 passing)
+vec3 airlightApplyTransmittance(vec3 radiance, vec3 passing)
 {
   return radiance * passing;
 }
@@ -98,7 +99,7 @@ bool airlightPassesWhole(bool lit)
   return lit;
 }
 
-vec3 airlightDim(vec3 radiance, bool lit)
+vec3 airlightApplyTransmittance(vec3 radiance, bool lit)
 {
   return radiance;
 }

@@ -15,15 +15,15 @@ uniform sampler2D airlightMoreLit;
 #endif
 uniform int airlightUseLit;
 #else
-const int airlightStage = AIRLIGHT_STAGE_LAYER;
+const int airlightStage = AIRLIGHT_STAGE_TRANSLUCENT;
 #endif
 #if AIRLIGHT_HAS_PHOTOMETRY
 uniform AirlightPhotometry airlightPhotometries[AIRLIGHT_LAMPS];
 uniform int airlightGoniometric[AIRLIGHT_LAMPS]; // 1: light k shines by its table
 #endif
 
-#if AIRLIGHT_LAYER_RECORDS
-uint airlightLayer = 0u; // this fragment's record, 0: none
+#if AIRLIGHT_TRANSLUCENT_FRAGMENTS
+uint airlightTranslucent = 0u; // this fragment's record, 0: none
 #endif
 
 #if AIRLIGHT_READS_LIT
@@ -50,7 +50,7 @@ void airlightReadLit()
 
 // The share of each light that arrives; see airlightReceive().
 vec3 airlightArrived[AIRLIGHT_LAMPS];
-float airlightApart = 1.0; // of one of them; see SurfaceText::Apart
+float airlightApart = 1.0; // of one of them; see SurfaceShaderOptions::Apart
 
 // The share of light k that the medium leaves of it on its way to a point; `sun`: the light is at
 // infinity.
@@ -71,7 +71,7 @@ vec3 airlightPassed(int k, bool sun, vec3 point)
 // The same of a light with a position, `at` in VTK's coordinates. Where all media are everywhere the same its
 // distance is all that counts, which the mapper's own shading asks for, too: then nothing needs to be known
 // of the pixel's ray, whose numbers take software renderers as long as all of that shading.
-#ifdef AIRLIGHT_EVERYWHERE
+#ifdef AIRLIGHT_UNIFORM_MEDIA
 vec3 airlightPassedOver(float way)
 {
   vec3 sum = vec3(0.0);
@@ -86,34 +86,34 @@ vec3 airlightPassedOver(float way)
 #define AIRLIGHT_PASSED_FROM(k, at, point) airlightPassed(k, false, point)
 #endif
 
-#if AIRLIGHT_DIMMED
-uniform int airlightDimmingSlots[AIRLIGHT_LAMPS]; // place of light k, -1: not dimmed
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
+uniform int airlightTransmittanceSlots[AIRLIGHT_LAMPS]; // place of light k, -1: not dimmed
 
-#if AIRLIGHT_LAYER_RECORDS
+#if AIRLIGHT_TRANSLUCENT_FRAGMENTS
 // What translucent casters leave of the light in this place at a record's point.
-vec3 airlightDimmedLayer(uint layer, int slot)
+vec3 airlightTranslucentTransmittance(uint fragment, int slot)
 {
-  uint word = AIRLIGHT_LAYER_WORDS * layer + 9u + 2u * uint(slot);
-  return airlightUnpack(layers[word], layers[word + 1u]);
+  uint word = AIRLIGHT_TRANSLUCENT_WORDS * fragment + 9u + 2u * uint(slot);
+  return airlightUnpack(translucentFragments[word], translucentFragments[word + 1u]);
 }
 #endif
 
 // What translucent casters leave of light k.
-vec3 airlightDimmed(int k)
+vec3 airlightShadowTransmittance(int k)
 {
-  int slot = airlightDimmingSlots[k];
+  int slot = airlightTransmittanceSlots[k];
   if (slot < 0 || airlightUseLit == 0)
   {
     return vec3(1.0);
   }
-#if AIRLIGHT_LAYER_RECORDS
-  if (airlightStage == AIRLIGHT_STAGE_LAYER)
+#if AIRLIGHT_TRANSLUCENT_FRAGMENTS
+  if (airlightStage == AIRLIGHT_STAGE_TRANSLUCENT)
   {
-    return airlightDimmedLayer(airlightLayer, slot);
+    return airlightTranslucentTransmittance(airlightTranslucent, slot);
   }
 #endif
-  uint word = airlightDimmingWord(slot, ivec2(airlightPixel()));
-  return airlightStage == AIRLIGHT_STAGE_COLOUR ? airlightUnpack(dimming[word], dimming[word + 1u])
+  uint word = airlightTransmittanceWord(slot, ivec2(airlightPixel()));
+  return airlightStage == AIRLIGHT_STAGE_COLOUR ? airlightUnpack(shadowTransmittance[word], shadowTransmittance[word + 1u])
                                                 : vec3(1.0);
 }
 #endif
@@ -121,11 +121,11 @@ vec3 airlightDimmed(int k)
 // The share of light k that arrives, of what the medium leaves of it: none in shadow.
 vec3 airlightShare(int k, vec3 passed)
 {
-#if AIRLIGHT_LAYER_RECORDS
-  if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_LAYER && k < 4 * AIRLIGHT_BITS)
+#if AIRLIGHT_TRANSLUCENT_FRAGMENTS
+  if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_TRANSLUCENT && k < 4 * AIRLIGHT_BITS)
   {
-    uint word = AIRLIGHT_LAYER_WORDS * airlightLayer + 5u + uint(k / 32);
-    if ((layers[word] & (1u << uint(k % 32))) == 0u)
+    uint word = AIRLIGHT_TRANSLUCENT_WORDS * airlightTranslucent + 5u + uint(k / 32);
+    if ((translucentFragments[word] & (1u << uint(k % 32))) == 0u)
     {
       return vec3(0.0);
     }
@@ -140,8 +140,8 @@ vec3 airlightShare(int k, vec3 passed)
     }
   }
 #endif
-#if AIRLIGHT_DIMMED
-  passed *= airlightDimmed(k);
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
+  passed *= airlightShadowTransmittance(k);
 #endif
   return passed;
 }
@@ -154,10 +154,10 @@ void airlightReceive()
 #if AIRLIGHT_READS_LIT
   airlightReadLit();
 #endif
-#ifdef AIRLIGHT_EACH_LAMP
-  AIRLIGHT_EACH_LAMP(point)
+#ifdef AIRLIGHT_EACH_LIGHT
+  AIRLIGHT_EACH_LIGHT(point)
 #else
-  bool shades = airlightStage == AIRLIGHT_STAGE_COLOUR || airlightStage == AIRLIGHT_STAGE_LAYER;
+  bool shades = airlightStage == AIRLIGHT_STAGE_COLOUR || airlightStage == AIRLIGHT_STAGE_TRANSLUCENT;
   int count = shades ? airlightLampCount : 0;
   for (int k = 0; k < count; k++)
   {

@@ -9,7 +9,7 @@ uniform mat3 airlightNormalToWorld; // from view coordinates
 // gives; `normal` in view coordinates, on the viewer's side.
 vec3 airlightGlowColour(vec3 normal)
 {
-  if (airlightStage != AIRLIGHT_STAGE_COLOUR && airlightStage != AIRLIGHT_STAGE_LAYER)
+  if (airlightStage != AIRLIGHT_STAGE_COLOUR && airlightStage != AIRLIGHT_STAGE_TRANSLUCENT)
   {
     return vec3(0.0);
   }

@@ -10,7 +10,7 @@ uniform int airlightAdditive;     // 1: for fragments that are added to what is 
 
 vec3 airlightThrough(vec3 colour)
 {
-  if (airlightStage != AIRLIGHT_STAGE_LAYER)
+  if (airlightStage != AIRLIGHT_STAGE_TRANSLUCENT)
   {
     return colour;
   }
@@ -26,6 +26,6 @@ vec3 airlightThrough(vec3 colour)
   float t = airlightFragmentDistance();
   vec3 passes = exp(-airlightDepth(airlightMedia, origin, direction, t));
   return airlightAdditive != 0 ? colour * passes
-                               : colour * passes + airlightBefore(origin, direction, t);
+                               : colour * passes + airlightInscatterToFragment(origin, direction, t);
 #endif
 }

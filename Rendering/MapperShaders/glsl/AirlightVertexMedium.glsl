@@ -15,5 +15,5 @@ void airlightAtVertex(vec3 point)
   // In a perspective nothing but rounding is left of it.
   vec3 origin = airlightParallel != 0 ? point - t * direction : vec3(0.0);
   airlightPassesVSOutput = exp(-airlightDepth(airlightMedia, origin, direction, t));
-  airlightAddedVSOutput = airlightBefore(origin, direction, t);
+  airlightAddedVSOutput = airlightInscatterToFragment(origin, direction, t);
 }

@@ -21,8 +21,8 @@ vec3 airlightNodeAir[AIRLIGHT_NODES];
 vec3 airlightNodeAirSlope[AIRLIGHT_NODES]; // a step
 vec3 airlightNodeDepth[AIRLIGHT_NODES];
 vec3 airlightNodeDepthSlope[AIRLIGHT_NODES];
-#if AIRLIGHT_LAYER_RECORDS
-uint airlightNodeLayer[AIRLIGHT_NODES]; // records, 0: none
+#if AIRLIGHT_TRANSLUCENT_FRAGMENTS
+uint airlightNodeTranslucent[AIRLIGHT_NODES]; // records, 0: none
 
 // As many pixels as the viewport has, where VTK draws volumes in lower resolution, too.
 ivec2 airlightVolumePixel()
@@ -35,25 +35,25 @@ ivec2 airlightVolumePixel()
 void airlightCollectNodes()
 {
   uint count = uint(airlightNodeCount);
-  uint first = airlightNewLayers(count);
-  if (first + count > uint(airlightLayerCapacity))
+  uint first = airlightAddTranslucent(count);
+  if (first + count > uint(airlightTranslucentCapacity))
   {
     return;
   }
-  uint next = atomicExchange(layerHeads[airlightLayerHead(airlightVolumePixel())], first);
+  uint next = atomicExchange(translucentHeads[airlightTranslucentHead(airlightVolumePixel())], first);
   for (uint k = 0u; k < count; k++)
   {
-    uint word = AIRLIGHT_LAYER_WORDS * (first + k);
-    layers[word] = k + 1u < count ? first + k + 1u : next;
-    layers[word + 1u] = floatBitsToUint(airlightFirstNode + float(k) * airlightNodeStep);
-    for (uint i = 2u; i < AIRLIGHT_LAYER_WORDS; i++)
+    uint word = AIRLIGHT_TRANSLUCENT_WORDS * (first + k);
+    translucentFragments[word] = k + 1u < count ? first + k + 1u : next;
+    translucentFragments[word + 1u] = floatBitsToUint(airlightFirstNode + float(k) * airlightNodeStep);
+    for (uint i = 2u; i < AIRLIGHT_TRANSLUCENT_WORDS; i++)
     {
-      layers[word + i] = 0u;
+      translucentFragments[word + i] = 0u;
     }
-#if AIRLIGHT_DIMMED
-    if (AIRLIGHT_LAYER_WORDS > 8u)
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
+    if (AIRLIGHT_TRANSLUCENT_WORDS > 8u)
     {
-      layers[word + 8u] = layers[word + 1u];
+      translucentFragments[word + 8u] = translucentFragments[word + 1u];
     }
 #endif
   }
@@ -65,36 +65,36 @@ void airlightFindNodes()
   float nearest[AIRLIGHT_NODES];
   for (int i = 0; i < airlightNodeCount; i++)
   {
-    airlightNodeLayer[i] = 0u;
+    airlightNodeTranslucent[i] = 0u;
     nearest[i] = 0.5;
   }
-  uint layer = layerHeads[airlightLayerHead(airlightVolumePixel())];
-  for (int guard = 0; layer != 0u && guard < airlightLayerCapacity; guard++)
+  uint fragment = translucentHeads[airlightTranslucentHead(airlightVolumePixel())];
+  for (int guard = 0; fragment != 0u && guard < airlightTranslucentCapacity; guard++)
   {
-    float place = (airlightLayerDistance(layer) - airlightFirstNode) / airlightNodeStep;
+    float place = (airlightTranslucentDistance(fragment) - airlightFirstNode) / airlightNodeStep;
     int i = int(clamp(floor(place + 0.5), 0.0, float(airlightNodeCount - 1)));
     float apart = abs(place - float(i));
     if (apart < nearest[i])
     {
-      airlightNodeLayer[i] = layer;
+      airlightNodeTranslucent[i] = fragment;
       nearest[i] = apart;
     }
-    layer = layers[AIRLIGHT_LAYER_WORDS * layer];
+    fragment = translucentFragments[AIRLIGHT_TRANSLUCENT_WORDS * fragment];
   }
 }
 #endif
 
 // What the medium scatters into the ray before node i.
-vec3 airlightBeforeNode(int i, float t)
+vec3 airlightInscatterToNode(int i, float t)
 {
-#if AIRLIGHT_LAYER_RECORDS
-  airlightLayer = airlightNodeLayer[i];
-  if (airlightLayer == 0u)
+#if AIRLIGHT_TRANSLUCENT_FRAGMENTS
+  airlightTranslucent = airlightNodeTranslucent[i];
+  if (airlightTranslucent == 0u)
   {
     return airlightAmbient(airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t);
   }
 #endif
-  return airlightBefore(airlightVolumeOrigin, airlightVolumeAlong, t);
+  return airlightInscatterToFragment(airlightVolumeOrigin, airlightVolumeAlong, t);
 }
 
 // The slope at a node between two that rise, so that the cubics between them do.
@@ -113,7 +113,7 @@ void airlightFillNodes()
   for (int i = 0; i < airlightNodeCount; i++)
   {
     float t = airlightFirstNode + float(i) * airlightNodeStep;
-    airlightNodeAir[i] = airlightBeforeNode(i, t);
+    airlightNodeAir[i] = airlightInscatterToNode(i, t);
     airlightNodeDepth[i] =
       airlightDepth(airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t);
   }
@@ -178,12 +178,12 @@ void airlightStartVolume()
   {
     airlightArrived[k] = vec3(1.0);
   }
-  if (airlightStage != AIRLIGHT_STAGE_LAYER && airlightStage != AIRLIGHT_STAGE_COLLECT)
+  if (airlightStage != AIRLIGHT_STAGE_TRANSLUCENT && airlightStage != AIRLIGHT_STAGE_COLLECT)
   {
     return;
   }
   airlightFindSpan();
-#if AIRLIGHT_LAYER_RECORDS
+#if AIRLIGHT_TRANSLUCENT_FRAGMENTS
   if (airlightStage == AIRLIGHT_STAGE_COLLECT)
   {
     airlightCollectNodes();
@@ -210,20 +210,20 @@ int airlightSampleNode(float t, out float share)
   return i;
 }
 
-#if AIRLIGHT_LAYER_RECORDS
+#if AIRLIGHT_TRANSLUCENT_FRAGMENTS
 // What casters leave of light k at node i.
 vec3 airlightNodeLight(int i, int k)
 {
-  if (airlightNodeLayer[i] == 0u)
+  if (airlightNodeTranslucent[i] == 0u)
   {
     return vec3(1.0);
   }
-  uint word = AIRLIGHT_LAYER_WORDS * airlightNodeLayer[i] + 5u + uint(k / 32);
-  vec3 light = vec3((layers[word] & (1u << uint(k % 32))) != 0u ? 1.0 : 0.0);
-#if AIRLIGHT_DIMMED
-  if (airlightDimmingSlots[k] >= 0)
+  uint word = AIRLIGHT_TRANSLUCENT_WORDS * airlightNodeTranslucent[i] + 5u + uint(k / 32);
+  vec3 light = vec3((translucentFragments[word] & (1u << uint(k % 32))) != 0u ? 1.0 : 0.0);
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
+  if (airlightTransmittanceSlots[k] >= 0)
   {
-    light *= airlightDimmedLayer(airlightNodeLayer[i], airlightDimmingSlots[k]);
+    light *= airlightTranslucentTransmittance(airlightNodeTranslucent[i], airlightTransmittanceSlots[k]);
   }
 #endif
   return light;
@@ -233,7 +233,7 @@ vec3 airlightNodeLight(int i, int k)
 // What arrives of each light at the sample. The edges of shadows are as wide as nodes are apart.
 void airlightReceiveSample()
 {
-  if (airlightStage != AIRLIGHT_STAGE_LAYER)
+  if (airlightStage != AIRLIGHT_STAGE_TRANSLUCENT)
   {
     return;
   }
@@ -245,7 +245,7 @@ void airlightReceiveSample()
   {
     float kind = airlightLamps[k].w;
     airlightArrived[k] = kind < 0.0 ? vec3(1.0) : airlightPassed(k, kind == 0.0, point);
-#if AIRLIGHT_LAYER_RECORDS
+#if AIRLIGHT_TRANSLUCENT_FRAGMENTS
     if (airlightUseLit != 0 && airlightLamps[k].w >= 0.0 && k < 4 * AIRLIGHT_BITS)
     {
       airlightArrived[k] *= mix(airlightNodeLight(i, k), airlightNodeLight(i + 1, k), share);
@@ -263,7 +263,7 @@ vec3 airlightCubic(vec3 a, vec3 aSlope, vec3 b, vec3 bSlope, float x)
 // A sample's colour, times its opacity, behind the medium before it.
 vec4 airlightThroughVolume(vec4 colour)
 {
-  if (airlightStage != AIRLIGHT_STAGE_LAYER || colour.a <= 0.0)
+  if (airlightStage != AIRLIGHT_STAGE_TRANSLUCENT || colour.a <= 0.0)
   {
     return colour;
   }

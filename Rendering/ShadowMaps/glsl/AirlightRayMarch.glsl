@@ -26,7 +26,7 @@ vec3 airlightMarched(
   litLength = 0.0;
   boundaries = 0;
   lit = true;
-#ifdef AIRLIGHT_LAYER_RECORDS
+#ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
   float marched = airlightMarchDistance(march, airlightMarchStep(march, 0)); // up to where
 #endif
   for (int step = 0; step < marchSteps && march.to > march.from; step++)
@@ -38,7 +38,7 @@ vec3 airlightMarched(
     bool wasLit = lit;
     lit = airlightIsLit(march.ray.origin + t * march.ray.direction);
     boundaries += step > 0 && lit != wasLit ? 1 : 0;
-#ifdef AIRLIGHT_LAYER_RECORDS
+#ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
     vec3 before = sum;
     marched = airlightMarchDistance(march, b);
 #endif
@@ -48,13 +48,13 @@ vec3 airlightMarched(
       litLength += airlightLengthInside(media, ray.origin, ray.direction,
         airlightMarchDistance(march, a), airlightMarchDistance(march, b));
     }
-#ifdef AIRLIGHT_LAYER_RECORDS
-    addStepToLayers(ivec2(airlightPixel()), airlightMarchDistance(march, a), marched,
+#ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
+    addStepToFragments(ivec2(airlightPixel()), airlightMarchDistance(march, a), marched,
       light.intensity * before, light.intensity * (sum - before));
 #endif
   }
-#ifdef AIRLIGHT_LAYER_RECORDS
-  finishLayers(ivec2(airlightPixel()), ray, marched, light.intensity * sum);
+#ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
+  finishFragments(ivec2(airlightPixel()), ray, marched, light.intensity * sum);
 #endif
   lit = surface < 0.0 || airlightIsSurfaceLit(ray.origin + surface * ray.direction);
   return light.intensity * sum;

@@ -6,7 +6,7 @@
 //
 // A boundary has AIRLIGHT_NODE_WORDS: distance on the unit of airlightDirection(), weight, index of the
 // next. Where there are slots, the first word is as that of a slot, and the second for who reads it. With
-// AIRLIGHT_DIMMED the weight is eight times the number of layers and a bit for each channel that they
+// AIRLIGHT_SHADOW_TRANSMITTANCE the weight is eight times the number of layers and a bit for each channel that they
 // block, and the optical thickness of the layers follows.
 
 layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
@@ -42,7 +42,7 @@ AirlightCounts airlightWeight(uint node)
   return airlightKeyWeight(nodes[AIRLIGHT_NODE_WORDS * node]);
 #else
   int weight = int(nodes[AIRLIGHT_NODE_WORDS * node + 1u]);
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
   uint word = AIRLIGHT_NODE_WORDS * node + 3u;
   return AirlightCounts((weight >> 3) * ivec3(weight & 1, (weight >> 1) & 1, (weight >> 2) & 1),
     ivec3(int(nodes[word]), int(nodes[word + 1u]), int(nodes[word + 2u])));
@@ -60,7 +60,7 @@ uint boundaryNode;
 uint boundaryLast;
 int boundariesLeft;
 
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
 
 uint boundaryBefore; // the last but one
 
@@ -136,7 +136,7 @@ int airlightNextBoundary(out float t, out AirlightCounts weight)
     return last ? AIRLIGHT_END : AIRLIGHT_PAUSE;
   }
   boundariesLeft--;
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
   boundaryBefore = boundaryLast;
 #endif
   boundaryLast = boundaryNode;
@@ -146,7 +146,7 @@ int airlightNextBoundary(out float t, out AirlightCounts weight)
 
 void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts shadows)
 {
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
   uint paused = boundaryBefore;
 #else
   uint paused = boundaryLast;
@@ -180,7 +180,7 @@ void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts 
 
 float listT[AIRLIGHT_SHORT_LIST];
 int listWeight[AIRLIGHT_SHORT_LIST];
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
 uint listNode[AIRLIGHT_SHORT_LIST];
 #endif
 int listSize;
@@ -206,13 +206,13 @@ bool airlightOpenBoundaries(
       {
         listT[k] = listT[k - 1];
         listWeight[k] = listWeight[k - 1];
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
         listNode[k] = listNode[k - 1];
 #endif
       }
       listT[k] = t;
       listWeight[k] = weight;
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
       listNode[k] = node;
 #endif
       listSize++;
@@ -231,7 +231,7 @@ int airlightNextBoundary(out float t, out AirlightCounts weight)
 {
   int k = min(listNext, AIRLIGHT_SHORT_LIST - 1);
   t = boundaryUnit * listT[k];
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
   weight = airlightWeight(listNode[k]);
 #else
   weight = listWeight[k];

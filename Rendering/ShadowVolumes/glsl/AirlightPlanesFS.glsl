@@ -12,7 +12,7 @@ layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
   uint nodes[];
 };
 
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
 // By kind of caster: the thickness of a layer, and a bit for each channel that it blocks.
 layout(std430, binding = AIRLIGHT_BINDING_CASTER_THICKNESS) readonly buffer AirlightShadowLayers
 {
@@ -85,7 +85,7 @@ void addBoundary(ivec2 pixel, float t, int weight)
     nodes[word] = key;
 #else
     nodes[word] = floatBitsToUint(t);
-#if AIRLIGHT_DIMMED
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
     ivec4 layer = shadowLayers[planeLayer];
     nodes[word + 1u] = uint(8 * weight + layer.w);
     for (uint i = 0u; i < 3u; i++)

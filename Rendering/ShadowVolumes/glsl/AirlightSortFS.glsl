@@ -12,7 +12,7 @@ layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
 uniform uint run;
 
 // By distance; at one distance entries before exits.
-bool airlightBefore(uint a, uint b)
+bool airlightInscatterToFragment(uint a, uint b)
 {
 #if AIRLIGHT_SLOTS > 0
   return nodes[AIRLIGHT_NODE_WORDS * a] <= nodes[AIRLIGHT_NODE_WORDS * b];
@@ -46,7 +46,7 @@ void main()
     while (leftSize > 0u || (rightSize > 0u && right != 0u))
     {
       bool takeLeft = leftSize > 0u &&
-        (rightSize == 0u || right == 0u || airlightBefore(left, right));
+        (rightSize == 0u || right == 0u || airlightInscatterToFragment(left, right));
       uint taken = takeLeft ? left : right;
       if (takeLeft)
       {

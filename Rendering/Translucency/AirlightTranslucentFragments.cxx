@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Translucency/AirlightLayerRecords.h"
+#include "Translucency/AirlightTranslucentFragments.h"
 
 #include "OpenGL/AirlightStorageBinding.h"
 
@@ -23,7 +23,7 @@ std::string NoMemory(const std::string& what)
 }
 
 //------------------------------------------------------------------------------
-bool LayerRecords::Reserve(std::uint32_t records)
+bool TranslucentFragments::Reserve(std::uint32_t records)
 {
   const bool ok = AllocateStorageBlock(
     this->Records, static_cast<GLsizeiptr>(records) * this->Words * 4, nullptr, GL_DYNAMIC_COPY);
@@ -33,7 +33,7 @@ bool LayerRecords::Reserve(std::uint32_t records)
 }
 
 //------------------------------------------------------------------------------
-void LayerRecords::Clear()
+void TranslucentFragments::Clear()
 {
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
   glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
@@ -43,7 +43,7 @@ void LayerRecords::Clear()
 }
 
 //------------------------------------------------------------------------------
-bool LayerRecords::Prepare(int width, int height, int words)
+bool TranslucentFragments::Prepare(int width, int height, int words)
 {
   if (this->Records == 0)
   {
@@ -78,17 +78,17 @@ bool LayerRecords::Prepare(int width, int height, int words)
 }
 
 //------------------------------------------------------------------------------
-void LayerRecords::Use(vtkShaderProgram* program) const
+void TranslucentFragments::Use(vtkShaderProgram* program) const
 {
-  program->SetUniformi("airlightLayerWidth", this->Width);
-  program->SetUniformi("airlightLayerWords", this->Words);
-  program->SetUniformi("airlightLayerCapacity", static_cast<int>(this->Capacity));
+  program->SetUniformi("airlightTranslucentWidth", this->Width);
+  program->SetUniformi("airlightTranslucentWords", this->Words);
+  program->SetUniformi("airlightTranslucentCapacity", static_cast<int>(this->Capacity));
   BindStorage(StorageBinding::TranslucentFragments, this->Records);
   BindStorage(StorageBinding::TranslucentHeads, this->Heads);
 }
 
 //------------------------------------------------------------------------------
-LayerRecords::Outcome LayerRecords::Check()
+TranslucentFragments::Outcome TranslucentFragments::Check()
 {
   GLuint count = 0;
   // No test fails without it, see AirlightOpenGL.h.
@@ -115,7 +115,7 @@ LayerRecords::Outcome LayerRecords::Check()
 }
 
 //------------------------------------------------------------------------------
-void LayerRecords::Release()
+void TranslucentFragments::Release()
 {
   DeleteBuffer(this->Records);
   DeleteBuffer(this->Heads);

@@ -5,8 +5,8 @@
  * renderer would otherwise run for each kind of light there could be.
  */
 
-#ifndef AirlightKnownLamps_h
-#define AirlightKnownLamps_h
+#ifndef AirlightLightSpecialization_h
+#define AirlightLightSpecialization_h
 
 #include "Scene/AirlightLamps.h"
 
@@ -17,13 +17,13 @@
 namespace airlight
 {
 // So many lamps have lines of their own in the shaders; more share a loop.
-constexpr size_t MaximumOwnLines = 4;
+constexpr size_t MaximumUnrolledLights = 4;
 
 // Of so many the shaders know the types. Of sixteen, Mesa's compiler takes twice as long for what is then
 // shorter.
-constexpr size_t MaximumKnownLamps = 8;
+constexpr size_t MaximumSpecializedLights = 8;
 
-struct KnownLamp
+struct LightSpecialization
 {
   bool Scatters = true;     // else as VTK shades it: without power, or refused
   bool Sun = false;         // at infinity, for the medium
@@ -33,17 +33,18 @@ struct KnownLamp
   bool Spot = false;
   bool InverseSquare = false; // fades with the distance's square and nothing else
 };
-bool operator==(const KnownLamp& a, const KnownLamp& b);
+bool operator==(const LightSpecialization& a, const LightSpecialization& b);
 
 // Each lamp; none where there are too many.
-std::vector<KnownLamp> FindKnownLamps(const std::vector<Lamp>& lamps);
+std::vector<LightSpecialization> SpecializeLights(const std::vector<Lamp>& lamps);
 
 // The macro with a line for each lamp, for AirlightSurface.glsl; empty where there is none. `apart`:
-// SurfaceText::Apart.
-std::string DefineLamps(const std::vector<KnownLamp>& known, int apart);
+// SurfaceShaderOptions::Apart.
+std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int apart);
 
-// VTK's lines in which uniforms are asked for lights' types, with what is known in their place.
-std::string TellTypes(const std::string& body, const std::vector<KnownLamp>& known);
+// VTK's lines in which uniforms are asked for lights' types, with what is lights in their place.
+std::string SpecializeLightTypes(
+  const std::string& body, const std::vector<LightSpecialization>& lights);
 }
 
 #endif

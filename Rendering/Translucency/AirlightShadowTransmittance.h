@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What translucent casters leave of each light on the opaque surface of each pixel, as the shaders
- * keep it (glsl/AirlightDimmed.glsl): each light's resolve writes it, the mappers' fragments read it.
+ * keep it (glsl/AirlightTransmittanceBuffer.glsl): each light's resolve writes it, the mappers' fragments read it.
  *
  * Memory: 8 bytes a pixel and light.
  */
 
-#ifndef AirlightDimming_h
-#define AirlightDimming_h
+#ifndef AirlightShadowTransmittance_h
+#define AirlightShadowTransmittance_h
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ class vtkShaderProgram;
 
 namespace airlight
 {
-class Dimming
+class ShadowTransmittance
 {
 public:
   // Room for this viewport and these lights: the place of light k, -1 for one that is not dimmed. False
@@ -28,7 +28,7 @@ public:
   int GetSlot(int light) const { return this->Slots[light]; }
   int GetSlotCount() const { return this->SlotCount; }
 
-  // For a program with the source AirlightDimmed: binds the buffer and sets its size.
+  // For a program with the source AirlightTransmittanceBuffer: binds the buffer and sets its size.
   void Use(vtkShaderProgram* program) const;
   // The same for a mapper's program, with the lights' places; for one without that source nothing.
   void UseInMapper(vtkShaderProgram* program) const;

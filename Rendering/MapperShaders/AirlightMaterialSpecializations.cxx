@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MapperShaders/AirlightKnownMaterials.h"
+#include "MapperShaders/AirlightMaterialSpecializations.h"
 
 #include "Scene/AirlightClassNames.h"
 
@@ -26,11 +26,11 @@ bool TakesIntensities(vtkMapper* mapper)
 }
 
 // Edges, vertices and what is selected are drawn with other numbers.
-KnownMaterial Find(vtkActor* actor)
+MaterialSpecialization Find(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   vtkMapper* mapper = actor->GetMapper();
-  KnownMaterial known;
+  MaterialSpecialization known;
   if (!TakesIntensities(mapper) || mapper->GetSelection() ||
     property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
     property->GetVertexVisibility())
@@ -44,13 +44,13 @@ KnownMaterial Find(vtkActor* actor)
   return known;
 }
 
-KnownMaterial Both(const KnownMaterial& a, const KnownMaterial& b)
+MaterialSpecialization Both(const MaterialSpecialization& a, const MaterialSpecialization& b)
 {
   return { a.NoAmbient && b.NoAmbient, a.WholeDiffuse && b.WholeDiffuse,
     a.NoSpecular && b.NoSpecular, a.Opaque && b.Opaque };
 }
 
-bool AreSame(const KnownMaterial& a, const KnownMaterial& b)
+bool AreSame(const MaterialSpecialization& a, const MaterialSpecialization& b)
 {
   return a.NoAmbient == b.NoAmbient && a.WholeDiffuse == b.WholeDiffuse &&
     a.NoSpecular == b.NoSpecular && a.Opaque == b.Opaque;
@@ -69,30 +69,30 @@ void MakeConstant(std::string& shader, const std::string& uniform, const std::st
 }
 
 //------------------------------------------------------------------------------
-void KnownMaterials::Meet(vtkActor* actor)
+void MaterialSpecializations::AddActor(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
   if (!mapper)
   {
     return;
   }
-  const KnownMaterial known = Find(actor);
+  const MaterialSpecialization known = Find(actor);
   Entry& entry = this->Entries[mapper];
-  const bool newer = actor->GetProperty()->GetMTime() > entry.ToldTime;
-  entry.Now = entry.Met ? Both(entry.Now, known) : known;
-  entry.Newer = newer && (entry.Newer || !entry.Met);
-  entry.Met = true;
+  const bool newer = actor->GetProperty()->GetMTime() > entry.CompileTime;
+  entry.Current = entry.Drawn ? Both(entry.Current, known) : known;
+  entry.AllNewer = newer && (entry.AllNewer || !entry.Drawn);
+  entry.Drawn = true;
 }
 
 //------------------------------------------------------------------------------
-void KnownMaterials::MeetAll(vtkProp** props, int count)
+void MaterialSpecializations::AddActors(vtkProp** props, int count)
 {
   vtkNew<vtkPropCollection> parts;
   for (int i = 0; i < count; ++i)
   {
     if (auto* actor = vtkActor::SafeDownCast(props[i]))
     {
-      this->Meet(actor);
+      this->AddActor(actor);
     }
     else
     {
@@ -105,7 +105,7 @@ void KnownMaterials::MeetAll(vtkProp** props, int count)
   {
     if (auto* actor = vtkActor::SafeDownCast(part))
     {
-      this->Meet(actor);
+      this->AddActor(actor);
     }
   }
 }
@@ -113,44 +113,45 @@ void KnownMaterials::MeetAll(vtkProp** props, int count)
 //------------------------------------------------------------------------------
 // All shaders are made anew where they are drawn next, and those of mappers that this frame does not draw
 // know nothing until then.
-void KnownMaterials::Forget()
+void MaterialSpecializations::Invalidate()
 {
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
   {
-    it->second.ToldTime = 0;
-    it = it->second.Met ? std::next(it) : this->Entries.erase(it);
+    it->second.CompileTime = 0;
+    it = it->second.Drawn ? std::next(it) : this->Entries.erase(it);
   }
 }
 
 //------------------------------------------------------------------------------
-bool KnownMaterials::Update(vtkProp** props, int count, bool known)
+bool MaterialSpecializations::Update(vtkProp** props, int count, bool known)
 {
   for (auto& entry : this->Entries)
   {
-    entry.second.Met = false;
+    entry.second.Drawn = false;
   }
   if (known)
   {
-    this->MeetAll(props, count);
+    this->AddActors(props, count);
   }
   const auto isOld = [](const auto& item) {
     const Entry& entry = item.second;
-    return entry.Met && entry.ToldTime > 0 && !entry.Newer && !AreSame(entry.Told, entry.Now);
+    return entry.Drawn && entry.CompileTime > 0 && !entry.AllNewer &&
+      !AreSame(entry.Compiled, entry.Current);
   };
   constexpr size_t few = 100; // that are not drawn any more
   const bool many = this->Entries.size() > 2 * static_cast<size_t>(count) + few;
-  const bool old =
-    known != this->Known || many || std::any_of(this->Entries.begin(), this->Entries.end(), isOld);
-  this->Known = known;
+  const bool old = known != this->AllKnown || many ||
+    std::any_of(this->Entries.begin(), this->Entries.end(), isOld);
+  this->AllKnown = known;
   if (old)
   {
-    this->Forget();
+    this->Invalidate();
   }
   return old;
 }
 
 //------------------------------------------------------------------------------
-void KnownMaterials::Tell(std::string& fragmentShader, vtkProp* prop)
+void MaterialSpecializations::Specialize(std::string& fragmentShader, vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   const auto found = actor ? this->Entries.find(actor->GetMapper()) : this->Entries.end();
@@ -161,17 +162,17 @@ void KnownMaterials::Tell(std::string& fragmentShader, vtkProp* prop)
   Entry& entry = found->second;
   vtkTimeStamp now;
   now.Modified();
-  entry.Told = entry.Now;
-  entry.ToldTime = now.GetMTime();
-  const auto tell = [&](bool known, const char* uniform, const char* value) {
+  entry.Compiled = entry.Current;
+  entry.CompileTime = now.GetMTime();
+  const auto specialize = [&](bool known, const char* uniform, const char* value) {
     if (known)
     {
       MakeConstant(fragmentShader, uniform, value);
     }
   };
-  tell(entry.Told.NoAmbient, "ambientIntensity", "0.0");
-  tell(entry.Told.WholeDiffuse, "diffuseIntensity", "1.0");
-  tell(entry.Told.NoSpecular, "specularIntensity", "0.0");
-  tell(entry.Told.Opaque, "opacityUniform", "1.0");
+  specialize(entry.Compiled.NoAmbient, "ambientIntensity", "0.0");
+  specialize(entry.Compiled.WholeDiffuse, "diffuseIntensity", "1.0");
+  specialize(entry.Compiled.NoSpecular, "specularIntensity", "0.0");
+  specialize(entry.Compiled.Opaque, "opacityUniform", "1.0");
 }
 }

@@ -5,13 +5,13 @@
  *
  * In the stage of distances a mapper's program ends before it shades, by a branch. Renderers that run
  * both sides of every branch (Mesa's on processors) shade all the same, and graphics cards set aside
- * the registers for it. So what is about to be drawn gets a twin: the same shaders without what comes
- * after that branch (AIRLIGHT_ONLY_DISTANCES), attributes at the same places, and the same values of
+ * the registers for it. So what is about to be drawn gets a variant: the same shaders without what comes
+ * after that branch (AIRLIGHT_DEPTH_PRE_PASS), attributes at the same places, and the same values of
  * uniforms. Making the mapper's shaders anew for each stage, as VTK can, takes longer than it saves.
  */
 
-#ifndef AirlightDistancePrograms_h
-#define AirlightDistancePrograms_h
+#ifndef AirlightDepthPrePassVariants_h
+#define AirlightDepthPrePassVariants_h
 
 #include "vtkAbstractMapper.h"
 #include "vtkCallbackCommand.h"
@@ -30,25 +30,25 @@ namespace airlight
 // From a place in a program to one in the current program.
 using CopyUniform = void (*)(unsigned int program, int from, int to);
 
-class DistancePrograms
+class DepthPrePassVariants
 {
 public:
   // In the stage of distances, when a mapper asks for its uniforms: what it draws from now on, until
-  // Unwatch(), is drawn by its program's twin, if it has one.
-  void Watch(vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper);
-  void Unwatch();
+  // StopObserving(), is drawn by its program's variant, if it has one.
+  void Observe(vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper);
+  void StopObserving();
 
-  void Release() { this->Twins.clear(); }
+  void Release() { this->Variants.clear(); }
 
 private:
   // One element of what both programs know.
   struct Uniform
   {
     int From; // location in the mapper's program
-    int To;   // in the twin
+    int To;   // in the variant
     CopyUniform Copy;
   };
-  struct Twin
+  struct Variant
   {
     vtkWeakPointer<vtkShaderProgram> Original;
     int OriginalHandle = 0;
@@ -58,15 +58,15 @@ private:
   };
 
   void Use(vtkShaderProgram* program);
-  static bool IsCurrent(const Twin& twin);
-  static Twin Make(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  static bool Link(Twin& twin);
-  static bool FindUniforms(Twin& twin);
+  static bool IsCurrent(const Variant& variant);
+  static Variant Make(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
+  static bool Link(Variant& variant);
+  static bool FindUniforms(Variant& variant);
 
-  std::map<vtkShaderProgram*, Twin> Twins;
-  std::map<vtkSmartPointer<vtkAbstractMapper>, unsigned long> Watched; // and the observers
+  std::map<vtkShaderProgram*, Variant> Variants;
+  std::map<vtkSmartPointer<vtkAbstractMapper>, unsigned long> Observed; // and the observers
   vtkNew<vtkCallbackCommand> Command;
-  vtkOpenGLRenderWindow* Window = nullptr; // while mappers are watched
+  vtkOpenGLRenderWindow* Window = nullptr; // while mappers are observed
 };
 }
 

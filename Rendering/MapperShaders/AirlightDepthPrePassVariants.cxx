@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MapperShaders/AirlightDistancePrograms.h"
+#include "MapperShaders/AirlightDepthPrePassVariants.h"
 
 #include "OpenGL/AirlightOpenGL.h"
 #include "Scene/AirlightClassNames.h"
@@ -25,9 +25,9 @@ constexpr GLuint MostOutputs = 8;
 std::string CutShading(const std::string& source)
 {
   const size_t line = source.find('\n');
-  return line == std::string::npos || source.find("AIRLIGHT_ONLY_DISTANCES") == std::string::npos
+  return line == std::string::npos || source.find("AIRLIGHT_DEPTH_PRE_PASS") == std::string::npos
     ? std::string()
-    : source.substr(0, line + 1) + "#define AIRLIGHT_ONLY_DISTANCES\n" + source.substr(line + 1);
+    : source.substr(0, line + 1) + "#define AIRLIGHT_DEPTH_PRE_PASS\n" + source.substr(line + 1);
 }
 
 // Whether a mapper draws with one program between one update of its uniforms and the next. Others, as
@@ -125,66 +125,66 @@ CopyUniform FindCopy(GLenum type)
 //------------------------------------------------------------------------------
 // The mapper's event is the last before it draws; the observers of others, who may set uniforms, come
 // before this one.
-void DistancePrograms::Watch(vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper)
+void DepthPrePassVariants::Observe(vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper)
 {
-  if (!DrawsAtOnce(mapper) || this->Watched.count(mapper) > 0)
+  if (!DrawsAtOnce(mapper) || this->Observed.count(mapper) > 0)
   {
     return;
   }
   this->Window = window;
   this->Command->SetClientData(this);
   this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* program) {
-    static_cast<DistancePrograms*>(self)->Use(static_cast<vtkShaderProgram*>(program));
+    static_cast<DepthPrePassVariants*>(self)->Use(static_cast<vtkShaderProgram*>(program));
   });
   constexpr float last = -1000.0f;
-  this->Watched[mapper] = mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Command, last);
+  this->Observed[mapper] = mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Command, last);
 }
 
 //------------------------------------------------------------------------------
-void DistancePrograms::Unwatch()
+void DepthPrePassVariants::StopObserving()
 {
-  for (const auto& watched : this->Watched)
+  for (const auto& observed : this->Observed)
   {
-    watched.first->RemoveObserver(watched.second);
+    observed.first->RemoveObserver(observed.second);
   }
-  this->Watched.clear();
+  this->Observed.clear();
 }
 
 //------------------------------------------------------------------------------
 // Programs are deleted, and made again at the same place, when the window's resources are.
-bool DistancePrograms::IsCurrent(const Twin& twin)
+bool DepthPrePassVariants::IsCurrent(const Variant& variant)
 {
-  return twin.Original && twin.Original->GetHandle() == twin.OriginalHandle &&
-    (twin.Handle == 0 || (twin.Program && twin.Program->GetHandle() == twin.Handle));
+  return variant.Original && variant.Original->GetHandle() == variant.OriginalHandle &&
+    (variant.Handle == 0 || (variant.Program && variant.Program->GetHandle() == variant.Handle));
 }
 
 //------------------------------------------------------------------------------
-void DistancePrograms::Use(vtkShaderProgram* program)
+void DepthPrePassVariants::Use(vtkShaderProgram* program)
 {
-  Twin& twin = this->Twins[program];
-  if (!IsCurrent(twin))
+  Variant& variant = this->Variants[program];
+  if (!IsCurrent(variant))
   {
-    twin = Make(this->Window, program);
+    variant = Make(this->Window, program);
   }
   vtkOpenGLShaderCache* cache = this->Window->GetShaderCache();
-  if (!twin.Program)
+  if (!variant.Program)
   {
     cache->ReadyShaderProgram(program);
     return;
   }
   // The cache is to know what is bound: the mapper's next update binds its own again.
-  cache->ReadyShaderProgram(twin.Program);
-  for (const Uniform& uniform : twin.Uniforms)
+  cache->ReadyShaderProgram(variant.Program);
+  for (const Uniform& uniform : variant.Uniforms)
   {
-    uniform.Copy(static_cast<GLuint>(twin.OriginalHandle), uniform.From, uniform.To);
+    uniform.Copy(static_cast<GLuint>(variant.OriginalHandle), uniform.From, uniform.To);
   }
 }
 
 //------------------------------------------------------------------------------
-DistancePrograms::Twin DistancePrograms::Make(
+DepthPrePassVariants::Variant DepthPrePassVariants::Make(
   vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
-  Twin none;
+  Variant none;
   none.Original = program;
   none.OriginalHandle = program->GetHandle();
   const std::string fragment = CutShading(program->GetFragmentShader()->GetSource());
@@ -192,24 +192,24 @@ DistancePrograms::Twin DistancePrograms::Make(
   {
     return none;
   }
-  Twin twin = none;
-  twin.Program = window->GetShaderCache()->ReadyShaderProgram(
+  Variant variant = none;
+  variant.Program = window->GetShaderCache()->ReadyShaderProgram(
     program->GetVertexShader()->GetSource().c_str(), fragment.c_str(), "");
-  if (!twin.Program || !twin.Program->GetCompiled())
+  if (!variant.Program || !variant.Program->GetCompiled())
   {
     return none;
   }
-  twin.Handle = twin.Program->GetHandle();
-  return Link(twin) && FindUniforms(twin) ? twin : none;
+  variant.Handle = variant.Program->GetHandle();
+  return Link(variant) && FindUniforms(variant) ? variant : none;
 }
 
 //------------------------------------------------------------------------------
 // Once more, with the mapper's attributes where its vertex arrays have them, and outputs as VTK numbers
 // them.
-bool DistancePrograms::Link(Twin& twin)
+bool DepthPrePassVariants::Link(Variant& variant)
 {
-  const auto from = static_cast<GLuint>(twin.OriginalHandle);
-  const auto to = static_cast<GLuint>(twin.Handle);
+  const auto from = static_cast<GLuint>(variant.OriginalHandle);
+  const auto to = static_cast<GLuint>(variant.Handle);
   for (const Active& attribute : ListActive(from, GL_ACTIVE_ATTRIBUTES, glGetActiveAttrib))
   {
     const GLint place = glGetAttribLocation(from, attribute.Name.c_str());
@@ -230,10 +230,10 @@ bool DistancePrograms::Link(Twin& twin)
 
 //------------------------------------------------------------------------------
 // False where one is of a kind that cannot be copied.
-bool DistancePrograms::FindUniforms(Twin& twin)
+bool DepthPrePassVariants::FindUniforms(Variant& variant)
 {
-  const auto from = static_cast<GLuint>(twin.OriginalHandle);
-  const auto to = static_cast<GLuint>(twin.Handle);
+  const auto from = static_cast<GLuint>(variant.OriginalHandle);
+  const auto to = static_cast<GLuint>(variant.Handle);
   for (const Active& active : ListActive(to, GL_ACTIVE_UNIFORMS, glGetActiveUniform))
   {
     const std::string base = active.Name.substr(0, active.Name.find("[0]"));
@@ -247,7 +247,7 @@ bool DistancePrograms::FindUniforms(Twin& twin)
       {
         return false;
       }
-      twin.Uniforms.push_back(uniform);
+      variant.Uniforms.push_back(uniform);
     }
   }
   return true;

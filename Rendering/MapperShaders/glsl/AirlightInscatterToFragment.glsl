@@ -3,7 +3,7 @@
 uniform AirlightLight airlightLights[AIRLIGHT_LAMPS];
 
 // Scattered into the ray before its fragment, shadows left out of account.
-vec3 airlightBefore(vec3 origin, vec3 direction, float t)
+vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
 {
   vec3 sum = airlightAmbient(airlightMedia, origin, direction, t);
   for (int k = 0; k < airlightLampCount; k++)

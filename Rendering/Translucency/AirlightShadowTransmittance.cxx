@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Translucency/AirlightDimming.h"
+#include "Translucency/AirlightShadowTransmittance.h"
 
 #include "OpenGL/AirlightStorageBinding.h"
 
@@ -16,7 +16,7 @@ constexpr long long PixelSize = 8;
 }
 
 //------------------------------------------------------------------------------
-bool Dimming::Prepare(int width, int height, const std::vector<int>& slots)
+bool ShadowTransmittance::Prepare(int width, int height, const std::vector<int>& slots)
 {
   this->Width = width;
   this->Height = height;
@@ -43,26 +43,26 @@ bool Dimming::Prepare(int width, int height, const std::vector<int>& slots)
 }
 
 //------------------------------------------------------------------------------
-void Dimming::Use(vtkShaderProgram* program) const
+void ShadowTransmittance::Use(vtkShaderProgram* program) const
 {
   const int size[2] = { this->Width, this->Height };
-  program->SetUniform2i("airlightDimmingSize", size);
+  program->SetUniform2i("airlightTransmittanceSize", size);
   BindStorage(StorageBinding::ShadowTransmittance, this->Handle);
 }
 
 //------------------------------------------------------------------------------
-void Dimming::UseInMapper(vtkShaderProgram* program) const
+void ShadowTransmittance::UseInMapper(vtkShaderProgram* program) const
 {
-  if (program->IsUniformUsed("airlightDimmingSlots"))
+  if (program->IsUniformUsed("airlightTransmittanceSlots"))
   {
     this->Use(program);
     program->SetUniform1iv(
-      "airlightDimmingSlots", static_cast<int>(this->Slots.size()), this->Slots.data());
+      "airlightTransmittanceSlots", static_cast<int>(this->Slots.size()), this->Slots.data());
   }
 }
 
 //------------------------------------------------------------------------------
-void Dimming::Release()
+void ShadowTransmittance::Release()
 {
   DeleteBuffer(this->Handle);
   this->Bytes = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What is drawn over the medium, translucent surfaces, as the shaders keep it: a list of records for
- * each pixel (glsl/AirlightLayers.glsl). A surface's fragments make them, each light's resolve adds
+ * each pixel (glsl/AirlightTranslucentLists.glsl). A surface's fragments make them, each light's resolve adds
  * what it scatters before each of them, with its shadows, and the fragments look theirs up when they
  * are drawn.
  *
@@ -10,8 +10,8 @@
  * they dim, and 4 a pixel.
  */
 
-#ifndef AirlightLayerRecords_h
-#define AirlightLayerRecords_h
+#ifndef AirlightTranslucentFragments_h
+#define AirlightTranslucentFragments_h
 
 #include <cstdint>
 #include <string>
@@ -20,17 +20,17 @@ class vtkShaderProgram;
 
 namespace airlight
 {
-class LayerRecords
+class TranslucentFragments
 {
 public:
   static constexpr std::uint32_t RecordSize = 32; // bytes, where no caster lets light through
 
-  // Empty lists for this viewport, with records of so many words (see glsl/AirlightLayers.glsl). False
+  // Empty lists for this viewport, with records of so many words (see glsl/AirlightTranslucentLists.glsl). False
   // with a reason in GetError() where a buffer cannot be had.
   bool Prepare(int width, int height, int words);
   const std::string& GetError() const { return this->Error; }
 
-  // For a program with the source AirlightLayers: binds the lists and sets its uniforms.
+  // For a program with the source AirlightTranslucentLists: binds the lists and sets its uniforms.
   void Use(vtkShaderProgram* program) const;
 
   // After a draw that made records: whether there was room for all of them. If not, there is now, and

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MapperShaders/AirlightKnownLamps.h"
+#include "MapperShaders/AirlightLightSpecialization.h"
 
 #include "vtkLight.h"
 
@@ -9,36 +9,36 @@
 namespace airlight
 {
 //------------------------------------------------------------------------------
-bool operator==(const KnownLamp& a, const KnownLamp& b)
+bool operator==(const LightSpecialization& a, const LightSpecialization& b)
 {
   return a.Scatters == b.Scatters && a.Sun == b.Sun && a.Goniometric == b.Goniometric &&
     a.Positional == b.Positional && a.Spot == b.Spot && a.InverseSquare == b.InverseSquare;
 }
 
 //------------------------------------------------------------------------------
-std::vector<KnownLamp> FindKnownLamps(const std::vector<Lamp>& lamps)
+std::vector<LightSpecialization> SpecializeLights(const std::vector<Lamp>& lamps)
 {
-  std::vector<KnownLamp> known;
-  if (lamps.size() > MaximumKnownLamps)
+  std::vector<LightSpecialization> lights;
+  if (lamps.size() > MaximumSpecializedLights)
   {
-    return known;
+    return lights;
   }
   for (const Lamp& lamp : lamps)
   {
     const double* fading = lamp.Light->GetAttenuationValues();
     // VTK compares in single precision.
-    known.push_back(
+    lights.push_back(
       { lamp.Scatters(), f64::airlightIsDirectional(lamp.Values), lamp.Values.goniometric != 0,
         lamp.Light->GetPositional() != 0, static_cast<float>(lamp.Light->GetConeAngle()) < 90.0f,
         fading[0] == 0.0 && fading[1] == 0.0 && fading[2] == 1.0 });
   }
-  return known;
+  return lights;
 }
 
 namespace
 {
 // The light that arrives from a lamp, for AirlightSurface.glsl.
-std::string Share(const KnownLamp& lamp, const std::string& index)
+std::string Share(const LightSpecialization& lamp, const std::string& index)
 {
   if (!lamp.Scatters)
   {
@@ -54,23 +54,24 @@ std::string Share(const KnownLamp& lamp, const std::string& index)
 
 //------------------------------------------------------------------------------
 // A loop of a length that the compiler does not know, and arrays in it, cost several times as much.
-std::string DefineLamps(const std::vector<KnownLamp>& known, int apart)
+std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int apart)
 {
   std::string lines;
-  for (size_t k = 0; k < known.size() && known.size() <= MaximumOwnLines; ++k)
+  for (size_t k = 0; k < lights.size() && lights.size() <= MaximumUnrolledLights; ++k)
   {
     const std::string index = std::to_string(k);
     lines += " airlightArrived[" + index +
-      "] = " + (static_cast<int>(k) == apart ? "airlightApart * " : "") + Share(known[k], index) +
+      "] = " + (static_cast<int>(k) == apart ? "airlightApart * " : "") + Share(lights[k], index) +
       ";";
   }
-  return lines.empty() ? "" : "#define AIRLIGHT_EACH_LAMP(point)" + lines + "\n";
+  return lines.empty() ? "" : "#define AIRLIGHT_EACH_LIGHT(point)" + lines + "\n";
 }
 
 namespace
 {
 // Of a uniform's name; that itself where it is to be asked.
-std::string Tell(const std::string& name, const std::string& what, const KnownLamp& lamp)
+std::string GetConstant(
+  const std::string& name, const std::string& what, const LightSpecialization& lamp)
 {
   if (what == "Positional")
   {
@@ -85,19 +86,20 @@ std::string Tell(const std::string& name, const std::string& what, const KnownLa
 }
 
 //------------------------------------------------------------------------------
-std::string TellTypes(const std::string& body, const std::vector<KnownLamp>& known)
+std::string SpecializeLightTypes(
+  const std::string& body, const std::vector<LightSpecialization>& lights)
 {
-  static const std::regex type("\\blight(Positional|ConeAngle|Attenuation)([0-9]+)\\b");
-  std::string told;
+  static const std::regex uniform("\\blight(Positional|ConeAngle|Attenuation)([0-9]+)\\b");
+  std::string changed;
   auto rest = body.begin();
-  for (std::sregex_iterator it(body.begin(), body.end(), type), end; it != end; ++it)
+  for (std::sregex_iterator it(body.begin(), body.end(), uniform), end; it != end; ++it)
   {
     const std::smatch& match = *it;
     const size_t k = std::stoul(match[2]);
-    told.append(rest, match[0].first);
-    told += k < known.size() ? Tell(match.str(), match[1], known[k]) : match.str();
+    changed.append(rest, match[0].first);
+    changed += k < lights.size() ? GetConstant(match.str(), match[1], lights[k]) : match.str();
     rest = match[0].second;
   }
-  return told.append(rest, body.end());
+  return changed.append(rest, body.end());
 }
 }

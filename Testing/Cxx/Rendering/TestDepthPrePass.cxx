@@ -140,7 +140,7 @@ void TestProperties()
 }
 
 //------------------------------------------------------------------------------
-int TestDistancePrograms(int, char*[])
+int TestDepthPrePass(int, char*[])
 {
   TestData();
   TestProperties();

@@ -9,8 +9,8 @@
  * a property that has changed since, but not where an actor gets another one.
  */
 
-#ifndef AirlightKnownMaterials_h
-#define AirlightKnownMaterials_h
+#ifndef AirlightMaterialSpecializations_h
+#define AirlightMaterialSpecializations_h
 
 #include "vtkType.h"
 
@@ -24,7 +24,7 @@ class vtkProp;
 namespace airlight
 {
 // What is so of a vtkProperty.
-struct KnownMaterial
+struct MaterialSpecialization
 {
   bool NoAmbient = false;    // GetAmbient() is 0
   bool WholeDiffuse = false; // GetDiffuse() is 1
@@ -32,7 +32,7 @@ struct KnownMaterial
   bool Opaque = false;       // GetOpacity() is 1
 };
 
-class KnownMaterials
+class MaterialSpecializations
 {
 public:
   // Before a frame: of all that it draws. `known`: whether that is all of it. True where some mapper's
@@ -41,23 +41,23 @@ public:
   bool Update(vtkProp** props, int count, bool known);
 
   // While a mapper's shader is made: puts in what is known of its actors.
-  void Tell(std::string& fragmentShader, vtkProp* prop);
+  void Specialize(std::string& fragmentShader, vtkProp* prop);
 
 private:
   struct Entry
   {
-    KnownMaterial Now;         // of all actors of this frame
-    KnownMaterial Told;        // the shader
-    vtkMTimeType ToldTime = 0; // when that was; 0: there is none that is up to date
-    bool Newer = false;        // all of its properties are, so that VTK makes the shader anew
-    bool Met = false;          // in this frame
+    MaterialSpecialization Current;  // of all actors of this frame
+    MaterialSpecialization Compiled; // the shader
+    vtkMTimeType CompileTime = 0;    // when that was; 0: there is none that is up to date
+    bool AllNewer = false;           // all of its properties are, so that VTK makes the shader anew
+    bool Drawn = false;              // in this frame
   };
-  void Meet(vtkActor* actor);
-  void MeetAll(vtkProp** props, int count);
-  void Forget();
+  void AddActor(vtkActor* actor);
+  void AddActors(vtkProp** props, int count);
+  void Invalidate();
 
   std::map<vtkAbstractMapper*, Entry> Entries; // not read through
-  bool Known = false;
+  bool AllKnown = false;
 };
 }
 

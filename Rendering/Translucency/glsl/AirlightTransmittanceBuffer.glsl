@@ -1,10 +1,10 @@
 // What translucent casters leave of a light, kept for surfaces: 21 bits a channel in two words.
 
-layout(std430, binding = AIRLIGHT_BINDING_SHADOW_TRANSMITTANCE) buffer AirlightDimming
+layout(std430, binding = AIRLIGHT_BINDING_SHADOW_TRANSMITTANCE) buffer AirlightShadowTransmittance
 {
-  uint dimming[]; // by light, row and column
+  uint shadowTransmittance[]; // by light, row and column
 };
-uniform ivec2 airlightDimmingSize; // of the viewport, pixels
+uniform ivec2 airlightTransmittanceSize; // of the viewport, pixels
 
 uvec2 airlightPack(vec3 passing)
 {
@@ -19,7 +19,7 @@ vec3 airlightUnpack(uint low, uint high)
 }
 
 // The first of the two words; `slot` is the light's place.
-uint airlightDimmingWord(int slot, ivec2 pixel)
+uint airlightTransmittanceWord(int slot, ivec2 pixel)
 {
-  return 2u * uint((slot * airlightDimmingSize.y + pixel.y) * airlightDimmingSize.x + pixel.x);
+  return 2u * uint((slot * airlightTransmittanceSize.y + pixel.y) * airlightTransmittanceSize.x + pixel.x);
 }
