@@ -27,10 +27,10 @@
 #include "Scene/AirlightSceneData.h"
 #include "Scene/AirlightView.h"
 #include "ShadowMaps/AirlightShadowMap.h"
-#include "ShadowVolumes/AirlightHidingFaces.h"
-#include "ShadowVolumes/AirlightRemoteShadows.h"
+#include "ShadowVolumes/AirlightPlanarOccluders.h"
 #include "ShadowVolumes/AirlightShadowLists.h"
 #include "ShadowVolumes/AirlightShadowVolumes.h"
+#include "ShadowVolumes/AirlightSilhouetteExchange.h"
 #include "Translucency/AirlightShadowTransmittance.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
@@ -86,9 +86,12 @@ public:
   const std::vector<OtherCaster>& GetOtherCasters() const { return this->Casters.GetOthers(); }
 
   // What the casters of other processes do, for all frames until it is forgotten.
-  void AddRemoteShadows(const RemoteShadows& remote) { this->Remotes.push_back(remote); }
-  void ForgetRemoteShadows() { this->Remotes.clear(); }
-  bool HasRemoteShadows() const { return !this->Remotes.empty(); }
+  void AddRemoteSilhouettes(const ProcessSilhouettes& remote)
+  {
+    this->RemoteSilhouettes.push_back(remote);
+  }
+  void RemoveAllRemoteSilhouettes() { this->RemoteSilhouettes.clear(); }
+  bool HasRemoteSilhouettes() const { return !this->RemoteSilhouettes.empty(); }
 
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
   bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps,
@@ -169,7 +172,7 @@ private:
   bool Fail(const std::string& reason);
   bool UpdateShadows();
   bool UpdateShadows(int index, const std::vector<Caster>& casters);
-  ShadowVolumes::Remotes GetRemotes(int index) const;
+  ShadowVolumes::RemoteSilhouettes GetRemoteSilhouettes(int index) const;
   bool ScatterLight(int index);
   bool ScatterReference();
   ShadowLists::Source GetPlanesSource(int index);
@@ -222,7 +225,7 @@ private:
   ShadowLists Boundaries;
   TranslucentFragments FragmentLists;
   CasterCache Casters;
-  std::vector<RemoteShadows> Remotes; // by process
+  std::vector<ProcessSilhouettes> RemoteSilhouettes; // by process
   ShadowTransmittance SurfaceTransmittance;
   std::vector<ShadowVolumes> Volumes;           // by light number
   std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise
@@ -248,7 +251,7 @@ private:
   std::optional<View> Rays;
   const View* MapRays = nullptr;
   const std::vector<Caster>* FoundCasters = nullptr; // null: without shadows
-  std::vector<HidingFace> Faces;                     // behind which no shadow planes are drawn
+  std::vector<PlanarOccluder> Faces;                 // behind which no shadow planes are drawn
   std::vector<Caster> OpaqueCasters;                 // those for maps
   bool TransmitsShadows = false;
   int MapX = 0;

@@ -36,8 +36,8 @@ bool Frame::PrepareCasters()
     this->FoundCasters = &this->OpaqueCasters;
   }
   this->Faces = planes
-    ? FindHidingFaces(this->Casters.GetCasters(), this->Settings.Solids, *this->Rays)
-    : std::vector<HidingFace>();
+    ? FindPlanarOccluders(this->Casters.GetCasters(), this->Settings.Solids, *this->Rays)
+    : std::vector<PlanarOccluder>();
   this->TransmitsShadows =
     planes && this->Settings.TranslucentShadows && this->Casters.MetTranslucent();
   std::vector<int> slots(this->Lamps.size(), -1);
@@ -63,10 +63,10 @@ bool Frame::PrepareCasters()
 
 //------------------------------------------------------------------------------
 // Those that were made for the light as it is, but for roundings.
-ShadowVolumes::Remotes Frame::GetRemotes(int index) const
+ShadowVolumes::RemoteSilhouettes Frame::GetRemoteSilhouettes(int index) const
 {
-  ShadowVolumes::Remotes found;
-  for (const RemoteShadows& remote : this->Remotes)
+  ShadowVolumes::RemoteSilhouettes found;
+  for (const ProcessSilhouettes& remote : this->RemoteSilhouettes)
   {
     const auto k = static_cast<size_t>(index);
     const glm::dvec4& light = this->Lamps[k].World;
@@ -108,7 +108,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
   const Lamp& lamp = this->Lamps[index];
   if (this->Settings.Shadows == ShadowMethod::Planes)
   {
-    this->Volumes[index].SetRemotes(this->GetRemotes(index));
+    this->Volumes[index].SetRemoteSilhouettes(this->GetRemoteSilhouettes(index));
     if (this->Volumes[index].Update(casters, lamp.World, *this->Rays))
     {
       return this->Boundaries.SetVolumes(index, this->Volumes[index]) ||

@@ -73,7 +73,7 @@ ShadowLists::Source Frame::GetPlanesSource(int index)
 {
   const Lamp& lamp = this->Lamps[index];
   return { index, this->Volumes[index], lamp.World, *this->Rays, this->Textures.Distances,
-    FindPlaneEnds(*this->FoundCasters, this->Faces, lamp.World, this->Rays->GetEye()) };
+    FindTruncationPlanes(*this->FoundCasters, this->Faces, lamp.World, this->Rays->GetEye()) };
 }
 
 //------------------------------------------------------------------------------

@@ -83,7 +83,7 @@ std::string Frame::GetResolveSource(int index, Lists lists, bool fragmentsOnly) 
 std::string Frame::GetResolveHead(int index, bool storage) const
 {
   const f64::AirlightLight& light = this->Lamps[index].Values;
-  return GetShaderVersion(storage) + BoundaryStore::DefineNodes(this->TransmitsShadows) +
+  return GetShaderVersion(storage) + BoundaryBuffer::DefineNodes(this->TransmitsShadows) +
     (this->Settings.Record ? RecordDefinition : "") + "#define AIRLIGHT_MORE_LIT " +
     std::to_string(this->HasMoreLit()) + "\n" +
     "#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define AIRLIGHT_PARALLEL " +

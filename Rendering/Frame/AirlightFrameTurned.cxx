@@ -6,7 +6,7 @@
 #include "Frame/AirlightFrame.h"
 
 #include "AirlightConstants.h"
-#include "AirlightNoKeys.h"
+#include "AirlightNoPackedBoundaries.h"
 #include "AirlightResolveOutputs.h"
 #include "AirlightShadowCounts.h"
 #include "AirlightTurn.h"
@@ -37,7 +37,7 @@ bool Frame::IsTurned(int index, Lists lists) const
   const f64::AirlightPhase& phase = this->Media.item[0].phase;
   return this->Lamps[index].Values.kind == AIRLIGHT_POINT_CLOSED && phase.rows == 0 &&
     phase.power.x <= 0.0 && !this->TransmitsShadows && lists != Lists::Map &&
-    (lists == Lists::None || this->Boundaries.HasSlots());
+    (lists == Lists::None || this->Boundaries.HasKBuffer());
 }
 
 //------------------------------------------------------------------------------
@@ -61,7 +61,8 @@ std::string Frame::GetTurnedSource(int index, Lists lists) const
   const bool planes = lists != Lists::None;
   return this->GetResolveHead(index, planes) + GlobalLight + GetTurnSource() +
     AirlightShadowCounts +
-    (planes ? this->Boundaries.GetKeysSource(lists != Lists::Short) : AirlightNoKeys) +
+    (planes ? this->Boundaries.GetPackedSource(lists != Lists::Short)
+            : AirlightNoPackedBoundaries) +
     AirlightTurnedRay + AirlightResolveOutputs + AirlightTurnedFS;
 }
 
@@ -80,7 +81,7 @@ std::string Frame::GetJoinedSource() const
 {
   return GlobalLight +
     ("#define AIRLIGHT_SHADOW_TRANSMITTANCE 0\n" + std::string(AirlightShadowCounts)) +
-    this->Boundaries.GetKeysSource(false) + AirlightTurnedRay;
+    this->Boundaries.GetPackedSource(false) + AirlightTurnedRay;
 }
 
 //------------------------------------------------------------------------------

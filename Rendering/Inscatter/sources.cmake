@@ -4,7 +4,7 @@ airlight_sources(
   GLSL
     glsl/AirlightConstants.glsl
     glsl/AirlightNoBoundaries.glsl
-    glsl/AirlightNoKeys.glsl
+    glsl/AirlightNoPackedBoundaries.glsl
     glsl/AirlightResolveFS.glsl
     glsl/AirlightResolveTranslucent.glsl
     glsl/AirlightResolveOutputs.glsl

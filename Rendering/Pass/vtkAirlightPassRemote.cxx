@@ -19,9 +19,9 @@ using namespace airlight;
 
 namespace
 {
-RemoteShadow Describe(const ShadowVolumes& volumes, const glm::dvec4& light)
+LightSilhouettes Describe(const ShadowVolumes& volumes, const glm::dvec4& light)
 {
-  RemoteShadow shadow;
+  LightSilhouettes shadow;
   shadow.Light = light;
   shadow.Anchor = volumes.GetAnchor();
   shadow.StartCount = volumes.GetStartCount();
@@ -53,7 +53,7 @@ bool vtkAirlightPass::Internals::CollectSilhouettes(
   const std::vector<Lamp> lamps = CollectLamps(renderer, ConvertMedia(media, view.GetEye()), view,
     this->Self->LightRadius, this->Switches, this->Lights);
   this->CurrentFrame.FindCasters(renderer, false);
-  std::vector<RemoteShadow> shadows(lamps.size());
+  std::vector<LightSilhouettes> shadows(lamps.size());
   this->OwnShadows.resize(lamps.size());
   for (size_t k = 0; k < lamps.size(); ++k)
   {
@@ -65,7 +65,7 @@ bool vtkAirlightPass::Internals::CollectSilhouettes(
       shadows[k] = Describe(this->OwnShadows[k], lamps[k].World);
     }
   }
-  bytes = WriteRemoteShadows(shadows);
+  bytes = WriteSilhouettes(shadows);
   return true;
 }
 
@@ -105,16 +105,16 @@ bool vtkAirlightPass::AddRemoteSilhouettes(vtkUnsignedCharArray* silhouettes)
     return false;
   }
   const auto size = static_cast<size_t>(silhouettes->GetNumberOfValues());
-  RemoteShadows shadows;
+  ProcessSilhouettes shadows;
   std::string error;
-  if (!ReadRemoteShadows(size > 0 ? silhouettes->GetPointer(0) : nullptr, size, shadows, error))
+  if (!ReadSilhouettes(size > 0 ? silhouettes->GetPointer(0) : nullptr, size, shadows, error))
   {
     vtkErrorMacro("AddRemoteSilhouettes() does not take these "
       << size << " bytes: " << error
       << ". Send what GetSilhouettes() makes, whole, to a process of the same kind of machine.");
     return false;
   }
-  this->Impl->CurrentFrame.AddRemoteShadows(shadows);
+  this->Impl->CurrentFrame.AddRemoteSilhouettes(shadows);
   this->Modified();
   return true;
 }
@@ -122,9 +122,9 @@ bool vtkAirlightPass::AddRemoteSilhouettes(vtkUnsignedCharArray* silhouettes)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::RemoveAllRemoteSilhouettes()
 {
-  if (this->Impl->CurrentFrame.HasRemoteShadows())
+  if (this->Impl->CurrentFrame.HasRemoteSilhouettes())
   {
-    this->Impl->CurrentFrame.ForgetRemoteShadows();
+    this->Impl->CurrentFrame.RemoveAllRemoteSilhouettes();
     this->Modified();
   }
 }

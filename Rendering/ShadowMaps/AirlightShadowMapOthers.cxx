@@ -5,7 +5,7 @@
 
 #include "ShadowMaps/AirlightShadowMap.h"
 
-#include "AirlightMapMergeFS.h"
+#include "AirlightMergeCastersFS.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkCamera.h"
@@ -81,7 +81,7 @@ void ShadowMap::DrawOthers(vtkOpenGLRenderWindow* window, const DrawActors& draw
 //------------------------------------------------------------------------------
 bool ShadowMap::JoinOthers(vtkOpenGLRenderWindow* window, Quad& quad)
 {
-  vtkShaderProgram* program = quad.Ready(window, AirlightMapMergeFS);
+  vtkShaderProgram* program = quad.Ready(window, AirlightMergeCastersFS);
   if (!program)
   {
     this->Error = std::string("the shadow map's shader") + ProgramMaker::GetReason();

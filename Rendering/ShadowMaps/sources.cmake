@@ -9,7 +9,7 @@ airlight_sources(
   GLSL
     glsl/AirlightMapBoundaries.glsl
     glsl/AirlightMapMarch.glsl
-    glsl/AirlightMapMergeFS.glsl
+    glsl/AirlightMergeCastersFS.glsl
     glsl/AirlightRayMarch.glsl
     glsl/AirlightShadowMapFS.glsl
     glsl/AirlightShadowMapVS.glsl)

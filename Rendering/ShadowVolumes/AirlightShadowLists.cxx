@@ -88,8 +88,8 @@ vtkShaderProgram* ShadowLists::ReadyPlanes(
 std::string ShadowLists::GetPlanesSource(const View& view) const
 {
   // The near planes' fragments need all of the view, the others little.
-  return BoundaryStore::DefineNodes(this->Store.HasShadowTransmittance()) +
-    "#define AIRLIGHT_PLACES_IN\n" + this->Store.GetSource() + "#define AIRLIGHT_PARALLEL " +
+  return BoundaryBuffer::DefineNodes(this->Store.HasShadowTransmittance()) +
+    "#define AIRLIGHT_LIST_LAYOUT_IN\n" + this->Store.GetSource() + "#define AIRLIGHT_PARALLEL " +
     std::to_string(view.IsParallel()) + "\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n" +
     AirlightViewShader + AirlightPlanesFS;
 }
@@ -127,8 +127,8 @@ void ShadowLists::DrawRecords(PlaneKind kind, const Buffer& buffer) const
 //------------------------------------------------------------------------------
 bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, int rows)
 {
-  const Buffer* const buffers[3] = { &this->Edges[source.Slot], &this->Caps[source.Slot],
-    &this->NearEdges[source.Slot] };
+  const Buffer* const buffers[3] = { &this->Edges[source.LightNumber],
+    &this->Caps[source.LightNumber], &this->NearEdges[source.LightNumber] };
   const Buffer& buffer = *buffers[static_cast<int>(kind)];
   if (buffer.Count == 0)
   {
@@ -143,15 +143,15 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
   program->SetUniformi("inParallel", source.Rays.IsParallel() ? 1 : 0);
   this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
   this->Store.Use(program);
-  BindStorage(StorageBinding::CasterThickness, this->Layers[source.Slot].Handle);
-  BindStorage(StorageBinding::TruncationPlanes, this->Ends.Handle);
+  BindStorage(StorageBinding::CasterThickness, this->Layers[source.LightNumber].Handle);
+  BindStorage(StorageBinding::TruncationPlanes, this->TruncationPlanes.Handle);
   this->DrawRecords(kind, buffer);
   return true;
 }
 
 //------------------------------------------------------------------------------
 // Draws all planes and caps, clipped to some rows.
-bool ShadowLists::DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts)
+bool ShadowLists::DrawOnce(const Source& source, int row, int rows, BoundaryBuffer::Counts& counts)
 {
   this->Store.Clear(row);
   // No test fails without it, see AirlightOpenGL.h.
@@ -162,11 +162,11 @@ bool ShadowLists::DrawOnce(const Source& source, int row, int rows, BoundaryStor
   // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   counts = this->Store.ReadCounts();
-  if (!ok || counts.Boundaries == 0 || !this->HasSlots())
+  if (!ok || counts.Boundaries == 0 || !this->HasKBuffer())
   {
     return ok;
   }
-  const bool spilled = this->Spill(row, rows);
+  const bool spilled = this->MergeOverflow(row, rows);
   counts = this->Store.ReadCounts();
   return spilled;
 }
@@ -179,7 +179,7 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
   rows = this->Store.LimitRows(rows);
   while (rows > 0)
   {
-    BoundaryStore::Counts counts;
+    BoundaryBuffer::Counts counts;
     if (!this->DrawOnce(source, row, rows, counts))
     {
       return 0;
@@ -216,7 +216,7 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
 //------------------------------------------------------------------------------
 int ShadowLists::Fill(const Source& source, int row, int rows)
 {
-  if (!this->UploadEnds(source))
+  if (!this->UploadTruncationPlanes(source))
   {
     return 0;
   }
@@ -245,7 +245,7 @@ int ShadowLists::Fill(const Source& source, int row, int rows)
 bool ShadowLists::DrawWireframe(const Source& source)
 {
   vtkShaderProgram* program = this->ReadyPlanes(PlaneKind::Plane, AirlightOutlineFS, source);
-  if (!program || !this->UploadEnds(source))
+  if (!program || !this->UploadTruncationPlanes(source))
   {
     return false;
   }
@@ -255,8 +255,8 @@ bool ShadowLists::DrawWireframe(const Source& source)
   state->vtkglDepthMask(GL_FALSE);
   glEnable(GL_DEPTH_CLAMP);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  BindStorage(StorageBinding::TruncationPlanes, this->Ends.Handle);
-  this->DrawRecords(PlaneKind::Plane, this->Edges[source.Slot]);
+  BindStorage(StorageBinding::TruncationPlanes, this->TruncationPlanes.Handle);
+  this->DrawRecords(PlaneKind::Plane, this->Edges[source.LightNumber]);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_DEPTH_CLAMP);
   state->vtkglDepthMask(GL_TRUE);

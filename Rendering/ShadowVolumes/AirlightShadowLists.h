@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Draws a light's shadow planes and collects, for each pixel, the boundaries that its ray crosses
- * before the surface (AirlightBoundaryStore.h). None is left out: where they do not fit, the buffer
+ * before the surface (AirlightBoundaryBuffer.h). None is left out: where they do not fit, the buffer
  * grows; where it may not grow, fewer rows are drawn at a time.
  */
 
@@ -10,7 +10,7 @@
 #define AirlightShadowLists_h
 
 #include "OpenGL/AirlightQuad.h"
-#include "ShadowVolumes/AirlightBoundaryStore.h"
+#include "ShadowVolumes/AirlightBoundaryBuffer.h"
 #include "ShadowVolumes/AirlightShadowVolumes.h"
 
 #include <cstdint>
@@ -41,34 +41,34 @@ public:
   static bool IsSupported(vtkOpenGLRenderWindow* window);
 
   // Fragment source that reads the boundaries, after a GetShaderVersion(true) and
-  // BoundaryStore::DefineNodes(). A first draw does the pixels with few. Where GetLongDraws() is above 0 afterwards, there are others: Sort() puts
+  // BoundaryBuffer::DefineNodes(). A first draw does the pixels with few. Where GetLongDraws() is above 0 afterwards, there are others: Sort() puts
   // them in order and that many draws of the source for sorted lists do them, all but the first
   // with the uniform "resume" set.
   std::string GetBoundariesSource(bool sorted) const;
 
   // Where there are slots: functions that read a pixel's boundaries in order, from its slots, or from
-  // its list once that is sorted (glsl/AirlightSortedSlots.glsl, glsl/AirlightSortedList.glsl).
-  std::string GetKeysSource(bool sorted) const;
+  // its list once that is sorted (glsl/AirlightSortedKBuffer.glsl, glsl/AirlightSortedList.glsl).
+  std::string GetPackedSource(bool sorted) const;
 
-  // As BoundaryStore::Prepare(); with `budgeted`, Fill() gives up where all rows at once would need
+  // As BoundaryBuffer::Prepare(); with `budgeted`, Fill() gives up where all rows at once would need
   // more than MostBands times the memory limit.
   bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool transmitsShadows,
     size_t edges, std::uint64_t memoryLimit, bool budgeted);
   const std::string& GetError() const { return this->Error; }
 
-  // Uploads a light's edges and caps; `slot` is the light's number. False with a reason in GetError()
+  // Uploads a light's edges and caps; `light` is the light's number. False with a reason in GetError()
   // where there is no memory for them.
-  bool SetVolumes(int slot, const ShadowVolumes& volumes);
+  bool SetVolumes(int light, const ShadowVolumes& volumes);
 
   // What a light's planes are drawn from.
   struct Source
   {
-    int Slot;
+    int LightNumber;
     const ShadowVolumes& Volumes;
     const glm::dvec4& Light;
     const View& Rays;
     vtkTextureObject* Distances;
-    std::vector<glm::vec4> Ends; // of planes, FindPlaneEnds()
+    std::vector<glm::vec4> TruncationPlanes; // of planes, FindTruncationPlanes()
   };
 
   // Fills the lists of the rows [row, row + rows) into the bound framebuffer, which has the
@@ -88,7 +88,7 @@ public:
   void Use(vtkShaderProgram* program) { this->Store.Use(program); }
 
   // Whether boundaries have slots.
-  bool HasSlots() const { return this->Store.GetSlots() > 0; }
+  bool HasKBuffer() const { return this->Store.GetKBufferSize() > 0; }
 
   // Number of draws for the lists that the first draw left out; 0 where it left out none.
   int GetLongDraws();
@@ -107,7 +107,7 @@ private:
   };
 
   bool Upload(Buffer& buffer, const void* data, size_t count, size_t size);
-  bool UploadEnds(const Source& source);
+  bool UploadTruncationPlanes(const Source& source);
   bool UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers);
   // As in AirlightPlanesVS.glsl.
   enum class PlaneKind
@@ -122,9 +122,9 @@ private:
   void DrawRecords(PlaneKind kind, const Buffer& buffer) const;
   std::string GetPlanesSource(const View& view) const;
   bool DrawFragments(const Source& source, PlaneKind kind, int row, int rows);
-  bool DrawOnce(const Source& source, int row, int rows, BoundaryStore::Counts& counts);
+  bool DrawOnce(const Source& source, int row, int rows, BoundaryBuffer::Counts& counts);
   int DrawRows(const Source& source, int row, int rows);
-  bool Spill(int row, int rows);
+  bool MergeOverflow(int row, int rows);
   vtkShaderProgram* ReadyLists(Quad& quad, const std::string& fragment);
 
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -137,15 +137,15 @@ private:
   int Rows = 0;
   unsigned int VertexArray = 0;
   Buffer Corners; // of how many planes
-  Buffer Ends;
-  std::vector<Buffer> Edges; // by slot
+  Buffer TruncationPlanes;
+  std::vector<Buffer> Edges; // by light
   std::vector<Buffer> NearEdges;
   std::vector<Buffer> Caps;
   std::vector<Buffer> Layers;
-  BoundaryStore Store;
+  BoundaryBuffer Store;
   ProgramMaker PlanePrograms;
   Quad SortQuad;
-  Quad SpillQuad;
+  Quad OverflowQuad;
   std::string Error;
 };
 }

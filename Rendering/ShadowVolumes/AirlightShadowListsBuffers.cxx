@@ -53,9 +53,10 @@ bool ShadowLists::MakeCorners()
 
 //------------------------------------------------------------------------------
 // They change with the view, and are few.
-bool ShadowLists::UploadEnds(const Source& source)
+bool ShadowLists::UploadTruncationPlanes(const Source& source)
 {
-  return this->Upload(this->Ends, source.Ends.data(), source.Ends.size(), sizeof(source.Ends[0]));
+  return this->Upload(this->TruncationPlanes, source.TruncationPlanes.data(),
+    source.TruncationPlanes.size(), sizeof(source.TruncationPlanes[0]));
 }
 
 //------------------------------------------------------------------------------
@@ -71,22 +72,22 @@ bool ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& l
 }
 
 //------------------------------------------------------------------------------
-bool ShadowLists::SetVolumes(int slot, const ShadowVolumes& volumes)
+bool ShadowLists::SetVolumes(int light, const ShadowVolumes& volumes)
 {
-  if (static_cast<size_t>(slot) >= this->Edges.size())
+  if (static_cast<size_t>(light) >= this->Edges.size())
   {
-    this->Edges.resize(slot + 1);
-    this->NearEdges.resize(slot + 1);
-    this->Caps.resize(slot + 1);
-    this->Layers.resize(slot + 1);
+    this->Edges.resize(light + 1);
+    this->NearEdges.resize(light + 1);
+    this->Caps.resize(light + 1);
+    this->Layers.resize(light + 1);
   }
   const auto upload = [this](Buffer& buffer, const auto& records) {
     return this->Upload(buffer, records.data(), records.size(), sizeof(records[0]));
   };
-  return this->MakeCorners() && upload(this->Edges[slot], volumes.GetEdges()) &&
-    upload(this->NearEdges[slot], volumes.GetNearEdges()) &&
-    upload(this->Caps[slot], volumes.GetCaps()) &&
-    this->UploadLayers(this->Layers[slot], volumes.GetLayers());
+  return this->MakeCorners() && upload(this->Edges[light], volumes.GetEdges()) &&
+    upload(this->NearEdges[light], volumes.GetNearEdges()) &&
+    upload(this->Caps[light], volumes.GetCaps()) &&
+    this->UploadLayers(this->Layers[light], volumes.GetLayers());
 }
 
 //------------------------------------------------------------------------------
@@ -99,13 +100,13 @@ void ShadowLists::Release()
     buffer.Count = 0;
   };
   release(this->Corners);
-  release(this->Ends);
+  release(this->TruncationPlanes);
   for (auto* buffers : { &this->Edges, &this->NearEdges, &this->Caps, &this->Layers })
   {
     std::for_each(buffers->begin(), buffers->end(), release);
     buffers->clear();
   }
   this->SortQuad.Release();
-  this->SpillQuad.Release();
+  this->OverflowQuad.Release();
 }
 }

@@ -6,10 +6,10 @@
 #include "ShadowVolumes/AirlightShadowLists.h"
 
 #include "AirlightBoundaries.h"
+#include "AirlightOverflowFS.h"
 #include "AirlightSortFS.h"
+#include "AirlightSortedKBuffer.h"
 #include "AirlightSortedList.h"
-#include "AirlightSortedSlots.h"
-#include "AirlightSpillFS.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -35,17 +35,17 @@ std::string DefineLengths()
 }
 
 //------------------------------------------------------------------------------
-std::string ShadowLists::GetKeysSource(bool sorted) const
+std::string ShadowLists::GetPackedSource(bool sorted) const
 {
-  return this->Store.GetSource() + (sorted ? AirlightSortedList : AirlightSortedSlots);
+  return this->Store.GetSource() + (sorted ? AirlightSortedList : AirlightSortedKBuffer);
 }
 
 //------------------------------------------------------------------------------
 std::string ShadowLists::GetBoundariesSource(bool sorted) const
 {
   // Long lists are read from where Sort() has put them in order, slots or not.
-  const bool slots = !sorted && this->HasSlots();
-  return (slots ? this->GetKeysSource(false) : this->Store.GetSource()) + DefineLengths() +
+  const bool slots = !sorted && this->HasKBuffer();
+  return (slots ? this->GetPackedSource(false) : this->Store.GetSource()) + DefineLengths() +
     (sorted ? "#define AIRLIGHT_SORTED\n" : "") + AirlightBoundaries;
 }
 
@@ -54,7 +54,7 @@ std::string ShadowLists::GetBoundariesSource(bool sorted) const
 vtkShaderProgram* ShadowLists::ReadyLists(Quad& quad, const std::string& fragment)
 {
   vtkShaderProgram* program = quad.Ready(this->Window,
-    GetShaderVersion(true) + BoundaryStore::DefineNodes(this->Store.HasShadowTransmittance()) +
+    GetShaderVersion(true) + BoundaryBuffer::DefineNodes(this->Store.HasShadowTransmittance()) +
       this->Store.GetSource() + fragment);
   if (!program)
   {
@@ -70,16 +70,17 @@ vtkShaderProgram* ShadowLists::ReadyLists(Quad& quad, const std::string& fragmen
 
 //------------------------------------------------------------------------------
 // Where a pixel has more boundaries than slots, those in the slots join the others in its list.
-bool ShadowLists::Spill(int row, int rows)
+bool ShadowLists::MergeOverflow(int row, int rows)
 {
   vtkOpenGLState* state = this->Window->GetState();
   vtkOpenGLState::ScopedglColorMask maskSaver(state);
-  if (!this->ReadyLists(this->SpillQuad, std::string(AirlightSortedSlots) + AirlightSpillFS))
+  if (!this->ReadyLists(
+        this->OverflowQuad, std::string(AirlightSortedKBuffer) + AirlightOverflowFS))
   {
     return false;
   }
   state->vtkglScissor(0, row, this->Width, rows);
-  this->SpillQuad.Draw({});
+  this->OverflowQuad.Draw({});
   // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return true;
@@ -88,7 +89,7 @@ bool ShadowLists::Spill(int row, int rows)
 //------------------------------------------------------------------------------
 int ShadowLists::GetLongDraws()
 {
-  if (!this->HasSlots())
+  if (!this->HasKBuffer())
   {
     this->Longest = this->Store.ReadCounts().Longest;
   }
@@ -109,8 +110,8 @@ bool ShadowLists::Sort()
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(0, this->FirstRow, this->Width, this->Rows);
-  // Spill() has put runs in order.
-  for (std::uint64_t run = std::max(this->Store.GetSlots(), 1); run < this->Longest; run *= 2)
+  // MergeOverflow() has put runs in order.
+  for (std::uint64_t run = std::max(this->Store.GetKBufferSize(), 1); run < this->Longest; run *= 2)
   {
     glUniform1ui(glGetUniformLocation(program->GetHandle(), "run"), static_cast<GLuint>(run));
     // No test fails without it, see AirlightOpenGL.h.

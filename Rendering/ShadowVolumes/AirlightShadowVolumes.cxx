@@ -4,8 +4,8 @@
 
 #include "Casters/AirlightCasterBox.h"
 #include "Scene/AirlightView.h"
-#include "ShadowVolumes/AirlightClippedView.h"
-#include "ShadowVolumes/AirlightRemoteShadows.h"
+#include "ShadowVolumes/AirlightClippedRegions.h"
+#include "ShadowVolumes/AirlightSilhouetteExchange.h"
 #include "Silhouette/AirlightSilhouette.h"
 
 #include <algorithm>
@@ -47,17 +47,17 @@ void ShadowVolumes::SetAnchor(const std::vector<Caster>& casters)
   {
     this->Anchor = FindAnchor(casters);
   }
-  else if (!this->Others.empty())
+  else if (!this->Remote.empty())
   {
-    this->Anchor = this->Others[0]->Anchor;
+    this->Anchor = this->Remote[0]->Anchor;
   }
 }
 
 //------------------------------------------------------------------------------
-void ShadowVolumes::SetRemotes(const Remotes& remotes)
+void ShadowVolumes::SetRemoteSilhouettes(const RemoteSilhouettes& remotes)
 {
-  this->OthersChanged = this->OthersChanged || remotes != this->Others;
-  this->Others = remotes;
+  this->RemoteChanged = this->RemoteChanged || remotes != this->Remote;
+  this->Remote = remotes;
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +125,7 @@ void ShadowVolumes::MakeCaps(Part& part) const
 
 //------------------------------------------------------------------------------
 bool ShadowVolumes::UpdateParts(
-  const std::vector<Caster>& casters, const ClippedView& view, bool moved)
+  const std::vector<Caster>& casters, const ClippedRegions& view, bool moved)
 {
   bool changed = casters.size() != this->Parts.size();
   this->Parts.resize(casters.size());
@@ -185,14 +185,14 @@ void ShadowVolumes::CollectEdges()
     std::for_each(
       this->Caps.begin() + caps, this->Caps.end(), [layer](ShadowCap& cap) { cap.C.w = layer; });
   }
-  this->CollectRemotes();
+  this->CollectRemoteSilhouettes();
 }
 
 //------------------------------------------------------------------------------
 // All of a process are moved by the same way: planes that share a vertex still do.
-void ShadowVolumes::CollectRemotes()
+void ShadowVolumes::CollectRemoteSilhouettes()
 {
-  for (const auto& remote : this->Others)
+  for (const auto& remote : this->Remote)
   {
     const float layer = this->GetLayerIndex(GetShadowLayer(glm::dvec3(1.0)));
     const glm::vec4 shift(glm::vec3(remote->Anchor - this->Anchor), 0.0f);
@@ -223,12 +223,12 @@ bool ShadowVolumes::Update(
   this->Light = light;
   this->SetAnchor(casters);
   const bool partsChanged = this->UpdateParts(
-    casters, ClippedView(view, anyPicture), lightMoved || oldAnchor != this->Anchor);
+    casters, ClippedRegions(view, anyPicture), lightMoved || oldAnchor != this->Anchor);
   const bool viewMoved = this->Start != view.GetStart();
   this->Start = view.GetStart();
   // Edges that were near at the old eye go back among the others.
-  bool changed = partsChanged || this->OthersChanged || (viewMoved && !this->NearEdges.empty());
-  this->OthersChanged = false;
+  bool changed = partsChanged || this->RemoteChanged || (viewMoved && !this->NearEdges.empty());
+  this->RemoteChanged = false;
   if (changed)
   {
     this->CollectEdges();

@@ -18,9 +18,9 @@
 
 namespace airlight
 {
-class ClippedView;
+class ClippedRegions;
 class View;
-struct RemoteShadow;
+struct LightSilhouettes;
 
 // As glsl/AirlightPlanesVS.glsl reads it. Positions are relative to the anchor.
 struct ShadowEdge
@@ -55,8 +55,8 @@ public:
     bool anyPicture = false);
 
   // What the casters of other processes do in this light, for Update() to add.
-  using Remotes = std::vector<std::shared_ptr<const RemoteShadow>>;
-  void SetRemotes(const Remotes& remotes);
+  using RemoteSilhouettes = std::vector<std::shared_ptr<const LightSilhouettes>>;
+  void SetRemoteSilhouettes(const RemoteSilhouettes& remotes);
 
   const std::vector<ShadowEdge>& GetEdges() const { return this->Edges; }
   const std::vector<ShadowCap>& GetCaps() const { return this->Caps; }
@@ -96,9 +96,9 @@ private:
   void MakeEdges(Part& part) const;
   void MakeCaps(Part& part) const;
   void CollectEdges();
-  void CollectRemotes();
+  void CollectRemoteSilhouettes();
   float GetLayerIndex(const ShadowLayer& layer);
-  bool UpdateParts(const std::vector<Caster>& casters, const ClippedView& view, bool moved);
+  bool UpdateParts(const std::vector<Caster>& casters, const ClippedRegions& view, bool moved);
   bool IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) const;
   NearEdge MakeNear(const ShadowEdge& edge, const glm::dvec3& eye) const;
   bool SplitNearEdges(const View& view);
@@ -108,8 +108,8 @@ private:
   glm::dvec4 Start{ 0.0 };
   glm::dvec3 Anchor{ 0.0 };
   std::vector<Part> Parts; // in the order of the casters
-  Remotes Others;
-  bool OthersChanged = false;
+  RemoteSilhouettes Remote;
+  bool RemoteChanged = false;
   std::vector<ShadowEdge> Edges;
   std::vector<NearEdge> NearEdges;
   std::vector<ShadowCap> Caps;

@@ -6,7 +6,7 @@
 #include "ShadowVolumes/AirlightShadowVolumes.h"
 
 #include "Scene/AirlightView.h"
-#include "ShadowVolumes/AirlightRemoteShadows.h"
+#include "ShadowVolumes/AirlightSilhouetteExchange.h"
 #include "Silhouette/AirlightSilhouette.h"
 
 #include <algorithm>
@@ -120,7 +120,7 @@ void ShadowVolumes::CountAtStart(const View& view)
     this->StartLayers.Blocks += count * part.Source.Layer.Blocks;
     this->StartLayers.Thickness += count * part.Source.Layer.Thickness;
   }
-  for (const auto& remote : this->Others)
+  for (const auto& remote : this->Remote)
   {
     this->StartCount += remote->StartCount;
     this->StartLayers.Blocks += remote->StartCount;

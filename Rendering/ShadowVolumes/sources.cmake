@@ -2,24 +2,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
-    AirlightBoundaryStore
-    AirlightClippedView
-    AirlightHidingFaces
-    AirlightRemoteShadows
+    AirlightBoundaryBuffer
+    AirlightClippedRegions
+    AirlightPlanarOccluders
     AirlightShadowLists
     AirlightShadowVolumes
+    AirlightSilhouetteExchange
   SOURCES
     AirlightShadowListsBuffers.cxx
     AirlightShadowListsSort.cxx
     AirlightShadowVolumesEye.cxx
   GLSL
     glsl/AirlightBoundaries.glsl
-    glsl/AirlightHeads.glsl
+    glsl/AirlightKBuffer.glsl
+    glsl/AirlightListHeads.glsl
     glsl/AirlightOutlineFS.glsl
+    glsl/AirlightOverflowFS.glsl
     glsl/AirlightPlanesFS.glsl
     glsl/AirlightPlanesVS.glsl
-    glsl/AirlightSlots.glsl
     glsl/AirlightSortFS.glsl
-    glsl/AirlightSortedList.glsl
-    glsl/AirlightSortedSlots.glsl
-    glsl/AirlightSpillFS.glsl)
+    glsl/AirlightSortedKBuffer.glsl
+    glsl/AirlightSortedList.glsl)

@@ -47,7 +47,7 @@ void main()
   float from = ray.lit.x;
   float runStart = -1.0; // of what is lit, or not, as a whole
   AirlightCounts shadows = airlightStartCounts();
-#ifdef AIRLIGHT_SLOTS
+#ifdef AIRLIGHT_K_BUFFER_SIZE
   airlightEndBoundaries(place, unit);
 #endif
   if (!airlightOpenBoundaries(pixel, ray, surface, from, shadows))

@@ -27,11 +27,11 @@ void airlightTurnedRay(AirlightRay ray, float unit, inout AirlightTurnedPixel pi
   float done = 0.0;
   bool open = false; // what is left is taken in closed form
   bool more = true;
-  uint key = airlightNextKey();
+  uint boundary = airlightNextPacked();
   for (int left = pixel.boundaries + AIRLIGHT_TURN_PARTS; more && left > 0; left--)
   {
-    bool ends = keysLeft < 0;
-    float t = ends ? ray.lit.y : clamp(unit * airlightKeyDistance(key), ray.lit.x, ray.lit.y);
+    bool ends = packedLeft < 0;
+    float t = ends ? ray.lit.y : clamp(unit * airlightPackedDistance(boundary), ray.lit.x, ray.lit.y);
     float to = clamp(airlightTurnReach(turn, ray, t), done, reach);
     open = ends && least * (to - done) > AIRLIGHT_TURN_FADED;
     bool shines = lit && least * done <= AIRLIGHT_TURN_FADED;
@@ -41,11 +41,11 @@ void airlightTurnedRay(AirlightRay ray, float unit, inout AirlightTurnedPixel pi
     more = !open && !(ends && next >= to);
     if (!ends && next >= to)
     {
-      shadows += airlightKeyWeight(key);
+      shadows += airlightPackedWeight(boundary);
       bool was = lit;
       lit = shadows <= 0;
       litLength += was == lit ? 0.0 : lit ? -t : t;
-      key = airlightNextKey();
+      boundary = airlightNextPacked();
     }
   }
   sum *= airlightPhaseHalves(media.item[0].phase, 0.5, 0.5);
@@ -75,8 +75,8 @@ void airlightTurnedRay(AirlightRay ray, float unit, inout AirlightTurnedPixel pi
   AirlightShade all = AirlightShade(0.0);
   AirlightShade sum = AirlightShade(0.0);
   float psi = 0.0;
-  uint key = airlightNextKey();
-  float t = unit * airlightKeyDistance(key);
+  uint boundary = airlightNextPacked();
+  float t = unit * airlightPackedDistance(boundary);
   float at = airlightTurned(turn, ray, t);
   for (int i = 0; i < AIRLIGHT_TURN_PARTS && psi < turn.end; i++)
   {
@@ -84,9 +84,9 @@ void airlightTurnedRay(AirlightRay ray, float unit, inout AirlightTurnedPixel pi
     AirlightTurnPart part = airlightTurnPart(media.item[0], turn, psi, end);
     psi = end;
     // The last part takes what lies beyond the ray's end, too.
-    while (keysLeft >= 0 && (at <= end || end >= turn.end))
+    while (packedLeft >= 0 && (at <= end || end >= turn.end))
     {
-      shadows += airlightKeyWeight(key);
+      shadows += airlightPackedWeight(boundary);
       bool next = shadows <= 0;
       AirlightShade before = airlightTurnBefore(part, at);
       float place = clamp(t, ray.lit.x, ray.lit.y);
@@ -94,8 +94,8 @@ void airlightTurnedRay(AirlightRay ray, float unit, inout AirlightTurnedPixel pi
       sum += turns * before;
       litLength += turns * place;
       lit = next;
-      key = airlightNextKey();
-      t = unit * airlightKeyDistance(key);
+      boundary = airlightNextPacked();
+      t = unit * airlightPackedDistance(boundary);
       at = airlightTurned(turn, ray, t);
     }
     AirlightShade full = part.whole + part.whole;
@@ -114,12 +114,12 @@ void airlightTurnedRay(AirlightRay ray, float unit, inout AirlightTurnedPixel pi
 bool airlightTurnPixel(vec2 p, float unit, float surface, out AirlightTurnedPixel pixel)
 {
   pixel = AirlightTurnedPixel(vec3(0.0), vec3(0.0), 0.0, 0, false);
-  if (!airlightOpenKeys(ivec2(p), surface >= 0.0 ? surface : 1e37))
+  if (!airlightOpenPacked(ivec2(p), surface >= 0.0 ? surface : 1e37))
   {
     return false;
   }
-  pixel.boundaries = keysLeft;
-  pixel.surfaceLit = startCount + keysTotal <= 0;
+  pixel.boundaries = packedLeft;
+  pixel.surfaceLit = startCount + packedWeights <= 0;
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
   AirlightRay ray =

@@ -1,5 +1,5 @@
 // The boundaries of a pixel in order of distance. A first draw takes the pixels whose boundaries
-// have slots, or where there are none (AIRLIGHT_SLOTS 0), those with short lists, which are sorted
+// have slots, or where there are none (AIRLIGHT_K_BUFFER_SIZE 0), those with short lists, which are sorted
 // here in a local array. It leaves out the others; AirlightSortFS.glsl sorts their lists in place, and
 // further draws with AIRLIGHT_SORTED read them as they are, some boundaries a draw, because some
 // software renderers bound the iterations of one shader run.
@@ -29,8 +29,8 @@ const int AIRLIGHT_END = 2;   // none is left
 
 float airlightNodeDistance(uint node)
 {
-#if AIRLIGHT_SLOTS > 0
-  return airlightKeyDistance(nodes[AIRLIGHT_NODE_WORDS * node]);
+#if AIRLIGHT_K_BUFFER_SIZE > 0
+  return airlightPackedDistance(nodes[AIRLIGHT_NODE_WORDS * node]);
 #else
   return uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * node]);
 #endif
@@ -38,8 +38,8 @@ float airlightNodeDistance(uint node)
 
 AirlightCounts airlightWeight(uint node)
 {
-#if AIRLIGHT_SLOTS > 0
-  return airlightKeyWeight(nodes[AIRLIGHT_NODE_WORDS * node]);
+#if AIRLIGHT_K_BUFFER_SIZE > 0
+  return airlightPackedWeight(nodes[AIRLIGHT_NODE_WORDS * node]);
 #else
   int weight = int(nodes[AIRLIGHT_NODE_WORDS * node + 1u]);
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
@@ -114,7 +114,7 @@ void airlightTakeUp(out float from, out int shadows)
 bool airlightOpenBoundaries(
   ivec2 pixel, AirlightRay ray, float surface, inout float from, inout AirlightCounts shadows)
 {
-  boundaryNode = heads[airlightHeadIndex(pixel)];
+  boundaryNode = listHeads[airlightHeadIndex(pixel)];
   boundaryLast = 0u;
   boundariesLeft = AIRLIGHT_CHUNK;
   if (boundaryNode != 0u && resume != 0)
@@ -151,27 +151,27 @@ void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts 
 #else
   uint paused = boundaryLast;
 #endif
-  heads[airlightHeadIndex(pixel)] = state == AIRLIGHT_PAUSE ? paused : 0u;
+  listHeads[airlightHeadIndex(pixel)] = state == AIRLIGHT_PAUSE ? paused : 0u;
   if (state == AIRLIGHT_PAUSE)
   {
     airlightLeave(from, shadows);
   }
 }
 
-#elif AIRLIGHT_SLOTS > 0
+#elif AIRLIGHT_K_BUFFER_SIZE > 0
 
 bool airlightOpenBoundaries(
   ivec2 pixel, AirlightRay ray, float surface, inout float from, inout AirlightCounts shadows)
 {
-  return airlightOpenKeys(pixel, boundaryEnd);
+  return airlightOpenPacked(pixel, boundaryEnd);
 }
 
 int airlightNextBoundary(out float t, out AirlightCounts weight)
 {
-  uint key = airlightNextKey();
-  t = boundaryUnit * airlightKeyDistance(key);
-  weight = airlightKeyWeight(key);
-  return keysLeft >= 0 ? AIRLIGHT_MORE : AIRLIGHT_END;
+  uint boundary = airlightNextPacked();
+  t = boundaryUnit * airlightPackedDistance(boundary);
+  weight = airlightPackedWeight(boundary);
+  return packedLeft >= 0 ? AIRLIGHT_MORE : AIRLIGHT_END;
 }
 
 void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts shadows) {}
@@ -192,7 +192,7 @@ bool airlightOpenBoundaries(
 {
   listSize = 0;
   listNext = 0;
-  uint node = heads[airlightHeadIndex(pixel)];
+  uint node = listHeads[airlightHeadIndex(pixel)];
   int length = 0;
   for (uint guard = 0u; node != 0u && guard < uint(nodes.length()); guard++)
   {
@@ -222,7 +222,7 @@ bool airlightOpenBoundaries(
   }
   if (length > AIRLIGHT_SHORT_LIST)
   {
-    atomicMax(heads[1], uint(length));
+    atomicMax(listHeads[1], uint(length));
   }
   return length <= AIRLIGHT_SHORT_LIST;
 }
@@ -243,7 +243,7 @@ int airlightNextBoundary(out float t, out AirlightCounts weight)
 // What is done here is not the later draws'.
 void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts shadows)
 {
-  heads[airlightHeadIndex(pixel)] = 0u;
+  listHeads[airlightHeadIndex(pixel)] = 0u;
 }
 
 #endif

@@ -63,26 +63,26 @@ bool isBehindEdge(float t, vec3 direction)
 
 void addBoundary(ivec2 pixel, float t, int weight)
 {
-#if AIRLIGHT_SLOTS > 0
-  uint key = airlightKey(t, weight);
-  uint slot = atomicAdd(heads[airlightCountIndex(pixel)], 1u);
-  if (slot < uint(AIRLIGHT_SLOTS))
+#if AIRLIGHT_K_BUFFER_SIZE > 0
+  uint boundary = airlightPackBoundary(t, weight);
+  uint slot = atomicAdd(listHeads[airlightCountIndex(pixel)], 1u);
+  if (slot < uint(AIRLIGHT_K_BUFFER_SIZE))
   {
-    slots[airlightSlot(airlightFirstSlot(pixel), slot)] = key;
+    kBuffer[airlightKBufferIndex(airlightKBufferStart(pixel), slot)] = boundary;
     return;
   }
 #endif
-  uint index = atomicAdd(heads[0], 1u) + 1u;
+  uint index = atomicAdd(listHeads[0], 1u) + 1u;
   if (index > AIRLIGHT_MOST_BOUNDARIES)
   {
-    atomicExchange(heads[0], AIRLIGHT_MOST_BOUNDARIES);
+    atomicExchange(listHeads[0], AIRLIGHT_MOST_BOUNDARIES);
   }
   if (index < uint(nodes.length()) / AIRLIGHT_NODE_WORDS)
   {
     uint word = AIRLIGHT_NODE_WORDS * index;
-    nodes[word + 2u] = atomicExchange(heads[airlightHeadIndex(pixel)], index);
-#if AIRLIGHT_SLOTS > 0
-    nodes[word] = key;
+    nodes[word + 2u] = atomicExchange(listHeads[airlightHeadIndex(pixel)], index);
+#if AIRLIGHT_K_BUFFER_SIZE > 0
+    nodes[word] = boundary;
 #else
     nodes[word] = floatBitsToUint(t);
 #if AIRLIGHT_SHADOW_TRANSMITTANCE

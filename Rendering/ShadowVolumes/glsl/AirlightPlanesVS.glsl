@@ -18,7 +18,7 @@ uniform mat4 anchorToClip;
 uniform vec3 anchor;     // from the eye
 uniform vec4 fromLight;  // directional: the light's direction and w 0; point: w 1
 uniform int inParallel; // 1: the projection is parallel
-uniform ivec3 givenPlaces; // what all fragments need, see AirlightSlots.glsl and AirlightHeads.glsl
+uniform ivec3 givenListLayout; // what all fragments need, see AirlightKBuffer.glsl and AirlightListHeads.glsl
 // As in AirlightViewShader.glsl.
 uniform vec3 airlightRayOrigin[3];
 uniform vec3 airlightRayDirection[3];
@@ -26,7 +26,7 @@ uniform vec3 airlightRayDirection[3];
 // The plane met by the ray of pixel p: with q = x + p.x y + p.y z, at w/q on the unit of
 // airlightDirection(), in parallel projection at q/w.
 flat out vec4 planeRay;
-flat out ivec3 places;
+flat out ivec3 listLayout;
 flat out int planeWeight;
 flat out int planeLayer;
 flat out vec3 planeNormal; // the near planes' own: dot(normal, x) = offset, x from the eye
@@ -80,10 +80,10 @@ void draw()
   gl_Position = vec4(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0, -1.0, 1.0);
 }
 #else
-// By caster, from the eye: the plane of a surface that hides all behind it (AirlightHidingFaces.h), or 0.
-layout(std430, binding = AIRLIGHT_BINDING_TRUNCATION_PLANES) readonly buffer AirlightPlaneEnds
+// By caster, from the eye: the plane of a surface that hides all behind it (AirlightPlanarOccluders.h), or 0.
+layout(std430, binding = AIRLIGHT_BINDING_TRUNCATION_PLANES) readonly buffer AirlightTruncationPlanes
 {
-  vec4 planeEnds[];
+  vec4 truncationPlanes[];
 };
 
 // Where the ray from the light through a point is hidden for good, or at infinity. Of nothing but that point
@@ -111,7 +111,7 @@ void draw()
 
   vec3 near = gl_VertexID % 4 < 2 ? a.xyz : b.xyz;
   bool far = gl_VertexID % 2 == 1;
-  gl_Position = anchorToClip * (far ? getEnd(near, planeEnds[int(b.w)]) : vec4(near, 1.0));
+  gl_Position = anchorToClip * (far ? getEnd(near, truncationPlanes[int(b.w)]) : vec4(near, 1.0));
 }
 #endif
 
@@ -121,7 +121,7 @@ void main()
   planeB = vec3(0.0);
   planeSides = vec3(0.0);
   planeRounding = 0.0;
-  places = givenPlaces;
+  listLayout = givenListLayout;
   draw();
   meetRays();
 }

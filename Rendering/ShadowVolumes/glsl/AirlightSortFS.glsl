@@ -14,7 +14,7 @@ uniform uint run;
 // By distance; at one distance entries before exits.
 bool airlightInscatterToFragment(uint a, uint b)
 {
-#if AIRLIGHT_SLOTS > 0
+#if AIRLIGHT_K_BUFFER_SIZE > 0
   return nodes[AIRLIGHT_NODE_WORDS * a] <= nodes[AIRLIGHT_NODE_WORDS * b];
 #else
   float ta = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * a]);
@@ -27,7 +27,7 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   int headIndex = airlightHeadIndex(pixel);
-  uint left = heads[headIndex];
+  uint left = listHeads[headIndex];
   if (left == 0u)
   {
     return;
@@ -71,5 +71,5 @@ void main()
     left = right;
   }
   nodes[AIRLIGHT_NODE_WORDS * tail + 2u] = 0u;
-  heads[headIndex] = head;
+  listHeads[headIndex] = head;
 }

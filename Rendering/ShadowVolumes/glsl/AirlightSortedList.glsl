@@ -1,7 +1,7 @@
 // The boundaries of a pixel's list, which AirlightSortFS.glsl put in order, read as those in slots are
-// (AirlightSortedSlots.glsl).
+// (AirlightSortedKBuffer.glsl).
 
-const uint AIRLIGHT_NO_KEY = 0xffffffffu;
+const uint AIRLIGHT_NO_BOUNDARY = 0xffffffffu;
 
 layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) readonly buffer AirlightNodes
 {
@@ -9,32 +9,32 @@ layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) readonly buffer AirlightNo
 };
 
 uint listNode;
-int keysLeft;  // boundaries before the end
-int keysTotal; // sum of their weights
+int packedLeft;  // boundaries before the end
+int packedWeights; // sum of their weights
 
 // False where there is no list.
-bool airlightOpenKeys(ivec2 pixel, float end)
+bool airlightOpenPacked(ivec2 pixel, float end)
 {
-  keysTotal = 0;
-  keysLeft = 0;
-  listNode = heads[airlightHeadIndex(pixel)];
+  packedWeights = 0;
+  packedLeft = 0;
+  listNode = listHeads[airlightHeadIndex(pixel)];
   for (uint node = listNode; node != 0u; node = nodes[AIRLIGHT_NODE_WORDS * node + 2u])
   {
-    uint key = nodes[AIRLIGHT_NODE_WORDS * node];
-    if (!(airlightKeyDistance(key) < end))
+    uint boundary = nodes[AIRLIGHT_NODE_WORDS * node];
+    if (!(airlightPackedDistance(boundary) < end))
     {
       break;
     }
-    keysTotal += airlightKeyWeight(key);
-    keysLeft++;
+    packedWeights += airlightPackedWeight(boundary);
+    packedLeft++;
   }
   return listNode != 0u;
 }
 
-uint airlightNextKey()
+uint airlightNextPacked()
 {
-  uint key = listNode != 0u ? nodes[AIRLIGHT_NODE_WORDS * listNode] : AIRLIGHT_NO_KEY;
+  uint boundary = listNode != 0u ? nodes[AIRLIGHT_NODE_WORDS * listNode] : AIRLIGHT_NO_BOUNDARY;
   listNode = listNode != 0u ? nodes[AIRLIGHT_NODE_WORDS * listNode + 2u] : 0u;
-  keysLeft--;
-  return key;
+  packedLeft--;
+  return boundary;
 }

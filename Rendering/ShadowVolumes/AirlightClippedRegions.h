@@ -6,8 +6,8 @@
  * Not installed; exported for the module's own tests.
  */
 
-#ifndef AirlightClippedView_h
-#define AirlightClippedView_h
+#ifndef AirlightClippedRegions_h
+#define AirlightClippedRegions_h
 
 #include "vtkAirlightModule.h" // for export macro
 
@@ -23,11 +23,11 @@ struct Caster;
 
 // Which parts of casters rays of the picture may meet before the near clipping plane or behind the far one,
 // where nothing of them is drawn.
-class VTKAIRLIGHT_EXPORT ClippedView
+class VTKAIRLIGHT_EXPORT ClippedRegions
 {
 public:
   // `anyPicture`: of any width and height, for other processes, whose windows are not known.
-  explicit ClippedView(const PixelRays& rays, bool anyPicture = false);
+  explicit ClippedRegions(const PixelRays& rays, bool anyPicture = false);
 
   // Whether there may be such parts of it: where its box and one of the two regions are not apart for
   // certain.

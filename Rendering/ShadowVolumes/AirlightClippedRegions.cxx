@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShadowVolumes/AirlightClippedView.h"
+#include "ShadowVolumes/AirlightClippedRegions.h"
 
 #include "Casters/AirlightCasterBox.h"
 #include "Scene/AirlightPixelRays.h"
@@ -34,7 +34,7 @@ glm::dvec4 MakePlane(const glm::dvec3& normal, const glm::dvec3& point)
 }
 
 //------------------------------------------------------------------------------
-ClippedView::ClippedView(const PixelRays& rays, bool anyPicture)
+ClippedRegions::ClippedRegions(const PixelRays& rays, bool anyPicture)
   : Eye(rays.GetEye())
   , AnyPicture(anyPicture)
 {
@@ -63,7 +63,7 @@ ClippedView::ClippedView(const PixelRays& rays, bool anyPicture)
 
 //------------------------------------------------------------------------------
 // Where one of the view's sides, the clipping plane or one of the box's sides is between the two.
-bool ClippedView::IsApart(const Box& box, const Region& region) const
+bool ClippedRegions::IsApart(const Box& box, const Region& region) const
 {
   if (GetLeast(region.End, box) > 0.0)
   {
@@ -96,7 +96,7 @@ bool ClippedView::IsApart(const Box& box, const Region& region) const
 }
 
 //------------------------------------------------------------------------------
-bool ClippedView::MayCutOff(const Caster& caster) const
+bool ClippedRegions::MayCutOff(const Caster& caster) const
 {
   const std::array<glm::dvec3, 8> corners = GetCorners(caster);
   Box box;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShadowVolumes/AirlightBoundaryStore.h"
+#include "ShadowVolumes/AirlightBoundaryBuffer.h"
 
-#include "AirlightHeads.h"
-#include "AirlightSlots.h"
+#include "AirlightKBuffer.h"
+#include "AirlightListHeads.h"
 #include "OpenGL/AirlightStorageBinding.h"
 
 #include "vtkShaderProgram.h"
@@ -18,27 +18,27 @@ constexpr std::uint64_t PlainNodeWords = 3;
 constexpr std::uint64_t TransmittingNodeWords = 6;
 // For the few pixels whose slots do not suffice, and where there are none.
 constexpr std::uint64_t InitialCapacity = 1u << 18;
-// What AirlightHeads.glsl begins with.
-constexpr int HeadOffset = 2;
+// What AirlightListHeads.glsl begins with.
+constexpr int ListHeadOffset = 2;
 // More silhouette edges than these have pixels enough with more than 16 boundaries.
 constexpr size_t ManyEdges = 8192;
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t BoundaryStore::GetNodeSize() const
+std::uint64_t BoundaryBuffer::GetNodeSize() const
 {
   return 4 * (this->TransmitsShadows ? TransmittingNodeWords : PlainNodeWords);
 }
 
 //------------------------------------------------------------------------------
 // Of one row of pixels.
-std::uint64_t BoundaryStore::GetSlotBytes() const
+std::uint64_t BoundaryBuffer::GetKBufferRowBytes() const
 {
-  return static_cast<std::uint64_t>(this->Width) * this->SlotsPerPixel * 4;
+  return static_cast<std::uint64_t>(this->Width) * this->KBufferSize * 4;
 }
 
 //------------------------------------------------------------------------------
-bool BoundaryStore::Allocate(unsigned int buffer, std::uint64_t bytes, const std::string& what)
+bool BoundaryBuffer::Allocate(unsigned int buffer, std::uint64_t bytes, const std::string& what)
 {
   if (!AllocateStorageBlock(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY))
   {
@@ -50,7 +50,7 @@ bool BoundaryStore::Allocate(unsigned int buffer, std::uint64_t bytes, const std
 }
 
 //------------------------------------------------------------------------------
-bool BoundaryStore::Reserve(std::uint64_t boundaries)
+bool BoundaryBuffer::Reserve(std::uint64_t boundaries)
 {
   const bool ok = this->Allocate(this->Nodes, boundaries * this->GetNodeSize(),
     "the lists of " + std::to_string(boundaries) + " boundaries");
@@ -59,38 +59,38 @@ bool BoundaryStore::Reserve(std::uint64_t boundaries)
 }
 
 //------------------------------------------------------------------------------
-bool BoundaryStore::ReserveSome()
+bool BoundaryBuffer::ReserveSome()
 {
   return this->Reserve(std::min(InitialCapacity, this->GetMost()));
 }
 
 //------------------------------------------------------------------------------
 // A quarter of the limit is left to lists.
-bool BoundaryStore::ReserveSlots()
+bool BoundaryBuffer::ReserveKBuffer()
 {
   const std::uint64_t most = std::min(this->Limit - this->Limit / 4, this->MostBytes);
-  const std::uint64_t row = std::max<std::uint64_t>(this->GetSlotBytes(), 1);
+  const std::uint64_t row = std::max<std::uint64_t>(this->GetKBufferRowBytes(), 1);
   const auto height = static_cast<std::uint64_t>(this->Height);
-  this->SlotRows = this->TransmitsShadows ? 0 : static_cast<int>(std::min(height, most / row));
-  const std::uint64_t bytes = this->SlotRows * row;
-  if (bytes == this->SlotSize)
+  this->KBufferRows = this->TransmitsShadows ? 0 : static_cast<int>(std::min(height, most / row));
+  const std::uint64_t bytes = this->KBufferRows * row;
+  if (bytes == this->KBufferBytes)
   {
     return true;
   }
-  this->SlotSize = bytes;
-  return this->Allocate(
-    this->Slots, bytes, "the boundaries of " + std::to_string(this->SlotRows) + " rows of pixels");
+  this->KBufferBytes = bytes;
+  return this->Allocate(this->KBuffer, bytes,
+    "the boundaries of " + std::to_string(this->KBufferRows) + " rows of pixels");
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t BoundaryStore::GetMost() const
+std::uint64_t BoundaryBuffer::GetMost() const
 {
-  const std::uint64_t left = this->Limit - std::min(this->SlotSize, this->Limit);
+  const std::uint64_t left = this->Limit - std::min(this->KBufferBytes, this->Limit);
   return std::min(left, this->MostBytes) / this->GetNodeSize();
 }
 
 //------------------------------------------------------------------------------
-bool BoundaryStore::Prepare(
+bool BoundaryBuffer::Prepare(
   int width, int height, bool transmitsShadows, size_t edges, std::uint64_t limit)
 {
   // The lists keep their bytes.
@@ -100,31 +100,31 @@ bool BoundaryStore::Prepare(
   this->Width = width;
   this->Height = height;
   this->Limit = limit;
-  this->SlotsPerPixel = edges > ManyEdges ? 32 : 16;
+  this->KBufferSize = edges > ManyEdges ? 32 : 16;
   if (this->Nodes == 0)
   {
     glGenBuffers(1, &this->Nodes);
-    glGenBuffers(2, this->Heads);
-    glGenBuffers(1, &this->Slots);
+    glGenBuffers(2, this->ListHeads);
+    glGenBuffers(1, &this->KBuffer);
     GLint64 most = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
     // Indices of words are 32 bits wide.
     this->MostBytes = std::clamp<std::uint64_t>(most, 1u << 24, 0x7fffffff);
   }
   const std::uint64_t row = 2 * static_cast<std::uint64_t>(width);
-  const std::uint64_t most = (this->MostBytes / 4 - HeadOffset) / row;
-  this->HeadRows = static_cast<int>(std::min<std::uint64_t>(height, most));
-  const std::uint64_t heads = row * this->HeadRows + HeadOffset;
-  for (int i = 0; i < 2 && this->HeadCount != heads; ++i)
+  const std::uint64_t most = (this->MostBytes / 4 - ListHeadOffset) / row;
+  this->ListHeadRows = static_cast<int>(std::min<std::uint64_t>(height, most));
+  const std::uint64_t heads = row * this->ListHeadRows + ListHeadOffset;
+  for (int i = 0; i < 2 && this->ListHeadCount != heads; ++i)
   {
-    if (!this->Allocate(this->Heads[i], 4 * heads,
+    if (!this->Allocate(this->ListHeads[i], 4 * heads,
           "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels"))
     {
       return false;
     }
   }
-  this->HeadCount = heads;
-  if (!this->ReserveSlots())
+  this->ListHeadCount = heads;
+  if (!this->ReserveKBuffer())
   {
     return false;
   }
@@ -133,24 +133,24 @@ bool BoundaryStore::Prepare(
 }
 
 //------------------------------------------------------------------------------
-int BoundaryStore::LimitRows(int rows) const
+int BoundaryBuffer::LimitRows(int rows) const
 {
-  rows = std::min(rows, this->HeadRows);
-  return this->GetSlots() > 0 ? std::min(rows, this->SlotRows) : rows;
+  rows = std::min(rows, this->ListHeadRows);
+  return this->GetKBufferSize() > 0 ? std::min(rows, this->KBufferRows) : rows;
 }
 
 //------------------------------------------------------------------------------
-void BoundaryStore::Clear(int row)
+void BoundaryBuffer::Clear(int row)
 {
   this->FirstRow = row;
-  this->Turn = 1 - this->Turn;
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads[this->Turn]);
+  this->Current = 1 - this->Current;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->ListHeads[this->Current]);
   glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 
 //------------------------------------------------------------------------------
-std::string BoundaryStore::DefineNodes(bool transmitsShadows)
+std::string BoundaryBuffer::DefineNodes(bool transmitsShadows)
 {
   return "#define AIRLIGHT_SHADOW_TRANSMITTANCE " + std::to_string(transmitsShadows) +
     "\n#define AIRLIGHT_NODE_WORDS " +
@@ -158,30 +158,30 @@ std::string BoundaryStore::DefineNodes(bool transmitsShadows)
 }
 
 //------------------------------------------------------------------------------
-std::string BoundaryStore::GetSource() const
+std::string BoundaryBuffer::GetSource() const
 {
-  return "#define AIRLIGHT_SLOTS " + std::to_string(this->GetSlots()) + "\n" + AirlightHeads +
-    (this->GetSlots() > 0 ? AirlightSlots : "");
+  return "#define AIRLIGHT_K_BUFFER_SIZE " + std::to_string(this->GetKBufferSize()) + "\n" +
+    AirlightListHeads + (this->GetKBufferSize() > 0 ? AirlightKBuffer : "");
 }
 
 //------------------------------------------------------------------------------
-void BoundaryStore::Use(vtkShaderProgram* program)
+void BoundaryBuffer::Use(vtkShaderProgram* program)
 {
   // Integers in vectors of three, which vtkShaderProgram cannot set.
-  glUniform3i(glGetUniformLocation(program->GetHandle(), "givenPlaces"), this->FirstRow,
-    this->Width, this->HeadRows);
+  glUniform3i(glGetUniformLocation(program->GetHandle(), "givenListLayout"), this->FirstRow,
+    this->Width, this->ListHeadRows);
   BindStorage(StorageBinding::Boundaries, this->Nodes);
-  BindStorage(StorageBinding::ListHeads, this->Heads[this->Turn]);
-  BindStorage(StorageBinding::KBuffer, this->Slots);
+  BindStorage(StorageBinding::ListHeads, this->ListHeads[this->Current]);
+  BindStorage(StorageBinding::KBuffer, this->KBuffer);
 }
 
 //------------------------------------------------------------------------------
-BoundaryStore::Counts BoundaryStore::ReadCounts()
+BoundaryBuffer::Counts BoundaryBuffer::ReadCounts()
 {
-  GLuint values[HeadOffset] = {};
+  GLuint values[ListHeadOffset] = {};
   // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads[this->Turn]);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->ListHeads[this->Current]);
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(values), values);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   Counts counts;
@@ -191,15 +191,15 @@ BoundaryStore::Counts BoundaryStore::ReadCounts()
 }
 
 //------------------------------------------------------------------------------
-void BoundaryStore::Release()
+void BoundaryBuffer::Release()
 {
   DeleteBuffer(this->Nodes);
-  DeleteBuffer(this->Heads[0]);
-  DeleteBuffer(this->Heads[1]);
-  DeleteBuffer(this->Slots);
+  DeleteBuffer(this->ListHeads[0]);
+  DeleteBuffer(this->ListHeads[1]);
+  DeleteBuffer(this->KBuffer);
   this->Capacity = 0;
-  this->HeadCount = 0;
-  this->SlotSize = 0;
-  this->SlotRows = 0;
+  this->ListHeadCount = 0;
+  this->KBufferBytes = 0;
+  this->KBufferRows = 0;
 }
 }

@@ -10,7 +10,7 @@
 #include "AirlightTestTools.h"
 #include "Casters/AirlightCasters.h"
 #include "Scene/AirlightPixelRays.h"
-#include "ShadowVolumes/AirlightClippedView.h"
+#include "ShadowVolumes/AirlightClippedRegions.h"
 
 #include "vtkCubeSource.h"
 
@@ -89,11 +89,11 @@ void CheckRandom()
       const double z = random.Uniform(-0.5, 0.5);
       isCut = IsCutOff(camera, glm::dvec3(caster.ToWorld * glm::dvec4(x, y, z, 1.0)));
     }
-    const bool may = airlight::ClippedView(rays).MayCutOff(caster);
+    const bool may = airlight::ClippedRegions(rays).MayCutOff(caster);
     cut += isCut;
     found += may;
     missed += isCut && !may;
-    Check(!may || airlight::ClippedView(rays, true).MayCutOff(caster),
+    Check(!may || airlight::ClippedRegions(rays, true).MayCutOff(caster),
       "of any picture, what is found in this one is found");
   }
   std::cout << count << " boxes: " << cut << " cut off at one of 400 places, " << found
@@ -115,9 +115,9 @@ void CheckTypical()
   glm::dmat4 floor(40.0);
   floor[1] = glm::dvec4(0.0, 1e-9, 0.0, 0.0);
   floor[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
-  const airlight::ClippedView view(rays);
+  const airlight::ClippedRegions view(rays);
   Check(!view.MayCutOff(MakeBox(floor)), "a floor that the camera stands above");
-  Check(airlight::ClippedView(rays, true).MayCutOff(MakeBox(floor)), "but for any picture");
+  Check(airlight::ClippedRegions(rays, true).MayCutOff(MakeBox(floor)), "but for any picture");
   floor[3].y = 3.99;
   Check(view.MayCutOff(MakeBox(floor)), "a floor that the near plane cuts");
   floor[3] = glm::dvec4(0.0, 0.0, -30.0, 1.0);
@@ -126,7 +126,7 @@ void CheckTypical()
 }
 
 //------------------------------------------------------------------------------
-int TestClippedView(int, char*[])
+int TestClippedRegions(int, char*[])
 {
   CheckRandom();
   CheckTypical();

@@ -5,8 +5,8 @@
  * all their casters, light by light, not their triangles. They are sent as bytes.
  */
 
-#ifndef AirlightRemoteShadows_h
-#define AirlightRemoteShadows_h
+#ifndef AirlightSilhouetteExchange_h
+#define AirlightSilhouetteExchange_h
 
 #include "ShadowVolumes/AirlightShadowVolumes.h"
 
@@ -19,7 +19,7 @@
 namespace airlight
 {
 // What the opaque casters of a process do in one light.
-struct RemoteShadow
+struct LightSilhouettes
 {
   glm::dvec4 Light{ 0.0 };  // homogeneous world position
   glm::dvec3 Anchor{ 0.0 }; // of edges and caps, as ShadowVolumes::GetAnchor()
@@ -29,13 +29,13 @@ struct RemoteShadow
 };
 
 // By light number.
-using RemoteShadows = std::vector<std::shared_ptr<const RemoteShadow>>;
+using ProcessSilhouettes = std::vector<std::shared_ptr<const LightSilhouettes>>;
 
 // For processes on machines of one kind: the bytes of another kind are refused, as what is cut short.
-std::vector<unsigned char> WriteRemoteShadows(const std::vector<RemoteShadow>& shadows);
+std::vector<unsigned char> WriteSilhouettes(const std::vector<LightSilhouettes>& shadows);
 // False with a reason in `error`.
-bool ReadRemoteShadows(
-  const unsigned char* bytes, size_t size, RemoteShadows& shadows, std::string& error);
+bool ReadSilhouettes(
+  const unsigned char* bytes, size_t size, ProcessSilhouettes& shadows, std::string& error);
 }
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShadowVolumes/AirlightHidingFaces.h"
+#include "ShadowVolumes/AirlightPlanarOccluders.h"
 
 #include "Casters/AirlightCasterBox.h"
 #include "Scene/AirlightPixelRays.h"
@@ -30,7 +30,8 @@ constexpr int Probes = 8;
 constexpr int LeastProbes = 3;
 
 // Corners from the eye.
-std::optional<HidingFace> MakeFace(const std::vector<glm::dvec3>& corners, const PixelRays& rays)
+std::optional<PlanarOccluder> MakeFace(
+  const std::vector<glm::dvec3>& corners, const PixelRays& rays)
 {
   glm::dvec3 middle(0.0);
   for (const glm::dvec3& corner : corners)
@@ -50,7 +51,7 @@ std::optional<HidingFace> MakeFace(const std::vector<glm::dvec3>& corners, const
   {
     return {};
   }
-  HidingFace face;
+  PlanarOccluder face;
   face.Plane = glm::dvec4(normal, height + Setback * extent);
   face.Sides.fill(-normal); // all behind the plane is inside of it
   for (size_t i = 0; i < corners.size(); ++i)
@@ -69,7 +70,7 @@ std::optional<HidingFace> MakeFace(const std::vector<glm::dvec3>& corners, const
 
 //------------------------------------------------------------------------------
 // Of a grid over the view.
-int CountHiddenRays(const HidingFace& face, const PixelRays& rays)
+int CountHiddenRays(const PlanarOccluder& face, const PixelRays& rays)
 {
   int count = 0;
   for (int i = 0; i < Probes * Probes; ++i)
@@ -86,7 +87,7 @@ int CountHiddenRays(const HidingFace& face, const PixelRays& rays)
 
 //------------------------------------------------------------------------------
 // Leaves out the sides that the whole view is inside of.
-void LimitToView(HidingFace& face, const std::array<PixelRays::Ray, 4>& corners)
+void LimitToView(PlanarOccluder& face, const std::array<PixelRays::Ray, 4>& corners)
 {
   for (glm::dvec3& side : face.Sides)
   {
@@ -99,7 +100,7 @@ void LimitToView(HidingFace& face, const std::array<PixelRays::Ray, 4>& corners)
 }
 
 //------------------------------------------------------------------------------
-using Candidate = std::pair<int, HidingFace>; // with the number of rays that it hides
+using Candidate = std::pair<int, PlanarOccluder>; // with the number of rays that it hides
 
 // Whatever the order of the casters.
 bool ComesBefore(const Candidate& a, const Candidate& b)
@@ -116,7 +117,7 @@ bool ComesBefore(const Candidate& a, const Candidate& b)
 //------------------------------------------------------------------------------
 // What is asked of places and of directions is linear in them, and the rays from a light through a box before
 // a plane meet that inside the outline of where those through its corners do: if the corners' are hidden, all are.
-bool HidesShadow(const HidingFace& face, const std::array<glm::dvec3, 8>& box,
+bool HidesShadow(const PlanarOccluder& face, const std::array<glm::dvec3, 8>& box,
   const glm::dvec4& light, const glm::dvec3& eye)
 {
   const glm::dvec3 normal(face.Plane);
@@ -136,7 +137,7 @@ bool HidesShadow(const HidingFace& face, const std::array<glm::dvec3, 8>& box,
 }
 
 //------------------------------------------------------------------------------
-std::vector<HidingFace> FindHidingFaces(
+std::vector<PlanarOccluder> FindPlanarOccluders(
   const std::vector<Caster>& casters, const std::vector<vtkProp*>& solid, const PixelRays& rays)
 {
   std::vector<Candidate> found;
@@ -154,7 +155,7 @@ std::vector<HidingFace> FindHidingFaces(
       {
         corners.emplace_back(glm::dvec3(caster.ToWorld * glm::dvec4(corner, 1.0)) - rays.GetEye());
       }
-      const std::optional<HidingFace> face = MakeFace(corners, rays);
+      const std::optional<PlanarOccluder> face = MakeFace(corners, rays);
       const int hidden = face ? CountHiddenRays(*face, rays) : 0;
       if (hidden >= LeastProbes)
       {
@@ -163,8 +164,8 @@ std::vector<HidingFace> FindHidingFaces(
     }
   }
   std::sort(found.begin(), found.end(), ComesBefore);
-  found.resize(std::min(found.size(), MostHidingFaces));
-  std::vector<HidingFace> faces;
+  found.resize(std::min(found.size(), MostPlanarOccluders));
+  std::vector<PlanarOccluder> faces;
   for (Candidate& candidate : found)
   {
     LimitToView(candidate.second, rays.GetCornerRays());
@@ -174,15 +175,15 @@ std::vector<HidingFace> FindHidingFaces(
 }
 
 //------------------------------------------------------------------------------
-std::vector<glm::vec4> FindPlaneEnds(const std::vector<Caster>& casters,
-  const std::vector<HidingFace>& faces, const glm::dvec4& light, const glm::dvec3& eye)
+std::vector<glm::vec4> FindTruncationPlanes(const std::vector<Caster>& casters,
+  const std::vector<PlanarOccluder>& faces, const glm::dvec4& light, const glm::dvec3& eye)
 {
   std::vector<glm::vec4> ends(casters.size() + 1, glm::vec4(0.0f));
   for (size_t i = 0; i < casters.size() && !faces.empty(); ++i)
   {
     const std::array<glm::dvec3, 8> box = GetCorners(casters[i]);
     const auto face = std::find_if(faces.begin(), faces.end(),
-      [&](const HidingFace& other) { return HidesShadow(other, box, light, eye); });
+      [&](const PlanarOccluder& other) { return HidesShadow(other, box, light, eye); });
     if (face != faces.end())
     {
       ends[i] = glm::vec4(face->Plane);

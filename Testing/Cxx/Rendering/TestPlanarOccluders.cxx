@@ -10,7 +10,7 @@
 #include "AirlightTestTools.h"
 #include "Casters/AirlightCasters.h"
 #include "Scene/AirlightPixelRays.h"
-#include "ShadowVolumes/AirlightHidingFaces.h"
+#include "ShadowVolumes/AirlightPlanarOccluders.h"
 
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
@@ -119,10 +119,10 @@ public:
     const glm::dvec4 light(lamp, this->Numbers.Index(2));
 
     const std::vector<airlight::Caster> casters = { wall, caster };
-    const auto faces = airlight::FindHidingFaces(casters, { owner }, rays);
-    airlight_test::Check(airlight::FindHidingFaces(casters, {}, rays).empty(),
+    const auto faces = airlight::FindPlanarOccluders(casters, { owner }, rays);
+    airlight_test::Check(airlight::FindPlanarOccluders(casters, {}, rays).empty(),
       "what may be looked through hides nothing");
-    const auto ends = airlight::FindPlaneEnds(casters, faces, light, rays.GetEye());
+    const auto ends = airlight::FindTruncationPlanes(casters, faces, light, rays.GetEye());
     airlight_test::Check(ends.size() == 3 && ends[2] == glm::vec4(0.0f), "one more end, of none");
     ++this->Count;
     this->Faces += !faces.empty();
@@ -264,7 +264,7 @@ void CheckPictures()
 }
 
 //------------------------------------------------------------------------------
-int TestHidingFaces(int, char*[])
+int TestPlanarOccluders(int, char*[])
 {
   CheckRandom();
   CheckPictures();

@@ -4,7 +4,7 @@
  * The boundaries of a light's shadows on each pixel, in the memory of the graphics card.
  *
  * Most pixels have few. So each has 16 slots of 4 bytes, or 32 where there are many silhouette
- * edges; what finds no slot goes into a linked list of the pixel (glsl/AirlightSlots.glsl,
+ * edges; what finds no slot goes into a linked list of the pixel (glsl/AirlightKBuffer.glsl,
  * glsl/AirlightPlanesFS.glsl). Where casters let light through, boundaries take more than a slot
  * holds: there all are in lists. Bytes:
  *
@@ -15,8 +15,8 @@
  * band of rows after another.
  */
 
-#ifndef AirlightBoundaryStore_h
-#define AirlightBoundaryStore_h
+#ifndef AirlightBoundaryBuffer_h
+#define AirlightBoundaryBuffer_h
 
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +26,7 @@ class vtkShaderProgram;
 
 namespace airlight
 {
-class BoundaryStore
+class BoundaryBuffer
 {
 public:
   // For a frame. `transmitsShadows`: whether boundaries tell how much light their casters let through. `edges`:
@@ -39,7 +39,7 @@ public:
   bool HasShadowTransmittance() const { return this->TransmitsShadows; }
 
   // Of each pixel; 0 where all boundaries are in lists.
-  int GetSlots() const { return this->SlotRows == 0 ? 0 : this->SlotsPerPixel; }
+  int GetKBufferSize() const { return this->KBufferRows == 0 ? 0 : this->KBufferSize; }
 
   // The most rows that have slots at once.
   int LimitRows(int rows) const;
@@ -76,8 +76,8 @@ public:
 
 private:
   std::uint64_t GetNodeSize() const;
-  std::uint64_t GetSlotBytes() const;
-  bool ReserveSlots();
+  std::uint64_t GetKBufferRowBytes() const;
+  bool ReserveKBuffer();
   bool Allocate(unsigned int buffer, std::uint64_t bytes, const std::string& what);
 
   int Width = 0;
@@ -87,15 +87,15 @@ private:
   std::uint32_t Capacity = 0;  // boundaries, the unused one at index 0 included
   unsigned int Nodes = 0;
   // In turn, a light each: one is cleared while what was drawn with the other is still going on.
-  unsigned int Heads[2] = {};
-  int Turn = 0;
-  unsigned int Slots = 0;
-  int SlotsPerPixel = 16;
-  int SlotRows = 0;
-  int HeadRows = 0; // what a storage block of the driver holds
-  int FirstRow = 0; // of the heads and slots
-  std::uint64_t HeadCount = 0;
-  std::uint64_t SlotSize = 0; // bytes allocated
+  unsigned int ListHeads[2] = {};
+  int Current = 0;
+  unsigned int KBuffer = 0;
+  int KBufferSize = 16;
+  int KBufferRows = 0;
+  int ListHeadRows = 0; // what a storage block of the driver holds
+  int FirstRow = 0;     // of the heads and slots
+  std::uint64_t ListHeadCount = 0;
+  std::uint64_t KBufferBytes = 0; // bytes allocated
   bool TransmitsShadows = false;
   std::string Error;
 };

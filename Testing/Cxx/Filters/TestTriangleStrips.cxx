@@ -73,7 +73,7 @@ void TestSurface(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-int TestShortStrips(int, char*[])
+int TestTriangleStrips(int, char*[])
 {
   for (const std::vector<int>& sizes :
     { std::vector<int>{}, std::vector<int>{ 0 }, std::vector<int>{ 2, 0, 1 } })

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShadowVolumes/AirlightRemoteShadows.h"
+#include "ShadowVolumes/AirlightSilhouetteExchange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +85,7 @@ bool IsFinite(const V& v)
 }
 
 // Weights index slots of the graphics card's memory: those that no mesh has are refused.
-bool IsSound(const RemoteShadow& shadow)
+bool IsSound(const LightSilhouettes& shadow)
 {
   return IsFinite(shadow.Light) && IsFinite(shadow.Anchor) &&
     std::all_of(shadow.Edges.begin(), shadow.Edges.end(),
@@ -100,12 +100,12 @@ bool IsSound(const RemoteShadow& shadow)
 }
 
 //------------------------------------------------------------------------------
-std::vector<unsigned char> WriteRemoteShadows(const std::vector<RemoteShadow>& shadows)
+std::vector<unsigned char> WriteSilhouettes(const std::vector<LightSilhouettes>& shadows)
 {
   std::vector<unsigned char> bytes;
   const Header header{ Magic, shadows.size() };
   Append(bytes, &header, 1);
-  for (const RemoteShadow& shadow : shadows)
+  for (const LightSilhouettes& shadow : shadows)
   {
     const LightHeader light{ shadow.Light, shadow.Anchor, shadow.StartCount, shadow.Edges.size(),
       shadow.Caps.size() };
@@ -117,8 +117,8 @@ std::vector<unsigned char> WriteRemoteShadows(const std::vector<RemoteShadow>& s
 }
 
 //------------------------------------------------------------------------------
-bool ReadRemoteShadows(
-  const unsigned char* bytes, size_t size, RemoteShadows& shadows, std::string& error)
+bool ReadSilhouettes(
+  const unsigned char* bytes, size_t size, ProcessSilhouettes& shadows, std::string& error)
 {
   Reader reader{ bytes, size };
   Header header{};
@@ -127,10 +127,10 @@ bool ReadRemoteShadows(
     error = "they do not begin as those of vtkAirlightPass::GetSilhouettes() do";
     return false;
   }
-  RemoteShadows found;
+  ProcessSilhouettes found;
   for (std::uint64_t k = 0; k < header.Lights; ++k)
   {
-    auto shadow = std::make_shared<RemoteShadow>();
+    auto shadow = std::make_shared<LightSilhouettes>();
     LightHeader light{};
     if (!reader.Take(&light, 1) || !reader.Take(shadow->Edges, light.Edges) ||
       !reader.Take(shadow->Caps, light.Caps))
