@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Runs a command of this repository in a fresh Debian with nothing but its base system, and tells how
-# long it took. For what a newcomer meets, and for other releases of Debian. Needs root, debootstrap,
-# and 6 GB; it changes nothing outside the folder of the root.
+# Runs a command of this repository in a fresh Debian base system and reports how long it took. Use it
+# to test a newcomer's steps and other releases of Debian. Needs root, debootstrap and 6 GB. It changes
+# nothing outside the folder of the root.
 #
 # Usage: Utilities/bare-root.sh [--suite NAME] [--root DIR] [--mirror URL] [COMMAND...]
 #
 #   --suite    the release: bookworm (Debian 12, the default), trixie (Debian 13)
-#   --root     the folder of the root; it is kept, and used again where it exists. Default: a
-#              temporary folder, which is removed at the end
-#   --mirror   the mirror of Debian's packages. Default: the one that apt uses on this machine
-#   COMMAND    run in a clone of the last commit. Default: Utilities/demo.sh --no-view, which renders
+#   --root     the folder of the root; it is kept and reused. Default: a temporary folder, which is
+#              removed at the end
+#   --mirror   the mirror of Debian's packages. Default: the mirror that apt uses on this machine
+#   COMMAND    runs in a clone of the last commit. Default: Utilities/demo.sh --no-view, which renders
 #              Figure 1
 #
 # AIRLIGHT_JOBS is the number of parallel jobs, as in the other scripts.
@@ -73,7 +73,7 @@ TIMEFORMAT='%0R s by the clock; processors: %0U s in programs, %0S s in the syst
 rm -rf "$folder/root/airlight"
 time git clone --quiet "file://$root" "$folder/root/airlight"
 
-# In a mount namespace of its own, whose mounts go when it ends.
+# In a separate mount namespace, whose mounts disappear when it ends.
 step "Running ${command[*]}"
 result=0
 # shellcheck disable=SC2016 # the inner shell replaces them

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the benchmarks in build/ and packs them with all that they need
-# into one file, to be carried to a machine with a graphics card that has nothing but its driver and
-# a glibc at least as new as this machine's (Debian 12, Ubuntu 24.04 or newer). There:
+# Installs what is missing, builds the benchmarks in build/ and packs them with their libraries into
+# one file, for a machine with a graphics card that has only its driver and a glibc at least as new as
+# this machine's (Debian 12, Ubuntu 24.04 or newer). Run there:
 #
 #   tar xf airlight-benchmark.tar.gz && airlight-benchmark/run.sh
 #
@@ -38,7 +38,7 @@ list_libraries()
   ldd "$@" | awk '$2 == "=>" && $3 ~ /^\// { print $1, $3 }' | sort -u
 }
 
-# copy_licence LIBRARY FOLDER: the licence of the Debian package that a library is from.
+# copy_licence LIBRARY FOLDER: the licence of the Debian package that contains a library.
 copy_licence()
 {
   local path package
@@ -72,11 +72,11 @@ missing=$(ldd "$package"/bin/* | grep 'not found' || true)
 
 while read -r name path; do
   case $name in
-    # the system's own, on every machine
+    # part of every system
     ld-linux* | libc.so.* | libm.so.* | libdl.so.* | libpthread.so.* | librt.so.* | libresolv.so.*)
       continue
       ;;
-    # what drivers load, too: the machine's own where it has one
+    # drivers load these, too: prefer the machine's own
     libGL* | libEGL* | libOpenGL* | libX* | libxcb* | libbsd* | libmd.* | libstdc++* | libgcc_s* | \
       libz.so* | libzstd* | liblzma*)
       [[ $name == libGLEW* ]] && target=lib || target=spare

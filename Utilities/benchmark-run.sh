@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
 # Times frames on this machine's graphics card and writes results.md, results.csv and results.json
-# into the current folder. It is run.sh of the file that Utilities/benchmark-package.sh makes.
+# into the current folder. This is run.sh of the file that Utilities/benchmark-package.sh makes.
 #
-# Usage: ./run.sh [OPTION...] [SCENE...]     without any: all scenes, 21 frames of each kind, errors
+# Usage: ./run.sh [OPTION...] [SCENE...]     default: all scenes, 21 frames of each kind, errors
 #
-# Options are those of bin/AirlightBenchmarkFrames; see ./run.sh --help. Of the ways to draw, the
-# first is taken that has a graphics card, or else, with a warning, the first that works:
+# Options are those of bin/AirlightBenchmarkFrames; see ./run.sh --help. The script uses the first of
+# these ways to draw that has a graphics card, otherwise, with a warning, the first that works:
 #
 #   egl      EGL, which needs no X server
 #   x        the X server that DISPLAY names
 #   nvidia   a virtual X server, with NVIDIA's GLX
 #   virtual  a virtual X server
 #
-# AIRLIGHT_DRAW=WAY takes that one and no other. The last two need xvfb-run. Where a driver is in
-# an unusual folder, __EGL_VENDOR_LIBRARY_FILENAMES names its .json for EGL.
+# AIRLIGHT_DRAW=WAY selects one way. The last two need xvfb-run. If a driver is in an unusual folder,
+# set __EGL_VENDOR_LIBRARY_FILENAMES to its .json for EGL.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -27,7 +27,7 @@ die()
   exit 1
 }
 
-# Of the spare libraries, those that this machine lacks.
+# The spare libraries that this machine lacks.
 known=$(PATH=$PATH:/sbin:/usr/sbin ldconfig -p | awk '{ print $1 }')
 for library in "$here"/spare/*; do
   grep -qxF "$(basename "$library")" <<< "$known" || ln -s "$library" "$temporary/"

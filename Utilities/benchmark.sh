@@ -6,9 +6,9 @@
 #
 #   --silhouettes   time silhouettes of a large mesh instead; options are Google Benchmark's
 #
-# Other options are those of AirlightBenchmarkFrames: see Utilities/benchmark.sh --help. Frames are
-# drawn by software under a virtual X server; with --egl without any, by the graphics card if there
-# is one; and, with AIRLIGHT_DISPLAY=1, on the screen that DISPLAY names, by whatever draws there.
+# Other options are those of AirlightBenchmarkFrames: see Utilities/benchmark.sh --help. By default,
+# frames are rendered in software under a virtual X server. --egl renders without an X server, on the
+# graphics card if there is one. AIRLIGHT_DISPLAY=1 renders on the screen that DISPLAY names.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

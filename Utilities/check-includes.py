@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks who includes whom: see "Rooms" in CONTRIBUTING.md.
+"""Checks which room includes which: see "Rooms" in CONTRIBUTING.md.
 
 Usage: Utilities/check-includes.py [--counts]
 
@@ -15,7 +15,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TOPS = ("Module", "Filters", "Rendering")
-# A room may include the rooms of the rows above its own, not those beside it.
+# A room may include the rooms of the rows above its own, not those of its own row.
 LAYERS = (
     ("OpenGL",),
     ("Scene", "Casters", "Translucency"),

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether tests were left out that should have run. CTest itself takes a skipped test for a good one.
+"""Checks that no test was skipped that should have run. CTest counts skipped tests as passed.
 
-Reads what ctest --output-junit wrote and, for skipped cases inside Python's tests, LastTest.log.
-Exits with 1 and names the tests where one was skipped or not run that may not be, or where fewer
-tests ran than a kept number.
+Reads the file of ctest --output-junit and, for skipped cases inside Python tests, LastTest.log.
+Exits with 1 and names the tests if one was skipped or not run without permission, or if fewer tests
+ran than the recorded number.
 """
 
 import argparse
@@ -16,7 +16,7 @@ import xml.etree.ElementTree
 
 
 def read_results(path):
-    """{test: why it did not run, None where it ran}."""
+    """{test: why it did not run, None if it ran}."""
     results = {}
     for case in xml.etree.ElementTree.parse(path).getroot().iter("testcase"):
         skipped = case.find("skipped")

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Measures which lines and branches of Module, Filters and Rendering the tests run.
 #
-# Usage: Utilities/coverage.sh [CTEST OPTION...]     builds, passes the tests, reports
-#        Utilities/coverage.sh --report              reports once more
+# Usage: Utilities/coverage.sh [CTEST OPTION...]     builds, runs the tests, reports
+#        Utilities/coverage.sh --report              reports again
 #
-# Builds in build/coverage, with GCC. The lines that do not run are in build/coverage/missing.txt, the
-# rest in build/coverage/html. A test that fails counts all the same. What runs on the graphics card is
-# not measured: of the GLSL only Module/glsl, as the classes on the CPU compile it.
+# Builds in build/coverage, with GCC. build/coverage/missing.txt lists the lines that do not run, and
+# build/coverage/html has the report. Failing tests count, too. Shaders on the graphics card are not
+# measured: of the GLSL only Module/glsl, as the classes on the CPU compile it.
 # AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
@@ -39,7 +39,7 @@ for name in ("Module", "Filters", "Rendering", "all"):
 END
 }
 
-# Branches that only an exception of the C++ library takes are left out.
+# Leaves out branches that only exceptions of the C++ library take.
 report()
 {
   mkdir -p "$build/html"

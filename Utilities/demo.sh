@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Airlight in build/ and renders Figure 1: a scene without a medium
-# (a), in a medium without shadows (b), and with volumetric shadows (c). The Python package is built, too.
+# (a), in a medium without shadows (b), and with volumetric shadows (c). Also builds the Python package.
 #
 # Usage: Utilities/demo.sh [--output DIR] [--no-view]
 #
 # Writes figure1-a.png, figure1-b.png, figure1-c.png and figure1.png, the three side by side, into
-# DIR (default: the current directory). Where there is a screen it then opens the scene in the
-# viewer. AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
+# DIR (default: the current directory). If there is a screen, it then opens the scene in the viewer.
+# AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

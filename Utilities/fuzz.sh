@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# Builds the fuzzers with Clang, in build-asan/, and runs them: programs that are given anything, and
-# must neither crash nor leak, hang or give numbers that are none.
+# Builds the fuzzers with Clang, in build-asan/, and runs them. They feed arbitrary input to the
+# library and stop at a crash, a leak, a hang or a NaN.
 #
 # Usage: Utilities/fuzz.sh TARGET [RUNS | SECONDSs] [LIBFUZZER OPTION...]
-#        Utilities/fuzz.sh all RUNS | SECONDSs        each of them, one after the other
-#        Utilities/fuzz.sh --build                    builds only
-#        Utilities/fuzz.sh --replay [TARGET...]       their corpus and a few thousand runs more, as the
-#                                                     tests do; does not build
+#        Utilities/fuzz.sh all RUNS | SECONDSs        all targets, one after the other
+#        Utilities/fuzz.sh --build                    only builds
+#        Utilities/fuzz.sh --replay [TARGET...]       runs the corpus and a few thousand further inputs,
+#                                                     as the tests do; does not build
 #
 # Targets: Photometry Scene PhaseTable OpenVDB Medium Filters Pass Frames. For example
-# `Utilities/fuzz.sh Photometry 5000000` or `Utilities/fuzz.sh OpenVDB 60s`. What a run finds is kept
-# in build-asan/fuzz/<target>/, inputs that fail beside it. Frames needs a display, or starts one.
+# `Utilities/fuzz.sh Photometry 5000000` or `Utilities/fuzz.sh OpenVDB 60s`. New inputs are kept in
+# build-asan/fuzz/<target>/, failing inputs beside that folder. Frames needs a display, or starts one.
 #
-# Exits with 125 where there is no Clang: the tests then are skipped.
+# Exits with 125 without Clang; the tests are then skipped.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -36,7 +36,7 @@ build_fuzzers()
   compile fuzzers
 }
 
-# run TARGET [LIBFUZZER OPTION...]: the input that fails, if one does, is kept.
+# run TARGET [LIBFUZZER OPTION...]: runs a fuzzer and keeps a failing input.
 run()
 {
   local target=$1 found=$build/fuzz/$1
@@ -44,7 +44,7 @@ run()
   shift
   [[ -x $program ]] || skip "there is no $program; Utilities/fuzz.sh --build makes it."
   mkdir -p "$found"
-  # Mesa leaks, and unloads itself, so that it cannot be named to LeakSanitizer.
+  # Mesa leaks and unloads itself, so LeakSanitizer cannot suppress it by name.
   local leaks=1
   [[ $target != Frames ]] || leaks=0
   local command=(env "ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=$leaks}" "LSAN_OPTIONS=$(leak_options)"
@@ -65,7 +65,7 @@ limit()
   esac
 }
 
-# How many runs besides the corpus --replay has: what takes a few seconds each.
+# The number of further runs of --replay: a few seconds each.
 declare -A replays=([Photometry]=20000 [Scene]=1000 [PhaseTable]=1000 [OpenVDB]=1000 [Medium]=1000
   [Filters]=2000 [Pass]=4000 [Frames]=0)
 

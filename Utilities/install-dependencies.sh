@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Installs what Airlight needs to build, test and run on Debian 12. Packages that are there already
-# are left as they are. Becomes root through sudo where necessary.
+# Installs the packages that Airlight needs to build, test and run on Debian 12. Leaves installed
+# packages unchanged. Uses sudo if necessary.
 #
 # Usage: Utilities/install-dependencies.sh [OPTION...]
 #
 #   --with-openvdb   also install OpenVDB, for reading .vdb files
-#   --with-doxygen   also install Doxygen, for making the class reference
-#   --with-checks    also install cppcheck, shellcheck and pyflakes, which read the code for mistakes, and
-#                    Git, which lists the files
-#   --with-analysis  and clang-tidy, which does so thoroughly, and gcovr, for what tests run
+#   --with-doxygen   also install Doxygen, for the class reference
+#   --with-checks    also install cppcheck, shellcheck and pyflakes for static checks, and Git, which
+#                    lists the files
+#   --with-analysis  the same, and clang-tidy for thorough checks, and gcovr for coverage
 #   --with-clang     also install Clang and its sanitizers, for fuzzing
 set -euo pipefail
 

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Shared by test.sh and demo.sh: source it after `set -euo pipefail`.
+# Functions that the scripts share: source it after `set -euo pipefail`.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
@@ -21,8 +21,8 @@ step()
   echo "[$step_number/$step_count] $*"
 }
 
-# install_missing PROGRAM...: installs what is missing where there is apt-get, and stops unless every
-# program is there afterwards.
+# install_missing PROGRAM...: installs missing packages if there is apt-get, and stops unless every
+# program is available afterwards.
 install_missing()
 {
   if command -v apt-get > /dev/null; then
@@ -36,7 +36,7 @@ install_missing()
   done
 }
 
-# configure [CMAKE OPTION...]: configures build/, keeping what an earlier run has there.
+# configure [CMAKE OPTION...]: configures build/, and keeps an existing build.
 configure()
 {
   local generator=()
@@ -63,7 +63,7 @@ on_virtual_display()
 }
 
 # configure_sanitized KIND [CMAKE OPTION...]: configures $build for sanitizers, KIND address or thread,
-# with Clang where there is one.
+# with Clang if available.
 configure_sanitized()
 {
   local kind=$1 compiler=()
@@ -75,7 +75,7 @@ configure_sanitized()
     -DCMAKE_C_FLAGS_RELEASE="-O1 -g1" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -g1" "$@"
 }
 
-# What LeakSanitizer is to leave out: Utilities/lsan.txt gives the reasons.
+# Suppressions of LeakSanitizer: Utilities/lsan.txt gives the reasons.
 leak_options()
 {
   echo "suppressions=$root/Utilities/lsan.txt:print_suppressions=0"

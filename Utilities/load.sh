@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the load tests in build/ and runs them in full: 10 000 frames in which
-# everything moves, 64 lights, 2 000 actors, 10 million triangles, a picture of 7680 x 4320 pixels from
-# tiles, and the same scenes in three processes (Documentation/trust.md). That takes about half an hour.
+# Installs what is missing, builds the load tests in build/ and runs them in full: 10 000 frames in
+# which everything moves, 64 lights, 2 000 actors, 10 million triangles, a tiled picture of 7680 x 4320
+# pixels, and the same scenes in three processes (Documentation/trust.md). This takes about half an hour.
 #
 # Usage: Utilities/load.sh [TEST [OPTION...]]     for example: Utilities/load.sh frames --frames 1000
 #

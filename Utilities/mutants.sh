@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Tests the tests: puts one fault at a time into the code, and says which test notices it.
+# Tests the tests: applies one fault at a time to the code, and reports which test detects it.
 #
 # Usage: Utilities/mutants.sh [--all-tests] [NAME...]   all mutants, or those whose names contain a NAME
-#        Utilities/mutants.sh --list [NAME...]          says what they are
+#        Utilities/mutants.sh --list [NAME...]          describes them
 #
-# A mutant is a patch in Testing/Mutants. Its text names the fault and the tests that should notice it.
-# For each mutant the script applies the patch, builds, runs those tests and takes the patch back. With
-# --all-tests it then runs all tests if those notice nothing. See "Mutants" in Documentation/trust.md.
+# A mutant is a patch in Testing/Mutants. Its text names the fault and the tests that should detect it.
+# For each mutant, the script applies the patch, builds, runs those tests and reverts the patch. If they
+# detect nothing, --all-tests then runs all tests. See "Mutants" in Documentation/trust.md.
 #
 # All of this happens in build/mutants, a clone of the last commit. The patches are those of the working
 # tree. The tests have to pass there without a mutant first.
@@ -34,7 +34,7 @@ fault()
   head -n 1 "$mutants/$1.patch"
 }
 
-# tests_of NAME: the names of the tests that should notice it, with | between them.
+# tests_of NAME: the names of the tests that should detect it, separated by |.
 tests_of()
 {
   sed -n '/^--- /q; s/^Tests: *//p' "$mutants/$1.patch"
@@ -46,7 +46,7 @@ excuse()
   awk -v name="$1" '$1 == name { $1 = ""; print substr($0, 2) }' "$mutants/survivors.txt"
 }
 
-# choose [NAME...]: sets `names`, all where nothing is given.
+# choose [NAME...]: sets `names`; by default all.
 choose()
 {
   local file name wanted
@@ -63,7 +63,7 @@ choose()
   ((${#names[@]})) || die "no mutant has such a name; --list names all."
 }
 
-# Makes the clone, or brings it to the last commit.
+# Makes the clone, or updates it to the last commit.
 update_clone()
 {
   local commit
@@ -71,13 +71,13 @@ update_clone()
   [[ -d $root/.git ]] || git clone --quiet --no-checkout "$origin" "$root"
   git -C "$root" fetch --quiet "$origin" "$commit"
   git -C "$root" checkout --quiet --force --detach "$commit"
-  # ParaView is not fetched a second time.
+  # Do not fetch ParaView a second time.
   if [[ -d $origin/build/paraview-test/prefix/usr ]]; then
     export AIRLIGHT_PARAVIEW_PREFIX=${AIRLIGHT_PARAVIEW_PREFIX:-$origin/build/paraview-test/prefix/usr}
   fi
 }
 
-# build_for TESTS: builds what the tests run, and no more. The log has its output.
+# build_for TESTS: builds only what the tests run. The output goes to the log.
 build_for()
 {
   local targets=() folder name
@@ -92,21 +92,21 @@ build_for()
   fi
 }
 
-# run_tests CTEST OPTION...: up to the first one that fails. Sets `killer` to its name, to nothing where
-# all pass, and `ran` to the number of those that were not skipped.
+# run_tests CTEST OPTION...: stops at the first failure. Sets `killer` to its name, or to nothing if
+# all pass, and `ran` to the number of tests that were not skipped.
 run_tests()
 {
   local failed=$build/Testing/Temporary/LastTestsFailed.log
   rm -f "$failed"
   (cd "$build" && on_virtual_display ctest --no-tests=error --stop-on-failure --timeout 600 \
     --parallel "$jobs" "$@") > "$log" 2>&1 || [[ -e $failed ]] || die "ctest fails; see $log."
-  # What is skipped is in the list of failed tests, too.
+  # The list of failed tests includes skipped ones.
   killer=$(sed -n 's/^ *[0-9]*\/[0-9]* *Test *#[0-9]*: *\([^ ]*\) .*\*\*\*\(Failed\|Timeout\|Exception\).*/\1/p' \
     "$log" | head -n 1)
   ran=$(grep -cE '^ *[0-9]+/[0-9]+ *Test .*(Passed|\*\*\*(Failed|Timeout|Exception))' "$log" || true)
 }
 
-# The option that selects tests by their names without what stands before them.
+# The option that selects tests by their names without prefixes.
 by_name()
 {
   echo "(^|[:-])(${1})\$"
@@ -158,7 +158,7 @@ try()
   fi
 }
 
-# Takes the patches back.
+# Reverts the patches.
 revert()
 {
   git -C "$root" checkout --quiet --force HEAD -- .

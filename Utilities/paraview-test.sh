@@ -1,19 +1,18 @@
 #!/usr/bin/env bash
-# Fetches ParaView without installing it, builds Airlight and its plugin for it, and runs the tests in it.
+# Fetches ParaView without installing it, builds Airlight and its plugin for it, and runs their tests.
 #
 # Usage: Utilities/paraview-test.sh [CTEST OPTION...]        all of it
-#        Utilities/paraview-test.sh --build                  fetches and builds only
+#        Utilities/paraview-test.sh --build                  only fetches and builds
 #        Utilities/paraview-test.sh --run [-n RANKS] SCRIPT [ARGUMENT...]
-#                                                            runs a script in pvpython, or in so many
-#                                                            processes of pvbatch, with the plugin
-#        Utilities/paraview-test.sh --window [ARGUMENT...]   opens ParaView's window with the plugin loaded
+#                                                            runs a script in pvpython, or on this
+#                                                            number of pvbatch ranks, with the plugin
+#        Utilities/paraview-test.sh --window [ARGUMENT...]   opens ParaView's window with the plugin
 #
-# ParaView's Debian packages cannot be installed next to VTK's Python package. So they are unpacked
-# below build/paraview-test; what is there is used again. AIRLIGHT_PARAVIEW_PREFIX is another prefix
-# that has a ParaView, instead. AIRLIGHT_JOBS is the number of parallel jobs (default: one per
-# processor).
+# ParaView's Debian packages conflict with VTK's Python package. They are therefore unpacked below
+# build/paraview-test, and reused. AIRLIGHT_PARAVIEW_PREFIX selects another prefix with a ParaView.
+# AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
 #
-# Exits with 125 where ParaView cannot be had: the tests then are skipped.
+# Exits with 125 if ParaView is not available; the tests are then skipped.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -30,14 +29,14 @@ skip()
   exit 125
 }
 
-# find_in FOLDER FILE: the folder below FOLDER that has FILE, nothing where there is none.
+# find_in FOLDER FILE: the folder below FOLDER that has FILE, or nothing.
 find_in()
 {
   find "$1" -path "*/$2" -printf '%h\n' -quit 2> /dev/null || true
 }
 
-# name_modules FOLDER: ParaView's CMake package asks for Python modules without the suffix that Debian 13
-# gives them.
+# name_modules FOLDER: ParaView's CMake package requests Python modules without the suffix that
+# Debian 13 gives them.
 name_modules()
 {
   local module name
@@ -50,7 +49,7 @@ name_modules()
 download()
 {
   (cd "$1" && timeout 600 apt-get -q download "${packages[@]}") || return
-  # Debian 13 has other names for some. Without them there is no window.
+  # Debian 13 names some differently. Without them there is no window.
   local package
   for package in "${window_packages[@]}"; do
     (cd "$1" && { timeout 100 apt-get -q download "$package" ||
@@ -83,7 +82,7 @@ fetch()
   trap - EXIT
 }
 
-# Sets what ParaView's programs need.
+# Sets the environment of ParaView's programs.
 use_paraview()
 {
   local libraries package python
@@ -117,7 +116,7 @@ build_plugin()
   fi
   # ParaView's Python is the system's, which need not be the first in PATH.
   [[ ! -x /usr/bin/python3 ]] || python=(-DPython3_EXECUTABLE=/usr/bin/python3)
-  # Fast to compile rather than fast: it is for the tests.
+  # Compiles fast rather than runs fast, for the tests.
   cmake -S "$root/ParaView" -B "$plugin" "${generator[@]}" "${python[@]}" \
     -DParaView_DIR="$package" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" ||
     die "CMake could not configure the plugin; see its message above."
@@ -141,7 +140,7 @@ run()
   local command=(pvpython "$@")
   if ((ranks > 0)); then
     command -v mpirun > /dev/null || skip "no mpirun."
-    # pvpython leaves traces of MPI to what it starts, and mpirun then does nothing.
+    # Child processes of pvpython inherit MPI variables, with which mpirun does nothing.
     local name
     for name in $(compgen -e | grep -E '^(OMPI|PMIX|ORTE)_'); do
       unset "$name"

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# Draws frames of random scenes that change, and checks what is true of every frame: see "Random frames" in
-# Documentation/trust.md. Installs what is missing and builds Airlight in build/.
+# Renders frames of random scenes that change, and checks properties that hold for every frame: see
+# "Random frames" in Documentation/trust.md. Installs what is missing and builds Airlight in build/.
 #
 # Usage: Utilities/random-frames.sh [OPTION...]       default: --frames 10000 --first 0
 #
-#   --frames N     so many
-#   --first SEED   of scenes from this seed on
-#   --step K       of every K-th seed: 50 seeds in a row share their shaders
-#   --list FILE    of the scenes whose seeds are in the file
+#   --frames N     the number of frames
+#   --first SEED   starts with the scene of this seed
+#   --step K       every K-th seed: 50 seeds in a row share their shaders
+#   --list FILE    the scenes whose seeds are in the file
 #   --verbose      describes each scene
 #
-# Fails if a scene does; those that fail are named at the end.
+# Fails if a scene fails; names the failing scenes at the end.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

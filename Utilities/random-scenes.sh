@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# Draws random scenes and compares each with the CPU's picture of it: see "Random scenes" in
+# Renders random scenes and compares each with the CPU's picture of it: see "Random scenes" in
 # Documentation/trust.md. Installs what is missing and builds Airlight in build/.
 #
 # Usage: Utilities/random-scenes.sh [OPTION...]       default: --scenes 5000 --first 0
 #
-#   --scenes N     so many
-#   --first SEED   from this seed on
-#   --each N       the first N of each 50 seeds, which have the same kinds of things
-#   --faults       spoils pixels of each scene that passes; nine of ten have to be reported
-#   --step K       every K-th seed: 50 seeds in a row have the same kinds of things
-#   --list FILE    those whose seeds are in the file
-#   --verbose      says what each scene is
+#   --scenes N     the number of scenes
+#   --first SEED   starts with this seed
+#   --each N       the first N of each 50 seeds, which share their kinds of contents
+#   --faults       corrupts pixels of each scene that passes; nine of ten have to be reported
+#   --step K       every K-th seed: 50 seeds in a row share their kinds of contents
+#   --list FILE    the seeds in the file
+#   --verbose      describes each scene
 #
-# Fails where a scene does; those to look into are named at the end.
+# Fails if a scene fails; names the scenes to investigate at the end.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

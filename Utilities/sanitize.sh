@@ -5,12 +5,11 @@
 #                                                          UndefinedBehaviorSanitizer, in build-asan/
 #        Utilities/sanitize.sh thread [CTEST OPTION...]    ThreadSanitizer, in build-tsan/
 #
-# Clang is used where there is one. `address` runs all tests but those that build other programs
-# or packages, which have no sanitizers, those in Python included; `thread` runs those of what
-# vtkSMPTools shares among threads, with VTK's backend STDThread, and four threads. VTK, Mesa, Python
-# and OpenVDB are not instrumented: what is wrong inside of them is found only where our calls of the
-# C library show it; data races through their locks are not known to ThreadSanitizer but for those of
-# pthreads.
+# Uses Clang if available. `address` runs all tests, also those in Python, except those that build
+# other programs or packages, which have no sanitizers. `thread` runs the tests of multi-threaded code
+# (vtkSMPTools), with VTK's backend STDThread and four threads. VTK, Mesa, Python and OpenVDB are not
+# instrumented: defects inside them are found only through calls of the C library, and ThreadSanitizer
+# sees only those of their locks that are pthreads locks.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -19,7 +18,7 @@ dependencies=(--with-openvdb --with-clang)
 
 # Tests of other builds, of packages, of style, and of ParaView.
 unfit='Consumer|TestPackage|TestDebianPackages|TestRemoteModule|TestImport|ParaView|Reference$|Fuzz|TestDocumentation'
-# What vtkSMPTools shares among threads.
+# Tests of code that uses vtkSMPTools.
 shared='TestSilhouette|TestClosedSurface[.]cxx|TestClosedSurfaceRays|TestLitIntervals|TestOccluders|TestAirlightProbe|TestAirlightReference|TestShadowPlanes|TestShadowSoup|TestDensityImage|TestRayFilterErrors'
 
 case ${1-} in

@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# Reads the code for mistakes, with clang-tidy, cppcheck, shellcheck and pyflakes.
+# Checks the code with clang-tidy, cppcheck, shellcheck and pyflakes.
 #
-# Usage: Utilities/static-checks.sh --quick             all but clang-tidy, and of C++ the library only
+# Usage: Utilities/static-checks.sh --quick             all but clang-tidy; of C++ only the library
 #        Utilities/static-checks.sh --all               everything; clang-tidy takes a processor an hour
-#        Utilities/static-checks.sh --changed [COMMIT]  what differs from COMMIT (default: HEAD), and the
-#                                                       sources that include a header that does
+#        Utilities/static-checks.sh --changed [COMMIT]  files that differ from COMMIT (default: HEAD),
+#                                                       and sources that include a changed header
 #        Utilities/static-checks.sh FILE...             these files
 #
-# clang-tidy needs a build: in build/, or in the folder AIRLIGHT_BUILD; and the ParaView plugin's, where
-# Utilities/paraview-test.sh has made one. AIRLIGHT_JOBS is the number of parallel jobs (default: one per
-# processor).
+# clang-tidy needs a build: in build/, or in the folder AIRLIGHT_BUILD; and the ParaView plugin's, if
+# Utilities/paraview-test.sh has made one. AIRLIGHT_JOBS is the number of parallel jobs (default: one
+# per processor).
 #
-# Exits with 1 where there is a finding, and with 125 where there is none but a program is missing.
+# Exits with 1 if there is a finding, and with 125 if there is none but a program is missing.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -25,7 +25,7 @@ cd "$root"
 findings=0
 missing=0
 
-# has PROGRAM: notes where it is missing.
+# has PROGRAM: whether it is available; notes missing ones.
 has()
 {
   command -v "$1" > /dev/null && return
@@ -34,7 +34,7 @@ has()
   return 1
 }
 
-# listed PATTERN... : those of the files to check whose names match.
+# listed PATTERN... : the files to check whose names match.
 listed()
 {
   local file pattern
@@ -55,7 +55,7 @@ check_shell()
   shellcheck --external-sources "${scripts[@]}" || findings=1
 }
 
-# What ends a line in "noqa" is meant so; ParaView's scripts take their names from one import.
+# "noqa" at the end of a line suppresses a finding; ParaView's scripts import all names at once.
 check_python()
 {
   local scripts found file line rest
@@ -85,7 +85,7 @@ check_cpp()
     "${sources[@]}" || findings=1
 }
 
-# tidy BUILD FILE...: of the files that the build compiles, absolute names.
+# tidy BUILD FILE...: checks those of the files (absolute names) that the build compiles.
 tidy()
 {
   local folder=$1 sources
@@ -112,7 +112,7 @@ check_tidy()
   tidy "$paraview_build" "${sources[@]/#/$root/}"
 }
 
-# changed COMMIT: files that differ from it, and sources that include a header that does.
+# changed COMMIT: files that differ from it, and sources that include a changed header.
 changed()
 {
   local names name

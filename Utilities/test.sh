@@ -3,22 +3,22 @@
 #
 # Usage: Utilities/test.sh [CTEST OPTION...]      for example: Utilities/test.sh -R Python
 #
-# The tests run under one virtual X server, also where there is a screen, so that the result does
-# not depend on it. AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
+# The tests run under one virtual X server, even if there is a screen, so that the result does not
+# depend on it. AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
 #
-# A test that is skipped is an error, unless it cannot run here: those in ParaView if it cannot be
-# fetched, the static checks outside of a Git checkout, and what needs packages that there is no apt-get
-# to install. Without options, fewer tests than Testing/minimum-tests.txt says are an error, too.
+# A skipped test is an error, unless it cannot run here: tests in ParaView if it cannot be fetched, the
+# static checks outside a Git checkout, and tests that need packages if there is no apt-get to install
+# them. Without options, running fewer tests than Testing/minimum-tests.txt says is an error, too.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 step_count=6
-# What is optional is tested, too.
+# Optional parts are tested, too.
 dependencies=(--with-openvdb --with-doxygen --with-checks --with-clang)
 
 step "Installing what is missing"
 install_missing cmake ctest c++ xvfb-run xauth python3
-# What cannot run here, and the number of tests where all can.
+# Tests that cannot run here, and the number of tests if all can.
 may_skip=()
 minimum=(--minimum "$root/Testing/minimum-tests.txt")
 installs=1
