@@ -57,11 +57,11 @@ void vtkAirlightPass::SetShadowTechnique(int technique)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetDebugView(int view)
 {
-  if (view < SHADED || view > DIFFERENCE)
+  if (view < SHADED || view > OUTLINES)
   {
     vtkErrorMacro(<< "DebugView " << view
-                  << " is not a view: use SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT, OUTLINES or "
-                     "DIFFERENCE.");
+                  << " is not a view: use SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT or "
+                     "OUTLINES.");
     return;
   }
   if (this->DebugView != view)
@@ -195,8 +195,7 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LinearInput: " << this->LinearInput << "\n";
   os << indent << "EncodedOutput: " << this->EncodedOutput << "\n";
   os << indent << "Annotations: " << this->Annotations << "\n";
-  const char* views[] = { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines",
-    "Difference" };
+  const char* views[] = { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines" };
   os << indent << "DebugView: " << views[this->DebugView] << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";

@@ -345,23 +345,14 @@ public:
     SHADED = 0,        ///< the picture
     AIRLIGHT_ONLY = 1, ///< what the medium scatters into the rays, without the scene
     BOUNDARY_COUNT =
-      2,           ///< shadow planes on each ray: black 0, red 5, yellow 39, white 255 and more
-    OUTLINES = 3,  ///< the picture with the outlines of the shadow planes, red where the view
-                   ///< enters a shadow, blue where it leaves it
-    DIFFERENCE = 4 ///< what the picture differs by from that of the ray march; see below
+      2,         ///< shadow planes on each ray: black 0, red 5, yellow 39, white 255 and more
+    OUTLINES = 3 ///< the picture with the outlines of the shadow planes, red where the view
+                 ///< enters a shadow, blue where it leaves it
   };
 
   ///@{
   /**
    * The debug view. Default: SHADED.
-   *
-   * DIFFERENCE takes the airlight once more with RAY_MARCH, of GetNumberOfSteps() steps in shadow
-   * maps of GetShadowMapResolution(), and shows the picture's airlight minus that, the mean of the
-   * three channels, as a share of the mean of the pixel's radiance: white for none, red for more,
-   * blue for less, the full colour at 1 % and beyond. The ray march is the coarser one: the more
-   * steps and texels, the less is seen. Casters that only shadow maps know are missing in SHADOW_PLANES. With
-   * RAY_MARCH itself, and where shadow maps cannot be drawn, an error says so and
-   * the picture is SHADED.
    */
   void SetDebugView(int view);
   vtkGetMacro(DebugView, int);
@@ -369,7 +360,6 @@ public:
   void SetDebugViewToAirlightOnly() { this->SetDebugView(AIRLIGHT_ONLY); }
   void SetDebugViewToBoundaryCount() { this->SetDebugView(BOUNDARY_COUNT); }
   void SetDebugViewToShadowPlanes() { this->SetDebugView(OUTLINES); }
-  void SetDebugViewToDifference() { this->SetDebugView(DIFFERENCE); }
   ///@}
 
   ///@{

@@ -37,7 +37,6 @@ bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipa
   f64::AirlightMedia& converted, std::vector<Lamp>& lamps)
 {
   this->OverBudget = false;
-  this->TakesReference = false;
   return UploadData(this->Data, &this->Grids, window, media, converted, lamps) ||
     this->Fail(this->Data.GetError());
 }
@@ -61,7 +60,6 @@ bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
   needs.Dark = settings.Apart >= 0;
   needs.Record = settings.Record;
   needs.Translucent = settings.Translucent;
-  needs.Reference = settings.Difference;
   if (!this->Textures.Prepare(this->Window, width, height, needs))
   {
     return this->Fail(this->Textures.GetError());
@@ -160,10 +158,6 @@ TranslucentFragments::Outcome Frame::CheckCollected()
 //------------------------------------------------------------------------------
 std::vector<vtkTextureObject*> Frame::GetScatterTargets()
 {
-  if (this->TakesReference)
-  {
-    return { this->Textures.Reference };
-  }
   std::vector<vtkTextureObject*> targets = { this->Textures.Scattered };
   if (this->Settings.Record)
   {
@@ -180,8 +174,6 @@ std::vector<vtkTextureObject*> Frame::GetScatterTargets()
 //------------------------------------------------------------------------------
 bool Frame::ScatterLights()
 {
-  this->Joined = -1;
-  this->LeftOver = false;
   if (this->Settings.Whole)
   {
     this->Buffers.clear();
@@ -196,8 +188,8 @@ bool Frame::ScatterLights()
   this->Buffers.clear();
   this->Volumes.resize(this->Lamps.size());
   // Maps are large: those of lamps, or of a technique, that are no more go.
-  const bool mapped = this->Settings.Shadows == ShadowMethod::Map ||
-    this->Settings.Shadows == ShadowMethod::March || this->Settings.Difference;
+  const bool mapped =
+    this->Settings.Shadows == ShadowMethod::Map || this->Settings.Shadows == ShadowMethod::March;
   if (this->Maps.size() > this->Lamps.size() || !mapped)
   {
     this->ReleaseMaps(this->Window);
@@ -225,7 +217,7 @@ bool Frame::ScatterLights()
     // No test fails without it, see AirlightOpenGL.h.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
-  return !this->Settings.Difference || this->ScatterReference();
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -146,9 +146,8 @@ public:
   void SetMapRays(const View* rays, int x, int y);
 
   bool IsClear() const { return airlight::IsClear(this->Media); }
-  // After a failure: whether it was for too many shadow boundaries, or only the ray march's.
+  // After a failure: whether it was for too many shadow boundaries.
   bool IsOverBudget() const { return this->OverBudget; }
-  bool IsReferenceMissing() const { return this->TakesReference; }
 
   bool IsOnce() const { return this->Settings.Once; }
   bool HasTranslucent() const { return this->Settings.Translucent; }
@@ -174,7 +173,6 @@ private:
   bool UpdateShadows(int index, const std::vector<Caster>& casters);
   ShadowVolumes::RemoteSilhouettes GetRemoteSilhouettes(int index) const;
   bool ScatterLight(int index);
-  bool ScatterReference();
   ShadowLists::Source GetPlanesSource(int index);
   bool ScatterWithLists(int index);
   bool ResolveLong(int index, int row, int rows);
@@ -204,8 +202,6 @@ private:
   ShadowMap* GetMap(int index) const;
 
   std::string GetWholeRaysSource(const std::vector<int>& lights) const;
-  bool MayJoin(int index) const;
-  std::string GetJoinedSource() const;
   bool AreTurned(const std::vector<int>& lights) const;
   void SetWholeRaysUniforms(vtkShaderProgram* program, const std::vector<int>& lights);
 
@@ -229,11 +225,7 @@ private:
   ShadowTransmittance SurfaceTransmittance;
   std::vector<ShadowVolumes> Volumes;           // by light number
   std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise
-  // The light whose boundaries the composition resolves, -1: none; whether some pixels' were resolved
-  // before it.
-  int Joined = -1;
-  bool LeftOver = false;
-  std::array<Quad, 5> ResolveQuads; // none, short, long, map, records only
+  std::array<Quad, 5> ResolveQuads;             // none, short, long, map, records only
   Quad DistancesQuad;
   Quad CompositeQuad;
   Quad TranslucentQuad;
@@ -258,7 +250,6 @@ private:
   int MapY = 0;
   FrameSettings Settings;
   bool OverBudget = false;
-  bool TakesReference = false; // the ray march, beside the picture
   int Width = 0;
   int Height = 0;
 };

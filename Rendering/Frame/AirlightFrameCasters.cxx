@@ -25,7 +25,7 @@ bool Frame::PrepareCasters()
   {
     this->FoundCasters = &this->Casters.GetCasters();
   }
-  if (!planes || this->Settings.Difference)
+  if (!planes)
   {
     std::copy_if(this->Casters.GetCasters().begin(), this->Casters.GetCasters().end(),
       std::back_inserter(this->OpaqueCasters),

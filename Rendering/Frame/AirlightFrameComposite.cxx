@@ -42,15 +42,14 @@ std::vector<std::pair<const char*, vtkTextureObject*>> Frame::GetCompositeTextur
   std::vector<std::pair<const char*, vtkTextureObject*>> textures = { { "distances",
                                                                         this->Textures.Distances },
     { "scene", this->Textures.Scene }, { "airlightData", this->Data.GetTexture() } };
-  const bool leftOver = this->Joined < 0 || this->LeftOver;
-  if (!this->Settings.Whole && leftOver)
+  if (!this->Settings.Whole)
   {
     textures.emplace_back("scattered", this->Textures.Scattered);
   }
   if (this->Settings.Apart >= 0)
   {
     textures.emplace_back("dark", this->Textures.Dark);
-    if (leftOver && this->Settings.Apart >= BitsPerChannel)
+    if (this->Settings.Apart >= BitsPerChannel)
     {
       textures.emplace_back("lit", this->Textures.Lit);
     }
@@ -64,15 +63,11 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   const std::vector<int> whole =
     this->Settings.Whole ? FindScattering(this->Lamps) : std::vector<int>();
   const int kind = whole.empty() ? AIRLIGHT_POINT_CLOSED : this->Lamps[whole[0]].Values.kind;
-  const bool joined = this->Joined >= 0;
-  const std::vector<int> lights = joined ? std::vector<int>{ this->Joined } : whole;
   const bool cones = std::any_of(
-    lights.begin(), lights.end(), [this](int k) { return this->Lamps[k].Values.cosCone > 0.0; });
-  const bool turned = joined || this->AreTurned(whole);
-  const std::string source = GetShaderVersion(joined) + Define("JOINED", joined) +
-    (joined ? Define("LEFT_OVER", this->LeftOver) : "") +
-    (cones ? "" : "#define AIRLIGHT_NO_CONE\n") + Define("TURNED", turned) +
-    (layers ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
+    whole.begin(), whole.end(), [this](int k) { return this->Lamps[k].Values.cosCone > 0.0; });
+  const bool turned = this->AreTurned(whole);
+  const std::string source = GetShaderVersion(false) + (cones ? "" : "#define AIRLIGHT_NO_CONE\n") +
+    Define("TURNED", turned) + (layers ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
     (layers && this->Settings.Record ? RecordDefinition : "") +
     Define("DEBUG_VIEW", layers ? 0 : this->Settings.DebugView) +
     Define("APART", this->Settings.Apart) + Define("BITS", BitsPerChannel) +
@@ -82,8 +77,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     Define("PARALLEL", this->Rays->IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
     GetScatteringSource(this->Media, kind, false) + AirlightViewShader +
     (turned ? GetTurnSource() : "uniform AirlightMedia media;\n") +
-    (joined ? this->GetJoinedSource() : this->GetWholeRaysSource(whole)) + AirlightDisplay +
-    AirlightCompositeFS;
+    this->GetWholeRaysSource(whole) + AirlightDisplay + AirlightCompositeFS;
   Quad& quad = layers ? this->TranslucentQuad : this->CompositeQuad;
   vtkShaderProgram* program = quad.Ready(this->Window, source);
   if (!program)
@@ -91,17 +85,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     this->Fail(std::string("the composite shader") + ProgramMaker::GetReason());
     return nullptr;
   }
-  if (joined)
-  {
-    SetLightUniforms(program, "givenLight", this->Lamps[this->Joined].Values);
-    this->SetTurnedConstants(program, { this->Joined });
-    this->SetStartUniforms(program, this->Joined, true);
-    this->Boundaries.Use(program);
-  }
-  else
-  {
-    this->SetWholeRaysUniforms(program, whole);
-  }
+  this->SetWholeRaysUniforms(program, whole);
   SetMediaUniforms(program, turned ? "givenMedia" : "media", this->Media);
   // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
   this->Rays->SetUniforms(program, x, y);
@@ -245,10 +229,6 @@ bool Frame::Composite(int x, int y, bool blend)
     if (this->Settings.Record)
     {
       textures.emplace_back("counts", this->Textures.Counts);
-    }
-    if (this->Settings.Difference)
-    {
-      textures.emplace_back("reference", this->Textures.Reference);
     }
     this->CompositeQuad.Draw(textures);
   }

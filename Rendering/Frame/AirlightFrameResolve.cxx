@@ -39,36 +39,6 @@ bool Frame::ScatterLight(int index)
 }
 
 //------------------------------------------------------------------------------
-// The airlight once more, by the ray march.
-bool Frame::ScatterReference()
-{
-  const ShadowMethod method = this->Settings.Shadows;
-  const bool transmitsShadows = this->TransmitsShadows;
-  this->TakesReference = true;
-  this->Settings.Shadows = ShadowMethod::March;
-  this->TransmitsShadows = false; // maps know of light and dark only
-  bool ok = this->Textures.Bind(this->GetScatterTargets(), nullptr) ||
-    this->Fail(this->Textures.GetError());
-  if (ok)
-  {
-    this->ClearTarget(0.0f);
-  }
-  for (size_t k = 0; k < this->Lamps.size() && ok; ++k)
-  {
-    const Lamp& lamp = this->Lamps[k];
-    const int index = static_cast<int>(k);
-    const bool casts = lamp.CastsShadows;
-    ok = !lamp.Scatters() ||
-      ((!casts || this->UpdateShadows(index, this->OpaqueCasters)) &&
-        this->Resolve(index, Lists::Map, 0, this->Height));
-  }
-  this->Settings.Shadows = method;
-  this->TransmitsShadows = transmitsShadows;
-  this->TakesReference = !ok;
-  return ok;
-}
-
-//------------------------------------------------------------------------------
 ShadowLists::Source Frame::GetPlanesSource(int index)
 {
   const Lamp& lamp = this->Lamps[index];
@@ -92,13 +62,7 @@ bool Frame::ScatterWithLists(int index)
       this->OverBudget = this->Boundaries.IsOverBudget();
       return this->Fail(this->Boundaries.GetError());
     }
-    // The composition can resolve what lies in slots, where they hold all of the picture's.
-    this->Joined = rows == this->Height && this->MayJoin(index) ? index : -1;
-    if (this->Joined < 0 && !this->Resolve(index, Lists::Short, row, rows))
-    {
-      return false;
-    }
-    if (!this->ResolveLong(index, row, rows))
+    if (!this->Resolve(index, Lists::Short, row, rows) || !this->ResolveLong(index, row, rows))
     {
       return false;
     }
@@ -112,7 +76,6 @@ bool Frame::ScatterWithLists(int index)
 bool Frame::ResolveLong(int index, int row, int rows)
 {
   const int draws = this->Boundaries.GetLongDraws();
-  this->LeftOver = draws > 0;
   if (draws > 0 && !this->Boundaries.Sort())
   {
     return this->Fail(this->Boundaries.GetError());

@@ -48,7 +48,6 @@ struct FrameSettings
   bool EncodedOutput = false;    // the picture is
   int DebugView = 0;             // vtkAirlightPass::DebugViewType
   double PhaseErrorBound = 0.0;  // the largest of the media, relative
-  bool Difference = false;       // the airlight is taken once more by the ray march
   std::uint64_t MemoryLimit = 0; // bytes
   bool PlaneBudget = false;      // too many shadow boundaries are an error: IsOverBudget()
   DrawActors Draw;               // for casters that are not polygons

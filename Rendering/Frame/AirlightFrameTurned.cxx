@@ -67,24 +67,6 @@ std::string Frame::GetTurnedSource(int index, Lists lists) const
 }
 
 //------------------------------------------------------------------------------
-// Whether the composition may resolve the boundaries of a light: where its airlight is the only one,
-// and nothing else asks for a picture of it.
-bool Frame::MayJoin(int index) const
-{
-  return this->Settings.Once && !this->Settings.Record && !this->Settings.Translucent &&
-    this->Settings.DebugView == 0 && !this->Settings.Difference &&
-    FindScattering(this->Lamps).size() == 1 && this->IsTurned(index, Lists::Short);
-}
-
-//------------------------------------------------------------------------------
-std::string Frame::GetJoinedSource() const
-{
-  return GlobalLight +
-    ("#define AIRLIGHT_SHADOW_TRANSMITTANCE 0\n" + std::string(AirlightShadowCounts)) +
-    this->Boundaries.GetPackedSource(false) + AirlightTurnedRay;
-}
-
-//------------------------------------------------------------------------------
 // As AirlightConstants.glsl takes them.
 void Frame::SetTurnedConstants(vtkShaderProgram* program, const std::vector<int>& lights)
 {

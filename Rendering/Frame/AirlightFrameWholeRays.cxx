@@ -44,7 +44,7 @@ std::vector<int> FindScattering(const std::vector<Lamp>& lamps)
 bool MayBeWhole(
   const FrameSettings& settings, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps)
 {
-  if (settings.Record || settings.Translucent || settings.DebugView != 0 || settings.Difference ||
+  if (settings.Record || settings.Translucent || settings.DebugView != 0 ||
     settings.Shadows == ShadowMethod::March || HasGrid(media))
   {
     return false;

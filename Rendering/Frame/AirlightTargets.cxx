@@ -78,10 +78,6 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, cons
   {
     ok = ok && this->Allocate(this->Radiance, 4);
   }
-  if (needs.Reference)
-  {
-    ok = ok && this->Allocate(this->Reference, 4);
-  }
   if (needs.Record)
   {
     ok = ok && this->Allocate(this->Counts, 4) && this->Allocate(this->Single, 4) &&
@@ -191,7 +187,7 @@ void Targets::Release(vtkWindow* window)
   for (vtkTextureObject* texture : { this->Distances.Get(), this->Drawn.Get(), this->Depth.Get(),
          this->Scene.Get(), this->Dark.Get(), this->Scattered.Get(), this->Lit.Get(),
          this->Counts.Get(), this->Single.Get(), this->Radiance.Get(), this->Airlight.Get(),
-         this->Surface.Get(), this->Transmittance.Get(), this->Reference.Get() })
+         this->Surface.Get(), this->Transmittance.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

@@ -36,7 +36,6 @@ public:
     bool Dark = false;
     bool Record = false;
     bool Translucent = false;
-    bool Reference = false;
   };
   bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, const Needs& needs);
   const std::string& GetError() const { return this->Error; }
@@ -68,7 +67,6 @@ public:
   vtkNew<vtkTextureObject> Radiance; // recorded, or to draw translucent surfaces into
   vtkNew<vtkTextureObject> Airlight;
   vtkNew<vtkTextureObject> Surface;
-  vtkNew<vtkTextureObject> Reference; // as Scattered, of the ray march, for the difference from it
   vtkNew<vtkTextureObject> Transmittance;
 
 private:

@@ -142,18 +142,6 @@ void vtkAirlightPass::Internals::CheckVolumes(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-void vtkAirlightPass::Internals::ReportDifference(const std::string& reason)
-{
-  this->ShownView = SHADED;
-  if (!this->WarnedDifference)
-  {
-    this->WarnedDifference = true;
-    vtkErrorWithObjectMacro(
-      this->Self, << "The debug view of the difference is not shown: " << reason << ".");
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkAirlightPass::Internals::CheckCasters()
 {
   const CasterCache& casters = this->CurrentFrame.GetCasters();
@@ -188,7 +176,7 @@ int vtkAirlightPass::Internals::ChooseTechnique(
   vtkRenderer* renderer, const std::vector<Lamp>& lamps, bool clear)
 {
   const int technique = this->Self->ShadowTechnique;
-  if (technique != NONE || this->ShownView == DIFFERENCE)
+  if (technique != NONE)
   {
     this->CurrentFrame.FindCasters(renderer, this->Self->TranslucentShadows);
   }
@@ -234,7 +222,7 @@ int vtkAirlightPass::Internals::ChooseTechnique(
 bool vtkAirlightPass::Internals::ChangesNothing(const std::vector<Lamp>& lamps, bool clear)
 {
   const bool shadows = this->EffectiveTechnique != NONE && this->Self->SurfaceShadows;
-  return clear && this->ShownView == SHADED && !this->Self->RecordBuffers &&
+  return clear && this->Self->DebugView == SHADED && !this->Self->RecordBuffers &&
     !(this->Self->EncodedOutput && this->Self->LinearInput) && this->Self->Annotations &&
     std::none_of(lamps.begin(), lamps.end(), [&](const Lamp& lamp) {
       return lamp.Values.goniometric != 0 || (shadows && lamp.Scatters() && lamp.CastsShadows);

@@ -107,7 +107,7 @@ void vtkAirlightPass::Internals::UpdateSurfaceShader(const f64::AirlightMedia& m
   const bool reads =
     !settings.Once && settings.Shadows != ShadowMethod::None && settings.SurfaceShadows;
   // Shadow maps may be drawn with the same shaders.
-  const bool known = settings.Once && !settings.Difference &&
+  const bool known = settings.Once &&
     (settings.Shadows == ShadowMethod::None || settings.Shadows == ShadowMethod::Planes);
   const bool other = hides != this->ShaderOptions.Hides || reads != this->ShaderOptions.ReadsLit ||
     settings.Once != this->ShaderOptions.Once || settings.Apart != this->ShaderOptions.Apart ||
@@ -131,7 +131,6 @@ bool vtkAirlightPass::Internals::RenderFrame(
   const vtkRenderState* s, int x, int y, int width, int height)
 {
   this->TooManyPlanes = false;
-  this->ShownView = this->Self->DebugView;
   bool ok = this->RenderOnce(s, x, y, width, height);
   if (!ok && this->CurrentFrame.IsOverBudget() && this->Self->ShadowTechnique == AUTOMATIC)
   {
@@ -142,11 +141,6 @@ bool vtkAirlightPass::Internals::RenderFrame(
         "are "
         "less exact. Raise SetMemoryLimit(), or call SetShadowTechniqueToShadowMap().");
     this->TooManyPlanes = true;
-    ok = this->RenderOnce(s, x, y, width, height);
-  }
-  if (!ok && this->CurrentFrame.IsReferenceMissing())
-  {
-    this->ReportDifference("the ray march failed: " + this->Error);
     ok = this->RenderOnce(s, x, y, width, height);
   }
   return ok;
@@ -186,18 +180,13 @@ bool vtkAirlightPass::Internals::RenderOnce(
     CollectLamps(renderer, converted, view, this->Self->LightRadius, this->Switches, this->Lights);
   this->CheckLamps(lamps, HasScattering(converted));
   this->EffectiveTechnique = this->ChooseTechnique(renderer, lamps, IsClear(converted));
-  if (this->ShownView == DIFFERENCE && this->EffectiveTechnique == RAY_MARCH)
-  {
-    this->ReportDifference("the picture is that of the ray march itself. Use another "
-                           "ShadowTechnique than RAY_MARCH");
-  }
   if (this->ChangesNothing(lamps, IsClear(converted)))
   {
     this->CurrentFrame.ForgetBuffers();
     this->RenderPlain(s);
     return true;
   }
-  const bool overMedium = this->ShownView == SHADED && AirlightScenePass::HasTransparent(s);
+  const bool overMedium = this->Self->DebugView == SHADED && AirlightScenePass::HasTransparent(s);
   this->ShaderOptions.TranslucentFragments = ShadowLists::IsSupported(window);
   if (this->Self->ScatteredSurfaceLight && !this->IsGlowing(converted))
   {
@@ -224,11 +213,10 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.VolumeNodes =
     GetVolumeNodeCount(GetVolumes(s->GetPropArray(), s->GetPropArrayCount()).size(), width, height,
       static_cast<std::uint64_t>(this->Self->MemoryLimit) << 20);
-  settings.Record = this->Self->RecordBuffers || this->ShownView == BOUNDARY_COUNT;
+  settings.Record = this->Self->RecordBuffers || this->Self->DebugView == BOUNDARY_COUNT;
   settings.EncodedInput = !this->Self->LinearInput;
   settings.EncodedOutput = this->Self->EncodedOutput || settings.EncodedInput;
-  settings.DebugView = this->ShownView;
-  settings.Difference = this->ShownView == DIFFERENCE;
+  settings.DebugView = this->Self->DebugView;
   settings.PlaneBudget = this->Self->ShadowTechnique == AUTOMATIC;
   for (vtkParticipatingMedium* medium : media)
   {

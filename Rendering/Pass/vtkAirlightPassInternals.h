@@ -71,9 +71,6 @@ public:
   void NoteVolume(vtkVolume* volume, bool through);
   void CheckVolumes(const vtkRenderState* s);
 
-  // An error, once, that says why the difference from the ray march is not shown; the picture is.
-  void ReportDifference(const std::string& reason);
-
   void WarnOnce(bool& warned, const std::string& text);
   void CheckMedia();
   void CheckLamps(const std::vector<airlight::Lamp>& lamps, bool scattered);
@@ -129,8 +126,7 @@ public:
   std::vector<airlight::ShadowVolumes> OwnShadows; // to send to them, by light number
   airlight::SurfaceStage Stage = airlight::SurfaceStage::Colour;
   int EffectiveTechnique = NONE;
-  bool TooManyPlanes = false; // of this frame
-  int ShownView = SHADED;
+  bool TooManyPlanes = false;                   // of this frame
   airlight::SurfaceShaderOptions ShaderOptions; // of the mappers' shaders
   bool DrawsMap = false;
   std::set<vtkShaderProgram*> MapPrograms; // those used for the map that is drawn
@@ -167,7 +163,6 @@ public:
   bool WarnedCasters = false;
   bool WarnedLevels = false;
   bool WarnedBudget = false;
-  bool WarnedDifference = false;
   bool WarnedVolumes = false;
   bool WarnedMedia = false;
   bool WarnedLights = false;

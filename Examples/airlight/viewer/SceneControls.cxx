@@ -25,8 +25,8 @@ constexpr double PushStep = 1.1;
 const std::array<int, 4> Techniques = { vtkAirlightPass::SHADOW_PLANES, vtkAirlightPass::SHADOW_MAP,
   vtkAirlightPass::RAY_MARCH, vtkAirlightPass::NONE };
 
-const std::array<const char*, 5> ViewNames = { "picture", "airlight only", "boundary count",
-  "outlines of shadows", "difference from the ray march" }; // by vtkAirlightPass::DebugViewType
+const std::array<const char*, 4> ViewNames = { "picture", "airlight only", "boundary count",
+  "outlines of shadows" }; // by vtkAirlightPass::DebugViewType
 
 // Of an array, the value so many places behind this one, round and round.
 template <typename Array>
@@ -93,19 +93,13 @@ void SceneControls::ChangeTechnique(int step)
 {
   vtkAirlightPass* pass = this->Rendered.Pass;
   pass->SetShadowTechnique(GetNext(Techniques, pass->GetEffectiveShadowTechnique(), step));
-  if (pass->GetShadowTechnique() == vtkAirlightPass::RAY_MARCH &&
-    pass->GetDebugView() == vtkAirlightPass::DIFFERENCE)
-  {
-    pass->SetDebugViewToShaded(); // the march does not differ from itself
-  }
 }
 
 //------------------------------------------------------------------------------
 void SceneControls::ChangeView(int step)
 {
   vtkAirlightPass* pass = this->Rendered.Pass;
-  const bool marches = pass->GetEffectiveShadowTechnique() == vtkAirlightPass::RAY_MARCH;
-  const int count = static_cast<int>(ViewNames.size()) - (marches ? 1 : 0);
+  const int count = static_cast<int>(ViewNames.size());
   pass->SetDebugView((pass->GetDebugView() + step + count) % count);
 }
 

@@ -47,7 +47,7 @@ const char* Viewer::GetKeys()
 {
   return R"(  t, T               shadow technique: next, previous
   v, V               view: picture, airlight only, boundary count, outlines of
-                     shadows, difference from the ray march
+                     shadows
   +, -               visibility: times 1.25, by 1.25
   arrows, Ctrl+drag  move the lamp
   Page Up, Page Down move the lamp away, near

@@ -7,22 +7,14 @@ uniform sampler2D scene;
 #ifndef AIRLIGHT_TRANSLUCENT
 uniform sampler2D sceneDepth;
 uniform int blended; // over what the framebuffer holds
-#if AIRLIGHT_DEBUG_VIEW == 4
-uniform sampler2D reference; // airlight by the ray march
 #endif
-#endif
-// With AIRLIGHT_JOINED the one light's boundaries are resolved here, and with AIRLIGHT_LEFT_OVER those of
-// pixels with more than have slots were before.
-#if !AIRLIGHT_JOINED
-#define AIRLIGHT_LEFT_OVER 1
-#endif
-#if !defined(AIRLIGHT_WHOLE_LIGHTS) && AIRLIGHT_LEFT_OVER
+#ifndef AIRLIGHT_WHOLE_LIGHTS
 uniform sampler2D scattered;
 #endif
 #if AIRLIGHT_APART >= 0
 // The scene without the one light that casts shadows on it, and where that light reaches surfaces.
 uniform sampler2D dark;
-#if AIRLIGHT_LEFT_OVER && AIRLIGHT_APART >= AIRLIGHT_BITS
+#if AIRLIGHT_APART >= AIRLIGHT_BITS
 uniform sampler2D lit;
 #endif
 #endif
@@ -38,7 +30,7 @@ layout(location = 2) out vec4 surface;
 layout(location = 3) out vec4 transmittance; // and the distance along the unit ray
 #endif
 
-#if AIRLIGHT_APART >= 0 && AIRLIGHT_LEFT_OVER
+#if AIRLIGHT_APART >= 0
 bool airlightIsLit(ivec2 pixel)
 {
 #if AIRLIGHT_APART >= AIRLIGHT_BITS
@@ -56,27 +48,13 @@ void main()
   media = givenMedia;
   airlightTakeMedium(media);
 #endif
-#if AIRLIGHT_JOINED
-  light = givenLight;
-  airlightTakeLight(0, light);
-#endif
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
   float place = texelFetch(distances, pixel, 0).r;
   vec4 colour = texelFetch(scene, pixel, 0);
   float unit = airlightRayUnit(p);
-#if AIRLIGHT_JOINED
-  AirlightTurnedPixel turned;
-  bool few = airlightTurnPixel(p, unit, place, turned);
-  bool reaches = turned.surfaceLit;
-#endif
 #if AIRLIGHT_APART >= 0
-#if AIRLIGHT_JOINED && AIRLIGHT_LEFT_OVER
-  reaches = few ? reaches : airlightIsLit(pixel);
-#elif !AIRLIGHT_JOINED
-  bool reaches = airlightIsLit(pixel);
-#endif
-  colour = place >= 0.0 && !reaches ? texelFetch(dark, pixel, 0) : colour;
+  colour = place >= 0.0 && !airlightIsLit(pixel) ? texelFetch(dark, pixel, 0) : colour;
 #endif
   // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
   colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
@@ -98,11 +76,6 @@ void main()
 #endif
 #ifdef AIRLIGHT_WHOLE_LIGHTS
   vec3 added = airlightWholeRays(p, origin, direction, unit, end) + ambient;
-#elif AIRLIGHT_JOINED
-#if AIRLIGHT_LEFT_OVER
-  turned.sum = few ? turned.sum : texelFetch(scattered, pixel, 0).rgb;
-#endif
-  vec3 added = turned.sum + ambient;
 #else
   vec3 added = texelFetch(scattered, pixel, 0).rgb + ambient;
 #endif
@@ -119,7 +92,6 @@ void main()
 #if AIRLIGHT_DEBUG_VIEW == 1
   radiance = vec4(added, 1.0);
 #endif
-  vec3 linear = radiance.rgb;
 #if AIRLIGHT_ENCODED_OUTPUT
   radiance = airlightEncode(radiance, blended != 0);
 #endif
@@ -127,12 +99,6 @@ void main()
   // Black, red, yellow, white: 0, 5, 39, 255 and more boundaries.
   float heat = 3.0 * log2(1.0 + texelFetch(counts, pixel, 0).r) / 8.0;
   radiance = vec4(clamp(vec3(heat, heat - 1.0, heat - 2.0), 0.0, 1.0), 1.0);
-#elif AIRLIGHT_DEBUG_VIEW == 4
-  // Blue, white, red: 1 % less than the ray march, the same, 1 % more.
-  float more =
-    dot(texelFetch(scattered, pixel, 0).rgb - texelFetch(reference, pixel, 0).rgb, vec3(1.0));
-  float share = clamp(100.0 * more / max(dot(linear, vec3(1.0)), 1e-30), -1.0, 1.0);
-  radiance = vec4(1.0 + vec3(min(share, 0.0), -abs(share), min(-share, 0.0)), 1.0);
 #endif
   gl_FragDepth = texelFetch(sceneDepth, pixel, 0).r;
 #endif

@@ -167,8 +167,8 @@ void TestValues()
   pass->SetShadowTechnique(-1);
   Check(stage.Errors == 2, "SetShadowTechnique(-1) is an error");
   Check(pass->GetShadowTechnique() == vtkAirlightPass::AUTOMATIC, "the technique stays");
-  pass->SetDebugView(vtkAirlightPass::DIFFERENCE + 1);
-  Check(stage.Errors == 3, "SetDebugView(5) is an error");
+  pass->SetDebugView(vtkAirlightPass::OUTLINES + 1);
+  Check(stage.Errors == 3, "SetDebugView(4) is an error");
   for (const double radius : { -1.0, nan, Infinity })
   {
     pass->SetLightRadius(radius);
