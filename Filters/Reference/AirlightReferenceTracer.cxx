@@ -217,7 +217,7 @@ void ReferenceTracer::AddLayers(const PixelRay& ray, double end, glm::dvec3& rad
 ReferenceTracer::PixelRay ReferenceTracer::MakeRay(
   double x, double y, const ReferenceChange& change) const
 {
-  const PixelRays::Ray own = this->Rays.GetRay(x, y);
+  const CameraRays::Ray own = this->Rays.GetRay(x, y);
   const glm::dvec3 origin = own.Origin + change.Shift;
   return { origin, origin + this->Rays.GetEye(), own.Direction,
     std::max(own.Nearest / change.Wider, change.After), own.Farthest * change.Wider, {} };

@@ -9,7 +9,7 @@
 
 #include "Reference/AirlightReferenceLights.h"
 #include "Reference/AirlightReferenceScene.h"
-#include "Scene/AirlightPixelRays.h"
+#include "Scene/AirlightCameraRays.h"
 #include "vtkAirlightModule.h" // for export macro
 
 #include <glm/glm.hpp>
@@ -94,7 +94,7 @@ private:
   glm::dvec3 GetBackground(double y) const;
 
   ReferenceSettings Settings;
-  PixelRays Rays;
+  CameraRays Rays;
   f64::AirlightMedia Media;
   ReferenceScene Scene;
   ReferenceLights Lights;

@@ -16,7 +16,7 @@ namespace airlight
 // Visible, and its keys do not say otherwise.
 bool MayCast(vtkProp* prop);
 
-// Mappers that draw their input's polygons as they are. The others (splats, imposters) draw something
+// Mappers that draw their input's polygons as they are. The others (point Gaussians, imposters) draw something
 // else in their place.
 bool DrawsItsPolygons(vtkMapper* mapper);
 

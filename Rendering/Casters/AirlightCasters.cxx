@@ -53,8 +53,8 @@ const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer, bool tran
   this->TakesTranslucent = translucent;
   this->Error.clear();
   this->Casters.clear();
-  this->Others.clear();
-  this->Skipped.clear();
+  this->NonPolygonal.clear();
+  this->UnsupportedProp.clear();
   for (auto& entry : this->Meshes)
   {
     entry.second.Used = false;
@@ -81,7 +81,7 @@ void CasterCache::Clear()
   this->Meshes.clear();
   this->Surfaces.clear();
   this->Casters.clear();
-  this->Others.clear();
+  this->NonPolygonal.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -104,13 +104,13 @@ void CasterCache::AddProp(vtkProp* prop)
     [&](vtkProp* part) {
       if (part->IsA("vtkLODProp3D") && MayCast(part))
       {
-        this->Skipped = part->GetClassName();
+        this->UnsupportedProp = part->GetClassName();
       }
     });
 }
 
 //------------------------------------------------------------------------------
-std::vector<glm::dvec3> OtherCaster::GetCorners() const
+std::vector<glm::dvec3> NonPolygonalCaster::GetCorners() const
 {
   // A part's own bounds are those of where it stands without the assembly.
   const double* b = this->Place ? this->Actor->GetMapper()->GetBounds() : this->Actor->GetBounds();
@@ -126,7 +126,7 @@ std::vector<glm::dvec3> OtherCaster::GetCorners() const
 //------------------------------------------------------------------------------
 void CasterCache::AddOther(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix)
 {
-  OtherCaster other;
+  NonPolygonalCaster other;
   other.Actor = actor;
   other.Owner = owner;
   if (actor != owner)
@@ -136,31 +136,31 @@ void CasterCache::AddOther(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix
   }
   if (actor->HasOpaqueGeometry() && !other.GetCorners().empty())
   {
-    this->Others.push_back(other);
+    this->NonPolygonal.push_back(other);
   }
 }
 
 //------------------------------------------------------------------------------
 // Where the opacity is not the property's, that of the surface's places is not known here, and the
 // actor casts nothing.
-CasterCache::Look CasterCache::GetLook(vtkActor* actor, vtkProp* owner)
+CasterCache::Appearance CasterCache::GetAppearance(vtkActor* actor, vtkProp* owner)
 {
   vtkMapper* mapper = actor->GetMapper();
   vtkProperty* property = actor->GetProperty();
-  Look look;
-  look.Owner = owner;
-  look.Culled = property->GetBackfaceCulling() || property->GetFrontfaceCulling() ||
+  Appearance appearance;
+  appearance.Owner = owner;
+  appearance.Culled = property->GetBackfaceCulling() || property->GetFrontfaceCulling() ||
     (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0);
-  look.HidesFaces = look.Culled;
+  appearance.HidesFaces = appearance.Culled;
   const double opacity = property->GetOpacity();
   if (actor->HasTranslucentPolygonalGeometry() && (opacity < 1.0 || !actor->HasOpaqueGeometry()))
   {
-    look.HidesFaces = true;
-    look.Opacity = glm::dvec3(opacity < 1.0 ? opacity : 0.0);
+    appearance.HidesFaces = true;
+    appearance.Opacity = glm::dvec3(opacity < 1.0 ? opacity : 0.0);
   }
   // VTK hands an assembly's keys to its parts while it draws them.
-  look.FromKey = ReadShadowOpacity(owner, look.Opacity, this->Error);
-  return look;
+  appearance.FromKey = ReadShadowOpacity(owner, appearance.Opacity, this->Error);
+  return appearance;
 }
 
 //------------------------------------------------------------------------------
@@ -180,46 +180,47 @@ void CasterCache::AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix
   {
     return;
   }
-  Look look = this->GetLook(actor, owner);
+  Appearance appearance = this->GetAppearance(actor, owner);
   if (glyphs)
   {
-    this->AddGlyphs(glyphs, matrix, look);
+    this->AddGlyphs(glyphs, matrix, appearance);
     return;
   }
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-  look.ShowsAll = owner == actor && ShowsAll(input);
+  appearance.ShowsAll = owner == actor && ShowsAll(input);
   if (auto* data = vtkPolyData::SafeDownCast(input))
   {
-    this->AddData(data, matrix, look);
+    this->AddData(data, matrix, appearance);
   }
   else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
     for (const CasterBlock& block : GetBlocks(composite, mapper))
     {
-      Look own = look;
+      Appearance own = appearance;
       if (block.Opacity >= 0.0)
       {
-        own.HidesFaces = look.Culled || block.Opacity < 1.0;
-        own.Opacity = look.FromKey ? look.Opacity : glm::dvec3(block.Opacity);
+        own.HidesFaces = appearance.Culled || block.Opacity < 1.0;
+        own.Opacity = appearance.FromKey ? appearance.Opacity : glm::dvec3(block.Opacity);
       }
       this->AddData(block.Data, matrix, own);
     }
   }
   else if (auto* grid = vtkDataSet::SafeDownCast(input))
   {
-    this->AddData(this->GetSurface(grid), matrix, look);
+    this->AddData(this->GetSurface(grid), matrix, appearance);
   }
 }
 
 //------------------------------------------------------------------------------
 // Each a caster of its own; they share the meshes of their sources.
-void CasterCache::AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Look& look)
+void CasterCache::AddGlyphs(
+  vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Appearance& appearance)
 {
   vtkNew<vtkMatrix4x4> toWorld;
   for (const Glyph& glyph : GetGlyphs(mapper))
   {
     vtkMatrix4x4::Multiply4x4(matrix, glyph.ToActor, toWorld);
-    this->AddData(glyph.Source, toWorld, look);
+    this->AddData(glyph.Source, toWorld, appearance);
   }
 }
 
@@ -238,18 +239,18 @@ vtkPolyData* CasterCache::GetSurface(vtkDataSet* grid)
 }
 
 //------------------------------------------------------------------------------
-void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Look& look)
+void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Appearance& appearance)
 {
   Caster caster;
-  caster.HidesFaces = look.HidesFaces;
-  caster.Owner = look.Owner;
-  caster.Layer = GetShadowLayer(look.Opacity);
+  caster.HidesFaces = appearance.HidesFaces;
+  caster.Owner = appearance.Owner;
+  caster.OpticalThickness = GetOpticalThickness(appearance.Opacity);
   caster.ToWorld = ToGlm(matrix);
-  if (!HasVolume(caster.ToWorld) || caster.Layer == ShadowLayer{})
+  if (!HasVolume(caster.ToWorld) || caster.OpticalThickness == CasterOpticalThickness{})
   {
     return;
   }
-  const bool translucent = caster.Layer.Blocks != glm::ivec3(1);
+  const bool translucent = caster.OpticalThickness.Blocks != glm::ivec3(1);
   this->Translucent = this->Translucent || translucent;
   if (translucent && !this->TakesTranslucent)
   {
@@ -263,13 +264,14 @@ void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Look& l
     entry.Data = data;
     entry.Times = times;
     entry.Mesh = std::make_shared<CasterMesh>(data);
-    entry.Faces = std::make_shared<std::vector<FlatFace>>(FindFlatFaces(*entry.Mesh));
+    entry.Faces = std::make_shared<std::vector<PlanarFace>>(FindPlanarFaces(*entry.Mesh));
   }
   entry.Used = true;
   if (!entry.Mesh->Triangles.empty())
   {
     caster.Mesh = entry.Mesh;
-    const bool hides = look.ShowsAll && !look.HidesFaces && !translucent && !entry.Faces->empty();
+    const bool hides =
+      appearance.ShowsAll && !appearance.HidesFaces && !translucent && !entry.Faces->empty();
     caster.Faces = hides ? entry.Faces : nullptr;
     this->Casters.push_back(caster);
   }

@@ -7,8 +7,8 @@
 #ifndef AirlightCasters_h
 #define AirlightCasters_h
 
-#include "Casters/AirlightFlatFaces.h"
-#include "Casters/AirlightShadowLayer.h"
+#include "Casters/AirlightCasterOpticalThickness.h"
+#include "Casters/AirlightPlanarFaces.h"
 #include "Scene/AirlightGeometryTimes.h"
 #include "Silhouette/AirlightCasterMesh.h"
 
@@ -39,10 +39,10 @@ struct Caster
   std::shared_ptr<const CasterMesh> Mesh;
   glm::dmat4 ToWorld;
   bool HidesFaces =
-    false;           // culled, clipped or translucent: rays can go through parts of it that cast
-  ShadowLayer Layer; // what each of its triangles does to light
+    false; // culled, clipped or translucent: rays can go through parts of it that cast
+  CasterOpticalThickness OpticalThickness; // what each of its triangles does to light
   // What of it hides what lies behind, where the prop draws its triangles as they are; else null.
-  std::shared_ptr<const std::vector<FlatFace>> Faces;
+  std::shared_ptr<const std::vector<PlanarFace>> Faces;
   const vtkProp* Owner = nullptr; // in the renderer; to be compared only
 
   bool HasSameShape(const Caster& other) const
@@ -53,12 +53,12 @@ struct Caster
 
   bool operator==(const Caster& other) const
   {
-    return this->HasSameShape(other) && this->Layer == other.Layer;
+    return this->HasSameShape(other) && this->OpticalThickness == other.OpticalThickness;
   }
 };
 
 // An opaque actor whose mapper draws something else than its input's polygons.
-struct OtherCaster
+struct NonPolygonalCaster
 {
   // The corners of its box in the world; empty if it has none.
   std::vector<glm::dvec3> GetCorners() const;
@@ -85,11 +85,11 @@ public:
   // What the last Collect() returned.
   const std::vector<Caster>& GetCasters() const { return this->Casters; }
 
-  // Those of the last Collect(): splats, imposters, glyphs that GetGlyphs() does not know.
-  const std::vector<OtherCaster>& GetOthers() const { return this->Others; }
+  // Those of the last Collect(): point Gaussians, imposters, glyphs that GetGlyphs() does not know.
+  const std::vector<NonPolygonalCaster>& GetNonPolygonal() const { return this->NonPolygonal; }
 
   // A vtkLODProp3D of the last Collect() that shows something else than an actor; empty if there is none.
-  const std::string& GetSkipped() const { return this->Skipped; }
+  const std::string& GetUnsupportedProp() const { return this->UnsupportedProp; }
 
   void Clear();
 
@@ -99,7 +99,7 @@ private:
     vtkWeakPointer<vtkPolyData> Data;
     GeometryTimes Times{};
     std::shared_ptr<const CasterMesh> Mesh;
-    std::shared_ptr<const std::vector<FlatFace>> Faces;
+    std::shared_ptr<const std::vector<PlanarFace>> Faces;
     bool Used = false;
   };
 
@@ -111,7 +111,7 @@ private:
   };
 
   // How an actor's triangles stand in the light and in the way of rays.
-  struct Look
+  struct Appearance
   {
     glm::dvec3 Opacity{ 1.0 };
     bool HidesFaces = false;
@@ -124,17 +124,17 @@ private:
   void AddProp(vtkProp* prop);
   void AddOther(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix);
   void AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix);
-  Look GetLook(vtkActor* actor, vtkProp* owner);
-  void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Look& look);
-  void AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Look& look);
+  Appearance GetAppearance(vtkActor* actor, vtkProp* owner);
+  void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Appearance& appearance);
+  void AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Appearance& appearance);
 
   vtkPolyData* GetSurface(vtkDataSet* grid);
 
   std::map<vtkPolyData*, Entry> Meshes;
   std::map<vtkDataSet*, Surface> Surfaces;
   std::vector<Caster> Casters;
-  std::vector<OtherCaster> Others;
-  std::string Skipped;
+  std::vector<NonPolygonalCaster> NonPolygonal;
+  std::string UnsupportedProp;
   bool Translucent = false;
   bool TakesTranslucent = false;
   std::string Error;

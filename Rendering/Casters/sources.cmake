@@ -6,6 +6,6 @@ airlight_sources(
     AirlightCasterBox
     AirlightCasterKinds
     AirlightCasters
-    AirlightFlatFaces
+    AirlightPlanarFaces
     AirlightGlyphs
-    AirlightShadowLayer)
+    AirlightCasterOpticalThickness)

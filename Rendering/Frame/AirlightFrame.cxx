@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/AirlightFrame.h"
 
+#include "AirlightCameraShader.h"
 #include "AirlightDistancesFS.h"
-#include "AirlightViewShader.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkImageData.h"
@@ -43,8 +43,8 @@ bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipa
 
 //------------------------------------------------------------------------------
 bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
-  const std::vector<Lamp>& lamps, const View& view, const FrameSettings& settings, int width,
-  int height)
+  const std::vector<Lamp>& lamps, const CameraUniforms& view, const FrameSettings& settings,
+  int width, int height)
 {
   this->Renderer = renderer;
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -129,7 +129,7 @@ bool Frame::FinishDistances()
     return this->Fail(this->Textures.GetError());
   }
   vtkShaderProgram* program = this->DistancesQuad.Ready(
-    this->Window, std::string("#version 330\n") + AirlightViewShader + AirlightDistancesFS);
+    this->Window, std::string("#version 330\n") + AirlightCameraShader + AirlightDistancesFS);
   if (!program)
   {
     return this->Fail(std::string("the shader of distances") + ProgramMaker::GetReason());

@@ -23,9 +23,9 @@
 #include "Frame/AirlightTargets.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
 #include "OpenGL/AirlightQuad.h"
+#include "Scene/AirlightCameraUniforms.h"
 #include "Scene/AirlightLamps.h"
 #include "Scene/AirlightSceneData.h"
-#include "Scene/AirlightView.h"
 #include "ShadowMaps/AirlightShadowMap.h"
 #include "ShadowVolumes/AirlightPlanarOccluders.h"
 #include "ShadowVolumes/AirlightShadowLists.h"
@@ -83,7 +83,10 @@ public:
   }
   // Whether there was something that lets light through.
   bool MetTranslucent() const { return this->Casters.MetTranslucent(); }
-  const std::vector<OtherCaster>& GetOtherCasters() const { return this->Casters.GetOthers(); }
+  const std::vector<NonPolygonalCaster>& GetNonPolygonalCasters() const
+  {
+    return this->Casters.GetNonPolygonal();
+  }
 
   // What the casters of other processes do, for all frames until it is forgotten.
   void AddRemoteSilhouettes(const ProcessSilhouettes& remote)
@@ -95,7 +98,7 @@ public:
 
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
   bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps,
-    const View& view, const FrameSettings& settings, int width, int height);
+    const CameraUniforms& view, const FrameSettings& settings, int width, int height);
 
   // Step 1: binds the target that the opaque geometry is to be drawn into, cleared.
   bool BindDistances();
@@ -143,7 +146,7 @@ public:
 
   // For the meantime of what is drawn with a light's camera into a shadow map: its rays, and the
   // face's lower left corner.
-  void SetMapRays(const View* rays, int x, int y);
+  void SetMapRays(const CameraUniforms* rays, int x, int y);
 
   bool IsClear() const { return airlight::IsClear(this->Media); }
   // After a failure: whether it was for too many shadow boundaries.
@@ -240,8 +243,8 @@ private:
   vtkOpenGLRenderWindow* Window = nullptr;
   f64::AirlightMedia Media{};
   std::vector<Lamp> Lamps;
-  std::optional<View> Rays;
-  const View* MapRays = nullptr;
+  std::optional<CameraUniforms> Rays;
+  const CameraUniforms* MapRays = nullptr;
   const std::vector<Caster>* FoundCasters = nullptr; // null: without shadows
   std::vector<PlanarOccluder> Faces;                 // behind which no shadow planes are drawn
   std::vector<Caster> OpaqueCasters;                 // those for maps

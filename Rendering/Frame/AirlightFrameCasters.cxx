@@ -29,7 +29,7 @@ bool Frame::PrepareCasters()
   {
     std::copy_if(this->Casters.GetCasters().begin(), this->Casters.GetCasters().end(),
       std::back_inserter(this->OpaqueCasters),
-      [](const Caster& caster) { return caster.Layer.Blocks == glm::ivec3(1); });
+      [](const Caster& caster) { return caster.OpticalThickness.Blocks == glm::ivec3(1); });
   }
   if (this->FoundCasters && !planes)
   {
@@ -121,7 +121,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
     this->Maps[index] = std::make_unique<ShadowMap>();
   }
   ShadowMap& map = *this->Maps[index];
-  if (!map.Update(casters, this->Casters.GetOthers(), lamp, this->Settings.MapResolution))
+  if (!map.Update(casters, this->Casters.GetNonPolygonal(), lamp, this->Settings.MapResolution))
   {
     return true;
   }
@@ -137,20 +137,20 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
   {
     return this->Fail(map.GetError());
   }
-  if (!map.HasOthers())
+  if (!map.HasNonPolygonal())
   {
     return true;
   }
-  if (!this->Textures.Bind({ map.GetOthersTexture() }, nullptr))
+  if (!this->Textures.Bind({ map.GetNonPolygonalTexture() }, nullptr))
   {
     return this->Fail(this->Textures.GetError());
   }
-  map.DrawOthers(this->Window, this->Settings.Draw);
+  map.DrawNonPolygonal(this->Window, this->Settings.Draw);
   if (!this->Textures.Bind({ map.GetTexture() }, nullptr))
   {
     return this->Fail(this->Textures.GetError());
   }
-  return map.JoinOthers(this->Window, this->MapQuad) || this->Fail(map.GetError());
+  return map.MergeNonPolygonal(this->Window, this->MapQuad) || this->Fail(map.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -162,7 +162,8 @@ void Frame::SetStartUniforms(vtkShaderProgram* program, int index, bool planes)
     program->SetUniformi("startCount", planes ? this->Volumes[index].GetStartCount() : 0);
     return;
   }
-  const ShadowLayer start = planes ? this->Volumes[index].GetStartLayers() : ShadowLayer{};
+  const CasterOpticalThickness start =
+    planes ? this->Volumes[index].GetStartLayers() : CasterOpticalThickness{};
   // Vectors of integers, which vtkShaderProgram cannot set.
   const auto set = [program](const char* name, const glm::ivec3& value) {
     glUniform3iv(glGetUniformLocation(program->GetHandle(), name), 1, &value.x);

@@ -6,10 +6,10 @@
 
 #include "Frame/AirlightFrame.h"
 
+#include "AirlightCameraShader.h"
 #include "AirlightCompositeFS.h"
 #include "AirlightCopyFS.h"
 #include "AirlightDisplay.h"
-#include "AirlightViewShader.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkImageData.h"
@@ -75,7 +75,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
     Define("ENCODED_INPUT", this->Settings.EncodedInput) +
     Define("ENCODED_OUTPUT", this->Settings.EncodedOutput) +
     Define("PARALLEL", this->Rays->IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
-    GetScatteringSource(this->Media, kind, false) + AirlightViewShader +
+    GetScatteringSource(this->Media, kind, false) + AirlightCameraShader +
     (turned ? GetTurnSource() : "uniform AirlightMedia media;\n") +
     this->GetWholeRaysSource(whole) + AirlightDisplay + AirlightCompositeFS;
   Quad& quad = layers ? this->TranslucentQuad : this->CompositeQuad;

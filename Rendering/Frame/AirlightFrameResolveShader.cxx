@@ -5,6 +5,7 @@
 
 #include "Frame/AirlightFrame.h"
 
+#include "AirlightCameraShader.h"
 #include "AirlightMapBoundaries.h"
 #include "AirlightMapMarch.h"
 #include "AirlightNoBoundaries.h"
@@ -15,7 +16,6 @@
 #include "AirlightShadowCounts.h"
 #include "AirlightTranslucentLists.h"
 #include "AirlightTransmittanceBuffer.h"
-#include "AirlightViewShader.h"
 #include "Integration/AirlightIntegrate.h"
 #include "OpenGL/AirlightOpenGL.h"
 
@@ -89,7 +89,7 @@ std::string Frame::GetResolveHead(int index, bool storage) const
     "#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define AIRLIGHT_PARALLEL " +
     std::to_string(this->Rays->IsParallel()) + "\n" +
     (light.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +
-    GetScatteringSource(this->Media, light.kind, light.goniometric != 0) + AirlightViewShader;
+    GetScatteringSource(this->Media, light.kind, light.goniometric != 0) + AirlightCameraShader;
 }
 
 //------------------------------------------------------------------------------
@@ -106,7 +106,7 @@ double Frame::GetIntegralError(int index) const
   if (this->TransmitsShadows && this->Lamps[index].CastsShadows)
   {
     double thickness = 0.0;
-    for (const ShadowLayer& layer : this->Volumes[index].GetLayers())
+    for (const CasterOpticalThickness& layer : this->Volumes[index].GetLayers())
     {
       thickness = std::max(thickness, GetThicknessError(layer));
     }

@@ -101,7 +101,7 @@ void Frame::EndSurfaces()
 }
 
 //------------------------------------------------------------------------------
-void Frame::SetMapRays(const View* rays, int x, int y)
+void Frame::SetMapRays(const CameraUniforms* rays, int x, int y)
 {
   this->MapRays = rays;
   this->MapX = x;
@@ -148,7 +148,7 @@ void Frame::FitToTarget(SurfaceUniforms& values)
   {
     return;
   }
-  const View target(this->Renderer, viewport[2], viewport[3]);
+  const CameraUniforms target(this->Renderer, viewport[2], viewport[3]);
   if (target.IsValid())
   {
     values.ViewportX = viewport[0];

@@ -75,7 +75,7 @@ void Frame::SetTurnedConstants(vtkShaderProgram* program, const std::vector<int>
   for (int k : lights)
   {
     const f64::AirlightLight& light = this->Lamps[k].Values;
-    const View::LightPixel pixel = this->Rays->GetLightPixel(light.position);
+    const CameraUniforms::LightPixel pixel = this->Rays->GetLightPixel(light.position);
     constants.insert(constants.end(),
       { glm::vec4(light.position, light.radius),
         glm::vec4(light.intensity * medium.sigmaS, medium.phase.pole[0].y),

@@ -54,7 +54,7 @@ public:
   // Reads components of a texture that the last Bind() bound as colour `attachment`.
   vtkSmartPointer<vtkImageData> Read(unsigned int attachment, int firstComponent, int components);
 
-  // R: distance on the unit of airlightDirection() (AirlightViewShader.glsl), -1 without surface
+  // R: distance on the unit of airlightDirection() (AirlightCameraShader.glsl), -1 without surface
   vtkNew<vtkTextureObject> Distances;
   vtkNew<vtkTextureObject> Drawn; // R: the same as the mappers drew it; G: below 0 where they did
   vtkNew<vtkTextureObject> Depth;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperShaders/AirlightSurfaceShader.h"
 
+#include "AirlightCameraShader.h"
 #include "AirlightDisplay.h"
 #include "AirlightFragment.h"
 #include "AirlightInscatterToFragment.h"
@@ -13,7 +14,6 @@
 #include "AirlightTranslucentLists.h"
 #include "AirlightTransmittanceBuffer.h"
 #include "AirlightVertexMedium.h"
-#include "AirlightViewShader.h"
 #include "OpenGL/AirlightQuad.h"
 #include "OpenGL/AirlightStorageBinding.h"
 
@@ -95,7 +95,7 @@ std::string Declarations(const SurfaceShaderOptions& options)
                                            : AirlightInscatterToFragment;
   const std::string medium =
     options.Translucent ? std::string(before) + AirlightDisplay + AirlightSurfaceMedium : "";
-  return CommonDeclarations(options) + AirlightViewShader + AirlightFragment +
+  return CommonDeclarations(options) + AirlightCameraShader + AirlightFragment +
     StorageDeclarations(options) + AirlightSurface + glow + medium + Undefine;
 }
 
@@ -162,7 +162,7 @@ std::string OtherStages(bool records, bool leave)
   const std::string end = leave ? "    return;\n  }\n" : "  }\n";
   return std::string("  if (airlightStage == AIRLIGHT_STAGE_DISTANCE)\n  {\n") + WriteDistance +
     end +
-    // Discarded: opaque splats would hide one another.
+    // Discarded: opaque point Gaussians would hide one another.
     (records ? "  if (airlightStage == AIRLIGHT_STAGE_COLLECT)\n  {\n    airlightCollect();\n"
                "    discard;\n  }\n"
              : "");
@@ -211,7 +211,7 @@ void AddExtensions(std::string& shader, const SurfaceShaderOptions& options)
 //------------------------------------------------------------------------------
 std::string GetVolumeDeclarations(const SurfaceShaderOptions& options, const std::string& volume)
 {
-  return CommonDeclarations(options) + AirlightViewShader + AirlightFragment +
+  return CommonDeclarations(options) + AirlightCameraShader + AirlightFragment +
     StorageDeclarations(options) + AirlightSurface +
     (HasRecords(options) ? AirlightInscatterToTranslucent : AirlightInscatterToFragment) +
     AirlightDisplay + volume + Undefine;
@@ -219,7 +219,7 @@ std::string GetVolumeDeclarations(const SurfaceShaderOptions& options, const std
 
 //------------------------------------------------------------------------------
 void InjectSurfaceShader(
-  std::string& fragmentShader, const SurfaceShaderOptions& options, bool splats)
+  std::string& fragmentShader, const SurfaceShaderOptions& options, bool pointGaussians)
 {
   const size_t mainStart = fragmentShader.find("void main");
   const size_t bodyStart = fragmentShader.find('{', mainStart);
@@ -239,7 +239,7 @@ void InjectSurfaceShader(
   lit = options.GlowLightCount > 0 ? AddGlow(lit) : lit;
   lit = options.Translucent ? AddMedium(lit) : lit;
   const bool records = HasRecords(options);
-  const bool hides = splats || options.Hides;
+  const bool hides = pointGaussians || options.Hides;
   const std::string hide = hides ? "  if (airlightHidden != 0)\n  {\n    discard;\n  }\n" : "";
   const std::string find = records ? "  if (airlightStage == AIRLIGHT_STAGE_TRANSLUCENT)\n  {\n    "
                                      "airlightFindTranslucent();\n  }\n"

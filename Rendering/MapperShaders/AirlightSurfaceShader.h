@@ -22,7 +22,7 @@ namespace airlight
 {
 class ShadowTransmittance;
 class TranslucentFragments;
-class View;
+class CameraUniforms;
 
 enum class SurfaceStage
 {
@@ -48,7 +48,7 @@ struct SurfaceShaderOptions
   int GlowLightCount = 0;                  // at most; 0: surfaces get no scattered light
   bool Translucent = false;                // fragments may be put behind the medium before them
   bool TranslucentFragments = false;       // and have records (AirlightTranslucentFragments.h)
-  bool Hides = false;            // all fragments may be left out of a stage, as those of splats
+  bool Hides = false; // all fragments may be left out of a stage, as those of point Gaussians
   bool TransmitsShadows = false; // casters may let light through (AirlightShadowTransmittance.h)
   bool ReadsLit = true;          // on opaque surfaces, by bits of a texture
   bool Once = false;             // colours and distances of opaque surfaces are drawn at once
@@ -69,7 +69,7 @@ struct SurfaceShaderOptions
 // are left alone. Where fragments are put behind the medium, that is the last thing before VTK's
 // marker for the passes of translucent surfaces.
 void InjectSurfaceShader(
-  std::string& fragmentShader, const SurfaceShaderOptions& text, bool splats = false);
+  std::string& fragmentShader, const SurfaceShaderOptions& text, bool pointGaussians = false);
 
 // The declarations for a volume's fragment shader that come before `volume`, and that.
 std::string GetVolumeDeclarations(const SurfaceShaderOptions& text, const std::string& volume);
@@ -90,10 +90,10 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& text, const f64::AirlightM
 struct SurfaceUniforms
 {
   SurfaceStage Stage = SurfaceStage::Distance;
-  const View* Rays = nullptr;
+  const CameraUniforms* Rays = nullptr;
   int ViewportX = 0; // lower left corner of the viewport in the target
   int ViewportY = 0;
-  glm::vec4 Pixels{ 1.0f, 1.0f, 0.0f, 0.0f }; // of the target (View::SetUniforms())
+  glm::vec4 Pixels{ 1.0f, 1.0f, 0.0f, 0.0f }; // of the target (CameraUniforms::SetUniforms())
   const f64::AirlightMedia* Media = nullptr;
   const std::vector<Lamp>* Lamps = nullptr;
   vtkTextureObject* Lit = nullptr;     // in the pass, an active texture in any case

@@ -6,7 +6,7 @@
 #include "MapperShaders/AirlightSurfaceShader.h"
 
 #include "OpenGL/AirlightQuad.h"
-#include "Scene/AirlightView.h"
+#include "Scene/AirlightCameraUniforms.h"
 #include "Translucency/AirlightShadowTransmittance.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 

@@ -4,7 +4,7 @@
 
 #include "AirlightVolume.h"
 #include "Integration/AirlightMatrix.h"
-#include "Scene/AirlightView.h"
+#include "Scene/AirlightCameraUniforms.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
 #include "vtkAbstractVolumeMapper.h"

@@ -10,7 +10,7 @@
 #include "MapperShaders/AirlightSurfaceShader.h"
 #include "Medium/AirlightMediaList.h"
 #include "OpenGL/AirlightProgram.h"
-#include "Scene/AirlightView.h"
+#include "Scene/AirlightCameraUniforms.h"
 #include "vtkAirlightPolyDataMapper.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -85,7 +85,7 @@ public:
   // This piece's.
   bool Shades = false; // behind the medium; else as the superclass does
   int Viewport[4] = { 0, 0, 0, 0 };
-  std::optional<airlight::View> Rays;
+  std::optional<airlight::CameraUniforms> Rays;
   airlight::f64::AirlightMedia Converted{};
   std::vector<airlight::Lamp> Lamps;
 };

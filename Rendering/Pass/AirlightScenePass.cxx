@@ -21,17 +21,17 @@ vtkStandardNewMacro(AirlightScenePass);
 
 namespace
 {
-vtkPointGaussianMapper* GetSplatMapper(vtkProp* prop)
+vtkPointGaussianMapper* GetGaussianMapper(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   return actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
 }
 
-void RenderSplats(const vtkRenderState* s)
+void RenderPointGaussians(const vtkRenderState* s)
 {
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
-    if (AirlightScenePass::IsSplats(s->GetPropArray()[i]))
+    if (AirlightScenePass::IsPointGaussians(s->GetPropArray()[i]))
     {
       s->GetPropArray()[i]->RenderOpaqueGeometry(s->GetRenderer());
     }
@@ -86,16 +86,16 @@ void AirlightScenePass::Render(const vtkRenderState* s)
 
 //------------------------------------------------------------------------------
 // Without a scale they are plain points.
-bool AirlightScenePass::IsSplats(vtkProp* prop)
+bool AirlightScenePass::IsPointGaussians(vtkProp* prop)
 {
-  vtkPointGaussianMapper* mapper = GetSplatMapper(prop);
+  vtkPointGaussianMapper* mapper = GetGaussianMapper(prop);
   return mapper && mapper->GetScaleFactor() != 0.0;
 }
 
 //------------------------------------------------------------------------------
 bool AirlightScenePass::IsEmissive(vtkProp* prop)
 {
-  vtkPointGaussianMapper* mapper = GetSplatMapper(prop);
+  vtkPointGaussianMapper* mapper = GetGaussianMapper(prop);
   return mapper && mapper->GetEmissive();
 }
 
@@ -105,7 +105,7 @@ bool AirlightScenePass::HasTransparent(const vtkRenderState* s)
 {
   vtkProp** props = s->GetPropArray();
   return std::any_of(props, props + s->GetPropArrayCount(), [](vtkProp* prop) {
-    return prop->HasTranslucentPolygonalGeometry() || IsSplats(prop) ||
+    return prop->HasTranslucentPolygonalGeometry() || IsPointGaussians(prop) ||
       !(prop->IsA("vtkActor") || prop->IsA("vtkActor2D"));
   });
 }
@@ -116,7 +116,7 @@ void AirlightScenePass::RenderFragments(const vtkRenderState* s)
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
     vtkProp* prop = s->GetPropArray()[i];
-    if (IsSplats(prop))
+    if (IsPointGaussians(prop))
     {
       prop->RenderOpaqueGeometry(s->GetRenderer());
     }
@@ -131,7 +131,7 @@ void AirlightScenePass::RenderFragments(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 void AirlightScenePass::RenderTransparentOf(const vtkRenderState* s)
 {
-  RenderSplats(s);
+  RenderPointGaussians(s);
   vtkRenderer* renderer = s->GetRenderer();
   if (renderer->GetUseDepthPeeling())
   {
@@ -152,7 +152,7 @@ void AirlightScenePass::RenderTransparent(const vtkRenderState* s, vtkRenderPass
   vtkRenderer* renderer = s->GetRenderer();
   vtkProp** props = s->GetPropArray();
   const int count = s->GetPropArrayCount();
-  RenderSplats(s);
+  RenderPointGaussians(s);
   const bool translucent = std::any_of(
     props, props + count, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
   if (translucent && translucentPass)

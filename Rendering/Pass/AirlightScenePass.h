@@ -42,9 +42,9 @@ public:
   // and into its mappers.
   void PrepareLights(vtkRenderer* renderer);
 
-  // Whether an actor is drawn as splats: blended with what is behind, at any opacity, though VTK
+  // Whether an actor is drawn as point Gaussians: blended with what is behind, at any opacity, though VTK
   // draws opaque ones with the opaque surfaces.
-  static bool IsSplats(vtkProp* prop);
+  static bool IsPointGaussians(vtkProp* prop);
   static bool IsEmissive(vtkProp* prop);
 
   // Whether RenderTransparent() would draw anything.
@@ -53,7 +53,7 @@ public:
   // The surfaces and the ray cast volumes among that, plainly.
   static void RenderFragments(const vtkRenderState* s);
 
-  // Opaque splats, translucent surfaces with this pass or, without one, as the renderer's settings
+  // Opaque point Gaussians, translucent surfaces with this pass or, without one, as the renderer's settings
   // say, then volumes.
   void RenderTransparent(const vtkRenderState* s, vtkRenderPass* translucentPass);
 

@@ -27,10 +27,10 @@ using namespace airlight;
 namespace
 {
 // Their mappers' classes, each once.
-std::string GetMapperNames(const std::vector<OtherCaster>& casters)
+std::string GetMapperNames(const std::vector<NonPolygonalCaster>& casters)
 {
   std::set<std::string> names;
-  for (const OtherCaster& caster : casters)
+  for (const NonPolygonalCaster& caster : casters)
   {
     names.insert(caster.Actor->GetMapper()->GetClassName());
   }
@@ -154,10 +154,10 @@ void vtkAirlightPass::Internals::CheckCasters()
       vtkErrorWithObjectMacro(this->Self, << error << ".");
     }
   }
-  if (!casters.GetSkipped().empty() && this->EffectiveTechnique != NONE)
+  if (!casters.GetUnsupportedProp().empty() && this->EffectiveTechnique != NONE)
   {
     this->WarnOnce(this->WarnedLevels,
-      "A prop of the class " + casters.GetSkipped() +
+      "A prop of the class " + casters.GetUnsupportedProp() +
         " casts no shadow: the level of detail that it shows is a volume or an image. Add one with "
         "a vtkMapper, or set vtkAirlightPass::CASTS_SHADOW() to 0 in its property keys.");
   }
@@ -200,16 +200,17 @@ int vtkAirlightPass::Internals::ChooseTechnique(
     this->WarnOnce(this->WarnedOpenGL, text);
     return SHADOW_MAP;
   }
-  const std::vector<OtherCaster>& others = this->CurrentFrame.GetOtherCasters();
+  const std::vector<NonPolygonalCaster>& nonPolygonal = this->CurrentFrame.GetNonPolygonalCasters();
   const bool casts = (!clear || this->Self->SurfaceShadows) &&
     std::any_of(lamps.begin(), lamps.end(),
       [](const Lamp& lamp) { return lamp.Scatters() && lamp.CastsShadows; });
-  if (!others.empty() && casts)
+  if (!nonPolygonal.empty() && casts)
   {
     const std::string keep = " Set vtkAirlightPass::CASTS_SHADOW() to 0 in the property keys of "
                              "those that shall not cast";
     this->WarnOnce(this->WarnedCasters,
-      "No shadow planes can be drawn from what the mappers " + GetMapperNames(others) + " draw: " +
+      "No shadow planes can be drawn from what the mappers " + GetMapperNames(nonPolygonal) +
+        " draw: " +
         (technique == AUTOMATIC
             ? "shadows come from shadow maps, which are less exact." + keep + " for exact shadows."
             : "it casts none." + keep + ", or call SetShadowTechniqueToShadowMap()."));

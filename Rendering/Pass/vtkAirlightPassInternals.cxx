@@ -159,7 +159,7 @@ bool vtkAirlightPass::Internals::RenderOnce(
   {
     return false;
   }
-  const View view(renderer, width, height);
+  const CameraUniforms view(renderer, width, height);
   if (!view.IsValid())
   {
     this->Error = "the camera's matrices are not finite or cannot be inverted";
@@ -199,8 +199,8 @@ bool vtkAirlightPass::Internals::RenderOnce(
   settings.Shadows = GetMethod(this->EffectiveTechnique);
   settings.MapResolution = this->Self->ShadowMapResolution;
   settings.Steps = this->Self->NumberOfSteps;
-  settings.Draw = [this, s](const std::vector<OtherCaster>& casters, vtkCamera* camera, int x,
-                    int y, int side) { this->DrawInMap(s, casters, camera, x, y, side); };
+  settings.Draw = [this, s](const std::vector<NonPolygonalCaster>& casters, vtkCamera* camera,
+                    int x, int y, int side) { this->DrawInMap(s, casters, camera, x, y, side); };
   settings.SurfaceShadows = this->Self->SurfaceShadows;
   settings.TranslucentShadows = this->Self->TranslucentShadows;
   settings.SurfaceGlow = this->IsGlowing(converted);

@@ -102,7 +102,7 @@ public:
   bool CheckShaders();
 
   // InjectSurfaceShader() with the mappers' text. Of many actors' shaders most are the same.
-  void ChangeSurfaceShader(std::string& shader, bool splats);
+  void ChangeSurfaceShader(std::string& shader, bool pointGaussians);
 
   // After a frame that could not be done: frees what may be broken.
   void Recover();
@@ -138,7 +138,7 @@ public:
   {
     std::string Before;
     std::string After;
-    bool Splats = false;
+    bool PointGaussians = false;
     bool Records = false;
     vtkMTimeType Time = 0;
   } LastChange; // of a surface's shader
@@ -194,7 +194,7 @@ private:
   bool DrawDistances(const vtkRenderState& inner);
   bool DrawColours(const vtkRenderState& inner);
   vtkRenderPass* GetDelegate(bool opaqueOnly);
-  void DrawInMap(const vtkRenderState* s, const std::vector<airlight::OtherCaster>& casters,
+  void DrawInMap(const vtkRenderState* s, const std::vector<airlight::NonPolygonalCaster>& casters,
     vtkCamera* camera, int x, int y, int side);
 };
 

@@ -98,7 +98,7 @@ bool vtkAirlightPass::Internals::IsSolid(const vtkRenderState* s) const
   vtkProp** first = s->GetPropArray();
   return this->MayBeSolid(s) &&
     std::all_of(first, first + s->GetPropArrayCount(), [](vtkProp* prop) {
-      return IsKnown(prop) && IsSolidProp(prop) && !AirlightScenePass::IsSplats(prop);
+      return IsKnown(prop) && IsSolidProp(prop) && !AirlightScenePass::IsPointGaussians(prop);
     });
 }
 
@@ -125,7 +125,7 @@ bool vtkAirlightPass::Internals::KnowsAll(const vtkRenderState* s) const
     !(renderer->GetUseHiddenLineRemoval() &&
       vtkHiddenLineRemovalPass::WireframePropsExist(first, count)) &&
     std::all_of(first, first + count, [](vtkProp* prop) {
-      return IsKnown(prop) && !HasForeignPass(prop) && !AirlightScenePass::IsSplats(prop);
+      return IsKnown(prop) && !HasForeignPass(prop) && !AirlightScenePass::IsPointGaussians(prop);
     });
 }
 

@@ -7,7 +7,7 @@
 
 #include "Medium/AirlightConvert.h"
 #include "Pass/vtkAirlightPassInternals.h"
-#include "Scene/AirlightView.h"
+#include "Scene/AirlightCameraUniforms.h"
 
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -43,7 +43,7 @@ bool vtkAirlightPass::Internals::CollectSilhouettes(
 {
   const int* size = renderer->GetRenderWindow()->GetSize();
   renderer->UpdateLightsGeometryToFollowCamera();
-  const View view(renderer, std::max(size[0], 1), std::max(size[1], 1));
+  const CameraUniforms view(renderer, std::max(size[0], 1), std::max(size[1], 1));
   if (!view.IsValid())
   {
     this->Error = "the camera's matrices are not finite or cannot be inverted";

@@ -39,23 +39,23 @@ bool vtkAirlightPass::PostReplaceShaderValues(std::string& vertexShader,
       else
       {
         this->Impl->Materials.Specialize(shader, prop);
-        this->Impl->ChangeSurfaceShader(shader, AirlightScenePass::IsSplats(prop));
+        this->Impl->ChangeSurfaceShader(shader, AirlightScenePass::IsPointGaussians(prop));
       }
     });
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkAirlightPass::Internals::ChangeSurfaceShader(std::string& shader, bool splats)
+void vtkAirlightPass::Internals::ChangeSurfaceShader(std::string& shader, bool pointGaussians)
 {
   const vtkMTimeType time = this->ShaderTime;
   const bool records = this->ShaderOptions.TranslucentFragments;
   auto& last = this->LastChange;
-  if (last.Time != time || last.Splats != splats || last.Records != records ||
+  if (last.Time != time || last.PointGaussians != pointGaussians || last.Records != records ||
     last.Before != shader)
   {
-    last = { shader, shader, splats, records, time };
-    InjectSurfaceShader(last.After, this->ShaderOptions, splats);
+    last = { shader, shader, pointGaussians, records, time };
+    InjectSurfaceShader(last.After, this->ShaderOptions, pointGaussians);
   }
   shader = last.After;
 }

@@ -22,7 +22,7 @@ using namespace airlight;
 namespace
 {
 // As assemblies draw their parts: in their place, with the assembly's keys, which name the passes.
-void RenderOther(const OtherCaster& caster, vtkRenderer* renderer)
+void RenderOther(const NonPolygonalCaster& caster, vtkRenderer* renderer)
 {
   vtkActor* actor = caster.Actor;
   if (!caster.Place)
@@ -44,7 +44,7 @@ bool vtkAirlightPass::Internals::IsDrawnLater(vtkProp* prop)
 {
   if (!this->CurrentFrame.HasTranslucent() || this->DrawsMap ||
     this->Stage == SurfaceStage::Translucent || this->Stage == SurfaceStage::Collect ||
-    !(AirlightScenePass::IsSplats(prop) ||
+    !(AirlightScenePass::IsPointGaussians(prop) ||
       (this->Self->DelegatePass && prop->IsRenderingTranslucentPolygonalGeometry())) ||
     std::find(this->FrameProps.begin(), this->FrameProps.end(), prop) == this->FrameProps.end())
   {
@@ -202,12 +202,12 @@ bool vtkAirlightPass::Internals::CollectTranslucent(const vtkRenderState& inner)
 //------------------------------------------------------------------------------
 // Props outside the view are not among those that the pass has taken hold of.
 void vtkAirlightPass::Internals::DrawInMap(const vtkRenderState* s,
-  const std::vector<OtherCaster>& casters, vtkCamera* camera, int x, int y, int side)
+  const std::vector<NonPolygonalCaster>& casters, vtkCamera* camera, int x, int y, int side)
 {
   vtkRenderer* renderer = s->GetRenderer();
   vtkProp** seen = s->GetPropArray();
   std::vector<vtkProp*> unseen;
-  for (const OtherCaster& caster : casters)
+  for (const NonPolygonalCaster& caster : casters)
   {
     vtkProp** end = seen + s->GetPropArrayCount();
     if (std::find(seen, end, caster.Owner) == end &&
@@ -221,13 +221,13 @@ void vtkAirlightPass::Internals::DrawInMap(const vtkRenderState* s,
   this->Self->PreRender(&state);
   const vtkSmartPointer<vtkCamera> own = renderer->GetActiveCamera();
   renderer->SetActiveCamera(camera);
-  const View view(renderer, side, side);
+  const CameraUniforms view(renderer, side, side);
   if (view.IsValid())
   {
     this->CurrentFrame.SetMapRays(&view, x, y);
     this->DrawsMap = true;
     this->RenderStage(SurfaceStage::Distance, [&] {
-      for (const OtherCaster& caster : casters)
+      for (const NonPolygonalCaster& caster : casters)
       {
         RenderOther(caster, renderer);
       }

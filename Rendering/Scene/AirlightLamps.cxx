@@ -5,7 +5,7 @@
 #include "Integration/AirlightMatrix.h"
 #include "Phase/AirlightPhaseFit.h"
 #include "Region/AirlightSurfaceTree.h"
-#include "Scene/AirlightView.h"
+#include "Scene/AirlightCameraUniforms.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -23,7 +23,8 @@ namespace
 // What single precision resolves of the distance between a ray and a light.
 constexpr double RelativeRadius = 1e-5;
 
-Lamp MakeLamp(vtkLight* light, const f64::AirlightMedia& media, const View& view, double radius)
+Lamp MakeLamp(
+  vtkLight* light, const f64::AirlightMedia& media, const CameraUniforms& view, double radius)
 {
   Lamp lamp;
   lamp.Light = light;
@@ -101,7 +102,7 @@ void Apply(const LightOptions& options, vtkRenderer* renderer, Lamp& lamp)
 
 //------------------------------------------------------------------------------
 std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
-  const View& view, double radius, const LightSwitches& switches,
+  const CameraUniforms& view, double radius, const LightSwitches& switches,
   const std::vector<LightOptions>& options)
 {
   std::vector<Lamp> lamps;

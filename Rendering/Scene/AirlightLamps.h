@@ -27,7 +27,7 @@ class vtkRenderer;
 
 namespace airlight
 {
-class View;
+class CameraUniforms;
 
 // What the pass, rather than the light itself, says of a light.
 struct LightOptions
@@ -60,7 +60,7 @@ int CommonKind(const std::vector<Lamp>& lamps);
 // The switched-on lights, in the order in which VTK's mappers number them. `radius` is the light
 // radius asked for, 0 for the smallest that single precision resolves.
 std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
-  const View& view, double radius, const LightSwitches& switches,
+  const CameraUniforms& view, double radius, const LightSwitches& switches,
   const std::vector<LightOptions>& options);
 
 // GetCameraLightsText() of these lamps.

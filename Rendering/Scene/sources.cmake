@@ -5,6 +5,6 @@ airlight_sources(
     AirlightLamps
     AirlightLightGrid
     AirlightSceneData
-    AirlightView
+    AirlightCameraUniforms
   GLSL
-    glsl/AirlightViewShader.glsl)
+    glsl/AirlightCameraShader.glsl)

@@ -34,11 +34,11 @@ glm::dvec3 Place(const Caster& caster, int point)
 }
 
 //------------------------------------------------------------------------------
-bool ShadowMap::Update(const std::vector<Caster>& casters, const std::vector<OtherCaster>& others,
-  const Lamp& lamp, int resolution)
+bool ShadowMap::Update(const std::vector<Caster>& casters,
+  const std::vector<NonPolygonalCaster>& nonPolygonal, const Lamp& lamp, int resolution)
 {
   // Whether the others changed, nobody says.
-  const bool same = this->Drawn && others.empty() && this->Others.empty() &&
+  const bool same = this->Drawn && nonPolygonal.empty() && this->NonPolygonal.empty() &&
     this->Casters == casters && this->Light == lamp.World && this->Axis == lamp.Values.axis &&
     this->CosCone == lamp.Values.cosCone && this->Resolution == resolution;
   if (same)
@@ -46,7 +46,7 @@ bool ShadowMap::Update(const std::vector<Caster>& casters, const std::vector<Oth
     return false;
   }
   this->Casters = casters;
-  this->Others = others;
+  this->NonPolygonal = nonPolygonal;
   this->Light = lamp.World;
   this->Axis = lamp.Values.axis;
   this->CosCone = lamp.Values.cosCone;
@@ -93,7 +93,7 @@ bool ShadowMap::Prepare(vtkOpenGLRenderWindow* window)
     return false;
   }
   return this->Allocate(window, this->Texture) &&
-    (this->Others.empty() || this->Allocate(window, this->OthersTexture));
+    (this->NonPolygonal.empty() || this->Allocate(window, this->NonPolygonalTexture));
 }
 
 //------------------------------------------------------------------------------
@@ -273,8 +273,8 @@ void ShadowMap::DrawCorners(vtkShaderProgram* program, const std::vector<Corner>
 void ShadowMap::Release(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
-  this->OthersTexture->ReleaseGraphicsResources(window);
-  this->Others.clear();
+  this->NonPolygonalTexture->ReleaseGraphicsResources(window);
+  this->NonPolygonal.clear();
   this->Casters.clear();
   this->Drawn = false;
 }

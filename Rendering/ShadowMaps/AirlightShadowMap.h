@@ -31,19 +31,19 @@ class vtkWindow;
 
 namespace airlight
 {
-class View;
+class CameraUniforms;
 
 // Draws actors with their mappers from the camera of a shadow map's face, into the bound
 // framebuffer, where the face's lower left corner is at x, y and its side is so many pixels long.
 using DrawActors = std::function<void(
-  const std::vector<OtherCaster>& casters, vtkCamera* camera, int x, int y, int side)>;
+  const std::vector<NonPolygonalCaster>& casters, vtkCamera* camera, int x, int y, int side)>;
 
 class ShadowMap
 {
 public:
   // Takes the lamp and its casters. True where the map has to be drawn anew, into GetTexture().
-  bool Update(const std::vector<Caster>& casters, const std::vector<OtherCaster>& others,
-    const Lamp& lamp, int resolution);
+  bool Update(const std::vector<Caster>& casters,
+    const std::vector<NonPolygonalCaster>& nonPolygonal, const Lamp& lamp, int resolution);
 
   // Makes the texture. False with a reason in GetError() where it cannot be had.
   bool Prepare(vtkOpenGLRenderWindow* window);
@@ -53,14 +53,14 @@ public:
   bool Draw(vtkOpenGLRenderWindow* window, ProgramMaker& programs);
 
   // Where there are others than polygons: draws them into the framebuffer that is bound over
-  // GetOthersTexture(), then, with that over GetTexture(), joins the two.
-  bool HasOthers() const { return !this->Others.empty(); }
-  vtkTextureObject* GetOthersTexture() { return this->OthersTexture; }
-  void DrawOthers(vtkOpenGLRenderWindow* window, const DrawActors& draw);
-  bool JoinOthers(vtkOpenGLRenderWindow* window, Quad& quad);
+  // GetNonPolygonalTexture(), then, with that over GetTexture(), joins the two.
+  bool HasNonPolygonal() const { return !this->NonPolygonal.empty(); }
+  vtkTextureObject* GetNonPolygonalTexture() { return this->NonPolygonalTexture; }
+  void DrawNonPolygonal(vtkOpenGLRenderWindow* window, const DrawActors& draw);
+  bool MergeNonPolygonal(vtkOpenGLRenderWindow* window, Quad& quad);
 
   // Those of glsl/AirlightMapMarch.glsl, but for the texture.
-  void SetUniforms(vtkShaderProgram* program, const View& view) const;
+  void SetUniforms(vtkShaderProgram* program, const CameraUniforms& view) const;
 
   bool HasCasters() const { return this->Kind != Projection::None; }
   vtkTextureObject* GetTexture() { return this->Texture; }
@@ -107,7 +107,7 @@ private:
   glm::ivec2 GetPlace(int face) const;
 
   std::vector<Caster> Casters;
-  std::vector<OtherCaster> Others;
+  std::vector<NonPolygonalCaster> NonPolygonal;
   glm::dvec4 Light{ 0.0 };
   glm::dvec3 Axis{ 0.0 }; // of a spot
   double CosCone = -1.0;
@@ -124,7 +124,7 @@ private:
   double Farthest = 0.0;
 
   vtkNew<vtkTextureObject> Texture;
-  vtkNew<vtkTextureObject> OthersTexture;
+  vtkNew<vtkTextureObject> NonPolygonalTexture;
   bool Refused = false; // memory for what casts
   int Width = 0;
   int Height = 0;

@@ -62,7 +62,7 @@ void ShadowMap::SetFaceCamera(vtkCamera* camera, int face) const
 }
 
 //------------------------------------------------------------------------------
-void ShadowMap::DrawOthers(vtkOpenGLRenderWindow* window, const DrawActors& draw)
+void ShadowMap::DrawNonPolygonal(vtkOpenGLRenderWindow* window, const DrawActors& draw)
 {
   this->BeginNearest(window, true);
   vtkOpenGLState* state = window->GetState();
@@ -73,13 +73,13 @@ void ShadowMap::DrawOthers(vtkOpenGLRenderWindow* window, const DrawActors& draw
     const glm::ivec2 place = this->GetPlace(face);
     state->vtkglViewport(place.x, place.y, this->Side, this->Side);
     state->vtkglScissor(place.x, place.y, this->Side, this->Side);
-    draw(this->Others, camera, place.x, place.y, this->Side);
+    draw(this->NonPolygonal, camera, place.x, place.y, this->Side);
   }
   this->EndNearest(window);
 }
 
 //------------------------------------------------------------------------------
-bool ShadowMap::JoinOthers(vtkOpenGLRenderWindow* window, Quad& quad)
+bool ShadowMap::MergeNonPolygonal(vtkOpenGLRenderWindow* window, Quad& quad)
 {
   vtkShaderProgram* program = quad.Ready(window, AirlightMergeCastersFS);
   if (!program)
@@ -93,7 +93,7 @@ bool ShadowMap::JoinOthers(vtkOpenGLRenderWindow* window, Quad& quad)
   program->SetUniformi("parallel", this->Kind == Projection::Parallel ? 1 : 0);
   program->SetUniform2f("scale", &scale.x);
   program->SetUniformf("offset", static_cast<float>(this->GetCameraOffset()));
-  quad.Draw({ { "drawn", this->OthersTexture } });
+  quad.Draw({ { "drawn", this->NonPolygonalTexture } });
   this->EndNearest(window);
   return true;
 }

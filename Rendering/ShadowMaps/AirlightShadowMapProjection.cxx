@@ -5,7 +5,7 @@
 
 #include "ShadowMaps/AirlightShadowMap.h"
 
-#include "Scene/AirlightView.h"
+#include "Scene/AirlightCameraUniforms.h"
 #include "vtkActor.h"
 #include "vtkShaderProgram.h"
 
@@ -67,7 +67,7 @@ glm::dmat3 MakeFrame(const glm::dvec3& axis)
 std::vector<glm::dvec3> ShadowMap::GetBoxCorners() const
 {
   std::vector<glm::dvec3> corners = GetCorners(this->Casters);
-  for (const OtherCaster& other : this->Others)
+  for (const NonPolygonalCaster& other : this->NonPolygonal)
   {
     const std::vector<glm::dvec3> box = other.GetCorners();
     corners.insert(corners.end(), box.begin(), box.end());
@@ -78,7 +78,7 @@ std::vector<glm::dvec3> ShadowMap::GetBoxCorners() const
 //------------------------------------------------------------------------------
 void ShadowMap::SetProjection()
 {
-  if (this->Casters.empty() && this->Others.empty())
+  if (this->Casters.empty() && this->NonPolygonal.empty())
   {
     this->Kind = Projection::None;
     return;
@@ -162,7 +162,7 @@ void ShadowMap::SetParallelProjection()
     }
   }
   std::vector<glm::dvec3> corners;
-  for (const OtherCaster& other : this->Others)
+  for (const NonPolygonalCaster& other : this->NonPolygonal)
   {
     const std::vector<glm::dvec3> box = other.GetCorners();
     corners.insert(corners.end(), box.begin(), box.end());
@@ -183,7 +183,7 @@ void ShadowMap::SetParallelProjection()
 }
 
 //------------------------------------------------------------------------------
-void ShadowMap::SetUniforms(vtkShaderProgram* program, const View& view) const
+void ShadowMap::SetUniforms(vtkShaderProgram* program, const CameraUniforms& view) const
 {
   const glm::vec3 origin(this->Anchor - view.GetEye());
   const glm::mat3 frame(this->Frame);

@@ -3,7 +3,7 @@
 #include "ShadowVolumes/AirlightClippedRegions.h"
 
 #include "Casters/AirlightCasterBox.h"
-#include "Scene/AirlightPixelRays.h"
+#include "Scene/AirlightCameraRays.h"
 
 #include <algorithm>
 #include <limits>
@@ -34,18 +34,18 @@ glm::dvec4 MakePlane(const glm::dvec3& normal, const glm::dvec3& point)
 }
 
 //------------------------------------------------------------------------------
-ClippedRegions::ClippedRegions(const PixelRays& rays, bool anyPicture)
+ClippedRegions::ClippedRegions(const CameraRays& rays, bool anyPicture)
   : Eye(rays.GetEye())
   , AnyPicture(anyPicture)
 {
-  const std::array<PixelRays::Ray, 4> corners = rays.GetCornerRays();
-  const PixelRays::Ray middle = rays.GetRay(0.5 * rays.GetWidth(), 0.5 * rays.GetHeight());
+  const std::array<CameraRays::Ray, 4> corners = rays.GetCornerRays();
+  const CameraRays::Ray middle = rays.GetRay(0.5 * rays.GetWidth(), 0.5 * rays.GetHeight());
   this->Before.End = glm::dvec4(rays.GetForward(), -(1.0 + Margin) * rays.GetNear());
   this->Behind.End = glm::dvec4(-rays.GetForward(), (1.0 - Margin) * rays.GetFar());
   for (size_t i = 0; i < corners.size(); ++i)
   {
-    const PixelRays::Ray& ray = corners[i];
-    const PixelRays::Ray& next = corners[(i + 1) % corners.size()];
+    const CameraRays::Ray& ray = corners[i];
+    const CameraRays::Ray& next = corners[(i + 1) % corners.size()];
     const glm::dvec3 across = next.Origin + next.Direction - ray.Origin;
     const glm::dvec4 side = MakePlane(glm::cross(ray.Direction, across), ray.Origin);
     const glm::dvec4 inside(middle.Origin + middle.Direction, 1.0);

@@ -18,7 +18,7 @@
 
 namespace airlight
 {
-class PixelRays;
+class CameraRays;
 struct Caster;
 
 // Which parts of casters rays of the picture may meet before the near clipping plane or behind the far one,
@@ -27,7 +27,7 @@ class VTKAIRLIGHT_EXPORT ClippedRegions
 {
 public:
   // `anyPicture`: of any width and height, for other processes, whose windows are not known.
-  explicit ClippedRegions(const PixelRays& rays, bool anyPicture = false);
+  explicit ClippedRegions(const CameraRays& rays, bool anyPicture = false);
 
   // Whether there may be such parts of it: where its box and one of the two regions are not apart for
   // certain.

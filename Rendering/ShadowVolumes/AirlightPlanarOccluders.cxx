@@ -3,7 +3,7 @@
 #include "ShadowVolumes/AirlightPlanarOccluders.h"
 
 #include "Casters/AirlightCasterBox.h"
-#include "Scene/AirlightPixelRays.h"
+#include "Scene/AirlightCameraRays.h"
 
 #include <algorithm>
 #include <functional>
@@ -31,7 +31,7 @@ constexpr int LeastProbes = 3;
 
 // Corners from the eye.
 std::optional<PlanarOccluder> MakeFace(
-  const std::vector<glm::dvec3>& corners, const PixelRays& rays)
+  const std::vector<glm::dvec3>& corners, const CameraRays& rays)
 {
   glm::dvec3 middle(0.0);
   for (const glm::dvec3& corner : corners)
@@ -70,7 +70,7 @@ std::optional<PlanarOccluder> MakeFace(
 
 //------------------------------------------------------------------------------
 // Of a grid over the view.
-int CountHiddenRays(const PlanarOccluder& face, const PixelRays& rays)
+int CountHiddenRays(const PlanarOccluder& face, const CameraRays& rays)
 {
   int count = 0;
   for (int i = 0; i < Probes * Probes; ++i)
@@ -87,12 +87,12 @@ int CountHiddenRays(const PlanarOccluder& face, const PixelRays& rays)
 
 //------------------------------------------------------------------------------
 // Leaves out the sides that the whole view is inside of.
-void LimitToView(PlanarOccluder& face, const std::array<PixelRays::Ray, 4>& corners)
+void LimitToView(PlanarOccluder& face, const std::array<CameraRays::Ray, 4>& corners)
 {
   for (glm::dvec3& side : face.Sides)
   {
     if (std::all_of(corners.begin(), corners.end(),
-          [&](const PixelRays::Ray& ray) { return glm::dot(side, ray.Direction) >= 0.0; }))
+          [&](const CameraRays::Ray& ray) { return glm::dot(side, ray.Direction) >= 0.0; }))
     {
       side = -glm::dvec3(face.Plane);
     }
@@ -138,7 +138,7 @@ bool HidesShadow(const PlanarOccluder& face, const std::array<glm::dvec3, 8>& bo
 
 //------------------------------------------------------------------------------
 std::vector<PlanarOccluder> FindPlanarOccluders(
-  const std::vector<Caster>& casters, const std::vector<vtkProp*>& solid, const PixelRays& rays)
+  const std::vector<Caster>& casters, const std::vector<vtkProp*>& solid, const CameraRays& rays)
 {
   std::vector<Candidate> found;
   for (const Caster& caster : casters)
@@ -148,7 +148,7 @@ std::vector<PlanarOccluder> FindPlanarOccluders(
     {
       continue;
     }
-    for (const FlatFace& flat : *caster.Faces)
+    for (const PlanarFace& flat : *caster.Faces)
     {
       std::vector<glm::dvec3> corners;
       for (const glm::dvec3& corner : flat)

@@ -22,7 +22,7 @@ class vtkProp;
 
 namespace airlight
 {
-class PixelRays;
+class CameraRays;
 
 // A point x from the eye is hidden by the face in all pixels of the view if it is
 //
@@ -45,7 +45,7 @@ struct PlanarOccluder
 // None in parallel projection: there what moves away behind a face leaves its outline.
 constexpr size_t MostPlanarOccluders = 3;
 VTKAIRLIGHT_EXPORT std::vector<PlanarOccluder> FindPlanarOccluders(
-  const std::vector<Caster>& casters, const std::vector<vtkProp*>& solid, const PixelRays& rays);
+  const std::vector<Caster>& casters, const std::vector<vtkProp*>& solid, const CameraRays& rays);
 
 // For each caster the plane of a face that hides all of its shadow planes from where they meet it, for a
 // light at a homogeneous position in the world; 0 where there is none, and once more after the last. All

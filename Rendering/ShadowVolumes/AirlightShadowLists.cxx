@@ -5,13 +5,13 @@
 
 #include "ShadowVolumes/AirlightShadowLists.h"
 
+#include "AirlightCameraShader.h"
 #include "AirlightOutlineFS.h"
 #include "AirlightPlanesFS.h"
 #include "AirlightPlanesVS.h"
-#include "AirlightViewShader.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightStorageBinding.h"
-#include "Scene/AirlightView.h"
+#include "Scene/AirlightCameraUniforms.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -72,7 +72,7 @@ vtkShaderProgram* ShadowLists::ReadyPlanes(
     this->Error = std::string("the shader of shadow planes") + ProgramMaker::GetReason();
     return nullptr;
   }
-  const View& view = source.Rays;
+  const CameraUniforms& view = source.Rays;
   view.SetUniforms(program, 0, 0);
   glm::mat4 clip = view.GetClipMatrix(source.Volumes.GetAnchor());
   const glm::vec3 anchor(source.Volumes.GetAnchor() - view.GetEye());
@@ -85,13 +85,13 @@ vtkShaderProgram* ShadowLists::ReadyPlanes(
 }
 
 //------------------------------------------------------------------------------
-std::string ShadowLists::GetPlanesSource(const View& view) const
+std::string ShadowLists::GetPlanesSource(const CameraUniforms& view) const
 {
   // The near planes' fragments need all of the view, the others little.
   return BoundaryBuffer::DefineNodes(this->Store.HasShadowTransmittance()) +
     "#define AIRLIGHT_LIST_LAYOUT_IN\n" + this->Store.GetSource() + "#define AIRLIGHT_PARALLEL " +
     std::to_string(view.IsParallel()) + "\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n" +
-    AirlightViewShader + AirlightPlanesFS;
+    AirlightCameraShader + AirlightPlanesFS;
 }
 
 //------------------------------------------------------------------------------

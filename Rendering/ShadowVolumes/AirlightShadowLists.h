@@ -25,7 +25,7 @@ class vtkWindow;
 namespace airlight
 {
 class Targets;
-class View;
+class CameraUniforms;
 
 class ShadowLists
 {
@@ -66,7 +66,7 @@ public:
     int LightNumber;
     const ShadowVolumes& Volumes;
     const glm::dvec4& Light;
-    const View& Rays;
+    const CameraUniforms& Rays;
     vtkTextureObject* Distances;
     std::vector<glm::vec4> TruncationPlanes; // of planes, FindTruncationPlanes()
   };
@@ -108,7 +108,7 @@ private:
 
   bool Upload(Buffer& buffer, const void* data, size_t count, size_t size);
   bool UploadTruncationPlanes(const Source& source);
-  bool UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers);
+  bool UploadLayers(Buffer& buffer, const std::vector<CasterOpticalThickness>& layers);
   // As in AirlightPlanesVS.glsl.
   enum class PlaneKind
   {
@@ -120,7 +120,7 @@ private:
   vtkShaderProgram* ReadyPlanes(PlaneKind kind, const std::string& fragment, const Source& source);
   bool MakeCorners();
   void DrawRecords(PlaneKind kind, const Buffer& buffer) const;
-  std::string GetPlanesSource(const View& view) const;
+  std::string GetPlanesSource(const CameraUniforms& view) const;
   bool DrawFragments(const Source& source, PlaneKind kind, int row, int rows);
   bool DrawOnce(const Source& source, int row, int rows, BoundaryBuffer::Counts& counts);
   int DrawRows(const Source& source, int row, int rows);

@@ -60,10 +60,10 @@ bool ShadowLists::UploadTruncationPlanes(const Source& source)
 }
 
 //------------------------------------------------------------------------------
-bool ShadowLists::UploadLayers(Buffer& buffer, const std::vector<ShadowLayer>& layers)
+bool ShadowLists::UploadLayers(Buffer& buffer, const std::vector<CasterOpticalThickness>& layers)
 {
   std::vector<glm::ivec4> values;
-  for (const ShadowLayer& layer : layers)
+  for (const CasterOpticalThickness& layer : layers)
   {
     const int channels = layer.Blocks.r + 2 * layer.Blocks.g + 4 * layer.Blocks.b;
     values.emplace_back(layer.Thickness, channels);

@@ -3,7 +3,7 @@
 #include "ShadowVolumes/AirlightShadowVolumes.h"
 
 #include "Casters/AirlightCasterBox.h"
-#include "Scene/AirlightView.h"
+#include "Scene/AirlightCameraUniforms.h"
 #include "ShadowVolumes/AirlightClippedRegions.h"
 #include "ShadowVolumes/AirlightSilhouetteExchange.h"
 #include "Silhouette/AirlightSilhouette.h"
@@ -135,7 +135,7 @@ bool ShadowVolumes::UpdateParts(
     // Rays may go through parts that are not drawn.
     const bool capped = casters[i].HidesFaces || view.MayCutOff(casters[i]);
     const bool remake = moved || !part.Source.HasSameShape(casters[i]);
-    changed = changed || !(part.Source.Layer == casters[i].Layer);
+    changed = changed || !(part.Source.OpticalThickness == casters[i].OpticalThickness);
     part.Source = casters[i];
     if (remake)
     {
@@ -152,7 +152,7 @@ bool ShadowVolumes::UpdateParts(
 }
 
 //------------------------------------------------------------------------------
-float ShadowVolumes::GetLayerIndex(const ShadowLayer& layer)
+float ShadowVolumes::GetLayerIndex(const CasterOpticalThickness& layer)
 {
   const auto place = std::find(this->Layers.begin(), this->Layers.end(), layer);
   const auto index = static_cast<float>(place - this->Layers.begin());
@@ -177,7 +177,7 @@ void ShadowVolumes::CollectEdges()
     const size_t caps = this->Caps.size();
     this->Edges.insert(this->Edges.end(), part.Edges.begin(), part.Edges.end());
     this->Caps.insert(this->Caps.end(), part.Caps.begin(), part.Caps.end());
-    const float layer = this->GetLayerIndex(part.Source.Layer);
+    const float layer = this->GetLayerIndex(part.Source.OpticalThickness);
     std::for_each(this->Edges.begin() + edges, this->Edges.end(), [layer, i](ShadowEdge& edge) {
       edge.B.w = static_cast<float>(i);
       edge.Normal.w = layer;
@@ -194,7 +194,7 @@ void ShadowVolumes::CollectRemoteSilhouettes()
 {
   for (const auto& remote : this->Remote)
   {
-    const float layer = this->GetLayerIndex(GetShadowLayer(glm::dvec3(1.0)));
+    const float layer = this->GetLayerIndex(GetOpticalThickness(glm::dvec3(1.0)));
     const glm::vec4 shift(glm::vec3(remote->Anchor - this->Anchor), 0.0f);
     for (ShadowEdge edge : remote->Edges)
     {
@@ -215,8 +215,8 @@ void ShadowVolumes::CollectRemoteSilhouettes()
 }
 
 //------------------------------------------------------------------------------
-bool ShadowVolumes::Update(
-  const std::vector<Caster>& casters, const glm::dvec4& light, const View& view, bool anyPicture)
+bool ShadowVolumes::Update(const std::vector<Caster>& casters, const glm::dvec4& light,
+  const CameraUniforms& view, bool anyPicture)
 {
   const glm::dvec3 oldAnchor = this->Anchor;
   const bool lightMoved = this->Light != light;

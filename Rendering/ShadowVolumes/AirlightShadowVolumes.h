@@ -19,7 +19,7 @@
 namespace airlight
 {
 class ClippedRegions;
-class View;
+class CameraUniforms;
 struct LightSilhouettes;
 
 // As glsl/AirlightPlanesVS.glsl reads it. Positions are relative to the anchor.
@@ -51,8 +51,8 @@ class ShadowVolumes
 public:
   // `light` is the homogeneous world position; `anyPicture`: for views of any width and height. Returns
   // true where edges, near edges or caps changed.
-  bool Update(const std::vector<Caster>& casters, const glm::dvec4& light, const View& view,
-    bool anyPicture = false);
+  bool Update(const std::vector<Caster>& casters, const glm::dvec4& light,
+    const CameraUniforms& view, bool anyPicture = false);
 
   // What the casters of other processes do in this light, for Update() to add.
   using RemoteSilhouettes = std::vector<std::shared_ptr<const LightSilhouettes>>;
@@ -69,10 +69,10 @@ public:
   }
   // Shadow volumes that hold the start of the rays, and what their layers do together.
   int GetStartCount() const { return this->StartCount; }
-  const ShadowLayer& GetStartLayers() const { return this->StartLayers; }
+  const CasterOpticalThickness& GetStartLayers() const { return this->StartLayers; }
 
   // What the layers of the casters do, each kind once.
-  const std::vector<ShadowLayer>& GetLayers() const { return this->Layers; }
+  const std::vector<CasterOpticalThickness>& GetLayers() const { return this->Layers; }
 
   // The edges whose planes the eye lies on or nearly so, which it sees edge-on. They are not among
   // GetEdges().
@@ -97,12 +97,12 @@ private:
   void MakeCaps(Part& part) const;
   void CollectEdges();
   void CollectRemoteSilhouettes();
-  float GetLayerIndex(const ShadowLayer& layer);
+  float GetLayerIndex(const CasterOpticalThickness& layer);
   bool UpdateParts(const std::vector<Caster>& casters, const ClippedRegions& view, bool moved);
   bool IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) const;
   NearEdge MakeNear(const ShadowEdge& edge, const glm::dvec3& eye) const;
-  bool SplitNearEdges(const View& view);
-  void CountAtStart(const View& view);
+  bool SplitNearEdges(const CameraUniforms& view);
+  void CountAtStart(const CameraUniforms& view);
 
   glm::dvec4 Light{ 0.0 };
   glm::dvec4 Start{ 0.0 };
@@ -113,8 +113,8 @@ private:
   std::vector<ShadowEdge> Edges;
   std::vector<NearEdge> NearEdges;
   std::vector<ShadowCap> Caps;
-  std::vector<ShadowLayer> Layers;
-  ShadowLayer StartLayers;
+  std::vector<CasterOpticalThickness> Layers;
+  CasterOpticalThickness StartLayers;
   int StartCount = 0;
 };
 }

@@ -5,7 +5,7 @@
 
 #include "ShadowVolumes/AirlightShadowVolumes.h"
 
-#include "Scene/AirlightView.h"
+#include "Scene/AirlightCameraUniforms.h"
 #include "ShadowVolumes/AirlightSilhouetteExchange.h"
 #include "Silhouette/AirlightSilhouette.h"
 
@@ -83,7 +83,7 @@ NearEdge ShadowVolumes::MakeNear(const ShadowEdge& edge, const glm::dvec3& eye) 
 
 //------------------------------------------------------------------------------
 // Moves the edges whose planes the eye lies on to a list of their own. True where there are any.
-bool ShadowVolumes::SplitNearEdges(const View& view)
+bool ShadowVolumes::SplitNearEdges(const CameraUniforms& view)
 {
   // In parallel projection rays do not meet in an eye.
   if (view.IsParallel())
@@ -104,21 +104,21 @@ bool ShadowVolumes::SplitNearEdges(const View& view)
 }
 
 //------------------------------------------------------------------------------
-void ShadowVolumes::CountAtStart(const View& view)
+void ShadowVolumes::CountAtStart(const CameraUniforms& view)
 {
   const double distance = glm::length(view.GetEye() - this->Anchor);
   const glm::dvec4 start = view.IsParallel()
     ? view.GetStart()
     : view.GetStart() + glm::dvec4(AsideLength * distance * AsideDirection, 0.0);
   this->StartCount = 0;
-  this->StartLayers = ShadowLayer{};
+  this->StartLayers = CasterOpticalThickness{};
   for (const Part& part : this->Parts)
   {
     const glm::dmat4 toLocal = glm::inverse(part.Source.ToWorld);
     const int count = CountShadowsAt(*part.Source.Mesh, toLocal * this->Light, toLocal * start);
     this->StartCount += count;
-    this->StartLayers.Blocks += count * part.Source.Layer.Blocks;
-    this->StartLayers.Thickness += count * part.Source.Layer.Thickness;
+    this->StartLayers.Blocks += count * part.Source.OpticalThickness.Blocks;
+    this->StartLayers.Thickness += count * part.Source.OpticalThickness.Thickness;
   }
   for (const auto& remote : this->Remote)
   {

@@ -3,7 +3,7 @@
 
 // Software renderers take as long to read a uniform as for a dozen operations, for each group of
 // pixels; what a triangle's corners say they have at hand.
-uniform ivec2 airlightViewport; // as in AirlightViewShader.glsl
+uniform ivec2 airlightViewport; // as in AirlightCameraShader.glsl
 uniform vec4 airlightTargetPixels;
 uniform vec3 airlightRayDirection[3];
 uniform vec4 airlightConstants[24]; // of AirlightConstants.glsl

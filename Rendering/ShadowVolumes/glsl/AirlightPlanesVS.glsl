@@ -19,7 +19,7 @@ uniform vec3 anchor;     // from the eye
 uniform vec4 fromLight;  // directional: the light's direction and w 0; point: w 1
 uniform int inParallel; // 1: the projection is parallel
 uniform ivec3 givenListLayout; // what all fragments need, see AirlightKBuffer.glsl and AirlightListHeads.glsl
-// As in AirlightViewShader.glsl.
+// As in AirlightCameraShader.glsl.
 uniform vec3 airlightRayOrigin[3];
 uniform vec3 airlightRayDirection[3];
 

@@ -9,7 +9,7 @@
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 #include "Casters/AirlightCasters.h"
-#include "Scene/AirlightPixelRays.h"
+#include "Scene/AirlightCameraRays.h"
 #include "ShadowVolumes/AirlightClippedRegions.h"
 
 #include "vtkCubeSource.h"
@@ -79,7 +79,7 @@ void CheckRandom()
   {
     vtkNew<vtkCamera> camera;
     PlaceCamera(random, camera);
-    const airlight::PixelRays rays(camera, Width / double(Height), Width, Height);
+    const airlight::CameraRays rays(camera, Width / double(Height), Width, Height);
     const airlight::Caster caster = MakeBox(RandomPlace(random));
     bool isCut = false;
     for (int i = 0; i < 400 && !isCut; ++i)
@@ -111,7 +111,7 @@ void CheckTypical()
   camera->SetPosition(0.0, 4.0, 11.0);
   camera->SetFocalPoint(0.0, 1.2, 0.0);
   camera->SetClippingRange(0.1, 60.0);
-  const airlight::PixelRays rays(camera, Width / double(Height), Width, Height);
+  const airlight::CameraRays rays(camera, Width / double(Height), Width, Height);
   glm::dmat4 floor(40.0);
   floor[1] = glm::dvec4(0.0, 1e-9, 0.0, 0.0);
   floor[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);

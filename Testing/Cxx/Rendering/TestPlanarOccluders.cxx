@@ -9,7 +9,7 @@
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 #include "Casters/AirlightCasters.h"
-#include "Scene/AirlightPixelRays.h"
+#include "Scene/AirlightCameraRays.h"
 #include "ShadowVolumes/AirlightPlanarOccluders.h"
 
 #include "vtkCubeSource.h"
@@ -33,7 +33,7 @@ airlight::Caster MakeCaster(vtkPolyData* data, const glm::dmat4& toWorld, const 
   airlight::Caster caster;
   caster.Mesh = std::make_shared<airlight::CasterMesh>(data);
   caster.Faces =
-    std::make_shared<std::vector<airlight::FlatFace>>(airlight::FindFlatFaces(*caster.Mesh));
+    std::make_shared<std::vector<airlight::PlanarFace>>(airlight::FindPlanarFaces(*caster.Mesh));
   caster.ToWorld = toWorld;
   caster.Owner = owner;
   return caster;
@@ -104,7 +104,7 @@ public:
   {
     vtkNew<vtkCamera> camera;
     PlaceCamera(this->Numbers, camera);
-    const airlight::PixelRays rays(camera, Width / double(Height), Width, Height);
+    const airlight::CameraRays rays(camera, Width / double(Height), Width, Height);
     vtkNew<vtkActor> owner;
     const bool isBox = this->Numbers.Index(2) == 0;
     const glm::dvec3 middle = this->Numbers.Uniform(0.0, 3.0) * RandomUnit(this->Numbers);
@@ -147,7 +147,7 @@ public:
 private:
   // On the ray from the light through a place in the caster, from the plane on.
   glm::dvec3 PlaceBehind(const airlight::Caster& caster, const glm::dvec4& light,
-    const glm::vec4& end, const airlight::PixelRays& rays)
+    const glm::vec4& end, const airlight::CameraRays& rays)
   {
     const double x = this->Numbers.Uniform(-0.5, 0.5);
     const double y = this->Numbers.Uniform(-0.5, 0.5);

@@ -230,7 +230,7 @@ enum class Frame
 };
 
 // Splats at a place, as an actor or inside another prop.
-Buffers DrawSplats(Frame frame, bool seen, bool casts = true)
+Buffers DrawPointGaussians(Frame frame, bool seen, bool casts = true)
 {
   Scene scene(120, 90);
   scene.Pass->SetShadowTechniqueToShadowMap();
@@ -297,11 +297,11 @@ double CompareBeside(const Buffers& a, const Buffers& b, const char* name)
   return difference / largest;
 }
 
-void TestSplats(bool seen)
+void TestPointGaussians(bool seen)
 {
   const std::string where = seen ? ", in view" : ", not in view";
-  const Buffers actor = DrawSplats(Frame::Actor, seen);
-  const Buffers none = DrawSplats(Frame::Actor, seen, false);
+  const Buffers actor = DrawPointGaussians(Frame::Actor, seen);
+  const Buffers none = DrawPointGaussians(Frame::Actor, seen, false);
   const double shadow = CompareBeside(none, actor, "LitLength");
   Check(shadow > 0.1, Text("splats cast a shadow", where, ": ", shadow));
   const std::pair<Frame, const char*> frames[] = { { Frame::Assembly, "splats in an assembly" },
@@ -309,13 +309,13 @@ void TestSplats(bool seen)
   for (const auto& frame : frames)
   {
     const std::string name = frame.second + where;
-    const Buffers inside = DrawSplats(frame.first, seen);
+    const Buffers inside = DrawPointGaussians(frame.first, seen);
     for (const char* buffer : { "LitLength", "BoundaryCount" })
     {
       const double error = CompareBeside(actor, inside, buffer);
       Check(error < 1e-3, Text(name, " cast as an actor's: ", buffer, " is off by ", error));
     }
-    const Buffers quiet = DrawSplats(frame.first, seen, false);
+    const Buffers quiet = DrawPointGaussians(frame.first, seen, false);
     Check(CompareBeside(none, quiet, "LitLength") < 1e-3, name + ", kept from casting");
   }
 }
@@ -334,7 +334,7 @@ int TestShadowParts(int, char*[])
   TestImageLevel();
   TestGlyphPart(false);
   TestGlyphPart(true);
-  TestSplats(true);
-  TestSplats(false);
+  TestPointGaussians(true);
+  TestPointGaussians(false);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Casters/AirlightShadowLayer.h"
+#include "Casters/AirlightCasterOpticalThickness.h"
 
 #include "vtkAirlightPass.h"
 #include "vtkInformation.h"
@@ -34,21 +34,21 @@ std::string Describe(vtkProp* prop, int length, const double* values)
 }
 
 //------------------------------------------------------------------------------
-ShadowLayer GetShadowLayer(const glm::dvec3& opacity)
+CasterOpticalThickness GetOpticalThickness(const glm::dvec3& opacity)
 {
-  ShadowLayer layer;
+  CasterOpticalThickness thickness;
   for (int c = 0; c < 3; ++c)
   {
     const double passes = 1.0 - opacity[c];
-    layer.Blocks[c] = passes <= LeastPassing ? 1 : 0;
-    layer.Thickness[c] =
+    thickness.Blocks[c] = passes <= LeastPassing ? 1 : 0;
+    thickness.Thickness[c] =
       passes <= LeastPassing ? 0 : static_cast<int>(std::lround(-std::log(passes) / ThicknessUnit));
   }
-  return layer;
+  return thickness;
 }
 
 //------------------------------------------------------------------------------
-double GetThicknessError(const ShadowLayer& layer)
+double GetThicknessError(const CasterOpticalThickness& layer)
 {
   double error = 0.0;
   for (int c = 0; c < 3; ++c)

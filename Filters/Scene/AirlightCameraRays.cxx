@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/AirlightPixelRays.h"
+#include "Scene/AirlightCameraRays.h"
 
 #include "Integration/AirlightMatrix.h"
 #include "vtkCamera.h"
@@ -28,7 +28,7 @@ bool IsFinite(const glm::dmat4& m)
 }
 
 //------------------------------------------------------------------------------
-PixelRays::PixelRays(vtkCamera* camera, double aspect, int width, int height)
+CameraRays::CameraRays(vtkCamera* camera, double aspect, int width, int height)
   : Width(width)
   , Height(height)
 {
@@ -74,7 +74,7 @@ PixelRays::PixelRays(vtkCamera* camera, double aspect, int width, int height)
 }
 
 //------------------------------------------------------------------------------
-PixelRays::Ray PixelRays::GetRay(double x, double y) const
+CameraRays::Ray CameraRays::GetRay(double x, double y) const
 {
   const glm::dvec3 point = this->Affine[0] + x * this->Affine[1] + y * this->Affine[2];
   if (this->Parallel)
@@ -86,7 +86,7 @@ PixelRays::Ray PixelRays::GetRay(double x, double y) const
 }
 
 //------------------------------------------------------------------------------
-std::array<PixelRays::Ray, 4> PixelRays::GetCornerRays() const
+std::array<CameraRays::Ray, 4> CameraRays::GetCornerRays() const
 {
   const double right = this->Width + 1.0;
   const double top = this->Height + 1.0;

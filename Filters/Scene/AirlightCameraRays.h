@@ -6,8 +6,8 @@
  * Not installed; exported for the module's own tests.
  */
 
-#ifndef AirlightPixelRays_h
-#define AirlightPixelRays_h
+#ifndef AirlightCameraRays_h
+#define AirlightCameraRays_h
 
 #include "vtkAirlightModule.h" // for export macro
 
@@ -19,11 +19,11 @@ class vtkCamera;
 
 namespace airlight
 {
-class VTKAIRLIGHT_EXPORT PixelRays
+class VTKAIRLIGHT_EXPORT CameraRays
 {
 public:
   // For a picture of this size in pixels. `aspect` is its width by its height.
-  PixelRays(vtkCamera* camera, double aspect, int width, int height);
+  CameraRays(vtkCamera* camera, double aspect, int width, int height);
 
   bool IsValid() const { return this->Valid; }
   bool IsParallel() const { return this->Parallel; }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/AirlightView.h"
+#include "Scene/AirlightCameraUniforms.h"
 
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -10,8 +10,8 @@
 namespace airlight
 {
 //------------------------------------------------------------------------------
-View::View(vtkRenderer* renderer, int width, int height)
-  : PixelRays(renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), width, height)
+CameraUniforms::CameraUniforms(vtkRenderer* renderer, int width, int height)
+  : CameraRays(renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), width, height)
 {
   if (!this->Valid)
   {
@@ -30,13 +30,13 @@ View::View(vtkRenderer* renderer, int width, int height)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec4 View::GetStart() const
+glm::dvec4 CameraUniforms::GetStart() const
 {
   return this->Parallel ? glm::dvec4(-this->Along, 0.0) : glm::dvec4(this->Eye, 1.0);
 }
 
 //------------------------------------------------------------------------------
-glm::mat4 View::GetClipMatrix(const glm::dvec3& origin) const
+glm::mat4 CameraUniforms::GetClipMatrix(const glm::dvec3& origin) const
 {
   glm::dmat4 shift(1.0);
   shift[3] = glm::dvec4(origin, 1.0);
@@ -44,7 +44,7 @@ glm::mat4 View::GetClipMatrix(const glm::dvec3& origin) const
 }
 
 //------------------------------------------------------------------------------
-glm::vec4 View::GetPixelsFrom(const View& other) const
+glm::vec4 CameraUniforms::GetPixelsFrom(const CameraUniforms& other) const
 {
   glm::vec4 result;
   for (int i = 0; i < 2; ++i)
@@ -58,7 +58,8 @@ glm::vec4 View::GetPixelsFrom(const View& other) const
 }
 
 //------------------------------------------------------------------------------
-void View::SetUniforms(vtkShaderProgram* program, int x, int y, const glm::vec4& pixels) const
+void CameraUniforms::SetUniforms(
+  vtkShaderProgram* program, int x, int y, const glm::vec4& pixels) const
 {
   const int corner[2] = { x, y };
   // Of the depth buffer: linear in the distance, in a perspective in its reciprocal.
@@ -74,7 +75,7 @@ void View::SetUniforms(vtkShaderProgram* program, int x, int y, const glm::vec4&
 }
 
 //------------------------------------------------------------------------------
-View::LightPixel View::GetLightPixel(const glm::dvec3& position) const
+CameraUniforms::LightPixel CameraUniforms::GetLightPixel(const glm::dvec3& position) const
 {
   // In a perspective the light is a multiple of one pixel's direction; in parallel projection it is
   // one pixel's origin plus a multiple of the common direction.
@@ -99,7 +100,7 @@ View::LightPixel View::GetLightPixel(const glm::dvec3& position) const
 }
 
 //------------------------------------------------------------------------------
-void View::SetFootUniforms(
+void CameraUniforms::SetFootUniforms(
   vtkShaderProgram* program, const glm::dvec3& position, const std::string& prefix) const
 {
   const LightPixel pixel = this->GetLightPixel(position);

@@ -8,8 +8,8 @@
  * Casters", Journal of Graphics Tools 13(3), 2008).
  */
 
-#ifndef AirlightShadowLayer_h
-#define AirlightShadowLayer_h
+#ifndef AirlightCasterOpticalThickness_h
+#define AirlightCasterOpticalThickness_h
 
 #include <glm/glm.hpp>
 
@@ -20,23 +20,23 @@ class vtkProp;
 namespace airlight
 {
 // One layer, or the sum of several; as glsl/AirlightShadowCounts.glsl adds them up.
-struct ShadowLayer
+struct CasterOpticalThickness
 {
   glm::ivec3 Blocks{ 0 };    // layers that let nothing of a channel through
   glm::ivec3 Thickness{ 0 }; // optical thickness of the others, in units of 2^-20
 
-  bool operator==(const ShadowLayer& other) const
+  bool operator==(const CasterOpticalThickness& other) const
   {
     return this->Blocks == other.Blocks && this->Thickness == other.Thickness;
   }
 };
 
 // Opacities from 1 - 1e-6 on block.
-ShadowLayer GetShadowLayer(const glm::dvec3& opacity);
+CasterOpticalThickness GetOpticalThickness(const glm::dvec3& opacity);
 
 // The largest error that rounding the thickness makes in what any number of layers of this kind lets
 // through: n layers are off by n u/2 exp(-n thickness), which is at most u / (2 e thickness).
-double GetThicknessError(const ShadowLayer& layer);
+double GetThicknessError(const CasterOpticalThickness& layer);
 
 // Reads vtkAirlightPass::SHADOW_OPACITY() of a prop. False, `opacity` untouched, where it is not set or
 // no good, then with a text in `error`.

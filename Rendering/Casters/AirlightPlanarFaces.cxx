@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Casters/AirlightFlatFaces.h"
+#include "Casters/AirlightPlanarFaces.h"
 
 #include "Silhouette/AirlightCasterMesh.h"
 
@@ -44,9 +44,9 @@ public:
   {
   }
 
-  std::vector<FlatFace> Find()
+  std::vector<PlanarFace> Find()
   {
-    std::vector<FlatFace> faces;
+    std::vector<PlanarFace> faces;
     if (!this->GroupTriangles())
     {
       return faces;
@@ -54,7 +54,7 @@ public:
     this->FindBorders();
     for (const PlaneGroup& group : this->Groups)
     {
-      FlatFace face = this->MakeFace(group);
+      PlanarFace face = this->MakeFace(group);
       if (!face.empty())
       {
         faces.push_back(std::move(face));
@@ -76,7 +76,7 @@ private:
   void FindBorders();
   template <typename Uses>
   void AddEdge(const CasterMesh::EdgeEnds& ends, const Uses& uses);
-  FlatFace MakeFace(const PlaneGroup& group) const;
+  PlanarFace MakeFace(const PlaneGroup& group) const;
 
   const CasterMesh& Mesh;
   double Nearness;
@@ -245,7 +245,7 @@ bool IsOnSide(
 //------------------------------------------------------------------------------
 // How many triangles cover a place changes at the group's borders only. Where all of these are on the
 // outline of the convex hull it is the same number everywhere inside, and 1 where the areas are the same.
-FlatFace FaceFinder::MakeFace(const PlaneGroup& group) const
+PlanarFace FaceFinder::MakeFace(const PlaneGroup& group) const
 {
   if (!group.IsPlain || group.Border.size() < 3)
   {
@@ -284,7 +284,7 @@ FlatFace FaceFinder::MakeFace(const PlaneGroup& group) const
   {
     return {};
   }
-  FlatFace face;
+  PlanarFace face;
   for (const glm::dvec2& corner : corners)
   {
     face.push_back(corner.x * x + corner.y * y - group.Offset * group.Normal);
@@ -294,5 +294,5 @@ FlatFace FaceFinder::MakeFace(const PlaneGroup& group) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<FlatFace> FindFlatFaces(const CasterMesh& mesh) { return FaceFinder(mesh).Find(); }
+std::vector<PlanarFace> FindPlanarFaces(const CasterMesh& mesh) { return FaceFinder(mesh).Find(); }
 }

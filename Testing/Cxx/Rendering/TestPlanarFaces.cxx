@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Flat faces of meshes: which outlines are found, and that nothing is taken for a face that leaves a
+// Planar faces of meshes: which outlines are found, and that nothing is taken for a face that leaves a
 // place open.
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestScene.h"
-#include "Casters/AirlightFlatFaces.h"
+#include "Casters/AirlightPlanarFaces.h"
 #include "Silhouette/AirlightCasterMesh.h"
 
 #include "vtkCubeSource.h"
@@ -22,12 +22,12 @@
 using namespace airlight_test;
 using namespace airlighttest;
 using airlight::CasterMesh;
-using airlight::FindFlatFaces;
-using airlight::FlatFace;
+using airlight::FindPlanarFaces;
+using airlight::PlanarFace;
 
 namespace
 {
-double GetArea(const FlatFace& face)
+double GetArea(const PlanarFace& face)
 {
   glm::dvec3 twice(0.0);
   for (size_t i = 2; i < face.size(); ++i)
@@ -37,14 +37,14 @@ double GetArea(const FlatFace& face)
   return 0.5 * glm::length(twice);
 }
 
-std::vector<FlatFace> Find(vtkPolyDataAlgorithm* source)
+std::vector<PlanarFace> Find(vtkPolyDataAlgorithm* source)
 {
-  return FindFlatFaces(CasterMesh(Make(source)));
+  return FindPlanarFaces(CasterMesh(Make(source)));
 }
 
-std::vector<FlatFace> Find(const std::vector<Triangle>& triangles)
+std::vector<PlanarFace> Find(const std::vector<Triangle>& triangles)
 {
-  return FindFlatFaces(CasterMesh(MakeSoup(triangles)));
+  return FindPlanarFaces(CasterMesh(MakeSoup(triangles)));
 }
 
 // The rectangle from (x0, y0) to (x1, y1) in the plane z = 0; `turned`: its second half is wound the other
@@ -73,7 +73,7 @@ void CheckPlanes()
   vtkNew<vtkTransformPolyDataFilter> turned;
   turned->SetInputConnection(plane->GetOutputPort());
   turned->SetTransform(transform);
-  const std::vector<FlatFace> faces = Find(turned);
+  const std::vector<PlanarFace> faces = Find(turned);
   Check(faces.size() == 1 && faces[0].size() == 4, "a divided rectangle is one face");
   if (faces.size() == 1)
   {
@@ -95,8 +95,8 @@ void CheckPlanes()
   vtkNew<vtkCubeSource> cube;
   cube->SetXLength(2.0);
   double area = 0.0;
-  const std::vector<FlatFace> sides = Find(cube);
-  for (const FlatFace& side : sides)
+  const std::vector<PlanarFace> sides = Find(cube);
+  for (const PlanarFace& side : sides)
   {
     area += GetArea(side);
   }
@@ -111,7 +111,7 @@ void CheckPlanes()
 //------------------------------------------------------------------------------
 void CheckOthers()
 {
-  Check(FindFlatFaces(CasterMesh(MakeSphere(1.0))).empty(), "a sphere has no face");
+  Check(FindPlanarFaces(CasterMesh(MakeSphere(1.0))).empty(), "a sphere has no face");
   vtkNew<vtkDiskSource> ring;
   Check(Find(ring).empty(), "a ring is no face");
 
@@ -154,12 +154,12 @@ void CheckOthers()
     hexagon.push_back({ glm::dvec3(0.0), at(i), at(i + 1) });
   }
   Check(Find(hexagon).empty(), "more than four corners are left out");
-  Check(FindFlatFaces(CasterMesh(vtkNew<vtkPolyData>().Get())).empty(), "nothing");
+  Check(FindPlanarFaces(CasterMesh(vtkNew<vtkPolyData>().Get())).empty(), "nothing");
 }
 }
 
 //------------------------------------------------------------------------------
-int TestFlatFaces(int, char*[])
+int TestPlanarFaces(int, char*[])
 {
   CheckPlanes();
   CheckOthers();

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The rays of a renderer's pixels as the uniforms of glsl/AirlightView.glsl. World axes, the eye
+ * The rays of a renderer's pixels as the uniforms of glsl/AirlightCameraShader.glsl. World axes, the eye
  * as origin: subtracted in double precision, so that single precision serves the shaders even far
  * from the world's origin.
  */
 
-#ifndef AirlightView_h
-#define AirlightView_h
+#ifndef AirlightCameraUniforms_h
+#define AirlightCameraUniforms_h
 
-#include "Scene/AirlightPixelRays.h"
+#include "Scene/AirlightCameraRays.h"
 
 #include <glm/glm.hpp>
 
@@ -20,11 +20,11 @@ class vtkShaderProgram;
 
 namespace airlight
 {
-class View : public PixelRays
+class CameraUniforms : public CameraRays
 {
 public:
   // Of the active camera, for a viewport of this size in pixels.
-  View(vtkRenderer* renderer, int width, int height);
+  CameraUniforms(vtkRenderer* renderer, int width, int height);
 
   // From normals in view coordinates to normals in the world, of any length.
   const glm::mat3& GetNormalMatrix() const { return this->NormalMatrix; }
@@ -56,7 +56,7 @@ public:
 
   // Scale (x, y) and shift (z, w) from the pixels of another view from the same place to those of
   // this one with the same rays.
-  glm::vec4 GetPixelsFrom(const View& other) const;
+  glm::vec4 GetPixelsFrom(const CameraUniforms& other) const;
 
   // For a target in which the viewport's lower left corner is at x, y, and whose pixels are scaled
   // and shifted so.
