@@ -2,36 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAirlightComparison
- * @brief   how far an image is from its reference: the usual error metrics, and the difference
+ * @brief   compares an image with a reference: error metrics and the difference
  *
- * Input port 0 takes the image to judge, port 1 the reference, port 2, optional, a mask: pixels
- * count where its first channel is above 0.5. Image and reference have point scalars of the same
- * size and number of channels, of any type; they are compared in double precision.
+ * Input port 0 takes the image, port 1 the reference, port 2, optional, a mask: pixels count if its
+ * first channel is above 0.5. Image and reference have point scalars of the same size and number of
+ * channels, of any type; they are compared in double precision. NaN and infinite values are errors,
+ * see SetSkipNonFinite().
  *
  * Output port 0 is a vtkTable of one row. Let a be the samples (pixels times channels) of the image
  * and b those of the reference, floor = 1e-3 of the 99th percentile of b, eps = 1e-2 of the mean of
- * b; a sample is lit where b > floor. Percentiles interpolate linearly. Its columns:
+ * b; a sample is lit if b > floor. Percentiles interpolate linearly. The columns are
  *
- *  - relMSE: the mean of (a-b)^2/(b^2+eps^2); relMSE_trim the same without the worst 0.1 % of the
- *    pixels
- *  - median, p95, p99, max: of the relative errors |a-b|/max(|b|, floor) of the lit samples
- *  - dark_max_abs: the largest |a-b| of the samples that are not lit
- *  - bias: the sum of a-b over the sum of b, lit samples
- *  - median_signed: the median of (a-b)/max(|b|, floor), lit samples
- *  - fit: the least-squares gain, a ~ fit b
- *  - lit_frac: the fraction of lit samples
- *  - pixels: how many were compared; nonfinite: samples of the image that are not finite
- *  - PSNR: 10 log10(max(b)^2/mean of (a-b)^2) in dB; infinite where a and b are the same, minus
- *    infinite where they are not and b is black
+ * - relMSE: the mean of (a-b)^2/(b^2+eps^2); relMSE_trim: the same without the worst 0.1 % of the
+ *   pixels
+ * - median, p95, p99, max: of the relative errors |a-b|/max(|b|, floor) of the lit samples
+ * - dark_max_abs: the largest |a-b| of the samples that are not lit
+ * - bias: the sum of a-b over the sum of b, lit samples
+ * - median_signed: the median of (a-b)/max(|b|, floor), lit samples
+ * - fit: the least-squares gain, a ~ fit b
+ * - lit_frac: the fraction of lit samples
+ * - pixels: the number of compared pixels; nonfinite: the number of samples of the image that are
+ *   NaN or infinite
+ * - PSNR: 10 log10(max(b)^2/mean of (a-b)^2) in dB; infinite if a and b are the same, minus
+ *   infinite if they are not and b is black
  *
- * Where no sample is lit, what is said of lit ones is 0. The definitions are those of the reference
+ * If no sample is lit, the columns of lit samples are 0. The definitions are those of the reference
  * scenes in Testing/Data/Reference.
  *
- * Output port 1 is the difference a-b with the geometry of port 0, float where both images are, or
- * double; 0 where a pixel does not count. Its scalars are named "Difference".
+ * Output port 1 is the difference a-b with the geometry of port 0, float if both images are, else
+ * double; 0 if a pixel does not count. Its scalars are named "Difference".
  *
- * Errors (VTK's error event, outputs empty): an image without point scalars; sizes or numbers of
- * channels that differ; a value that counts and is not finite; no pixel that counts.
+ * Errors (ErrorEvent, outputs empty): an image without point scalars; different sizes or numbers of
+ * channels; a counted value that is NaN or infinite; no counted pixel.
  *
  * @sa vtkAirlightPass::GetBuffer
  */
@@ -54,8 +56,8 @@ public:
 
   ///@{
   /**
-   * The inputs as data. SetInputConnection() takes them from a pipeline. A null mask takes the mask
-   * away.
+   * The inputs as data. SetInputConnection() takes them from a pipeline. A null mask removes the
+   * mask.
    */
   void SetImageData(vtkImageData* image);
   void SetReferenceData(vtkImageData* reference);
@@ -64,8 +66,8 @@ public:
 
   ///@{
   /**
-   * Whether pixels of the image (not of the reference) that are not finite are left out and
-   * counted. Off, they are an error. Default: off.
+   * Whether pixels of the image (not of the reference) that are NaN or infinite are left out and
+   * counted, instead of being an error. Default: off.
    */
   vtkSetMacro(SkipNonFinite, bool);
   vtkGetMacro(SkipNonFinite, bool);

@@ -2,43 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAirlightProbeFilter
- * @brief   what lamps in a medium do at points: airlight, transmittance and irradiance
+ * @brief   airlight, transmittance and irradiance at points in a medium
  *
- * Adds point data to any vtkDataSet. Where vtkAirlightPass draws a picture, this gives the numbers
- * behind it, in double precision: on the sensors of a room, on a grid through the air, on the
- * surfaces of a scene.
+ * Adds point data to any vtkDataSet, in double precision: on the sensors of a room, on a grid
+ * through the air, on the surfaces of a scene. See "Sensors" in Documentation/guide.md.
  *
  * Input port 0: vtkDataSet. Port 1 (optional, repeatable): vtkPolyData whose polygons and strips
- * are opaque, whichever way they are wound, in the coordinates of port 0; the surfaces of
- * port 0 shade nothing unless they are given here, too.
+ * are opaque occluders, of any orientation, in the coordinates of port 0. Surfaces of port 0 cast
+ * no shadows unless they are inputs of port 1, too.
  *
- * Output: the input with these point data, double, RGB. With lamps in W/sr and lengths in metres:
+ * Output: the input with these point data, double, RGB, for lights in W/sr and lengths in metres:
  *
- *  - Radiance [W/(m^2 sr)]: what the medium between the point and the viewpoint sends to the
- *    viewpoint: the airlight of all lights, with shadows, and the medium's ambient radiance. A
- *    surface seen there comes on top, times Transmittance.
- *  - Transmittance: from the point to the viewpoint.
- *  - DirectIrradiance [W/m^2]: from all lights, attenuated by the medium and with shadows. With
- *    point normals on the side of the normal, I cos(theta)/r^2 T. Without them at normal incidence,
- *    I/r^2 T, summed: what a small sphere of unit cross-section catches.
- *  - ScatteredIrradiance [W/m^2]: see SetScatteredIrradiance().
+ * - Radiance [W/(m^2 sr)]: the radiance that the medium between the point and the viewpoint sends
+ *   to the viewpoint: the airlight of all lights, with shadows, and the medium's ambient radiance.
+ *   Add a surface's radiance times Transmittance.
+ * - Transmittance: from the point to the viewpoint.
+ * - DirectIrradiance [W/m^2]: from all lights, attenuated by the medium and with shadows. With
+ *   point normals, on the side of the normal, I cos(theta)/r^2 T. Without normals, at normal
+ *   incidence, I/r^2 T, summed: the power on a small sphere of unit cross-section.
+ * - ScatteredIrradiance [W/m^2]: see SetScatteredIrradiance().
  *
- * I and 1/r^2 stand for what vtkAirlight::SetRadiantIntensity() says of a vtkLight: its cone,
- * exponent and attenuation count; a directional light has its irradiance. Normals need not be of
- * length 1; one of length 0, or not finite, gives 0.
+ * I is the radiant intensity of vtkAirlight::SetRadiantIntensity(); cone, exponent and attenuation
+ * of a vtkLight apply, and a directional light has its irradiance. Normals need not be of length 1;
+ * one of length 0, NaN or infinity gives 0. Without lights, Radiance is the ambient one and the
+ * irradiances are 0. Occluders between the viewpoint and the point do not hide the medium behind
+ * them.
  *
- * Occluders between the viewpoint and the point hide nothing: the medium before and behind them is
- * summed. Errors: those of vtkAirlight; shadows come from the triangles
- * themselves, to rounding.
+ * Numerical errors: those of vtkAirlight; shadows are exact to rounding. The output does not depend
+ * on the number of threads (vtkSMPTools).
  *
- * A light counts where it stands, with its transform matrix; a headlight, too, casts shadows here.
- * Photometric files belong to a vtkAirlightPass and are not known here. Without lights, Radiance is
- * the ambient one, and the irradiances are 0.
- *
- * Bad input: no medium, or a light whose numbers are no good give an error, and the input comes out
- * without the arrays. Points that are not finite or beyond 1e15 get zeros and a warning.
- *
- * The same output whatever the number of threads (vtkSMPTools).
+ * Errors: a missing medium, or a light with NaN or infinite values, gives an error and the input
+ * without the arrays. Points that are NaN, infinite or beyond 1e15 get zeros and a warning.
  *
  * @sa vtkAirlight vtkLitIntervalsFilter vtkAirlightPass
  */
@@ -65,8 +59,8 @@ public:
 
   ///@{
   /**
-   * The lights, each once. Default: none. GetLight() gives null for a number outside 0 to
-   * GetNumberOfLights() - 1.
+   * The lights, each once. GetLight() returns null for an index outside 0 to GetNumberOfLights() -
+   * 1. Default: none.
    */
   void AddLight(vtkLight* light);
   void RemoveLight(vtkLight* light);
@@ -85,7 +79,8 @@ public:
 
   ///@{
   /**
-   * Where the eye is, world units. Range: finite, at most 1e15 from the origin. Default: (0, 0, 0).
+   * The position of the eye, world units. Range: finite, at most 1e15 from the origin. Default: (0,
+   * 0, 0).
    */
   void SetViewpoint(double x, double y, double z);
   void SetViewpoint(const double viewpoint[3]);
@@ -95,11 +90,11 @@ public:
   ///@{
   /**
    * Whether ScatteredIrradiance is computed: the irradiance on the side of the point's normal from
-   * light that the medium scattered once on its way to it. Unshadowed and without ambient radiance,
-   * the same quadrature as vtkAirlightPass::SetScatteredSurfaceLight(), which states its error
-   * (0.3 % to 3 %), here in double precision. It needs point normals and a uniform medium or one
-   * of exponential height; otherwise there is a warning and no array. Costs 16 to 1597 rays per
-   * point and light. Default: false.
+   * light that the medium scattered once on its way to the point. It is unshadowed and excludes
+   * ambient radiance. The quadrature and its error (0.3 % to 3 %) are those of
+   * vtkAirlightPass::SetScatteredSurfaceLight(), in double precision, with 16 to 1597 rays per
+   * point and light. It needs point normals and a medium that is uniform or of exponential height;
+   * otherwise there is a warning and no array. Default: false.
    */
   vtkSetMacro(ScatteredIrradiance, bool);
   vtkGetMacro(ScatteredIrradiance, bool);
@@ -108,9 +103,9 @@ public:
 
   ///@{
   /**
-   * How near to a point or a lamp occluders do not shade it, as a fraction of their largest
-   * coordinate: a point on a surface lies beside its triangles by rounding, in single precision
-   * by 1e-7 of its coordinates. For DirectIrradiance only. Range: [0, 1]. Default: 1e-6.
+   * Occluders nearer to a point or a light than this fraction of their largest coordinate do not
+   * shadow the point. The rounded position of a point on a surface is off its triangles, in single
+   * precision by 1e-7 of its coordinates. For DirectIrradiance only. Range: [0, 1]. Default: 1e-6.
    */
   vtkSetClampMacro(ShadowTolerance, double, 0.0, 1.0);
   vtkGetMacro(ShadowTolerance, double);

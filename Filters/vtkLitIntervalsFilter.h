@@ -4,47 +4,41 @@
  * @class   vtkLitIntervalsFilter
  * @brief   the lit parts of lines in a participating medium, in double precision
  *
- * Cuts lines into the parts on which a light shines: inside the medium, inside the light's cone,
- * and not in the shadow of an occluder. Tells how long each part is, how much of the medium it
- * crosses, and what the medium scatters there. Where vtkAirlightPass draws a picture, this gives
- * the numbers behind single rays: how far a sonde is in the light, where a beam is cut, which
- * object does it.
+ * Splits lines into the parts that a light reaches: inside the medium, inside the light's cone, and
+ * not in the shadow of an occluder. Gives the length of each part, its optical depth, and its
+ * airlight. See "A laser sheet" in Documentation/guide.md.
  *
- * Input port 0: vtkPolyData whose lines and polylines are followed; other cells are ignored. Port 1
- * (optional, repeatable): vtkPolyData whose polygons and strips are opaque, whichever way they are
- * wound, in the coordinates of the lines.
+ * Input port 0: vtkPolyData with lines and polylines; other cells are ignored. Port 1 (optional,
+ * repeatable): vtkPolyData whose polygons and strips are opaque occluders, of any orientation, in
+ * the coordinates of the lines.
  *
- * Output: one line or polyline for each lit part, in the order of the input's cells and along each
- * of them, with double points. A part goes round the bends of a polyline. With lengths in metres
+ * Output: one line or polyline per lit part, in the order of the input's cells and along each of
+ * them, with double points. A part continues around the bends of a polyline. With lengths in metres
  * the cell data are
  *
  * | array | components | meaning, unit |
  * |---|---|---|
  * | Length | 1 | length of the part, world units |
- * | Start, End | 1 | where it begins and ends: length from the line's first point, world units |
+ * | Start, End | 1 | its ends: length from the line's first point, world units |
  * | Airlight | RGB | radiance that the part sends to the line's first point, W/(m^2 sr) |
  * | OpticalDepth | RGB | of the part |
  * | Transmittance | RGB | of the line from its first point to the part's end, lit or not |
  * | StartCause, EndCause | 1 | CauseType |
- * | StartOccluder, EndOccluder | 1 | where the cause is SHADOW the connection of port 1, else -1 |
- * | StartOccluderCell, EndOccluderCell | 1 | and the cell of its data, else -1 |
+ * | StartOccluder, EndOccluder | 1 | the connection of port 1 if the cause is SHADOW, else -1 |
+ * | StartOccluderCell, EndOccluderCell | 1 | the cell of its data if the cause is SHADOW, else -1 |
  * | SourceCell | 1 | the line's cell in the input |
  *
- * Airlight is the integral of vtkAirlight::Inscatter() over the part; on a polyline the light
- * goes back along the line, as if each bend were a mirror. So the sum over a straight line's cells
+ * Airlight is the integral of vtkAirlight::Inscatter() over the part. On a polyline the light
+ * returns along the line, as if each bend were a mirror. The sum over the parts of a straight line
  * is the airlight that an eye at its first point sees, with shadows, without ambient radiance.
- * Errors: those of vtkAirlight for the numbers; rounding, about 1e-12 of the largest coordinate,
- * for the ends. Parts shorter than that between two shadows count as dark.
  *
- * A light that is switched off or of intensity 0 lights nothing. A light counts where it stands,
- * with its transform matrix; a headlight, too, casts shadows here. Photometric files belong to a
- * vtkAirlightPass and are not known here.
+ * Numerical errors: those of vtkAirlight; for the ends rounding, about 1e-12 of the largest
+ * coordinate. Parts shorter than that between two shadows count as dark. The output does not depend
+ * on the number of threads (vtkSMPTools).
  *
- * Bad input: no light, no medium, or a light whose numbers are no good give an error and an output
- * without cells. Lines with points that are not finite or beyond 1e15 are left out with a warning;
- * segments of length 0 are as if they were not there.
- *
- * The same output whatever the number of threads (vtkSMPTools).
+ * Errors: a missing light or medium, or a light with NaN or infinite values, gives an error and an
+ * output without cells. Lines with points that are NaN, infinite or beyond 1e15 are left out with a
+ * warning; segments of length 0 are ignored.
  *
  * @sa vtkAirlight vtkAirlightProbeFilter vtkAirlightPass
  */
@@ -80,7 +74,8 @@ public:
 
   ///@{
   /**
-   * The light. Default: none.
+   * The light. A light that is switched off or of intensity 0 gives an output without parts.
+   * Default: none.
    */
   void SetLight(vtkLight* light);
   vtkLight* GetLight();

@@ -4,31 +4,31 @@
  * @class   vtkOpenVDBDensityReader
  * @brief   reads a grid of an OpenVDB file (.vdb) as the density of a medium
  *
- * OpenVDB (Museth 2013) stores clouds, smoke and level sets as sparse grids. This reader makes one
- * of them a vtkImageData of floats, named like the grid ("density" where it has no name), with a
- * point in the centre of every voxel from the first active one to the last, and of one more voxel
- * on each side. That one holds the grid's background, usually 0: so linear interpolation inside the
- * image falls off at its rim as OpenVDB's own does, and integrals along rays are those of the grid.
+ * OpenVDB (Museth 2013) stores clouds, smoke and level sets as sparse grids. This reader converts
+ * one of them to a vtkImageData of floats, named like the grid ("density" if it has no name). The
+ * image has a point at the centre of every voxel from the first active one to the last, and of one
+ * more voxel on each side with the grid's background, usually 0. Linear interpolation then falls
+ * off at the rim as OpenVDB's does, and integrals along rays are those of the grid. See
+ * Documentation/density.md.
  *
- * - Grids of float and of double, in half precision on disk or not, are read. What is not active
- *   counts as background. Values that are not finite or beyond 8e37 count as background, too,
- *   with a warning; negative ones are left as they are.
+ * - Grids of float and double are read, also if stored in half precision. Inactive voxels and, with
+ *   a warning, values that are NaN, infinite or beyond 8e37 count as background. Negative values
+ *   stay.
  * - A level set becomes fog: 0 outside and on the surface, rising linearly with the depth below it
- *   to 1 at half of the narrow band's width, 1 deeper inside.
- * - The transform becomes origin, spacing and direction matrix where its axes are at right angles,
- *   mirrored and non-uniformly scaled ones included. Sheared ones and frustums have no such form:
- *   they are sampled, by linear interpolation, at points along the axes of the world, as close to
- *   each other as the closest voxels are.
- * - Large grids are read coarsely, see SetMaximumDimension().
+ *   to 1 at half of the narrow band's width, and 1 deeper inside.
+ * - An orthogonal transform, also if mirrored or non-uniformly scaled, becomes origin, spacing and
+ *   direction matrix. Grids with sheared transforms and frustums are resampled with linear
+ *   interpolation at points along the world axes, as close to each other as the closest voxels.
+ * - Large grids are read at a lower resolution, see SetMaximumDimension().
  *
- * The class exists where Airlight was built with OpenVDB.
+ * The class exists if Airlight was built with OpenVDB.
  *
- * Errors (VTK's error event, output empty): FileName missing, empty, not an OpenVDB file or
- * truncated or damaged; no grid of that name, or of another type (the message lists the grids); a grid without
- * active voxels; a transform that cannot be inverted. OpenVDB itself trusts its files. So all sizes
- * are looked at before it reads, and no more memory is used than in proportion to the file; damage that
- * leaves sizes as they have to be gives other numbers. Files of before 2013 (format below 222) are
- * refused, and files that were written to a stream and hold grids of points, masks, bits or strings.
+ * Errors (ErrorEvent, output empty): FileName missing, empty, not an OpenVDB file, truncated or
+ * damaged; no grid of that name, or of another type (the message lists the grids); a grid without
+ * active voxels; a singular transform; files from before 2013 (format below 222); and files that
+ * were written to a stream and hold grids of points, masks, bits or strings. All sizes in a file
+ * are checked before OpenVDB reads it, so that memory is bounded in proportion to the file; damage
+ * that leaves sizes valid gives other values.
  *
  * @sa vtkParticipatingMedium
  */
@@ -59,8 +59,8 @@ public:
 
   ///@{
   /**
-   * The grid to read, by its name; "name[1]" is the second of a name that the file has twice.
-   * Default: empty, the first grid of the file that is of float or double.
+   * The name of the grid; "name[1]" is the second grid of a name that the file has twice. Default:
+   * empty, which selects the first grid of float or double.
    */
   void SetGridName(const char* name);
   const char* GetGridName() const { return this->GridName.c_str(); }
@@ -68,11 +68,11 @@ public:
 
   ///@{
   /**
-   * The most points that the image may have in each direction. A larger grid is read at 1/f of its
-   * resolution, with one warning: each point has the mean of f x f x f voxels, f the least whole
-   * number that will do, so that optical depths through the whole grid stay. The size is known
-   * before memory is asked for; an image of n^3 points takes 4 n^3 bytes. Range: 8 to 4096.
-   * Default: 512 (at most 512 MiB).
+   * The maximum number of points of the image in each direction. A larger grid is read at 1/f of
+   * its resolution, with one warning: each point has the mean of f x f x f voxels, with the
+   * smallest integer f that suffices. This preserves optical depths through the whole grid. The
+   * size is checked before memory is allocated; an image of n^3 points takes 4 n^3 bytes. Range: 8
+   * to 4096. Default: 512 (at most 512 MiB).
    */
   void SetMaximumDimension(int points);
   vtkGetMacro(MaximumDimension, int);
@@ -80,9 +80,9 @@ public:
 
   ///@{
   /**
-   * What the file holds, in its order: the number of grids, their names, and the types of their
-   * values by OpenVDB's names ("float", "double", "vec3s", "ptdataidx32"). They are known after
-   * UpdateInformation(), whether GridName is among them or not. An index out of range gives "".
+   * The contents of the file, in its order: the number of grids, their names, and OpenVDB's names
+   * of their value types ("float", "double", "vec3s", "ptdataidx32"). Available after
+   * UpdateInformation(), even if GridName is not among them. An index out of range gives "".
    */
   int GetNumberOfGrids() const;
   const char* GetGridName(int index) const;
@@ -90,7 +90,7 @@ public:
   ///@}
 
   /**
-   * The factor f of SetMaximumDimension() that was used; 1 is full resolution. Known after
+   * The factor f of SetMaximumDimension() that was used; 1 is full resolution. Available after
    * UpdateInformation().
    */
   vtkGetMacro(ReductionFactor, vtkIdType);

@@ -2,33 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkShadowPlanesFilter
- * @brief   the surfaces that bound the shadows of a mesh, as polygons
+ * @brief   the planes that bound the shadows of a mesh, as polygons
  *
- * Extrudes the edges of vtkSilhouetteEdgesFilter away from the light. The light, the input, what is
- * assumed of it (nothing), composite data, cost, threads and errors are described there.
+ * Extrudes the edges of vtkSilhouetteEdgesFilter away from the light. Light, input, composite data
+ * and errors are as described there.
  *
- * Every triangle has a shadow volume of its own, so that a point in the shadow of a closed surface
- * is in two: its front's and its back's. What bounds several volumes at once is one polygon with a
- * weight, and what bounds none has none. A line that crosses a polygon from its front to its back
- * enters Weight volumes, and leaves them the other way round; a point that n volumes hold is lit if
- * n = 0. n is also the number of triangles between it and the light.
+ * Every triangle has a shadow volume, so a point in the shadow of a closed surface is in two: that
+ * of its front and that of its back. A polygon that bounds several volumes occurs once, with a
+ * weight. A line that crosses a polygon from its front to its back enters Weight volumes, and
+ * leaves them in the other direction. A point inside n volumes has n triangles between it and the
+ * light, and is lit if n = 0.
  *
  * The polygons end at FarDistance beyond their edges, as quads with common points, or at the faces
- * of Bounds, where they are cut exactly to the box and each has points of its own. With both caps
+ * of Bounds, where they are clipped exactly to the box and have separate points. With both caps
  * they bound the shadow volumes completely (in a box: the parts in it): the weighted sum of their
  * area vectors is zero, and line crossings count the volumes. Without caps, crossings of triangles
  * count, too.
  *
- * Point data are those of the mesh where the light's ray to the point meets it, interpolated in
- * bounds. Global ids are not passed on, as points come several times.
+ * Point data are those of the mesh at the point where the light's ray meets it, interpolated if
+ * clipped. Global ids are not passed on, as points occur several times.
  *
  * Cell data:
- *  - `Weight` (int): at least 1.
- *  - `EdgePoints` (vtkIdType, 2 components): the input's points at the ends of the source edge, the
- *    shadow to its left, seen from the light; -1 for caps.
- *  - `Part` (int): PLANE, LIGHT_CAP or FAR_CAP.
  *
- * Errors besides those of vtkSilhouetteEdgesFilter: Bounds without volume where they are used.
+ * - `Weight` (int): at least 1.
+ * - `EdgePoints` (vtkIdType, 2 components): the input's points at the ends of the source edge, with
+ *   the shadow to its left, seen from the light; -1 for caps.
+ * - `Part` (int): PLANE, LIGHT_CAP or FAR_CAP.
+ *
+ * Errors in addition to those of vtkSilhouetteEdgesFilter: Bounds without volume if they are used.
  *
  * @sa vtkSilhouetteEdgesFilter vtkAirlightPass
  */
@@ -76,11 +77,11 @@ public:
 
   ///@{
   /**
-   * How far every point of an edge is moved along its ray from the light, in world units. 0 stands
-   * for twice the diagonal of the box around the input's triangles (in composite data, the
-   * block's). The ends of a long edge close to the light move apart, and the plane between them
-   * reaches less far: use Bounds where it has to fill a region. Range: finite, at least 0; others
-   * are refused with an error and the old value stays. Default: 0.
+   * The distance by which every point of an edge is moved along its ray from the light, in world
+   * units. 0 means twice the diagonal of the box around the input's triangles (in composite data,
+   * of the block). The ends of a long edge close to the light move apart, and the plane between
+   * them extends less far: use Bounds to fill a region. Range: finite, at least 0; other values
+   * give an error and the old value is kept. Default: 0.
    */
   void SetFarDistance(double distance);
   vtkGetMacro(FarDistance, double);
@@ -88,9 +89,9 @@ public:
 
   ///@{
   /**
-   * The box (xmin, xmax, ymin, ymax, zmin, zmax) that the planes are cut to, in world units, where
-   * Extent is BOUNDS. Range: finite, at most 1e100 in size; others are refused with an error and
-   * the old values stay. That each minimum lies below its maximum is checked when the filter
+   * The box (xmin, xmax, ymin, ymax, zmin, zmax) to which the planes are clipped if Extent is
+   * BOUNDS, in world units. Range: finite, at most 1e100 in size; other values give an error and
+   * the old values are kept. The filter checks that each minimum is below its maximum when it
    * executes. Default: (0, 1, 0, 1, 0, 1).
    */
   void SetBounds(double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
@@ -100,7 +101,8 @@ public:
 
   ///@{
   /**
-   * Whether the triangles that cast come, too, turned to the light, with weight 1. Default: off.
+   * Whether the output includes the casting triangles, oriented towards the light, with weight 1.
+   * Default: off.
    */
   vtkSetMacro(LightCap, bool);
   vtkGetMacro(LightCap, bool);
@@ -109,9 +111,9 @@ public:
 
   ///@{
   /**
-   * Whether the far ends of the triangles' shadow volumes come, too, turned away from the light,
-   * with weight 1: moved triangles at the FarDistance, parts of the box' faces in Bounds. Default:
-   * off.
+   * Whether the output includes the far ends of the triangles' shadow volumes, oriented away from
+   * the light, with weight 1: moved triangles at FarDistance, or parts of the faces of Bounds.
+   * Default: off.
    */
   vtkSetMacro(FarCap, bool);
   vtkGetMacro(FarCap, bool);

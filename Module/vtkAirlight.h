@@ -2,24 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAirlight
- * @brief   single scattering along a ray, as numbers, in double precision
+ * @brief   single scattering along a ray, in double precision; units of lights
  *
- * The CPU twin of the shaders of vtkAirlightPass: the same source text, compiled in double
- * precision. All functions are static and thread safe as long as nobody changes the medium
- * meanwhile (ask the medium for GetPhaseErrorBound() once before using it from several threads:
- * that makes it fit its phase function).
+ * Computes airlight, transmittance and ambient light of single rays with the source text of
+ * vtkAirlightPass's shaders, compiled in double precision. SetRadiantIntensity() and
+ * SetIrradiance() give a vtkLight physical units. See Documentation/guide.md.
  *
- * Symbols: a ray starts at `origin` (the eye) and runs along `direction` (any length above 0; it
- * is normalised). t is the distance from the origin in world units. Radiance is in W/(m^2 sr) per
- * RGB channel when lights are given in W/sr and lengths in metres.
+ * A ray starts at `origin` (the eye) and runs along `direction`, of any length above 0, which is
+ * normalised. t is the distance from the origin in world units. Radiance is in W/(m^2 sr) per RGB
+ * channel if lights are in W/sr and lengths in metres.
  *
- * Errors: values that are not finite or above 1e100, a direction of length 0 or a null medium give an
- * error that names the value, an answer of zeros, and the return value false. A reversed or empty interval
- * gives zeros and true.
+ * All functions are static. They are thread safe while nobody changes the medium; call its
+ * GetPhaseErrorBound() once before, which fits the phase function.
  *
- * Source: the closed form of V. Biri, D. Arques and S. Michelin, "Real Time Rendering of
- * Atmospheric Scattering and Volumetric Shadows", WSCG 2006, evaluated here through the complex
- * exponential integral instead of a table.
+ * Errors: values that are infinite, NaN or above 1e100, a direction of length 0 and a null medium
+ * give an error that names the value, a result of zeros, and the return value false. A reversed or
+ * empty interval gives zeros and true.
+ *
+ * Source: V. Biri, D. Arques and S. Michelin, "Real Time Rendering of Atmospheric Scattering and
+ * Volumetric Shadows", WSCG 2006 (closed form), evaluated with the complex exponential integral
+ * instead of a table; see Documentation/physics.md.
  *
  * @sa vtkParticipatingMedium vtkAirlightPass
  */
@@ -41,55 +43,58 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Airlight that reaches `origin` from the part [t0, t1] of the ray, of a point light of radiant
-   * intensity `radiantIntensity` [W/sr] at `lightPosition`, unshadowed:
-   * the integral of sigma_s p(cosTheta) I/r^2 exp(-sigma_t (lengths inside the medium)) dt.
-   * t0 is clamped at 0. t1 may be infinite. Relative error: 1e-9 in a uniform medium that is
-   * unbounded or a box or sphere that holds the light, and 1e-6 by quadrature in all others, and
-   * with Mie's phase functions or a table that no fit follows; 1e-5 with densities from images,
-   * 5e-5 where the medium's region cuts the image; to
-   * all comes at most vtkParticipatingMedium::GetPhaseErrorBound().
+   * The airlight that reaches `origin` from the part [t0, t1] of the ray, of a point light of
+   * radiant intensity `radiantIntensity` [W/sr] at `lightPosition`, unshadowed: the integral of
+   * sigma_s p(cosTheta) I/r^2 exp(-sigma_t (lengths inside the medium)) dt. t0 is clamped at 0; t1
+   * may be infinite.
+   *
+   * Relative error: 1e-9 in a uniform medium that is unbounded or a box or sphere that contains the
+   * light; otherwise, and with Mie's phase functions or a table that no fit matches, 1e-6 by
+   * quadrature; 1e-5 with density images, 5e-5 if the medium's region cuts the image. The error of
+   * the phase function, at most vtkParticipatingMedium::GetPhaseErrorBound(), is added to all of
+   * these.
    */
   static bool Inscatter(vtkParticipatingMedium* medium, const double lightPosition[3],
     const double radiantIntensity[3], const double origin[3], const double direction[3], double t0,
     double t1, double rgb[3]);
 
   /**
-   * The same for a vtkLight: a point light or spot with any attenuation, or a directional light. A
-   * directional light in an unbounded uniform medium arrives unattenuated. A light that is switched
-   * off gives zeros. Photometric files belong to a vtkAirlightPass and are not known here. Relative
-   * error (plus the phase function's): 1e-9 for point lights and spots of exponent 0 with attenuation
-   * (0, 0, c) where the function above has it, for directional lights in a box or unbounded; 1e-6 for
-   * all others, which take quadrature.
+   * The same for a vtkLight: a point light or spotlight with any attenuation, or a directional
+   * light. A directional light in an unbounded uniform medium arrives unattenuated. A light that is
+   * switched off gives zeros. Photometric files are ignored.
+   *
+   * Relative error (plus that of the phase function): 1e-9 for point lights and spotlights of
+   * exponent 0 with attenuation (0, 0, c) under the conditions of the function above, and for
+   * directional lights in a box or unbounded; 1e-6 by quadrature for all others.
    */
   static bool Inscatter(vtkParticipatingMedium* medium, vtkLight* light, const double origin[3],
     const double direction[3], double t0, double t1, double rgb[3]);
 
   /**
-   * Fraction of light that passes from point a to point b, per RGB channel:
-   * exp(-sigma_t * integral of the density inside the medium).
+   * The fraction of light that passes from point a to point b, per RGB channel: exp(-sigma_t *
+   * integral of the density inside the medium).
    */
   static bool Transmittance(
     vtkParticipatingMedium* medium, const double a[3], const double b[3], double rgb[3]);
 
   /**
-   * Ambient light scattered into the ray on [0, t1] by the medium's ambient radiance:
-   * albedo * L_ambient * (1 - transmittance). t1 may be infinite.
+   * The ambient light that the medium scatters into the ray on [0, t1]: albedo * L_ambient * (1 -
+   * transmittance). t1 may be infinite.
    */
   static bool Ambient(vtkParticipatingMedium* medium, const double origin[3],
     const double direction[3], double t1, double rgb[3]);
 
   ///@{
   /**
-   * The lamp that a vtkLight stands for, and back. VTK shows a white diffuse surface under a light
-   * of colour * intensity c as c * cos(theta), with no 1/pi, where a Lambertian surface of albedo
-   * 1 shows E/pi * cos(theta): so c = E/pi. A point light with attenuation (0, 0, 1) therefore has
+   * Physical units of a vtkLight. VTK shades a white diffuse surface under a light of colour *
+   * intensity c as c * cos(theta), without 1/pi, while a Lambertian surface of albedo 1 has the
+   * radiance E/pi * cos(theta): so c = E/pi. A point light with attenuation (0, 0, 1) therefore has
    * the radiant intensity I = pi * c [W/sr], and a directional light the irradiance E = pi * c
-   * [W/m^2] on a plane that faces it. With another attenuation a + b r + c r^2 the light has
-   * I(r) = pi * colour * intensity * r^2/(a + b r + c r^2).
+   * [W/m^2] on a plane that faces it. With another attenuation a + b r + c r^2, a light has I(r) =
+   * pi * colour * intensity * r^2/(a + b r + c r^2).
    *
-   * SetRadiantIntensity() makes the light a switched-on point light (positional, cone angle 180,
-   * attenuation (0, 0, 1)) of this radiant intensity; SetIrradiance() makes it directional.
+   * SetRadiantIntensity() switches the light on and makes it a point light (positional, cone angle
+   * 180, attenuation (0, 0, 1)) of this radiant intensity. SetIrradiance() makes it directional.
    * GetRadiantIntensity() returns pi * colour * intensity.
    */
   static void SetRadiantIntensity(vtkLight* light, const double rgb[3]);

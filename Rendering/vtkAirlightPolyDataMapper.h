@@ -2,52 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAirlightPolyDataMapper
- * @brief   draws polygonal data in fog, smoke, dust or water, without a render pass
+ * @brief   renders polygonal data in fog, smoke, dust or water, without a render pass
  *
- * For pipelines that cannot install a vtkAirlightPass: the mapper puts its own surface behind the
- * medium, in its own shader, and leaves the renderer alone.
+ * For pipelines that cannot install a vtkAirlightPass: the mapper composites its own surface with
+ * the medium, in its own shader, and does not affect the renderer. It renders no shadows.
  * @code
  *   mapper->SetMedium(fog);
  *   actor->SetMapper(mapper);
  * @endcode
- * A fragment of colour C at distance t becomes C T(t) + L(0, t), with T the transmittance from it
- * to the eye and L the light that the medium before it scatters to the eye. That is done before VTK
- * blends, so that translucent surfaces come right one by one, with depth peeling, too. All
- * switched-on lights of the renderer (point lights, spots and directional lights, with any
- * attenuation) are attenuated on their way to the surface, and the lights of the scene are
- * scattered. Headlights and camera lights are scattered only after SetLightScatters(light, true); one
- * warning says so.
- * Arithmetic and units are those of vtkAirlightPass: linear radiance, see
- * vtkAirlight::SetRadiantIntensity(). Lines and points are drawn the same way.
+ * A fragment of colour C at distance t becomes C T(t) + L(0, t), with the transmittance T from it
+ * to the eye and the light L that the medium in front of it scatters to the eye. VTK blends
+ * afterwards, so that translucent surfaces are composited one by one, also with depth peeling.
+ * Lines and points are rendered in the same way. All switched-on lights of the renderer are
+ * attenuated on their way to the surface; lights fixed to the scene also scatter. Units are those
+ * of vtkAirlightPass: linear radiance, see vtkAirlight::SetRadiantIntensity(). Limits, costs and
+ * accuracy are in Documentation/guide.md.
  *
- * Error of L, relative, evaluated per fragment: 1e-4 for closed forms, 1e-3 where there are none
- * (vtkAirlightPass lists both), plus the media's vtkParticipatingMedium::GetPhaseErrorBound(). A
- * ray that passes a light at the distance h has, from single precision, up to 2e-8 d/h besides, d
- * the distance of the light from the eye.
- *
- * Cost: per fragment and light one evaluation of the closed form or of the quadrature, hidden
- * fragments included; per vertex and light with SetEvaluationToVertex().
- *
- * Limits:
- *  - No shadows: neither through the medium nor on surfaces.
- *  - Nothing but this surface is fogged: the background is not, nor are the actors of other
- *    mappers. Give the renderer a background of the fog's own colour.
- *  - Photometric files belong to vtkAirlightPass.
- *  - A window's own target holds colours up to 1: what is brighter is cut off before translucent
- *    surfaces are blended over it, where the pass blends radiance and cuts off last.
- *  - Points drawn as spheres and lines drawn as tubes are put at the distance of their middle.
- *  - Where a vtkAirlightPass draws the actor, the pass does all the shading and the mapper's media
- *    are not used: nothing is fogged twice.
- *  - For picking the surface is drawn plain.
- *  - At most eight media; where they overlap, their coefficients add.
- *
- * Shaders are made anew where the generated code changes (numbers of lights and media, kinds of
- * lights and regions, Evaluation), not where numbers do (positions, colours, coefficients).
- *
- * Errors: the surface is never lost. Where the camera's matrices are not finite, or the graphics
- * card has no room for the media's data or the lights, one error says so and the surface is drawn
- * without the medium. More than eight media are an error, once; lights whose numbers are not finite
- * are left out of the medium with one warning.
+ * Errors: the surface is always rendered. If the camera's matrices are not finite, or the graphics
+ * card has no memory for the data of media or lights, one error says so and the surface is rendered
+ * without the medium. More than eight media are an error, once; lights whose values are not finite
+ * do not affect the medium, with one warning.
  *
  * Source: V. Biri, D. Arques and S. Michelin, "Real Time Rendering of Atmospheric Scattering and
  * Volumetric Shadows", WSCG 2006 (closed form; evaluation at vertices).
@@ -76,11 +50,11 @@ public:
 
   ///@{
   /**
-   * The media between the surface and the eye and between the lights and the surface. Each is taken
-   * once; more than eight are an error when drawn, and the first eight count. Null is ignored;
-   * SetMedium(nullptr) removes all. GetMedium() of an index out of range is an error and gives
-   * null. A medium may be shared between mappers and passes; changes of it show in the next frame.
-   * Default: none; the surface is then drawn as by a vtkPolyDataMapper.
+   * The media between the surface and the eye and between the lights and the surface. Each is added
+   * once; more than eight are an error in rendering, which uses the first eight. Null is ignored;
+   * SetMedium(nullptr) removes all. GetMedium() of an index out of range is an error and returns
+   * null. Mappers and passes may share a medium; changes apply to the next frame. Default: none;
+   * the surface is then rendered as by a vtkPolyDataMapper.
    */
   void AddMedium(vtkParticipatingMedium* medium);
   void RemoveMedium(vtkParticipatingMedium* medium);
@@ -101,13 +75,13 @@ public:
 
   ///@{
   /**
-   * Where the airlight before the surface, and its transmittance to the eye, are evaluated. VERTEX
-   * is cheaper where there are fewer vertices than fragments, right at the vertices, and off
-   * between them by what linear interpolation of T and L leaves, which falls with the square of the
-   * triangles' size; where the mesh is coarse the glow of a lamp before it is lost. The light's own
-   * way to the surface is evaluated per fragment in any case. Lines wider than a pixel and
-   * surfaces with visible edges, which VTK draws with geometry shaders, are evaluated per fragment
-   * in any case, too. Another number is an error and changes nothing. Default: FRAGMENT.
+   * Where the airlight in front of the surface and its transmittance to the eye are evaluated.
+   * VERTEX is cheaper with fewer vertices than fragments. It is exact at the vertices; the error of
+   * the linear interpolation of T and L between them falls with the square of the triangles' size,
+   * and a coarse mesh loses the glow of a light in front of it. The attenuation from the light to
+   * the surface is always evaluated per fragment. So are lines wider than a pixel and surfaces with
+   * visible edges, which VTK draws with geometry shaders. Other values are an error and change
+   * nothing. Default: FRAGMENT.
    */
   void SetEvaluation(int evaluation);
   vtkGetMacro(Evaluation, int);
@@ -118,9 +92,10 @@ public:
   ///@{
   /**
    * Radius of point lights in world units: rays that pass a light more closely are shaded as if
-   * they passed at this distance, which bounds the airlight near the light; by quadrature the medium
-   * attenuates light on its own way. 0 is the least that single precision resolves, 1e-5 of the distance
-   * from camera to light. Range: finite, at least 0; anything else is an error and changes nothing. Default: 0.
+   * they passed at this distance, which bounds the airlight near the light. With quadrature, the
+   * path of the light is still attenuated. 0 uses the smallest distance that single precision
+   * resolves, 1e-5 of the distance from camera to light. Range: finite, at least 0; other values
+   * are an error and change nothing. Default: 0.
    */
   void SetLightRadius(double radius);
   vtkGetMacro(LightRadius, double);
@@ -128,16 +103,16 @@ public:
 
   ///@{
   /**
-   * Whether the medium scatters this light, as in vtkAirlightPass::SetLightScatters(). Default: true
-   * for lights of the scene, false for those that are fixed to the camera.
+   * Whether the medium scatters this light, as in vtkAirlightPass::SetLightScatters(). Default:
+   * true for lights fixed to the scene, false for lights fixed to the camera, with one warning.
    */
   void SetLightScatters(vtkLight* light, bool scatters);
   bool GetLightScatters(vtkLight* light);
   ///@}
 
   /**
-   * As vtkMapper's; another vtkAirlightPolyDataMapper gives its media (shared, not copied),
-   * evaluation, light radius and SetLightScatters(), too.
+   * As vtkMapper's; also copies media (shared), evaluation, light radius and SetLightScatters() of
+   * another vtkAirlightPolyDataMapper.
    */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
@@ -150,7 +125,7 @@ protected:
 
   ///@{
   /**
-   * Called by the superclass while it builds and uses its shaders.
+   * Called by the superclass when it builds and uses its shaders.
    */
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws with a pass, and then brings the background a little before the far end of the depth
- * buffer. IceT takes no pixels from that end: the medium before an empty background would be lost.
+ * Renders with a delegate, and then moves the background slightly in front of the far end of the
+ * depth buffer. IceT ignores pixels at that end, and would lose the medium in front of an empty
+ * background.
  */
 
 #ifndef AirlightFarPass_h
@@ -22,7 +23,7 @@ public:
   vtkTypeMacro(AirlightFarPass, vtkRenderPass);
 
   void SetDelegate(vtkRenderPass* delegate);
-  // Off, it only draws with the delegate.
+  // If off, it only renders with the delegate.
   void SetMoves(bool moves) { this->Moves = moves; }
 
   void Render(const vtkRenderState* s) override;

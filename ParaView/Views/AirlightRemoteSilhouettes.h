@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What casts shadows on the other ranks of a parallel ParaView. Each rank draws its own surfaces in the
- * medium, and IceT takes the nearest of all ranks for each pixel: that is the serial picture if each
- * rank knows all shadows. Here the silhouettes of what casts go from all ranks to all ranks.
+ * Exchanges the silhouettes of casters between the ranks of a parallel ParaView. Each rank renders
+ * its own surfaces in the medium, and IceT composites the nearest surface of each pixel. This equals
+ * the serial picture if each rank has all shadows.
  */
 
 #ifndef AirlightRemoteSilhouettes_h
@@ -27,18 +27,18 @@ public:
   RemoteSilhouettes();
   ~RemoteSilhouettes();
 
-  // Brings the silhouettes of the other ranks into the pass. All ranks must call it together. They
-  // are sent where those of any rank have changed.
+  // Adds the silhouettes of the other ranks to the pass. All ranks must call it together. Sends
+  // silhouettes only if those of a rank have changed.
   void Update(vtkRenderer* renderer, vtkAirlightPass* pass, vtkMultiProcessController* controller);
 
-  // Makes the renderer's box so large that IceT takes all of this rank's picture, not only the box
-  // around its surfaces; on while a frame is drawn.
+  // Enlarges the renderer's bounds so that IceT uses this rank's whole picture, not only the box
+  // around its surfaces; on while a frame is rendered.
   void Spread(vtkRenderer* renderer, bool on);
 
-  // Takes them away.
+  // Removes them.
   void Clear(vtkAirlightPass* pass);
 
-  // What the last Update() that sent anything received, of all ranks, its own included.
+  // The bytes that the last sending Update() received from all ranks, its own included.
   vtkTypeInt64 GetBytes() const { return static_cast<vtkTypeInt64>(this->Received.size()); }
 
 private:

@@ -4,22 +4,15 @@
  * @class   vtkPVAirlightRenderView
  * @brief   ParaView's render view, with its scene in a participating medium
  *
- * The view draws with a vtkAirlightPass in place of ParaView's own default pass, so that all else
- * stays as it is: picking, screenshots of any size, transparent backgrounds, FXAA, tone mapping,
- * depth peeling. The lights are ParaView's: those that are added to the scene light the medium, too,
- * and those that are fixed to the camera, as the light kit is, light surfaces only
- * (SetCameraLightsScatter()). All properties of the pass have the same meaning, range and default here.
+ * The view renders with a vtkAirlightPass instead of ParaView's default pass; everything else works
+ * as before. ParaView's lights that are added to the scene illuminate the medium, too. Lights fixed
+ * to the camera, such as the light kit, illuminate surfaces only, see SetCameraLightsScatter(). All
+ * properties of the pass have the same meaning, range and default here.
  *
- * Annotations of the layer above (titles, legends) are neither fogged nor do they cast shadows. The
- * axes at the centre and the axes grid stand in the scene and are fogged, but cast no shadows.
- *
- * In parallel rendering each rank draws its surfaces in the medium, with the shadows of all ranks'
- * opaque polygonal actors, which are gathered whenever they change; IceT then takes the nearest
- * surface of each pixel. Where ParaView composites ranks in order, as it does for translucent
- * surfaces and volumes, the medium before other ranks' surfaces counts several times, and one
- * warning says so.
- *
- * While ray tracing (OSPRay) is on, ParaView draws with a pass of its own, without the medium.
+ * Titles and legends in the layer above are neither fogged nor do they cast shadows. The axes at
+ * the centre and the axes grid are in the scene and are fogged, but cast no shadows. With ray
+ * tracing (OSPRay), ParaView renders with its own pass, without the medium. Parallel rendering and
+ * its limits are described in Documentation/paraview.md.
  *
  * @sa vtkAirlightPass vtkPVParticipatingMedium
  */
@@ -32,7 +25,7 @@
 #include "vtkPVRenderView.h"
 #include "vtkSmartPointer.h" // for the pass around it
 
-#include <memory> // for what other ranks have
+#include <memory> // for the silhouettes of other ranks
 
 class AirlightFarPass;
 class vtkAirlightPass;
@@ -53,7 +46,7 @@ public:
 
   ///@{
   /**
-   * Whether the scene is drawn in the medium. Off, the view is ParaView's own. Default: true.
+   * Whether the scene is rendered in the medium. Off, the view is ParaView's own. Default: true.
    */
   vtkSetMacro(Airlight, bool);
   vtkGetMacro(Airlight, bool);
@@ -61,16 +54,16 @@ public:
 
   ///@{
   /**
-   * Whether the medium scatters lights that are fixed to the camera, as those of the light kit, and
-   * they cast shadows; see vtkAirlightPass::SetLightScatters(). Default: false.
+   * Whether lights that are fixed to the camera, such as the light kit, illuminate the medium and
+   * cast shadows; see vtkAirlightPass::SetLightScatters(). Default: false.
    */
   vtkSetMacro(CameraLightsScatter, bool);
   vtkGetMacro(CameraLightsScatter, bool);
   ///@}
 
   /**
-   * The medium. The view tells a vtkPVParticipatingMedium the size of the visible data. Default: none,
-   * which changes nothing but shadows on surfaces.
+   * The medium. The view passes the size of the visible data to a vtkPVParticipatingMedium.
+   * Default: none, which leaves shadows on surfaces only.
    */
   void SetMedium(vtkParticipatingMedium* medium);
 
@@ -91,13 +84,13 @@ public:
   ///@}
 
   /**
-   * The pass that draws the scene.
+   * The pass that renders the scene.
    */
   vtkAirlightPass* GetAirlightPass();
 
   /**
-   * In parallel rendering, the bytes of all ranks' silhouettes that were gathered when they last
-   * changed. 0 before and in serial rendering.
+   * In parallel rendering, the size in bytes of all ranks' silhouettes when they were last
+   * gathered. 0 before that and in serial rendering.
    */
   vtkTypeInt64 GetGatheredBytes();
 
@@ -126,7 +119,7 @@ private:
   vtkSmartPointer<vtkPVParticipatingMedium> OwnMedium; // null if it is of another class
   vtkSmartPointer<AirlightFarPass> FarPass;            // around it
   std::unique_ptr<airlight::RemoteSilhouettes> Remote;
-  bool Parallel = false; // the frame that is drawn
+  bool Parallel = false; // the current frame
   unsigned long StartTag = 0;
 };
 

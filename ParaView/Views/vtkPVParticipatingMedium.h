@@ -4,12 +4,12 @@
  * @class   vtkPVParticipatingMedium
  * @brief   a vtkParticipatingMedium for panels and state files
  *
- * ParaView sets properties one by one, in any order, and all of them when it loads a state. So what
- * vtkParticipatingMedium derives from several calls in order is here said by values that do not
- * depend on each other: how thick the medium is in one of two ways that COEFFICIENTS chooses
- * between, and an anisotropy that waits where the phase function has none.
+ * ParaView sets properties one by one, in any order, and all of them when it loads a state.
+ * vtkParticipatingMedium derives some values from calls in order; this class replaces these by
+ * independent properties: the thickness, in one of two ways, and an anisotropy that is ignored
+ * while the phase function has none.
  *
- * Bad values are refused with an error, as vtkParticipatingMedium does.
+ * Invalid values give an error and the old value is kept, as in vtkParticipatingMedium.
  *
  * @sa vtkPVAirlightRenderView
  */
@@ -35,7 +35,7 @@ public:
 
   ///@{
   /**
-   * By which of the following numbers the medium is as thick as it is. Default: VISIBILITY.
+   * Which of the following properties determine the extinction. Default: VISIBILITY.
    */
   void SetThickness(int thickness);
   vtkGetMacro(Thickness, int);
@@ -43,8 +43,8 @@ public:
 
   ///@{
   /**
-   * The meteorological range, see vtkParticipatingMedium::SetVisibility(): one sees this far. Unit:
-   * world. 0: automatic, see SetSceneSize(). Range: finite, at least 0. Default: 10.
+   * The meteorological range, see vtkParticipatingMedium::SetVisibility(), in world units. 0:
+   * automatic, see SetSceneSize(). Range: finite, at least 0. Default: 10.
    */
   void SetVisibilityDistance(double distance);
   vtkGetMacro(VisibilityDistance, double);
@@ -52,9 +52,8 @@ public:
 
   ///@{
   /**
-   * The diagonal of what is to be seen in the medium, world units. An automatic visibility is
-   * 20 times this, or 10 if nothing is known of the scene (0, or a number that is not finite).
-   * Default: 0.
+   * The diagonal of the visible data in the medium, world units. An automatic visibility is 20
+   * times this, or 10 if the size is unknown (0, infinite or NaN). Default: 0.
    */
   void SetSceneSize(double diagonal);
   vtkGetMacro(SceneSize, double);
@@ -62,9 +61,9 @@ public:
 
   ///@{
   /**
-   * The albedo per RGB channel where the thickness is a visibility: the part of the extinction that
-   * is scattered. White for fog, grey for smoke. Extinction is the same in all channels. Range: [0,
-   * 1]. Default: (1, 1, 1).
+   * The albedo per RGB channel if the thickness is a visibility: the fraction of the extinction
+   * that is scattered. White for fog, grey for smoke. Extinction is the same in all channels.
+   * Range: [0, 1]. Default: (1, 1, 1).
    */
   void SetColor(double r, double g, double b);
   vtkGetVector3Macro(Color, double);
@@ -72,9 +71,9 @@ public:
 
   ///@{
   /**
-   * The coefficients where the thickness is COEFFICIENTS, see
-   * vtkParticipatingMedium::SetScattering() and SetAbsorption(). Unit: 1/world. Range: finite, at
-   * least 0. Default: (0.1, 0.1, 0.1) and (0, 0, 0).
+   * The coefficients if the thickness is COEFFICIENTS, see vtkParticipatingMedium::SetScattering()
+   * and SetAbsorption(). Unit: 1/world. Range: finite, at least 0. Default: (0.1, 0.1, 0.1) and (0,
+   * 0, 0).
    */
   void SetScatteringCoefficient(double r, double g, double b);
   vtkGetVector3Macro(ScatteringCoefficient, double);
@@ -84,7 +83,7 @@ public:
 
   ///@{
   /**
-   * The phase function, a vtkParticipatingMedium::PhaseFunctionType but TABULATED, and its
+   * The phase function, a vtkParticipatingMedium::PhaseFunctionType except TABULATED, and its
    * anisotropy, which only some of them have. Defaults: ISOTROPIC, 0.
    */
   void SetPhase(int function);
