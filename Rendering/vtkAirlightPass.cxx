@@ -4,13 +4,11 @@
 
 #include "Medium/AirlightMediaMethods.h"
 #include "Pass/vtkAirlightPassInternals.h"
+#include "Scene/AirlightCasterKeys.h"
 
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkInformationDoubleVectorKey.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderState.h"
@@ -21,8 +19,6 @@
 using namespace airlight;
 
 vtkStandardNewMacro(vtkAirlightPass);
-vtkInformationKeyMacro(vtkAirlightPass, CASTS_SHADOW, Integer);
-vtkInformationKeyMacro(vtkAirlightPass, SHADOW_OPACITY, DoubleVector);
 
 //------------------------------------------------------------------------------
 vtkAirlightPass::vtkAirlightPass()
@@ -100,6 +96,37 @@ void vtkAirlightPass::SetNumberOfSteps(int steps)
   {
     this->NumberOfSteps = steps;
     this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkInformationIntegerKey* vtkAirlightPass::CASTS_SHADOW() { return GetCastsShadowKey(); }
+
+vtkInformationDoubleVectorKey* vtkAirlightPass::SHADOW_OPACITY() { return GetShadowOpacityKey(); }
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetCastsShadow(vtkProp* prop, bool casts)
+{
+  if (!prop)
+  {
+    vtkErrorWithObjectMacro(nullptr, "SetCastsShadow() needs a prop; it got null.");
+    return;
+  }
+  airlight::SetCastsShadow(prop, casts);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetShadowOpacity(vtkProp* prop, double red, double green, double blue)
+{
+  if (!prop)
+  {
+    vtkErrorWithObjectMacro(nullptr, "SetShadowOpacity() needs a prop; it got null.");
+    return;
+  }
+  const std::string error = airlight::SetShadowOpacity(prop, { red, green, blue });
+  if (!error.empty())
+  {
+    vtkErrorWithObjectMacro(prop, << error);
   }
 }
 

@@ -123,6 +123,7 @@ class vtkInformationDoubleVectorKey;
 class vtkInformationIntegerKey;
 class vtkLight;
 class vtkParticipatingMedium;
+class vtkProp;
 class vtkRenderer;
 class vtkUnsignedCharArray;
 
@@ -495,26 +496,37 @@ public:
    */
   vtkImageData* GetBuffer(const char* name);
 
+  ///@{
   /**
-   * Key for a prop's property keys: 0 keeps the prop from casting shadows. Without it props cast.
+   * Whether a prop casts shadows: through media, and on surfaces if SurfaceShadows is on. The pass
+   * and vtkAirlightReference read it. Of an assembly it is that of all its parts. Default: true. It
+   * is the key CASTS_SHADOW() in the prop's property keys, where 0 means false. Keys that several
+   * props share are copied, so that the other props do not change. A null prop gives an error.
    * @code
-   *   vtkNew<vtkInformation> keys;
-   *   keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
-   *   actor->SetPropertyKeys(keys);
+   *   vtkAirlightPass::SetCastsShadow(actor, false);
    * @endcode
    */
+  static void SetCastsShadow(vtkProp* prop, bool casts);
   static vtkInformationIntegerKey* CASTS_SHADOW();
+  ///@}
 
+  ///@{
   /**
-   * Key for a prop's property keys: the opacity of its shadow for red, green and blue, in place of its
-   * vtkProperty's; opaque props may have it, too. Range: three values from 0 (no shadow) to 1; others
-   * are reported once, and the property's opacity is taken. Of an assembly it is that of all its
-   * parts, whose own keys VTK replaces. See SetTranslucentShadows().
+   * The opacity of a prop's shadow for red, green and blue, in place of that of its vtkProperty;
+   * opaque props may have it, too. Range: from 0 (no shadow) to 1. Default: none. It is the key
+   * SHADOW_OPACITY() in the prop's property keys; remove the key to use the vtkProperty's opacity
+   * again. Of an assembly it is that of all its parts, whose own keys VTK replaces. Keys that
+   * several props share are copied. See SetTranslucentShadows().
+   *
+   * A null prop, or a value that is not in range, gives an error, and nothing changes. A key that
+   * was set to other than three such values is reported once, and ignored.
    * @code
-   *   keys->Set(vtkAirlightPass::SHADOW_OPACITY(), 0.1, 0.8, 0.9); // red glass
+   *   vtkAirlightPass::SetShadowOpacity(actor, 0.1, 0.8, 0.9); // red glass
    * @endcode
    */
+  static void SetShadowOpacity(vtkProp* prop, double red, double green, double blue);
   static vtkInformationDoubleVectorKey* SHADOW_OPACITY();
+  ///@}
 
   void Render(const vtkRenderState* s) override;        ///< Draws a frame; called by vtkRenderer
   void ReleaseGraphicsResources(vtkWindow* w) override; ///< Frees what is on the graphics card

@@ -13,8 +13,6 @@
 #include <vtkAirlightPass.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
-#include <vtkInformationDoubleVectorKey.h>
 #include <vtkLight.h>
 #include <vtkParticipatingMedium.h>
 #include <vtkSphereSource.h>
@@ -77,11 +75,9 @@ void AddLamp(vtkRenderer* renderer, double x, bool low)
   if (low)
   {
     // 1 % comes through its two sides: stray light above the road.
-    vtkNew<vtkInformation> keys;
-    keys->Set(vtkAirlightPass::SHADOW_OPACITY(), 0.9, 0.9, 0.9);
-    Add(
-      renderer, MakeBox(x - 0.05, x + 0.05, Y - 0.0005, Y + 0.04, -0.051, -0.05), { 0.0, 0.0, 0.0 })
-      ->SetPropertyKeys(keys);
+    vtkActor* shield = Add(renderer,
+      MakeBox(x - 0.05, x + 0.05, Y - 0.0005, Y + 0.04, -0.051, -0.05), { 0.0, 0.0, 0.0 });
+    vtkAirlightPass::SetShadowOpacity(shield, 0.9, 0.9, 0.9);
   }
 }
 

@@ -13,8 +13,6 @@
 #include <vtkAirlightPass.h>
 #include <vtkCamera.h>
 #include <vtkCylinderSource.h>
-#include <vtkInformation.h>
-#include <vtkInformationIntegerKey.h>
 #include <vtkLight.h>
 #include <vtkParticipatingMedium.h>
 #include <vtkPlaneSource.h>
@@ -108,9 +106,8 @@ void AddFloor(vtkRenderer* renderer)
   }
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(plane->GetOutput());
-  vtkNew<vtkInformation> keys;
-  keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
-  Add(renderer, normals, { 0.62, 0.56, 0.42 })->SetPropertyKeys(keys);
+  vtkActor* floor = Add(renderer, normals, { 0.62, 0.56, 0.42 });
+  vtkAirlightPass::SetCastsShadow(floor, false);
 }
 
 void AddPipe(

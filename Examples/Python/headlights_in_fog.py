@@ -12,7 +12,6 @@ what it would send higher than 1 % below the horizon. The picture shows low beam
 import argparse
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkInformation
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
@@ -86,9 +85,7 @@ def make_view(beam, viewport):
         if beam == "low":
             plate = box(x - 0.05, x + 0.05, y - 0.0005, y + 0.04, z - 0.051, z - 0.05)
             shield = add(renderer, plate, (0, 0, 0))
-            keys = vtkInformation()
-            keys.Set(fog_pass.SHADOW_OPACITY(), 3 * [SHIELD], 3)
-            shield.SetPropertyKeys(keys)
+            fog_pass.SetShadowOpacity(shield, SHIELD, SHIELD, SHIELD)
     renderer.SetPass(fog_pass)
     add_road(renderer)
     camera = renderer.GetActiveCamera()

@@ -14,7 +14,6 @@ import argparse
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkInformation
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource, vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
@@ -93,9 +92,8 @@ def make_floor():
 def make_scene():
     renderer = vtkRenderer()
     renderer.UseFXAAOn()
-    keys = vtkInformation()
-    keys.Set(airlight.vtkAirlightPass.CASTS_SHADOW(), 0)
-    add(renderer, make_floor(), (0.62, 0.56, 0.42)).SetPropertyKeys(keys)
+    floor = add(renderer, make_floor(), (0.62, 0.56, 0.42))
+    airlight.vtkAirlightPass.SetCastsShadow(floor, False)
     pipe = vtkCylinderSource()
     pipe.SetRadius(0.3)
     pipe.SetHeight(40)

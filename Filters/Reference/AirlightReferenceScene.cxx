@@ -3,15 +3,13 @@
 #include "Reference/AirlightReferenceScene.h"
 
 #include "Reference/AirlightReferenceMesh.h"
+#include "Scene/AirlightCasterKeys.h"
 #include "Scene/AirlightPropParts.h"
 #include "vtkActor.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
-#include "vtkInformationKeyLookup.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -29,15 +27,6 @@ namespace airlight
 {
 namespace
 {
-// The pass's key, found by its name: the pass is not known here.
-bool CastsShadow(vtkProp* prop)
-{
-  auto* key = dynamic_cast<vtkInformationIntegerKey*>(
-    vtkInformationKeyLookup::Find("CASTS_SHADOW", "vtkAirlightPass"));
-  vtkInformation* keys = prop->GetPropertyKeys();
-  return !(key && keys && keys->Has(key) && keys->Get(key) == 0);
-}
-
 // Mappers that draw their input's polygons as they are.
 bool DrawsItsPolygons(vtkMapper* mapper)
 {

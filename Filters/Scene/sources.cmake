@@ -3,6 +3,7 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightCameraRays
+    AirlightCasterKeys
     AirlightPropParts
   HEADERS
     AirlightAbort.h

@@ -3,24 +3,16 @@
 #include "Casters/AirlightCasterKinds.h"
 
 #include "Casters/AirlightGlyphs.h"
-#include "vtkAirlightPass.h"
+#include "Scene/AirlightCasterKeys.h"
 #include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
 #include "vtkProp.h"
 
 namespace airlight
 {
 //------------------------------------------------------------------------------
-bool MayCast(vtkProp* prop)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  return prop->GetVisibility() &&
-    !(keys && keys->Has(vtkAirlightPass::CASTS_SHADOW()) &&
-      keys->Get(vtkAirlightPass::CASTS_SHADOW()) == 0);
-}
+bool MayCast(vtkProp* prop) { return prop->GetVisibility() && CastsShadow(prop); }
 
 //------------------------------------------------------------------------------
 bool DrawsItsPolygons(vtkMapper* mapper)

@@ -13,10 +13,6 @@
 
 #include <glm/glm.hpp>
 
-#include <string>
-
-class vtkProp;
-
 namespace airlight
 {
 // One layer, or the sum of several; as glsl/AirlightShadowCounts.glsl adds them up.
@@ -37,10 +33,6 @@ CasterOpticalThickness GetOpticalThickness(const glm::dvec3& opacity);
 // The largest error that rounding the thickness makes in what any number of layers of this kind lets
 // through: n layers are off by n u/2 exp(-n thickness), which is at most u / (2 e thickness).
 double GetThicknessError(const CasterOpticalThickness& layer);
-
-// Reads vtkAirlightPass::SHADOW_OPACITY() of a prop. False, `opacity` untouched, where it is not set or
-// no good, then with a text in `error`.
-bool ReadShadowOpacity(vtkProp* prop, glm::dvec3& opacity, std::string& error);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "Casters/AirlightCasterKinds.h"
 #include "Casters/AirlightGlyphs.h"
 #include "Integration/AirlightMatrix.h"
+#include "Scene/AirlightCasterKeys.h"
 #include "Scene/AirlightPropParts.h"
 #include "vtkActor.h"
 #include "vtkCompositeDataSet.h"

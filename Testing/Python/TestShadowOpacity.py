@@ -1,18 +1,28 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkAirlightPass.SHADOW_OPACITY(): the coloured shadow of a pane, and that of its opacity alone."""
+"""SetShadowOpacity() and SetCastsShadow(): the coloured shadow of a pane, and that of its opacity alone."""
 
 import unittest
 
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkInformation
+from vtkmodules.vtkCommonCore import vtkInformation, vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer,
                                          vtkRenderWindow)
 
 import airlight
+
+
+def take_errors(action):
+    """What an action writes to VTK's output window."""
+    window = vtkStringOutputWindow()
+    old = vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    action()
+    vtkOutputWindow.SetInstance(old)
+    return window.GetOutput()
 
 
 class TestShadowOpacity(unittest.TestCase):
@@ -61,6 +71,44 @@ class TestShadowOpacity(unittest.TestCase):
         keys.Set(airlight.vtkAirlightPass.SHADOW_OPACITY(), 0.1, 0.5, 1.0)
         self.actor.SetPropertyKeys(keys)
         np.testing.assert_allclose(self.airlight(), clear * (0.9, 0.5, 0.0), rtol=1e-5, atol=1e-9)
+        airlight.vtkAirlightPass.SetShadowOpacity(self.actor, 0.5, 0.0, 0.1)
+        np.testing.assert_allclose(self.airlight(), clear * (0.5, 1.0, 0.9), rtol=1e-5, atol=1e-9)
+        airlight.vtkAirlightPass.SetCastsShadow(self.actor, False)
+        np.testing.assert_array_equal(self.airlight(), clear)
+        airlight.vtkAirlightPass.SetCastsShadow(self.actor, True)
+        np.testing.assert_allclose(self.airlight(), clear * (0.5, 1.0, 0.9), rtol=1e-5, atol=1e-9)
+
+    def test_shared_keys(self):
+        """The setters keep the prop's other keys, and change no other prop."""
+        keys = vtkInformation()
+        keys.Set(airlight.vtkAirlightPass.CASTS_SHADOW(), 0)
+        other = vtkActor()
+        for actor in (self.actor, other):
+            actor.SetPropertyKeys(keys)
+        airlight.vtkAirlightPass.SetShadowOpacity(self.actor, 0.2, 0.4, 0.6)
+        own = self.actor.GetPropertyKeys()
+        key = airlight.vtkAirlightPass.SHADOW_OPACITY()
+        self.assertEqual([own.Get(key, i) for i in range(3)], [0.2, 0.4, 0.6])
+        self.assertEqual(own.Get(airlight.vtkAirlightPass.CASTS_SHADOW()), 0)
+        self.assertFalse(other.GetPropertyKeys().Has(key))
+
+    def test_bad_values(self):
+        """An error names prop, value and remedy; the old value stays."""
+        airlight.vtkAirlightPass.SetShadowOpacity(self.actor, 0.2, 0.4, 0.6)
+        time = self.actor.GetMTime()
+        for value, text in ((-0.25, "-0.25"), (1.5, "1.5"), (float("nan"), "nan")):
+            for place in range(3):
+                values = [0.5, 0.5, 0.5]
+                values[place] = value
+                errors = take_errors(
+                    lambda v=values: airlight.vtkAirlightPass.SetShadowOpacity(self.actor, *v))
+                for part in ("vtkOpenGLActor", text, "from 0 to 1"):
+                    self.assertIn(part, errors)
+        self.assertEqual(self.actor.GetMTime(), time)
+        self.assertIn("null", take_errors(
+            lambda: airlight.vtkAirlightPass.SetShadowOpacity(None, 0.5, 0.5, 0.5)))
+        self.assertIn("null", take_errors(
+            lambda: airlight.vtkAirlightPass.SetCastsShadow(None, False)))
 
 
 if __name__ == "__main__":

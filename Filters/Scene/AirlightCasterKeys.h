@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The property keys that say whether a prop casts a shadow, and how opaque the shadow is. The
+ * renderer and the CPU reference read them here; users know them as keys of vtkAirlightPass.
+ */
+
+#ifndef AirlightCasterKeys_h
+#define AirlightCasterKeys_h
+
+#include <glm/glm.hpp>
+
+#include <string>
+
+class vtkInformationDoubleVectorKey;
+class vtkInformationIntegerKey;
+class vtkProp;
+
+namespace airlight
+{
+// vtkAirlightPass::CASTS_SHADOW() and vtkAirlightPass::SHADOW_OPACITY().
+vtkInformationIntegerKey* GetCastsShadowKey();
+vtkInformationDoubleVectorKey* GetShadowOpacityKey();
+
+// False only if the key is 0.
+bool CastsShadow(vtkProp* prop);
+
+// Reads the opacity of a prop's shadow. Returns false and leaves `opacity` alone if the key is not
+// set or not valid; an invalid key also gives a text in `error`.
+bool ReadShadowOpacity(vtkProp* prop, glm::dvec3& opacity, std::string& error);
+
+// Set the keys of a prop and keep its other keys. Props may share their keys; the others keep
+// theirs. SetShadowOpacity() changes nothing and returns a text if a value is not valid.
+void SetCastsShadow(vtkProp* prop, bool casts);
+std::string SetShadowOpacity(vtkProp* prop, const glm::dvec3& opacity);
+}
+
+#endif
