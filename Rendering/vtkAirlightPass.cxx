@@ -3,26 +3,57 @@
 #include "vtkAirlightPass.h"
 
 #include "Medium/AirlightMediaMethods.h"
-#include "Pass/vtkAirlightPassInternals.h"
+#include "Pass/AirlightPassRenderer.h"
 #include "Scene/AirlightCasterKeys.h"
 
 #include "vtkFrameBufferObjectBase.h"
-#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderState.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstdint>
 
 using namespace airlight;
+
+namespace
+{
+// Those of lights that are gone are forgotten.
+LightOptions& GetOptions(std::vector<LightOptions>& lights, vtkLight* light)
+{
+  lights.erase(std::remove_if(lights.begin(), lights.end(),
+                 [](const LightOptions& options) { return !options.Light; }),
+    lights.end());
+  const auto it = std::find_if(lights.begin(), lights.end(),
+    [light](const LightOptions& options) { return options.Light == light; });
+  if (it != lights.end())
+  {
+    return *it;
+  }
+  lights.emplace_back();
+  lights.back().Light = light;
+  return lights.back();
+}
+
+const LightOptions* FindOptions(const std::vector<LightOptions>& lights, vtkLight* light)
+{
+  const auto it = std::find_if(lights.begin(), lights.end(),
+    [light](const LightOptions& options) { return options.Light == light; });
+  return light && it != lights.end() ? &*it : nullptr;
+}
+}
 
 vtkStandardNewMacro(vtkAirlightPass);
 
 //------------------------------------------------------------------------------
 vtkAirlightPass::vtkAirlightPass()
-  : Impl(new Internals(this))
+  : Impl(std::make_unique<PassRenderer>(this,
+      SceneStages::RenderHooks{ [this](const vtkRenderState* s) { this->PreRender(s); },
+        [this](const vtkRenderState* s) { this->PostRender(s); } }))
 {
   // Into which VTK draws volumes of lower resolution.
   this->ActiveDrawBuffers = 1;
@@ -131,12 +162,15 @@ void vtkAirlightPass::SetShadowOpacity(vtkProp* prop, double red, double green, 
 }
 
 //------------------------------------------------------------------------------
-int vtkAirlightPass::GetEffectiveShadowTechnique() { return this->Impl->EffectiveTechnique; }
+int vtkAirlightPass::GetEffectiveShadowTechnique()
+{
+  return static_cast<int>(this->Impl->GetTechnique());
+}
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkAirlightPass::GetBuffer(const char* name)
 {
-  return name ? this->Impl->CurrentFrame.GetBuffer(name) : nullptr;
+  return name ? this->Impl->GetFrame().GetBuffer(name) : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -154,51 +188,211 @@ vtkMTimeType vtkAirlightPass::GetMTime()
 void vtkAirlightPass::Render(const vtkRenderState* s)
 {
   this->NumberOfRenderedProps = 0;
-  vtkRenderer* renderer = s->GetRenderer();
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
+  PassRenderer::Viewport viewport;
   if (vtkFrameBufferObjectBase* target = s->GetFrameBuffer())
   {
-    target->GetLastSize(width, height);
+    target->GetLastSize(viewport.Width, viewport.Height);
   }
   else
   {
-    renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
+    s->GetRenderer()->GetTiledSizeAndOrigin(
+      &viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
   }
-  if (width < 1 || height < 1)
+  if (viewport.Width < 1 || viewport.Height < 1)
   {
     return;
   }
-  this->Impl->UpdateStereo(renderer);
-  // Picking reads colours as numbers: nothing may change them.
-  if (renderer->GetSelector())
-  {
-    this->Impl->RenderPlain(s);
-    return;
-  }
-  this->Impl->CheckMedia();
-  if (this->Impl->RenderFrame(s, x, y, width, height))
-  {
-    this->Impl->ReportedError.clear();
-    return;
-  }
-  if (this->Impl->ReportedError != this->Impl->Error)
-  {
-    this->Impl->ReportedError = this->Impl->Error;
-    vtkErrorMacro(<< "The scene is drawn without the medium: " << this->Impl->Error << ".");
-  }
-  this->Impl->Recover();
-  this->Impl->RenderPlain(s);
+  PassRenderer::Settings settings;
+  settings.LightRadius = this->LightRadius;
+  settings.Delegate = this->DelegatePass;
+  PassProperties& properties = settings.Properties;
+  properties.Technique = static_cast<airlight::ShadowTechnique>(this->ShadowTechnique);
+  properties.View = static_cast<airlight::DebugView>(this->DebugView);
+  properties.MapResolution = this->ShadowMapResolution;
+  properties.Steps = this->NumberOfSteps;
+  properties.SurfaceShadows = this->SurfaceShadows;
+  properties.TranslucentShadows = this->TranslucentShadows;
+  properties.ScatteredSurfaceLight = this->ScatteredSurfaceLight;
+  properties.LinearInput = this->LinearInput;
+  properties.EncodedOutput = this->EncodedOutput;
+  properties.Annotations = this->Annotations;
+  properties.RecordBuffers = this->RecordBuffers;
+  properties.MemoryLimit = static_cast<std::uint64_t>(this->MemoryLimit) << 20;
+  this->Impl->Render(s, settings, viewport);
+  this->NumberOfRenderedProps = this->Impl->GetStages().GetNumberOfRenderedProps();
 }
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  MapperHooks::MarkShader(fragmentShader, prop);
+  return true;
+}
+
+bool vtkAirlightPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
+{
+  this->Impl->GetMappers().ChangeShader(vertexShader, geometryShader, fragmentShader, mapper, prop);
+  return true;
+}
+
+bool vtkAirlightPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  this->Impl->GetStages().SetUniforms(program, mapper, prop);
+  return true;
+}
+
+vtkMTimeType vtkAirlightPass::GetShaderStageMTime() { return this->Impl->GetMappers().GetTime(); }
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Superclass::ReleaseGraphicsResources(w);
   // In whichever window they are.
-  this->Impl->Context->SetContext(nullptr);
+  this->Impl->Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetLightScatters(vtkLight* light, bool scatters)
+{
+  if (!light)
+  {
+    vtkErrorMacro("SetLightScatters() needs a light; it got null.");
+    return;
+  }
+  if (this->Impl->GetSwitches().Set(light, scatters))
+  {
+    this->Modified();
+  }
+}
+
+bool vtkAirlightPass::GetLightScatters(vtkLight* light)
+{
+  return this->Impl->GetSwitches().Scatters(light);
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::SetLightPhotometry(vtkLight* light, const char* file)
+{
+  if (!light)
+  {
+    vtkErrorMacro("SetLightPhotometry() needs a light; it got null.");
+    return false;
+  }
+  const std::string name = file ? file : "";
+  std::shared_ptr<const Photometry> photometry;
+  std::string error;
+  if (!name.empty() && !(photometry = Photometry::Read(name, error)))
+  {
+    vtkErrorMacro(<< "The light keeps its photometry: " << error);
+    return false;
+  }
+  LightOptions& options = GetOptions(this->Impl->GetLightOptions(), light);
+  options.PhotometryFile = name;
+  options.Goniometry = photometry;
+  options.Table =
+    photometry ? std::make_shared<std::vector<glm::dvec4>>(photometry->Pack()) : nullptr;
+  this->Modified();
+  return true;
+}
+
+const char* vtkAirlightPass::GetLightPhotometry(vtkLight* light)
+{
+  const LightOptions* options = FindOptions(this->Impl->GetLightOptions(), light);
+  return options && options->Goniometry ? options->PhotometryFile.c_str() : nullptr;
+}
+
+double vtkAirlightPass::GetLightPhotometryMaximum(vtkLight* light)
+{
+  const LightOptions* options = FindOptions(this->Impl->GetLightOptions(), light);
+  return options && options->Goniometry ? options->Goniometry->GetMaximum() : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetLightPhotometryUp(vtkLight* light, double x, double y, double z)
+{
+  const glm::dvec3 up(x, y, z);
+  if (!light || !IsModerate(up) || up == glm::dvec3(0.0))
+  {
+    vtkErrorMacro(
+      << "SetLightPhotometryUp() needs a light and a finite direction that is not 0; it "
+         "got "
+      << (light ? "(" : "null and (") << x << ", " << y << ", " << z << ").");
+    return;
+  }
+  GetOptions(this->Impl->GetLightOptions(), light).Up = up;
+  this->Modified();
+}
+
+void vtkAirlightPass::GetLightPhotometryUp(vtkLight* light, double up[3])
+{
+  const LightOptions* options = FindOptions(this->Impl->GetLightOptions(), light);
+  const glm::dvec3 direction = options ? options->Up : LightOptions().Up;
+  std::copy_n(&direction.x, 3, up);
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::GetSilhouettes(vtkRenderer* renderer, vtkUnsignedCharArray* silhouettes)
+{
+  if (silhouettes)
+  {
+    silhouettes->Initialize();
+  }
+  if (!renderer || !renderer->GetRenderWindow() || !silhouettes)
+  {
+    vtkErrorMacro("GetSilhouettes() needs a renderer in a window, and an array; it got "
+      << (renderer ? "a renderer" : "null")
+      << (renderer && !renderer->GetRenderWindow() ? " without a window" : "") << " and "
+      << (silhouettes ? "an array." : "null."));
+    return false;
+  }
+  std::vector<unsigned char> bytes;
+  std::string error;
+  if (!this->Impl->CollectSilhouettes(renderer, this->LightRadius, bytes, error))
+  {
+    vtkErrorMacro("GetSilhouettes() found none: " << error << ". Set another camera.");
+    return false;
+  }
+  silhouettes->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
+  std::copy(bytes.begin(), bytes.end(), silhouettes->GetPointer(0));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightPass::AddRemoteSilhouettes(vtkUnsignedCharArray* silhouettes)
+{
+  if (!silhouettes)
+  {
+    vtkErrorMacro("AddRemoteSilhouettes() needs an array that GetSilhouettes() has filled; it got "
+                  "null.");
+    return false;
+  }
+  const auto size = static_cast<size_t>(silhouettes->GetNumberOfValues());
+  ProcessSilhouettes shadows;
+  std::string error;
+  if (!ReadSilhouettes(size > 0 ? silhouettes->GetPointer(0) : nullptr, size, shadows, error))
+  {
+    vtkErrorMacro("AddRemoteSilhouettes() does not take these "
+      << size << " bytes: " << error
+      << ". Send what GetSilhouettes() makes, whole, to a process of the same kind of machine.");
+    return false;
+  }
+  this->Impl->GetFrame().AddRemoteSilhouettes(shadows);
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::RemoveAllRemoteSilhouettes()
+{
+  if (this->Impl->GetFrame().HasRemoteSilhouettes())
+  {
+    this->Impl->GetFrame().RemoveAllRemoteSilhouettes();
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

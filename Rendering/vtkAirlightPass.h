@@ -127,6 +127,11 @@ class vtkProp;
 class vtkRenderer;
 class vtkUnsignedCharArray;
 
+namespace airlight
+{
+class PassRenderer;
+}
+
 class VTKAIRLIGHT_EXPORT vtkAirlightPass : public vtkDepthImageProcessingPass
 {
 public:
@@ -567,8 +572,7 @@ private:
   int MemoryLimit = 1024;
   bool RecordBuffers = false;
 
-  class Internals;
-  std::unique_ptr<Internals> Impl;
+  std::unique_ptr<airlight::PassRenderer> Impl;
 };
 
 #endif

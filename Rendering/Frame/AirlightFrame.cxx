@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/AirlightFrame.h"
 
+#include "Frame/AirlightSceneDrawer.h"
+
 #include "AirlightCameraShader.h"
 #include "AirlightDistancesFS.h"
 #include "OpenGL/AirlightOpenGL.h"
@@ -42,29 +44,92 @@ bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipa
 }
 
 //------------------------------------------------------------------------------
-bool Frame::Begin(vtkRenderer* renderer, const f64::AirlightMedia& media,
-  const std::vector<Lamp>& lamps, const CameraUniforms& view, const FrameSettings& settings,
-  int width, int height)
+bool Frame::Begin(const Input& input)
 {
-  this->Renderer = renderer;
-  this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  this->Media = media;
-  this->Lamps = lamps;
-  this->Rays = view;
-  this->Settings = settings;
-  this->Width = width;
-  this->Height = height;
+  this->Renderer = input.Renderer;
+  this->Window = vtkOpenGLRenderWindow::SafeDownCast(input.Renderer->GetRenderWindow());
+  this->Media = input.Media;
+  this->Lamps = input.Lamps;
+  this->Rays = input.Rays;
+  this->Solids = input.Solids;
+  this->DrawInMap = input.DrawInMap;
+  this->Width = input.Rays.GetWidth();
+  this->Height = input.Rays.GetHeight();
   Targets::Needs needs;
-  needs.Lamps = lamps.size();
-  needs.Drawn = !settings.KnowsAll;
-  needs.Dark = settings.Apart >= 0;
-  needs.Record = settings.Record;
-  needs.Translucent = settings.Translucent;
-  if (!this->Textures.Prepare(this->Window, width, height, needs))
+  needs.Lamps = input.Lamps.size();
+  needs.Drawn = !this->Plan.AllShadersInjectable;
+  needs.Dark = this->Plan.ShadowingLight >= 0;
+  needs.Record = this->Plan.Record;
+  needs.Translucent = this->Plan.Translucent;
+  return this->Textures.Prepare(this->Window, this->Width, this->Height, needs) ||
+    this->Fail(this->Textures.GetError());
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Draw(SceneDrawer& scene)
+{
+  const bool single = this->Plan.SingleGeometryPass;
+  if (!(single ? this->DrawColours(scene) : this->DrawDistances(scene)) || !this->PrepareCasters())
   {
-    return this->Fail(this->Textures.GetError());
+    return false;
+  }
+  scene.UpdateCasters();
+  if (!this->CollectFragments(scene) || !this->ScatterLights() ||
+    !(single || this->DrawColours(scene)))
+  {
+    return false;
+  }
+  if ((this->Plan.Translucent || this->Plan.KeepBuffers) && !this->CompositeTranslucent())
+  {
+    return false;
+  }
+  if (this->Plan.Translucent)
+  {
+    scene.DrawTranslucent();
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::DrawDistances(SceneDrawer& scene)
+{
+  if (!this->BindDistances())
+  {
+    return false;
+  }
+  scene.DrawDistances();
+  return this->ResolveDistances();
+}
+
+//------------------------------------------------------------------------------
+bool Frame::DrawColours(SceneDrawer& scene)
+{
+  if (!(this->Plan.SingleGeometryPass ? this->BindSceneAndDistances() : this->BindScene()))
+  {
+    return false;
+  }
+  scene.DrawColours();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Until the records have room for all fragments.
+bool Frame::CollectFragments(SceneDrawer& scene)
+{
+  TranslucentFragments::Outcome outcome = this->Plan.TranslucentFragments
+    ? TranslucentFragments::Outcome::Again
+    : TranslucentFragments::Outcome::Done;
+  while (outcome == TranslucentFragments::Outcome::Again)
+  {
+    if (!this->BindDepth())
+    {
+      return false;
+    }
+    scene.CollectFragments();
+    outcome = this->FragmentLists.Check();
+  }
+  return outcome == TranslucentFragments::Outcome::Done ||
+    this->Fail(this->FragmentLists.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -80,7 +145,7 @@ void Frame::ClearTarget(float value)
 bool Frame::BindDistances()
 {
   const vtkNew<vtkTextureObject>& target =
-    this->Settings.KnowsAll ? this->Textures.Distances : this->Textures.Drawn;
+    this->Plan.AllShadersInjectable ? this->Textures.Distances : this->Textures.Drawn;
   if (!this->Textures.Bind({ target }, this->Textures.Depth))
   {
     return this->Fail(this->Textures.GetError());
@@ -104,7 +169,7 @@ void Frame::ClearDepth()
 }
 
 //------------------------------------------------------------------------------
-bool Frame::BindCollect()
+bool Frame::BindDepth()
 {
   if (!this->Textures.Bind({}, this->Textures.Depth))
   {
@@ -118,9 +183,9 @@ bool Frame::BindCollect()
 }
 
 //------------------------------------------------------------------------------
-bool Frame::FinishDistances()
+bool Frame::ResolveDistances()
 {
-  if (this->Settings.KnowsAll)
+  if (this->Plan.AllShadersInjectable)
   {
     return true;
   }
@@ -145,21 +210,10 @@ bool Frame::FinishDistances()
 }
 
 //------------------------------------------------------------------------------
-TranslucentFragments::Outcome Frame::CheckCollected()
-{
-  const TranslucentFragments::Outcome outcome = this->FragmentLists.Check();
-  if (outcome == TranslucentFragments::Outcome::Failed)
-  {
-    this->Fail(this->FragmentLists.GetError());
-  }
-  return outcome;
-}
-
-//------------------------------------------------------------------------------
 std::vector<vtkTextureObject*> Frame::GetScatterTargets()
 {
   std::vector<vtkTextureObject*> targets = { this->Textures.Scattered };
-  if (this->Settings.Record)
+  if (this->Plan.Record)
   {
     targets.push_back(this->Textures.Counts);
     targets.push_back(this->Textures.Single);
@@ -174,7 +228,7 @@ std::vector<vtkTextureObject*> Frame::GetScatterTargets()
 //------------------------------------------------------------------------------
 bool Frame::ScatterLights()
 {
-  if (this->Settings.Whole)
+  if (this->Plan.UnshadowedInComposite)
   {
     this->Buffers.clear();
     this->ReleaseMaps(this->Window);
@@ -189,7 +243,7 @@ bool Frame::ScatterLights()
   this->Volumes.resize(this->Lamps.size());
   // Maps are large: those of lamps, or of a technique, that are no more go.
   const bool mapped =
-    this->Settings.Shadows == ShadowMethod::Map || this->Settings.Shadows == ShadowMethod::March;
+    this->Plan.Shadows == ShadowMethod::Map || this->Plan.Shadows == ShadowMethod::March;
   if (this->Maps.size() > this->Lamps.size() || !mapped)
   {
     this->ReleaseMaps(this->Window);
@@ -206,13 +260,13 @@ bool Frame::ScatterLights()
     {
       return false;
     }
-    if (this->Settings.Record && !this->RecordSingle(static_cast<int>(k)))
+    if (this->Plan.Record && !this->RecordSingle(static_cast<int>(k)))
     {
       return false;
     }
   }
   // The mappers read what the resolves wrote.
-  if (this->Settings.TranslucentFragments || this->TransmitsShadows)
+  if (this->Plan.TranslucentFragments || this->TransmitsShadows)
   {
     // No test fails without it, see AirlightOpenGL.h.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

@@ -19,7 +19,7 @@
 #define AirlightFrame_h
 
 #include "Casters/AirlightCasters.h"
-#include "Frame/AirlightFrameSettings.h"
+#include "Frame/AirlightFramePlan.h"
 #include "Frame/AirlightTargets.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
 #include "OpenGL/AirlightQuad.h"
@@ -54,6 +54,8 @@ class vtkWindow;
 
 namespace airlight
 {
+class SceneDrawer;
+
 // Asks the shaders for what is recorded.
 constexpr const char* RecordDefinition = "#define AIRLIGHT_RECORD\n";
 
@@ -64,6 +66,9 @@ constexpr float QuadratureError = 1e-3f;
 // In an image that its medium's region cuts: where the way to the light begins to leave the region instead of
 // the image there is a kink, at which cells are not cut. 6e-3 measured.
 constexpr float CutImageError = 1e-2f;
+
+// The numbers of the lights that the medium scatters.
+std::vector<int> FindScattering(const std::vector<Lamp>& lamps);
 
 // Whether the media neither scatter nor absorb.
 bool IsClear(const f64::AirlightMedia& media);
@@ -96,42 +101,35 @@ public:
   void RemoveAllRemoteSilhouettes() { this->RemoteSilhouettes.clear(); }
   bool HasRemoteSilhouettes() const { return !this->RemoteSilhouettes.empty(); }
 
+  // How the frame is drawn; before Begin().
+  void SetPlan(const FramePlan& plan) { this->Plan = plan; }
+  const FramePlan& GetPlan() const { return this->Plan; }
+
+  // A renderer's scene in a frame.
+  struct Input
+  {
+    vtkRenderer* Renderer;
+    f64::AirlightMedia Media;
+    std::vector<Lamp> Lamps;
+    CameraUniforms Rays;
+    // Props of which each fragment hides what is behind it, drawn as their mappers' inputs are.
+    std::vector<vtkProp*> Solids;
+    DrawActors DrawInMap; // casters without polygons
+  };
+
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
-  bool Begin(vtkRenderer* renderer, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps,
-    const CameraUniforms& view, const FrameSettings& settings, int width, int height);
+  bool Begin(const Input& input);
 
-  // Step 1: binds the target that the opaque geometry is to be drawn into, cleared.
-  bool BindDistances();
-  // After that.
-  bool FinishDistances();
+  // Steps 1 to 4, for which `scene` draws its parts.
+  bool Draw(SceneDrawer& scene);
 
-  // Before step 2 where there are records: binds nothing but the depth of the opaque geometry, for the
-  // translucent geometry to be drawn; and whether it has to be drawn again.
-  bool BindCollect();
-  TranslucentFragments::Outcome CheckCollected();
-  // Room for what the casters found take; before the records are made.
-  bool PrepareCasters();
-  // Whether some of it lets light through; the mappers' shaders then have to know.
+  // Whether casters let light through; the mappers' shaders then have to know.
   bool HasShadowTransmittance() const { return this->TransmitsShadows; }
   const CasterCache& GetCasters() const { return this->Casters; }
 
-  // Step 2.
-  bool ScatterLights();
-
-  // Step 3: binds the target that the scene is to be drawn into.
-  bool BindScene();
-
-  // Steps 1 and 3 in one, in place of them: binds the targets of colours and distances, of which the
-  // background is drawn into the first alone.
-  bool BindOnce();
-
-  // In either case, before the opaque surfaces and after them.
+  // Before the opaque surfaces are drawn and after them.
   void BeginSurfaces();
   void EndSurfaces();
-
-  // Step 4 where something is to be drawn over the medium, or buffers to be recorded: into a texture,
-  // which stays bound.
-  bool CompositeTranslucent();
 
   // The buffers of vtkAirlightPass::GetBuffer(), after that.
   bool Record();
@@ -152,10 +150,6 @@ public:
   // After a failure: whether it was for too many shadow boundaries.
   bool IsOverBudget() const { return this->OverBudget; }
 
-  bool IsOnce() const { return this->Settings.Once; }
-  bool HasTranslucent() const { return this->Settings.Translucent; }
-  bool HasTranslucentFragments() const { return this->Settings.TranslucentFragments; }
-
   SurfaceUniforms GetSurfaceUniforms(SurfaceStage stage);
 
   // Brings them to the target that a delegate has bound, which may be of another size, and binds
@@ -172,6 +166,17 @@ public:
 
 private:
   bool Fail(const std::string& reason);
+  bool DrawDistances(SceneDrawer& scene);
+  bool DrawColours(SceneDrawer& scene);
+  bool CollectFragments(SceneDrawer& scene);
+  bool PrepareCasters();
+  bool ScatterLights();
+  bool BindDistances();
+  bool ResolveDistances();
+  bool BindScene();
+  bool BindSceneAndDistances();
+  bool BindDepth();
+  bool CompositeTranslucent();
   bool UpdateShadows();
   bool UpdateShadows(int index, const std::vector<Caster>& casters);
   ShadowVolumes::RemoteSilhouettes GetRemoteSilhouettes(int index) const;
@@ -251,7 +256,9 @@ private:
   bool TransmitsShadows = false;
   int MapX = 0;
   int MapY = 0;
-  FrameSettings Settings;
+  FramePlan Plan;
+  std::vector<vtkProp*> Solids;
+  DrawActors DrawInMap;
   bool OverBudget = false;
   int Width = 0;
   int Height = 0;

@@ -18,10 +18,10 @@ namespace airlight
 // Maps know of light and dark only: what lets light through is left out of them.
 bool Frame::PrepareCasters()
 {
-  const bool planes = this->Settings.Shadows == ShadowMethod::Planes;
+  const bool planes = this->Plan.Shadows == ShadowMethod::Planes;
   this->FoundCasters = nullptr;
   this->OpaqueCasters.clear();
-  if (this->Settings.Shadows != ShadowMethod::None)
+  if (this->Plan.Shadows != ShadowMethod::None)
   {
     this->FoundCasters = &this->Casters.GetCasters();
   }
@@ -35,18 +35,16 @@ bool Frame::PrepareCasters()
   {
     this->FoundCasters = &this->OpaqueCasters;
   }
-  this->Faces = planes
-    ? FindPlanarOccluders(this->Casters.GetCasters(), this->Settings.Solids, *this->Rays)
-    : std::vector<PlanarOccluder>();
+  this->Faces = planes ? FindPlanarOccluders(this->Casters.GetCasters(), this->Solids, *this->Rays)
+                       : std::vector<PlanarOccluder>();
   this->TransmitsShadows =
-    planes && this->Settings.TranslucentShadows && this->Casters.MetTranslucent();
+    planes && this->Plan.TranslucentShadows && this->Casters.MetTranslucent();
   std::vector<int> slots(this->Lamps.size(), -1);
   int count = 0;
   for (size_t k = 0; k < slots.size() && k < MaximumShadowingLights; ++k)
   {
     const Lamp& lamp = this->Lamps[k];
-    if (this->TransmitsShadows && this->Settings.SurfaceShadows && lamp.Scatters() &&
-      lamp.CastsShadows)
+    if (this->TransmitsShadows && this->Plan.SurfaceShadows && lamp.Scatters() && lamp.CastsShadows)
     {
       slots[k] = count++;
     }
@@ -56,7 +54,7 @@ bool Frame::PrepareCasters()
     return this->Fail(this->SurfaceTransmittance.GetError());
   }
   const int words = this->TransmitsShadows ? 9 + 2 * count : 8;
-  return !this->Settings.TranslucentFragments ||
+  return !this->Plan.TranslucentFragments ||
     this->FragmentLists.Prepare(this->Width, this->Height, words) ||
     this->Fail(this->FragmentLists.GetError());
 }
@@ -95,9 +93,9 @@ bool Frame::UpdateShadows()
       edges = std::max(edges, this->Volumes[k].GetEdges().size());
     }
   }
-  return this->Settings.Shadows != ShadowMethod::Planes ||
+  return this->Plan.Shadows != ShadowMethod::Planes ||
     this->Boundaries.Prepare(this->Window, this->Width, this->Height, this->TransmitsShadows, edges,
-      this->Settings.MemoryLimit, this->Settings.PlaneBudget) ||
+      this->Plan.MemoryLimit, this->Plan.LimitPlanes) ||
     this->Fail(this->Boundaries.GetError());
 }
 
@@ -106,7 +104,7 @@ bool Frame::UpdateShadows()
 bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
 {
   const Lamp& lamp = this->Lamps[index];
-  if (this->Settings.Shadows == ShadowMethod::Planes)
+  if (this->Plan.Shadows == ShadowMethod::Planes)
   {
     this->Volumes[index].SetRemoteSilhouettes(this->GetRemoteSilhouettes(index));
     if (this->Volumes[index].Update(casters, lamp.World, *this->Rays))
@@ -121,7 +119,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
     this->Maps[index] = std::make_unique<ShadowMap>();
   }
   ShadowMap& map = *this->Maps[index];
-  if (!map.Update(casters, this->Casters.GetNonPolygonal(), lamp, this->Settings.MapResolution))
+  if (!map.Update(casters, this->Casters.GetNonPolygonal(), lamp, this->Plan.MapResolution))
   {
     return true;
   }
@@ -145,7 +143,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
   {
     return this->Fail(this->Textures.GetError());
   }
-  map.DrawNonPolygonal(this->Window, this->Settings.Draw);
+  map.DrawNonPolygonal(this->Window, this->DrawInMap);
   if (!this->Textures.Bind({ map.GetTexture() }, nullptr))
   {
     return this->Fail(this->Textures.GetError());

@@ -42,14 +42,14 @@ std::vector<std::pair<const char*, vtkTextureObject*>> Frame::GetCompositeTextur
   std::vector<std::pair<const char*, vtkTextureObject*>> textures = { { "distances",
                                                                         this->Textures.Distances },
     { "scene", this->Textures.Scene }, { "airlightData", this->Data.GetTexture() } };
-  if (!this->Settings.Whole)
+  if (!this->Plan.UnshadowedInComposite)
   {
     textures.emplace_back("scattered", this->Textures.Scattered);
   }
-  if (this->Settings.Apart >= 0)
+  if (this->Plan.ShadowingLight >= 0)
   {
     textures.emplace_back("dark", this->Textures.Dark);
-    if (this->Settings.Apart >= BitsPerChannel)
+    if (this->Plan.ShadowingLight >= BitsPerChannel)
     {
       textures.emplace_back("lit", this->Textures.Lit);
     }
@@ -61,19 +61,18 @@ std::vector<std::pair<const char*, vtkTextureObject*>> Frame::GetCompositeTextur
 vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
 {
   const std::vector<int> whole =
-    this->Settings.Whole ? FindScattering(this->Lamps) : std::vector<int>();
+    this->Plan.UnshadowedInComposite ? FindScattering(this->Lamps) : std::vector<int>();
   const int kind = whole.empty() ? AIRLIGHT_POINT_CLOSED : this->Lamps[whole[0]].Values.kind;
   const bool cones = std::any_of(
     whole.begin(), whole.end(), [this](int k) { return this->Lamps[k].Values.cosCone > 0.0; });
   const bool turned = this->AreTurned(whole);
   const std::string source = GetShaderVersion(false) + (cones ? "" : "#define AIRLIGHT_NO_CONE\n") +
     Define("TURNED", turned) + (layers ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
-    (layers && this->Settings.Record ? RecordDefinition : "") +
-    Define("DEBUG_VIEW", layers ? 0 : this->Settings.DebugView) +
-    Define("APART", this->Settings.Apart) + Define("BITS", BitsPerChannel) +
-    Define("AMBIENT", HasAmbient(this->Media)) +
-    Define("ENCODED_INPUT", this->Settings.EncodedInput) +
-    Define("ENCODED_OUTPUT", this->Settings.EncodedOutput) +
+    (layers && this->Plan.Record ? RecordDefinition : "") +
+    Define("DEBUG_VIEW", layers ? 0 : static_cast<int>(this->Plan.View)) +
+    Define("APART", this->Plan.ShadowingLight) + Define("BITS", BitsPerChannel) +
+    Define("AMBIENT", HasAmbient(this->Media)) + Define("ENCODED_INPUT", this->Plan.EncodedInput) +
+    Define("ENCODED_OUTPUT", this->Plan.EncodedOutput) +
     Define("PARALLEL", this->Rays->IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
     GetScatteringSource(this->Media, kind, false) + AirlightCameraShader +
     (turned ? GetTurnSource() : "uniform AirlightMedia media;\n") +
@@ -89,7 +88,7 @@ vtkShaderProgram* Frame::ReadyComposite(bool layers, int x, int y)
   SetMediaUniforms(program, turned ? "givenMedia" : "media", this->Media);
   // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
   this->Rays->SetUniforms(program, x, y);
-  if (layers && this->Settings.Record)
+  if (layers && this->Plan.Record)
   {
     program->SetUniformf("error", ClosedFormError);
   }
@@ -108,7 +107,7 @@ vtkShaderProgram* Frame::ReadyCopy(int x, int y)
   }
   const int corner[2] = { x, y };
   program->SetUniform2i("airlightViewport", corner);
-  program->SetUniformi("encodedOutput", this->Settings.EncodedOutput ? 1 : 0);
+  program->SetUniformi("encodedOutput", this->Plan.EncodedOutput ? 1 : 0);
   return program;
 }
 
@@ -124,7 +123,7 @@ bool Frame::CompositeTranslucent()
   }
   std::vector<vtkTextureObject*> targets = { this->Textures.Radiance };
   auto textures = this->GetCompositeTextures();
-  if (this->Settings.Record)
+  if (this->Plan.Record)
   {
     targets.insert(targets.end(),
       { this->Textures.Airlight, this->Textures.Surface, this->Textures.Transmittance });
@@ -194,7 +193,7 @@ vtkImageData* Frame::GetBuffer(const std::string& name)
 //------------------------------------------------------------------------------
 bool Frame::Composite(int x, int y, bool blend)
 {
-  const bool copy = this->Settings.Translucent;
+  const bool copy = this->Plan.Translucent;
   vtkShaderProgram* program = copy ? this->ReadyCopy(x, y) : this->ReadyComposite(false, x, y);
   if (!program)
   {
@@ -226,7 +225,7 @@ bool Frame::Composite(int x, int y, bool blend)
   {
     auto textures = this->GetCompositeTextures();
     textures.emplace_back("sceneDepth", this->Textures.Depth);
-    if (this->Settings.Record)
+    if (this->Plan.Record)
     {
       textures.emplace_back("counts", this->Textures.Counts);
     }
@@ -242,7 +241,7 @@ bool Frame::Composite(int x, int y, bool blend)
 //------------------------------------------------------------------------------
 bool Frame::DrawPlanes()
 {
-  const bool planes = this->Settings.Shadows == ShadowMethod::Planes;
+  const bool planes = this->Plan.Shadows == ShadowMethod::Planes;
   for (size_t k = 0; k < this->Lamps.size() && planes; ++k)
   {
     const Lamp& lamp = this->Lamps[k];

@@ -28,7 +28,7 @@ ShadowMap* Frame::GetMap(int index) const
 bool Frame::ScatterLight(int index)
 {
   const bool shadows = this->Lamps[index].CastsShadows;
-  const ShadowMethod method = this->Settings.Shadows;
+  const ShadowMethod method = this->Plan.Shadows;
   if (shadows && method == ShadowMethod::Planes && this->Volumes[index].HasShadows())
   {
     return this->ScatterWithLists(index);
@@ -82,7 +82,7 @@ bool Frame::ResolveLong(int index, int row, int rows)
   }
   const bool turned = this->IsTurned(index, Lists::Long);
   bool ok = draws == 0 || !turned || this->DrawResolve(index, Lists::Long, false, row, rows);
-  for (int draw = 0; draw < draws && ok && (!turned || this->Settings.TranslucentFragments); ++draw)
+  for (int draw = 0; draw < draws && ok && (!turned || this->Plan.TranslucentFragments); ++draw)
   {
     ok = this->DrawResolve(index, draw == 0 ? Lists::Long : Lists::LongRest, turned, row, rows);
   }
@@ -95,7 +95,7 @@ bool Frame::ResolveLong(int index, int row, int rows)
 bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
   return this->DrawResolve(index, lists, false, row, rows) &&
-    (!this->Settings.TranslucentFragments || !this->IsTurned(index, lists) ||
+    (!this->Plan.TranslucentFragments || !this->IsTurned(index, lists) ||
       this->DrawResolve(index, lists, true, row, rows));
 }
 

@@ -52,13 +52,13 @@ namespace airlight
 //------------------------------------------------------------------------------
 std::string Frame::GetResolveSource(int index, Lists lists, bool fragmentsOnly) const
 {
-  const bool records = this->Settings.TranslucentFragments;
+  const bool records = this->Plan.TranslucentFragments;
   if (this->IsTurned(index, lists) && !fragmentsOnly)
   {
     return this->GetTurnedSource(index, lists);
   }
   const bool planes = lists != Lists::None && lists != Lists::Map;
-  const bool march = this->Settings.Shadows == ShadowMethod::March;
+  const bool march = this->Plan.Shadows == ShadowMethod::March;
   const std::string layers =
     records ? std::string(AirlightTranslucentLists) + AirlightResolveTranslucent : std::string();
   std::string boundaries = AirlightNoBoundaries + layers;
@@ -84,7 +84,7 @@ std::string Frame::GetResolveHead(int index, bool storage) const
 {
   const f64::AirlightLight& light = this->Lamps[index].Values;
   return GetShaderVersion(storage) + BoundaryBuffer::DefineNodes(this->TransmitsShadows) +
-    (this->Settings.Record ? RecordDefinition : "") + "#define AIRLIGHT_MORE_LIT " +
+    (this->Plan.Record ? RecordDefinition : "") + "#define AIRLIGHT_MORE_LIT " +
     std::to_string(this->HasMoreLit()) + "\n" +
     "#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define AIRLIGHT_PARALLEL " +
     std::to_string(this->Rays->IsParallel()) + "\n" +
@@ -148,12 +148,12 @@ void Frame::SetResolveUniforms(
     bit[index / BitsPerChannel] = std::ldexp(1.0f, index % BitsPerChannel);
   }
   program->SetUniform4f("litBit", &bit.x);
-  if (this->Settings.Record)
+  if (this->Plan.Record)
   {
-    program->SetUniformf("phaseError", static_cast<float>(this->Settings.PhaseErrorBound));
+    program->SetUniformf("phaseError", static_cast<float>(this->Plan.PhaseErrorBound));
     program->SetUniformf("error", static_cast<float>(this->GetIntegralError(index)));
   }
-  if (this->Settings.TranslucentFragments && !turned)
+  if (this->Plan.TranslucentFragments && !turned)
   {
     this->FragmentLists.Use(program);
     program->SetUniformi("lightBit", index < MaximumShadowingLights ? index : -1);
@@ -187,11 +187,11 @@ void Frame::SetMapUniforms(vtkShaderProgram* program, int index)
   {
     program->SetUniformi("mapKind", 0);
   }
-  if (this->Settings.Shadows == ShadowMethod::March)
+  if (this->Plan.Shadows == ShadowMethod::March)
   {
     scale = GetFadingLength(this->Media);
   }
-  program->SetUniformi("marchSteps", this->Settings.Steps);
+  program->SetUniformi("marchSteps", this->Plan.Steps);
   program->SetUniformf("marchScale", static_cast<float>(scale));
 }
 }

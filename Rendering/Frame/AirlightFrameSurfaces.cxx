@@ -38,10 +38,10 @@ void Frame::BlendColours()
 }
 
 //------------------------------------------------------------------------------
-bool Frame::BindOnce()
+bool Frame::BindSceneAndDistances()
 {
   std::vector<vtkTextureObject*> targets = { this->Textures.Scene, this->Textures.Distances };
-  if (this->Settings.Apart >= 0)
+  if (this->Plan.ShadowingLight >= 0)
   {
     targets.push_back(this->Textures.Dark);
   }
@@ -73,15 +73,15 @@ bool Frame::BindOnce()
 // what an opaque fragment writes.
 void Frame::BeginSurfaces()
 {
-  if (this->Settings.Once)
+  if (this->Plan.SingleGeometryPass)
   {
-    this->Textures.DrawInto(this->Settings.Apart >= 0 ? 3 : 2);
+    this->Textures.DrawInto(this->Plan.ShadowingLight >= 0 ? 3 : 2);
   }
-  if (this->Settings.Solid)
+  if (this->Plan.AllOpaque)
   {
     this->Window->GetState()->vtkglDisable(GL_BLEND);
   }
-  else if (this->Settings.Once)
+  else if (this->Plan.SingleGeometryPass)
   {
     glDisablei(GL_BLEND, 1); // distances
   }
@@ -90,11 +90,11 @@ void Frame::BeginSurfaces()
 //------------------------------------------------------------------------------
 void Frame::EndSurfaces()
 {
-  if (this->Settings.Solid)
+  if (this->Plan.AllOpaque)
   {
     this->Window->GetState()->vtkglEnable(GL_BLEND);
   }
-  else if (this->Settings.Once)
+  else if (this->Plan.SingleGeometryPass)
   {
     glEnablei(GL_BLEND, 1); // as VTK's record has it
   }
@@ -118,19 +118,20 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.ViewportY = this->MapRays ? this->MapY : 0;
   values.Width = this->Width;
   values.Height = this->Height;
-  values.VolumeNodes = this->Settings.VolumeNodes;
+  values.VolumeNodes = this->Plan.VolumeNodes;
   values.Media = &this->Media;
   values.Lamps = &this->Lamps;
   values.Lit = this->Textures.Scattered;
   values.MoreLit = this->HasMoreLit() ? this->Textures.Lit : this->Textures.Scattered;
   values.Data = this->Data.GetTexture();
-  values.Glow = this->Settings.SurfaceGlow;
-  values.EncodedInput = this->Settings.EncodedInput;
-  values.Records = this->Settings.TranslucentFragments ? &this->FragmentLists : nullptr;
+  values.Glow = this->Plan.ScatteredSurfaceLight;
+  values.EncodedInput = this->Plan.EncodedInput;
+  values.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
   values.Transmittances = &this->SurfaceTransmittance;
   // Without records the bits are those of the opaque surface, which lies behind the layers.
-  values.UseLit = this->Settings.Shadows != ShadowMethod::None && this->Settings.SurfaceShadows &&
-    (stage != SurfaceStage::Translucent ? !this->Settings.Once : values.Records != nullptr);
+  values.UseLit = this->Plan.Shadows != ShadowMethod::None && this->Plan.SurfaceShadows &&
+    (stage != SurfaceStage::Translucent ? !this->Plan.SingleGeometryPass
+                                        : values.Records != nullptr);
   return values;
 }
 

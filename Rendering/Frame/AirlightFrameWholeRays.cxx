@@ -12,17 +12,6 @@
 
 #include <algorithm>
 
-namespace
-{
-// Compilers take time for what is there several times: so many lights of a closed form, one else.
-constexpr size_t MostWholeLights = 4;
-
-bool IsClosed(int kind)
-{
-  return kind == AIRLIGHT_POINT_CLOSED || kind == AIRLIGHT_DIRECTIONAL_CLOSED;
-}
-}
-
 namespace airlight
 {
 //------------------------------------------------------------------------------
@@ -40,28 +29,9 @@ std::vector<int> FindScattering(const std::vector<Lamp>& lamps)
 }
 
 //------------------------------------------------------------------------------
-// The shader is compiled for one kind of light without photometry.
-bool MayBeWhole(
-  const FrameSettings& settings, const f64::AirlightMedia& media, const std::vector<Lamp>& lamps)
-{
-  if (settings.Record || settings.Translucent || settings.DebugView != 0 ||
-    settings.Shadows == ShadowMethod::March || HasGrid(media))
-  {
-    return false;
-  }
-  const std::vector<int> lights = FindScattering(lamps);
-  return std::all_of(lights.begin(), lights.end(), [&](int k) {
-    const int kind = lamps[lights[0]].Values.kind;
-    return (settings.Shadows == ShadowMethod::None || !lamps[k].CastsShadows) &&
-      lamps[k].Values.kind == kind && lamps[k].Values.goniometric == 0 &&
-      lights.size() <= (IsClosed(kind) ? MostWholeLights : 1);
-  });
-}
-
-//------------------------------------------------------------------------------
 std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
 {
-  if (!this->Settings.Whole)
+  if (!this->Plan.UnshadowedInComposite)
   {
     return "";
   }

@@ -3,6 +3,7 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightFrame
+    AirlightFramePlan
     AirlightTargets
   SOURCES
     AirlightFrameCasters.cxx
@@ -13,6 +14,6 @@ airlight_sources(
     AirlightFrameTurned.cxx
     AirlightFrameWholeRays.cxx
   HEADERS
-    AirlightFrameSettings.h
+    AirlightSceneDrawer.h
   GLSL
     glsl/AirlightDistancesFS.glsl)

@@ -4,13 +4,10 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightContext
     AirlightDelegate
+    AirlightErrorRecovery
+    AirlightMapperHooks
+    AirlightPassMessages
+    AirlightPassRenderer
     AirlightScenePass
-    vtkAirlightPassInternals
-  SOURCES
-    vtkAirlightPassChecks.cxx
-    vtkAirlightPassFaults.cxx
-    vtkAirlightPassLights.cxx
-    vtkAirlightPassOnce.cxx
-    vtkAirlightPassRemote.cxx
-    vtkAirlightPassShaders.cxx
-    vtkAirlightPassSteps.cxx)
+    AirlightSceneStages
+    AirlightSceneSupport)

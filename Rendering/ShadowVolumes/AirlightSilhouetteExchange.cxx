@@ -100,6 +100,24 @@ bool IsSound(const LightSilhouettes& shadow)
 }
 
 //------------------------------------------------------------------------------
+LightSilhouettes DescribeSilhouettes(const ShadowVolumes& volumes, const glm::dvec4& light)
+{
+  LightSilhouettes shadow;
+  shadow.Light = light;
+  shadow.Anchor = volumes.GetAnchor();
+  shadow.StartCount = volumes.GetStartCount();
+  shadow.Edges = volumes.GetEdges();
+  // Who takes them finds out by itself which of their planes the eye lies on.
+  for (const NearEdge& near : volumes.GetNearEdges())
+  {
+    shadow.Edges.push_back(near.Edge);
+    shadow.Edges.back().B.w = 0.0f;
+  }
+  shadow.Caps = volumes.GetCaps();
+  return shadow;
+}
+
+//------------------------------------------------------------------------------
 std::vector<unsigned char> WriteSilhouettes(const std::vector<LightSilhouettes>& shadows)
 {
   std::vector<unsigned char> bytes;

@@ -31,6 +31,9 @@ struct LightSilhouettes
 // By light number.
 using ProcessSilhouettes = std::vector<std::shared_ptr<const LightSilhouettes>>;
 
+// What the shadow volumes of a process's casters say of it.
+LightSilhouettes DescribeSilhouettes(const ShadowVolumes& volumes, const glm::dvec4& light);
+
 // For processes on machines of one kind: the bytes of another kind are refused, as what is cut short.
 std::vector<unsigned char> WriteSilhouettes(const std::vector<LightSilhouettes>& shadows);
 // False with a reason in `error`.

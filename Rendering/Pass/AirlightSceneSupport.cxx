@@ -1,12 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Which scenes vtkAirlightPass draws once: distances and colours of opaque surfaces together. Shadows on
-// surfaces are known only after the distances; where one light casts them, colours are drawn with and
-// without it.
+#include "Pass/AirlightSceneSupport.h"
 
-#include "Pass/vtkAirlightPassInternals.h"
-
+#include "Pass/AirlightScenePass.h"
 #include "Scene/AirlightClassNames.h"
 
 #include "vtkActor.h"
@@ -15,9 +11,9 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderPass.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 
@@ -25,8 +21,8 @@
 #include <functional>
 #include <iterator>
 
-using namespace airlight;
-
+namespace airlight
+{
 namespace
 {
 // Whether another pass takes part in a prop's shaders.
@@ -81,32 +77,31 @@ bool DrawsAllOfIt(vtkProp* prop)
   return IsAnyOf(actor->GetMapper(), { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper" }) &&
     prop->HasOpaqueGeometry() && !shader->HasVertexShaderCode() && !shader->HasGeometryShaderCode();
 }
-}
 
-//------------------------------------------------------------------------------
 // As far as that does not depend on single props.
-bool vtkAirlightPass::Internals::MayBeSolid(const vtkRenderState* s) const
+bool MayHideAllBehind(const vtkRenderState* s, vtkRenderPass* delegate)
 {
   vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
-  return !this->Self->DelegatePass && !window->GetLineSmoothing() && !window->GetPointSmoothing() &&
+  return !delegate && !window->GetLineSmoothing() && !window->GetPointSmoothing() &&
     !window->GetPolygonSmoothing();
+}
 }
 
 //------------------------------------------------------------------------------
-bool vtkAirlightPass::Internals::IsSolid(const vtkRenderState* s) const
+bool HidesAllBehind(const vtkRenderState* s, vtkRenderPass* delegate)
 {
   vtkProp** first = s->GetPropArray();
-  return this->MayBeSolid(s) &&
+  return MayHideAllBehind(s, delegate) &&
     std::all_of(first, first + s->GetPropArrayCount(), [](vtkProp* prop) {
       return IsKnown(prop) && IsSolidProp(prop) && !AirlightScenePass::IsPointGaussians(prop);
     });
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkProp*> vtkAirlightPass::Internals::FindSolids(const vtkRenderState* s) const
+std::vector<vtkProp*> FindSolidProps(const vtkRenderState* s, vtkRenderPass* delegate)
 {
   std::vector<vtkProp*> solids;
-  if (this->MayBeSolid(s) && !s->GetRenderer()->GetUseHiddenLineRemoval())
+  if (MayHideAllBehind(s, delegate) && !s->GetRenderer()->GetUseHiddenLineRemoval())
   {
     vtkProp** first = s->GetPropArray();
     std::copy_if(first, first + s->GetPropArrayCount(), std::back_inserter(solids), DrawsAllOfIt);
@@ -116,40 +111,16 @@ std::vector<vtkProp*> vtkAirlightPass::Internals::FindSolids(const vtkRenderStat
 }
 
 //------------------------------------------------------------------------------
-bool vtkAirlightPass::Internals::KnowsAll(const vtkRenderState* s) const
+bool HasInjectableShaders(const vtkRenderState* s, vtkRenderPass* delegate)
 {
   vtkRenderer* renderer = s->GetRenderer();
   vtkProp** first = s->GetPropArray();
   const int count = s->GetPropArrayCount();
-  return !this->Self->DelegatePass && !renderer->GetUseSSAO() &&
+  return !delegate && !renderer->GetUseSSAO() &&
     !(renderer->GetUseHiddenLineRemoval() &&
       vtkHiddenLineRemovalPass::WireframePropsExist(first, count)) &&
     std::all_of(first, first + count, [](vtkProp* prop) {
       return IsKnown(prop) && !HasForeignPass(prop) && !AirlightScenePass::IsPointGaussians(prop);
     });
 }
-
-//------------------------------------------------------------------------------
-// Of a scene of which KnowsAll() is true.
-bool vtkAirlightPass::Internals::MayDrawOnce(
-  bool solid, const std::vector<Lamp>& lamps, int& apart) const
-{
-  if (this->EffectiveTechnique == NONE || !this->Self->SurfaceShadows)
-  {
-    return true;
-  }
-  const auto casts = [](const Lamp& lamp) { return lamp.Scatters() && lamp.CastsShadows; };
-  const auto casting = std::count_if(lamps.begin(), lamps.end(), casts);
-  if (casting == 0)
-  {
-    return true;
-  }
-  const bool dims = this->EffectiveTechnique == SHADOW_PLANES && this->Self->TranslucentShadows &&
-    this->CurrentFrame.MetTranslucent();
-  if (casting > 1 || lamps.size() > MaximumUnrolledLights || dims || !solid)
-  {
-    return false;
-  }
-  apart = static_cast<int>(std::find_if(lamps.begin(), lamps.end(), casts) - lamps.begin());
-  return true;
 }

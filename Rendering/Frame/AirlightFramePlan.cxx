@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/AirlightFramePlan.h"
+
+#include "Integration/AirlightMath.h"
+#include "MapperShaders/AirlightLightSpecialization.h"
+#include "MapperShaders/AirlightVolumeShader.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace airlight
+{
+namespace
+{
+// Shaders take time to compile for each light that they integrate: so many lights of a closed form in
+// the composite, one of any other kind.
+constexpr std::size_t MaximumClosedLights = 4;
+
+bool HasClosedForm(int kind)
+{
+  return kind == AIRLIGHT_POINT_CLOSED || kind == AIRLIGHT_DIRECTIONAL_CLOSED;
+}
+
+bool HasShadowing(const SceneFacts& scene)
+{
+  return std::any_of(scene.Lights.begin(), scene.Lights.end(),
+    [](const LightFacts& light) { return light.Shadows(); });
+}
+
+//------------------------------------------------------------------------------
+void ChooseTechnique(FramePlan& plan, const PassProperties& properties, const SceneFacts& scene,
+  const FrameLimits& limits)
+{
+  const bool automatic = properties.Technique == ShadowTechnique::Automatic;
+  plan.Technique = properties.Technique;
+  if (!automatic && properties.Technique != ShadowTechnique::Planes)
+  {
+    return;
+  }
+  plan.Technique = ShadowTechnique::Planes;
+  plan.LimitPlanes = automatic;
+  const bool casts = (!scene.Clear || properties.SurfaceShadows) && HasShadowing(scene);
+  if (!limits.StorageBuffers)
+  {
+    plan.Technique = ShadowTechnique::Map;
+    plan.Reason = TechniqueReason::NoStorageBuffers;
+  }
+  else if (scene.NonPolygonalCasters && casts)
+  {
+    // Planes that were asked for are drawn without those.
+    plan.Technique = automatic ? ShadowTechnique::Map : ShadowTechnique::Planes;
+    plan.Reason = TechniqueReason::NonPolygonalCasters;
+  }
+  else if (limits.PlanesOverMemory)
+  {
+    plan.Technique = ShadowTechnique::Map;
+    plan.Reason = TechniqueReason::PlanesOverMemory;
+  }
+}
+
+//------------------------------------------------------------------------------
+ShadowMethod GetMethod(ShadowTechnique technique)
+{
+  switch (technique)
+  {
+    case ShadowTechnique::Planes:
+      return ShadowMethod::Planes;
+    case ShadowTechnique::Map:
+      return ShadowMethod::Map;
+    case ShadowTechnique::March:
+      return ShadowMethod::March;
+    default:
+      return ShadowMethod::None;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool IsPlain(const FramePlan& plan, const PassProperties& properties, const SceneFacts& scene)
+{
+  const bool shadows = plan.Shadows != ShadowMethod::None && properties.SurfaceShadows;
+  return scene.Clear && properties.View == DebugView::Shaded && !properties.RecordBuffers &&
+    !(properties.EncodedOutput && properties.LinearInput) && properties.Annotations &&
+    std::none_of(scene.Lights.begin(), scene.Lights.end(), [shadows](const LightFacts& light) {
+      return light.Photometric || (shadows && light.Shadows());
+    });
+}
+
+//------------------------------------------------------------------------------
+// Shadows on surfaces are known only after the distances. Where a single light casts them, colours are
+// drawn with and without it.
+void PlanGeometryPasses(FramePlan& plan, const SceneFacts& scene)
+{
+  plan.SingleGeometryPass = plan.AllShadersInjectable;
+  if (!plan.AllShadersInjectable || plan.Shadows == ShadowMethod::None || !plan.SurfaceShadows)
+  {
+    return;
+  }
+  const auto shadows = [](const LightFacts& light) { return light.Shadows(); };
+  const auto first = std::find_if(scene.Lights.begin(), scene.Lights.end(), shadows);
+  if (first == scene.Lights.end())
+  {
+    return;
+  }
+  const bool transmits =
+    plan.Shadows == ShadowMethod::Planes && plan.TranslucentShadows && scene.TranslucentCasters;
+  plan.SingleGeometryPass = plan.AllOpaque && !transmits &&
+    scene.Lights.size() <= MaximumUnrolledLights &&
+    std::count_if(scene.Lights.begin(), scene.Lights.end(), shadows) == 1;
+  if (plan.SingleGeometryPass)
+  {
+    plan.ShadowingLight = static_cast<int>(first - scene.Lights.begin());
+  }
+}
+
+//------------------------------------------------------------------------------
+// The composite's shader is compiled for one kind of light without photometry. It makes frames without
+// shadows a fifth shorter (Documentation/benchmarks.md).
+bool IsUnshadowedInComposite(const FramePlan& plan, const SceneFacts& scene)
+{
+  if (plan.Record || plan.Translucent || plan.View != DebugView::Shaded ||
+    plan.Shadows == ShadowMethod::March || scene.DensityImage)
+  {
+    return false;
+  }
+  std::vector<LightFacts> lights;
+  std::copy_if(scene.Lights.begin(), scene.Lights.end(), std::back_inserter(lights),
+    [](const LightFacts& light) { return light.Scatters; });
+  return std::all_of(lights.begin(), lights.end(), [&](const LightFacts& light) {
+    return (plan.Shadows == ShadowMethod::None || !light.CastsShadows) &&
+      light.Kind == lights[0].Kind && !light.Photometric &&
+      lights.size() <= (HasClosedForm(light.Kind) ? MaximumClosedLights : 1);
+  });
+}
+}
+
+//------------------------------------------------------------------------------
+FramePlan MakeFramePlan(
+  const PassProperties& properties, const SceneFacts& scene, const FrameLimits& limits)
+{
+  FramePlan plan;
+  ChooseTechnique(plan, properties, scene, limits);
+  plan.Shadows = GetMethod(plan.Technique);
+  plan.Plain = IsPlain(plan, properties, scene);
+  plan.MapResolution = properties.MapResolution;
+  plan.Steps = properties.Steps;
+  plan.SurfaceShadows = properties.SurfaceShadows;
+  plan.TranslucentShadows = properties.TranslucentShadows;
+  plan.ScatteredSurfaceLight = properties.ScatteredSurfaceLight && !scene.DensityImage;
+  plan.MemoryLimit = properties.MemoryLimit;
+  plan.Translucent = properties.View == DebugView::Shaded && scene.DrawsOverMedium;
+  plan.TranslucentFragments = plan.Translucent && limits.StorageBuffers;
+  plan.VolumeNodes =
+    GetVolumeNodeCount(scene.Volumes, scene.Width, scene.Height, properties.MemoryLimit);
+  plan.AllShadersInjectable = scene.AllShadersInjectable;
+  plan.AllOpaque = scene.AllOpaque;
+  plan.View = properties.View;
+  plan.KeepBuffers = properties.RecordBuffers;
+  plan.Annotations = properties.Annotations;
+  plan.Record = properties.RecordBuffers || properties.View == DebugView::BoundaryCount;
+  plan.EncodedInput = !properties.LinearInput;
+  plan.EncodedOutput = properties.EncodedOutput || plan.EncodedInput;
+  plan.PhaseErrorBound = scene.PhaseErrorBound;
+  PlanGeometryPasses(plan, scene);
+  plan.UnshadowedInComposite = IsUnshadowedInComposite(plan, scene);
+  return plan;
+}
+}

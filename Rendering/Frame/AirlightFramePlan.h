@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The plan of a frame: which steps it takes, and how. It follows from the properties of the pass, the
+ * scene and the limits of OpenGL alone. No OpenGL is called.
+ *
+ * Not installed; exported for the module's own tests.
+ */
+
+#ifndef AirlightFramePlan_h
+#define AirlightFramePlan_h
+
+#include "vtkAirlightModule.h" // for export macro
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace airlight
+{
+// As vtkAirlightPass numbers them.
+enum class ShadowTechnique
+{
+  None = 0,
+  Planes = 1,
+  Automatic = 2,
+  Map = 3,
+  March = 4
+};
+enum class DebugView
+{
+  Shaded = 0,
+  AirlightOnly = 1,
+  BoundaryCount = 2,
+  Outlines = 3
+};
+
+// How shadows are found.
+enum class ShadowMethod
+{
+  None,
+  Planes,
+  Map,  // boundaries from shadow maps
+  March // shadow maps and a ray march
+};
+
+// The properties of vtkAirlightPass, with its defaults.
+struct PassProperties
+{
+  ShadowTechnique Technique = ShadowTechnique::Automatic;
+  DebugView View = DebugView::Shaded;
+  int MapResolution = 1024;
+  int Steps = 64;
+  bool SurfaceShadows = true;
+  bool TranslucentShadows = true;
+  bool ScatteredSurfaceLight = false;
+  bool LinearInput = true;
+  bool EncodedOutput = false;
+  bool Annotations = true;
+  bool RecordBuffers = false;
+  std::uint64_t MemoryLimit = std::uint64_t(1) << 30; // bytes
+};
+
+// A light, as far as the plan depends on it.
+struct LightFacts
+{
+  bool Scatters = false; // the medium scatters it
+  bool CastsShadows = false;
+  int Kind = 0; // f64::AirlightLight::kind: the method of integration
+  bool Photometric = false;
+
+  bool Shadows() const { return this->Scatters && this->CastsShadows; }
+};
+
+// A scene, as far as the plan depends on it.
+struct SceneFacts
+{
+  bool Clear = false;           // no medium scatters or absorbs
+  bool DensityImage = false;    // the density of a medium comes from an image
+  double PhaseErrorBound = 0.0; // the largest of the media, relative
+  std::vector<LightFacts> Lights;
+  bool AllShadersInjectable = false; // all opaque props have shaders that the pass can add to
+  bool AllOpaque = false;            // each fragment of an opaque prop hides what is behind it
+  bool DrawsOverMedium = false; // there may be translucent surfaces, volumes or point Gaussians
+  bool NonPolygonalCasters = false;
+  bool TranslucentCasters = false; // among those that cast
+  std::size_t Volumes = 0;
+  int Width = 1;
+  int Height = 1;
+};
+
+struct FrameLimits
+{
+  bool StorageBuffers = true;    // OpenGL 4.3
+  bool PlanesOverMemory = false; // this frame's shadow planes have exceeded the memory limit
+};
+
+// Why the shadow technique is another one than asked for.
+enum class TechniqueReason
+{
+  AsAsked,
+  NoStorageBuffers,
+  NonPolygonalCasters,
+  PlanesOverMemory
+};
+
+struct FramePlan
+{
+  // VTK's own picture: the medium is clear, and there are no shadows on surfaces. VTK then draws the
+  // scene, with its own roundings and multisampling.
+  bool Plain = false;
+
+  ShadowTechnique Technique = ShadowTechnique::None; // never Automatic
+  TechniqueReason Reason = TechniqueReason::AsAsked;
+  ShadowMethod Shadows = ShadowMethod::None;
+  bool LimitPlanes = false; // too many shadow boundaries are an error; the frame takes maps instead
+  int MapResolution = 1024;
+  int Steps = 64;
+  bool SurfaceShadows = false;
+  bool TranslucentShadows = false;    // casters dim light by their opacity
+  bool ScatteredSurfaceLight = false; // scattered light lights surfaces
+
+  bool Translucent = false;          // translucent surfaces or volumes are drawn over the medium
+  bool TranslucentFragments = false; // and their fragments have records
+  int VolumeNodes = 2;               // on the rays through volumes
+
+  bool AllShadersInjectable = false;
+  bool AllOpaque = false;
+  // Colours and distances of opaque surfaces are drawn at once. With shadows on them, the light that
+  // casts them is this one, -1 if there is none: the scene is drawn with and without it.
+  bool SingleGeometryPass = false;
+  int ShadowingLight = -1;
+  // No light's airlight has shadows: the composite integrates it, without a step of its own.
+  bool UnshadowedInComposite = false;
+
+  DebugView View = DebugView::Shaded;
+  bool Record = false;        // the shaders write what GetBuffer() gives
+  bool KeepBuffers = false;   // and it is kept
+  bool Annotations = true;    // drawn over the frame
+  bool EncodedInput = false;  // the scene's colours are encoded for display
+  bool EncodedOutput = false; // the picture is
+  double PhaseErrorBound = 0.0;
+  std::uint64_t MemoryLimit = 0; // bytes
+};
+
+VTKAIRLIGHT_EXPORT FramePlan MakeFramePlan(
+  const PassProperties& properties, const SceneFacts& scene, const FrameLimits& limits);
+}
+
+#endif

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pass/AirlightMapperHooks.h"
+
+#include "MapperShaders/AirlightVolumeShader.h"
+#include "Pass/AirlightScenePass.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+#include "vtkVolume.h"
+
+namespace airlight
+{
+//------------------------------------------------------------------------------
+void MapperHooks::Update(const FramePlan& plan, const f64::AirlightMedia& media,
+  const std::vector<Lamp>& lamps, const FrameInput& input)
+{
+  this->Window = input.Window;
+  this->NotCompiled.clear();
+  this->UpdateOptions(plan, media, lamps, input);
+  if (this->Materials.Update(input.Props, input.NumberOfProps, plan.AllShadersInjectable))
+  {
+    this->ShaderTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Translucency stays: surfaces that become translucent for a moment shall not rebuild all shaders each
+// time.
+void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia& media,
+  const std::vector<Lamp>& lamps, const FrameInput& input)
+{
+  SurfaceShaderOptions& options = this->Options;
+  options.TranslucentFragments = input.StorageBuffers;
+  const bool translucent = plan.Translucent || options.Translucent;
+  const bool hides = options.Hides || input.Delegate;
+  const bool reads =
+    !plan.SingleGeometryPass && plan.Shadows != ShadowMethod::None && plan.SurfaceShadows;
+  // Shadow maps may be drawn with the same shaders.
+  const bool known = plan.SingleGeometryPass &&
+    (plan.Shadows == ShadowMethod::None || plan.Shadows == ShadowMethod::Planes);
+  const bool other = hides != options.Hides || reads != options.ReadsLit ||
+    plan.SingleGeometryPass != options.Once || plan.ShadowingLight != options.Apart ||
+    known != options.KnownView || (known && input.Parallel != options.Parallel);
+  options.KnownView = known;
+  options.Parallel = known && input.Parallel;
+  options.Hides = hides;
+  options.ReadsLit = reads;
+  options.Once = plan.SingleGeometryPass;
+  options.Apart = plan.ShadowingLight;
+  if (UpdateSurfaceShaderOptions(options, media, lamps, plan.ScatteredSurfaceLight, translucent) ||
+    other)
+  {
+    this->ShaderTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+// It stays, as translucency does.
+void MapperHooks::AddShadowTransmittance()
+{
+  if (!this->Options.TransmitsShadows)
+  {
+    this->Options.TransmitsShadows = true;
+    this->ShaderTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void MapperHooks::MarkShader(std::string& fragment, vtkProp* prop)
+{
+  if (vtkVolume::SafeDownCast(prop))
+  {
+    MarkVolumeShader(fragment);
+  }
+}
+
+//------------------------------------------------------------------------------
+// VTK's mappers do not survive a shader that does not compile. So it is compiled before they do it;
+// they find it compiled in the window's cache.
+void MapperHooks::ChangeShader(const std::string& vertex, const std::string& geometry,
+  std::string& fragment, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  if (!this->NotCompiled.empty())
+  {
+    return;
+  }
+  std::string changed = fragment;
+  if (vtkVolume::SafeDownCast(prop))
+  {
+    InjectVolumeShader(changed, this->Options);
+  }
+  else
+  {
+    this->Materials.Specialize(changed, prop);
+    this->ChangeSurfaceShader(changed, AirlightScenePass::IsPointGaussians(prop));
+  }
+  if (this->Window && IsLastToChange(this->Pass, prop) &&
+    !this->Programs.Ready(this->Window, vertex, changed, geometry))
+  {
+    this->NotCompiled = mapper->GetClassName();
+    return;
+  }
+  fragment = changed;
+}
+
+//------------------------------------------------------------------------------
+void MapperHooks::ChangeSurfaceShader(std::string& shader, bool splats)
+{
+  const vtkMTimeType time = this->ShaderTime;
+  const bool records = this->Options.TranslucentFragments;
+  Change& last = this->LastChange;
+  if (last.Time != time || last.PointGaussians != splats || last.Records != records ||
+    last.Before != shader)
+  {
+    last = { shader, shader, splats, records, time };
+    InjectSurfaceShader(last.After, this->Options, splats);
+  }
+  shader = last.After;
+}
+
+//------------------------------------------------------------------------------
+bool MapperHooks::CheckCompiled(std::string& error)
+{
+  if (this->NotCompiled.empty())
+  {
+    return true;
+  }
+  this->ShaderTime.Modified();
+  error = "the shader of a " + this->NotCompiled + " with the medium" + ProgramMaker::GetReason();
+  return false;
+}
+}

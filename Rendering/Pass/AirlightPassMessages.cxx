@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pass/AirlightPassMessages.h"
+
+#include "Casters/AirlightCasters.h"
+#include "MapperShaders/AirlightSurfaceShader.h"
+#include "Medium/AirlightMediaList.h"
+#include "ShadowVolumes/AirlightShadowLists.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <set>
+
+namespace airlight
+{
+namespace
+{
+// The classes of their mappers, each once.
+std::string GetMapperNames(const std::vector<NonPolygonalCaster>& casters)
+{
+  std::set<std::string> names;
+  for (const NonPolygonalCaster& caster : casters)
+  {
+    names.insert(caster.Actor->GetMapper()->GetClassName());
+  }
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+std::string DescribeNonPolygonal(const CasterCache& casters, bool automatic)
+{
+  const std::string keep = " Set vtkAirlightPass::CASTS_SHADOW() to 0 in the property keys of "
+                           "those that shall not cast";
+  return "No shadow planes can be drawn from what the mappers " +
+    GetMapperNames(casters.GetNonPolygonal()) + " draw: " +
+    (automatic
+        ? "shadows come from shadow maps, which are less exact." + keep + " for exact shadows."
+        : "it casts none." + keep + ", or call SetShadowTechniqueToShadowMap().");
+}
+}
+
+//------------------------------------------------------------------------------
+bool PassMessages::IsFirst(Message message)
+{
+  const bool first = !this->Given[message];
+  this->Given[message] = true;
+  return first;
+}
+
+void PassMessages::WarnOnce(Message message, const std::string& text)
+{
+  if (this->IsFirst(message))
+  {
+    vtkWarningWithObjectMacro(this->Pass, << text);
+  }
+}
+
+void PassMessages::ErrorOnce(Message message, const std::string& text)
+{
+  if (this->IsFirst(message))
+  {
+    vtkErrorWithObjectMacro(this->Pass, << text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PassMessages::CheckMedia(const MediaList& media)
+{
+  const std::string text = media.Check();
+  if (!text.empty())
+  {
+    this->ErrorOnce(Media, text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PassMessages::CheckLights(const std::vector<Lamp>& lamps,
+  const std::vector<LightOptions>& options, bool scattering, bool scatteredSurfaceLight)
+{
+  if (scattering && std::any_of(lamps.begin(), lamps.end(), IsLeftOut))
+  {
+    this->WarnOnce(CameraLights, DescribeLeftOut(lamps));
+  }
+  for (const Lamp& lamp : lamps)
+  {
+    if (lamp.Support == LightSupport::Invalid)
+    {
+      this->WarnOnce(InvalidLights, InvalidLampText);
+    }
+  }
+  for (const Lamp& lamp : lamps)
+  {
+    const auto own = std::find_if(options.begin(), options.end(),
+      [&lamp](const LightOptions& option) { return option.Light == lamp.Light; });
+    if (own != options.end() && own->Table && lamp.Scatters() && !lamp.Table)
+    {
+      this->WarnOnce(PhotometryUnused,
+        "A light's photometric file " + own->PhotometryFile +
+          " is not used: it needs a positional light whose focal point, at which it aims, is apart "
+          "from its position.");
+    }
+  }
+  if (static_cast<int>(lamps.size()) > MaximumShadowingLights)
+  {
+    this->WarnOnce(ManyLights,
+      "There are " + std::to_string(lamps.size()) + " lights; those after the first " +
+        std::to_string(MaximumShadowingLights) + " cast no shadows on surfaces.");
+  }
+  const auto scattered =
+    std::count_if(lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Glows(); });
+  if (scatteredSurfaceLight && scattered > MaximumGlowLights)
+  {
+    this->WarnOnce(ManyScatteredLights,
+      "The medium scatters " + std::to_string(scattered) + " lights; those after the first " +
+        std::to_string(MaximumGlowLights) + " light surfaces directly only.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PassMessages::CheckPlan(
+  const FramePlan& plan, const PassProperties& properties, const CasterCache& casters)
+{
+  const bool automatic = properties.Technique == ShadowTechnique::Automatic;
+  if (plan.Reason == TechniqueReason::NoStorageBuffers)
+  {
+    const std::string text =
+      "Shadow planes need OpenGL 4.3 with storage buffers, which this window lacks: shadows come "
+      "from shadow maps, which are less exact. Update the graphics driver, or call "
+      "SetShadowTechniqueToShadowMap().";
+    automatic ? this->WarnOnce(OldOpenGL, text) : this->ErrorOnce(OldOpenGL, text);
+  }
+  if (plan.Reason == TechniqueReason::NonPolygonalCasters)
+  {
+    this->WarnOnce(NonPolygonalCasters, DescribeNonPolygonal(casters, automatic));
+  }
+  if (plan.Reason == TechniqueReason::PlanesOverMemory)
+  {
+    this->WarnOnce(PlanesOverMemory,
+      "The shadow planes' boundaries need more than " + std::to_string(ShadowLists::MostBands) +
+        " times the memory limit of " + std::to_string(properties.MemoryLimit >> 20) +
+        " MiB, or those of one row of pixels more than that: shadows come from shadow maps, which "
+        "are less exact. Raise SetMemoryLimit(), or call SetShadowTechniqueToShadowMap().");
+  }
+  if (!plan.Plain && properties.ScatteredSurfaceLight && !plan.ScatteredSurfaceLight)
+  {
+    this->WarnOnce(ScatteredLightInImage,
+      "ScatteredSurfaceLight has no effect: the medium's density comes from an image. Surfaces are "
+      "lit directly only.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PassMessages::CheckCasters(const CasterCache& casters, const FramePlan& plan)
+{
+  const std::string& error = casters.GetError();
+  if (error != this->CasterError)
+  {
+    this->CasterError = error;
+    if (!error.empty())
+    {
+      vtkErrorWithObjectMacro(this->Pass, << error << ".");
+    }
+  }
+  if (!casters.GetUnsupportedProp().empty() && plan.Shadows != ShadowMethod::None)
+  {
+    this->WarnOnce(LevelsOfDetail,
+      "A prop of the class " + casters.GetUnsupportedProp() +
+        " casts no shadow: the level of detail that it shows is a volume or an image. Add one with "
+        "a vtkMapper, or set vtkAirlightPass::CASTS_SHADOW() to 0 in its property keys.");
+  }
+  if (casters.MetTranslucent() && plan.TranslucentShadows &&
+    (plan.Shadows == ShadowMethod::Map || plan.Shadows == ShadowMethod::March))
+  {
+    this->WarnOnce(TranslucentInMaps,
+      "Shadow maps know of light and dark only: what lets light through casts no shadow in them. "
+      "Call SetShadowTechniqueToShadowPlanes(), or SetTranslucentShadows(false) to cast none "
+      "anyway.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PassMessages::ReportVolumeShader(vtkVolume* volume)
+{
+  this->WarnOnce(Volumes,
+    std::string("A volume of the mapper ") + volume->GetMapper()->GetClassName() +
+      " is drawn without the medium before it: only samples that are blended over each other by "
+      "VTK's own shader go through it. Use the blend mode composite, isosurface or slice, and no "
+      "shader code of your own for the whole.");
+}
+
+void PassMessages::ReportVolumeMapper(vtkVolume* volume)
+{
+  this->WarnOnce(Volumes,
+    std::string("A volume is drawn without the medium before it: its mapper ") +
+      volume->GetMapper()->GetClassName() +
+      " does not draw it with the graphics card's ray casting. Use vtkGPUVolumeRayCastMapper, or "
+      "vtkSmartVolumeMapper with SetRequestedRenderModeToGPU(), for image data.");
+}
+
+//------------------------------------------------------------------------------
+// Passes that take part in the mappers' shaders are named in the props' keys while they draw.
+void PassMessages::CheckOutside(const vtkRenderState* s)
+{
+  vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkInformation* keys = s->GetPropArray()[i]->GetPropertyKeys();
+    for (int k = 0; keys && keys->Has(key) && k < key->Length(keys); ++k)
+    {
+      if (key->Get(keys, k)->IsA("vtkSSAOPass"))
+      {
+        this->WarnOnce(OcclusionOutside,
+          "A vtkSSAOPass draws this pass, which gives it no positions and normals of surfaces: "
+          "what it darkens is arbitrary. Make it the delegate: pass->SetDelegatePass(ssao).");
+        return;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void PassMessages::ReportAntialiasing(const int size[2], bool floatingPoint)
+{
+  this->WarnOnce(AntialiasingLeftOut,
+    "The renderer's FXAA is left out: the pass draws into a target of another pass, of " +
+      std::to_string(size[0]) + " x " + std::to_string(size[1]) +
+      (floatingPoint ? " pixels of floating point" : " pixels") +
+      ", which VTK's FXAA cannot do. Make a vtkOpenGLFXAAPass the outermost pass instead.");
+}
+
+//------------------------------------------------------------------------------
+void PassMessages::ReportFrame(const std::string& error)
+{
+  if (this->FrameError != error)
+  {
+    this->FrameError = error;
+    vtkErrorWithObjectMacro(
+      this->Pass, << "The scene is drawn without the medium: " << error << ".");
+  }
+}
+}

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What vtkAirlightPass reports about media, lights, casters, volumes and other passes. Each message
+ * names the remedy. A pass gives each once, and an error again if it has changed.
+ */
+
+#ifndef AirlightPassMessages_h
+#define AirlightPassMessages_h
+
+#include "Frame/AirlightFramePlan.h"
+#include "Scene/AirlightLamps.h"
+
+#include <bitset>
+#include <string>
+#include <vector>
+
+class vtkObject;
+class vtkRenderState;
+class vtkVolume;
+
+namespace airlight
+{
+class CasterCache;
+class MediaList;
+
+class PassMessages
+{
+public:
+  explicit PassMessages(vtkObject* pass)
+    : Pass(pass)
+  {
+  }
+
+  // An error if the media cannot all be drawn.
+  void CheckMedia(const MediaList& media);
+
+  // Lights that are left out, or lack what was asked for. `scattering`: a medium scatters.
+  void CheckLights(const std::vector<Lamp>& lamps, const std::vector<LightOptions>& options,
+    bool scattering, bool scatteredSurfaceLight);
+
+  // A shadow technique other than asked for, scattered light that a density image rules out.
+  void CheckPlan(
+    const FramePlan& plan, const PassProperties& properties, const CasterCache& casters);
+
+  // Keys of props that are no good, props that cannot cast.
+  void CheckCasters(const CasterCache& casters, const FramePlan& plan);
+
+  // A volume that its mapper draws without the medium before it; by another shader than VTK's, or
+  // without the graphics card.
+  void ReportVolumeShader(vtkVolume* volume);
+  void ReportVolumeMapper(vtkVolume* volume);
+
+  // A pass outside that needs what this one does not give.
+  void CheckOutside(const vtkRenderState* s);
+
+  // FXAA that VTK's filter cannot do, in a target of this size.
+  void ReportAntialiasing(const int size[2], bool floatingPoint);
+
+  // An error that says why a frame is drawn without the medium, once until it succeeds or changes.
+  void ReportFrame(const std::string& error);
+  void ForgetFrame() { this->FrameError.clear(); }
+
+private:
+  enum Message
+  {
+    AntialiasingLeftOut,
+    CameraLights,
+    InvalidLights,
+    LevelsOfDetail,
+    ManyLights,
+    ManyScatteredLights,
+    Media,
+    NonPolygonalCasters,
+    OcclusionOutside,
+    OldOpenGL,
+    PhotometryUnused,
+    PlanesOverMemory,
+    ScatteredLightInImage,
+    TranslucentInMaps,
+    Volumes,
+    NumberOfMessages
+  };
+  bool IsFirst(Message message);
+  void WarnOnce(Message message, const std::string& text);
+  void ErrorOnce(Message message, const std::string& text);
+
+  vtkObject* Pass;
+  std::bitset<NumberOfMessages> Given;
+  std::string FrameError;
+  std::string CasterError;
+};
+}
+
+#endif

@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pass/AirlightPassRenderer.h"
+
+#include "Integration/AirlightIntegrate.h"
+#include "MapperShaders/AirlightVolumeShader.h"
+#include "OpenGL/AirlightOpenGL.h"
+#include "OpenGL/AirlightStorageBinding.h"
+#include "Pass/AirlightErrorRecovery.h"
+#include "Pass/AirlightSceneSupport.h"
+
+#include "vtkCamera.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+// A renderer's scene in one frame.
+struct PassRenderer::Scene
+{
+  Scene(vtkRenderer* renderer, int width, int height)
+    : Window(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+    , Rays(renderer, width, height)
+  {
+  }
+
+  vtkOpenGLRenderWindow* Window;
+  CameraUniforms Rays;
+  std::vector<vtkParticipatingMedium*> Media;
+  f64::AirlightMedia Converted{};
+  std::vector<Lamp> Lights;
+};
+
+namespace
+{
+// A renderer with a pass leaves out that the camera learns whether it is one of a stereo pair, which it
+// learns from vtkCamera::Render() alone. That also clears the viewport, as every frame does.
+void UpdateStereo(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkCamera* camera = renderer->GetActiveCamera(); // makes one where there is none
+  if (camera->GetStereo() != window->GetStereoRender())
+  {
+    vtkOpenGLState* state = window->GetState();
+    vtkOpenGLState::ScopedglViewport viewportSaver(state);
+    vtkOpenGLState::ScopedglScissor scissorSaver(state);
+    vtkOpenGLState::ScopedglEnableDisable scissorTestSaver(state, GL_SCISSOR_TEST);
+    camera->Render(renderer);
+    camera->Modified(); // or matrices that VTK keeps would stay
+  }
+}
+
+// The state of OpenGL that a frame changes, restored when it goes out of scope.
+class StateSaver
+{
+public:
+  StateSaver(vtkOpenGLRenderWindow* window, bool storage)
+    : State(window->GetState())
+    , Storage(storage)
+  {
+    this->State->PushFramebufferBindings();
+  }
+  ~StateSaver() { this->PopFramebuffer(); }
+  StateSaver(const StateSaver&) = delete;
+  void operator=(const StateSaver&) = delete;
+
+  // Back to the caller's framebuffer, into which the frame goes in the end.
+  void PopFramebuffer()
+  {
+    if (this->State)
+    {
+      this->State->PopFramebufferBindings();
+      this->State = nullptr;
+    }
+  }
+
+private:
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglViewport Viewport{ State };
+  vtkOpenGLState::ScopedglScissor Scissor{ State };
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest{ State, GL_SCISSOR_TEST };
+  vtkOpenGLState::ScopedglEnableDisable Blend{ State, GL_BLEND };
+  vtkOpenGLState::ScopedglEnableDisable DepthTest{ State, GL_DEPTH_TEST };
+  vtkOpenGLState::ScopedglEnableDisable CullFace{ State, GL_CULL_FACE };
+  vtkOpenGLState::ScopedglDepthFunc DepthFunction{ State };
+  vtkOpenGLState::ScopedglDepthMask DepthMask{ State };
+  vtkOpenGLState::ScopedglColorMask ColorMask{ State };
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction{ State };
+  ScopedStorageBindings Storage;
+};
+}
+
+//------------------------------------------------------------------------------
+PassRenderer::PassRenderer(vtkObject* pass, const SceneStages::RenderHooks& hooks)
+  : Messages(pass)
+  , Mappers(pass)
+  , Stages(this->CurrentFrame, this->Mappers, this->Messages, hooks)
+{
+  this->Context->SetRelease([this](vtkWindow* window) {
+    this->CurrentFrame.Release(window);
+    this->Stages.Release(window);
+    this->Mappers.Release();
+  });
+}
+
+PassRenderer::~PassRenderer() { this->Context->SetContext(nullptr); }
+
+//------------------------------------------------------------------------------
+void PassRenderer::Render(
+  const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
+{
+  this->Stages.SetDelegate(settings.Delegate);
+  UpdateStereo(s->GetRenderer());
+  // Picking reads colours as numbers: nothing may change them.
+  if (s->GetRenderer()->GetSelector())
+  {
+    this->Stages.DrawPlain(s);
+    return;
+  }
+  this->Messages.CheckMedia(this->Media);
+  if (this->RenderFrame(s, settings, viewport))
+  {
+    this->Messages.ForgetFrame();
+    return;
+  }
+  this->Messages.ReportFrame(this->Error);
+  this->Recover();
+  this->Stages.DrawPlain(s);
+}
+
+//------------------------------------------------------------------------------
+// Planes that need too much memory are found out while they are drawn: the frame then takes maps.
+bool PassRenderer::RenderFrame(
+  const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
+{
+  FrameLimits limits;
+  bool ok = this->RenderPlan(s, settings, viewport, limits);
+  if (!ok && this->CurrentFrame.IsOverBudget() &&
+    settings.Properties.Technique == ShadowTechnique::Automatic)
+  {
+    limits.PlanesOverMemory = true;
+    ok = this->RenderPlan(s, settings, viewport, limits);
+  }
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
+  const Viewport& viewport, const FrameLimits& limits)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  this->Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+  this->Stages.GetScenePass()->PrepareLights(renderer);
+  Scene scene(renderer, viewport.Width, viewport.Height);
+  if (!CheckOpenGL(scene.Window, this->Error) || !this->CollectScene(s, settings, scene))
+  {
+    return false;
+  }
+  const PassProperties& properties = settings.Properties;
+  if (properties.Technique != ShadowTechnique::None)
+  {
+    this->CurrentFrame.FindCasters(renderer, properties.TranslucentShadows);
+  }
+  FrameLimits own = limits;
+  own.StorageBuffers = ShadowLists::IsSupported(scene.Window);
+  const FramePlan plan = MakeFramePlan(properties, this->GetFacts(s, settings, scene), own);
+  this->CurrentFrame.SetPlan(plan);
+  this->Messages.CheckPlan(plan, properties, this->CurrentFrame.GetCasters());
+  if (plan.Plain)
+  {
+    this->CurrentFrame.ForgetBuffers();
+    this->Stages.DrawPlain(s);
+    return true;
+  }
+  this->Mappers.Update(plan, scene.Converted, scene.Lights,
+    { scene.Window, own.StorageBuffers, scene.Rays.IsParallel(), settings.Delegate != nullptr,
+      s->GetPropArray(), s->GetPropArrayCount() });
+  return this->Draw(s, plan, scene, viewport);
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& settings, Scene& scene)
+{
+  if (!scene.Rays.IsValid())
+  {
+    this->Error = "the camera's matrices are not finite or cannot be inverted";
+    return false;
+  }
+  this->Error = this->Media.CheckImages();
+  if (!this->Error.empty())
+  {
+    return false;
+  }
+  scene.Media = this->Media.GetAll();
+  if (scene.Media.empty())
+  {
+    scene.Media.push_back(this->Vacuum);
+  }
+  scene.Converted = ConvertMedia(scene.Media, scene.Rays.GetEye());
+  scene.Lights = CollectLamps(s->GetRenderer(), scene.Converted, scene.Rays, settings.LightRadius,
+    this->Switches, this->Options);
+  this->Messages.CheckLights(scene.Lights, this->Options, HasScattering(scene.Converted),
+    settings.Properties.ScatteredSurfaceLight);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+SceneFacts PassRenderer::GetFacts(
+  const vtkRenderState* s, const Settings& settings, const Scene& scene)
+{
+  SceneFacts facts;
+  facts.Clear = IsClear(scene.Converted);
+  facts.DensityImage = HasGrid(scene.Converted);
+  for (vtkParticipatingMedium* medium : scene.Media)
+  {
+    facts.PhaseErrorBound = std::max(facts.PhaseErrorBound, medium->GetPhaseErrorBound());
+  }
+  for (const Lamp& light : scene.Lights)
+  {
+    facts.Lights.push_back(
+      { light.Scatters(), light.CastsShadows, light.Values.kind, light.Values.goniometric != 0 });
+  }
+  facts.AllShadersInjectable = HasInjectableShaders(s, settings.Delegate);
+  facts.AllOpaque = HidesAllBehind(s, settings.Delegate);
+  facts.DrawsOverMedium = AirlightScenePass::HasTransparent(s);
+  facts.NonPolygonalCasters = !this->CurrentFrame.GetNonPolygonalCasters().empty();
+  facts.TranslucentCasters = this->CurrentFrame.MetTranslucent();
+  facts.Volumes = GetVolumes(s->GetPropArray(), s->GetPropArrayCount()).size();
+  facts.Width = scene.Rays.GetWidth();
+  facts.Height = scene.Rays.GetHeight();
+  return facts;
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::Draw(
+  const vtkRenderState* s, const FramePlan& plan, Scene& scene, const Viewport& viewport)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  StateSaver saver(scene.Window, ShadowLists::IsSupported(scene.Window));
+  Frame::Input input{ renderer, scene.Converted, scene.Lights, scene.Rays,
+    FindSolidProps(s, this->Stages.GetDelegate()),
+    [this](const std::vector<NonPolygonalCaster>& casters, vtkCamera* camera, int x, int y,
+      int side) { this->Stages.DrawInMap(casters, camera, x, y, side); } };
+  bool ok = this->CurrentFrame.Upload(scene.Window, scene.Media, input.Media, input.Lamps) &&
+    this->CurrentFrame.Begin(input);
+  if (ok)
+  {
+    vtkRenderState inner(renderer);
+    inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
+    inner.SetFrameBuffer(this->CurrentFrame.GetFramebuffer());
+    this->Stages.Begin(&inner);
+    ok = this->CurrentFrame.Draw(this->Stages);
+    this->Stages.End();
+    ok = ok && (!plan.KeepBuffers || this->CurrentFrame.Record());
+  }
+  saver.PopFramebuffer();
+  if (!this->Mappers.CheckCompiled(this->Error))
+  {
+    return false;
+  }
+  const bool blend = renderer->GetPreserveColorBuffer() || renderer->Transparent();
+  ok = ok && this->CurrentFrame.Composite(viewport.X, viewport.Y, blend) &&
+    (plan.View != DebugView::Outlines || this->CurrentFrame.DrawPlanes());
+  if (!ok)
+  {
+    this->Error = this->CurrentFrame.GetError();
+    return false;
+  }
+  this->Stages.DrawOverFrame(s, plan.Annotations);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Where there are only too many boundaries, nothing is broken. A frame that failed has no buffers.
+void PassRenderer::Recover()
+{
+  this->CurrentFrame.ForgetBuffers();
+  if (vtkOpenGLRenderWindow* window = this->Context->GetContext())
+  {
+    RestoreState(window);
+    if (!this->CurrentFrame.IsOverBudget())
+    {
+      this->CurrentFrame.ReleaseObjects(window);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::CollectSilhouettes(
+  vtkRenderer* renderer, double lightRadius, std::vector<unsigned char>& bytes, std::string& error)
+{
+  const int* size = renderer->GetRenderWindow()->GetSize();
+  renderer->UpdateLightsGeometryToFollowCamera();
+  const CameraUniforms view(renderer, std::max(size[0], 1), std::max(size[1], 1));
+  if (!view.IsValid())
+  {
+    error = "the camera's matrices are not finite or cannot be inverted";
+    return false;
+  }
+  const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
+  const std::vector<Lamp> lights = CollectLamps(
+    renderer, ConvertMedia(media, view.GetEye()), view, lightRadius, this->Switches, this->Options);
+  this->CurrentFrame.FindCasters(renderer, false);
+  this->OwnShadows.resize(lights.size());
+  std::vector<LightSilhouettes> silhouettes(lights.size());
+  for (size_t k = 0; k < lights.size(); ++k)
+  {
+    silhouettes[k].Light = lights[k].World;
+    if (lights[k].Scatters() && lights[k].CastsShadows)
+    {
+      this->OwnShadows[k].Update(
+        this->CurrentFrame.GetCasters().GetCasters(), lights[k].World, view, true);
+      silhouettes[k] = DescribeSilhouettes(this->OwnShadows[k], lights[k].World);
+    }
+  }
+  bytes = WriteSilhouettes(silhouettes);
+  return true;
+}
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * vtkAirlightPass behind its face: what it keeps from frame to frame, and how it draws one.
+ */
+
+#ifndef AirlightPassRenderer_h
+#define AirlightPassRenderer_h
+
+#include "Frame/AirlightFrame.h"
+#include "Frame/AirlightFramePlan.h"
+#include "Medium/AirlightMediaList.h"
+#include "Pass/AirlightContext.h"
+#include "Pass/AirlightMapperHooks.h"
+#include "Pass/AirlightPassMessages.h"
+#include "Pass/AirlightSceneStages.h"
+
+#include "vtkNew.h"
+#include "vtkParticipatingMedium.h"
+
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkRenderPass;
+class vtkRenderState;
+class vtkRenderer;
+
+namespace airlight
+{
+class PassRenderer
+{
+public:
+  // What the pass is set to.
+  struct Settings
+  {
+    PassProperties Properties;
+    double LightRadius = 0.0;
+    vtkRenderPass* Delegate = nullptr;
+  };
+  // Where a frame goes: the viewport in the framebuffer that is bound.
+  struct Viewport
+  {
+    int X = 0;
+    int Y = 0;
+    int Width = 0;
+    int Height = 0;
+  };
+
+  PassRenderer(vtkObject* pass, const SceneStages::RenderHooks& hooks);
+  ~PassRenderer();
+  PassRenderer(const PassRenderer&) = delete;
+  void operator=(const PassRenderer&) = delete;
+
+  MediaList Media; // as vtkAirlightPass is given them
+
+  // Draws the scene in the media, or without them where that fails, with an error.
+  void Render(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
+
+  // For vtkAirlightPass::GetSilhouettes(). False with a reason in `error`.
+  bool CollectSilhouettes(vtkRenderer* renderer, double lightRadius,
+    std::vector<unsigned char>& bytes, std::string& error);
+
+  // Frees all OpenGL objects, in whichever window they are.
+  void Release() { this->Context->SetContext(nullptr); }
+
+  LightSwitches& GetSwitches() { return this->Switches; }
+  std::vector<LightOptions>& GetLightOptions() { return this->Options; }
+  Frame& GetFrame() { return this->CurrentFrame; }
+  MapperHooks& GetMappers() { return this->Mappers; }
+  SceneStages& GetStages() { return this->Stages; }
+  // Of the last frame.
+  ShadowTechnique GetTechnique() const { return this->CurrentFrame.GetPlan().Technique; }
+
+private:
+  struct Scene;
+
+  bool RenderFrame(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
+  bool RenderPlan(const vtkRenderState* s, const Settings& settings, const Viewport& viewport,
+    const FrameLimits& limits);
+  bool CollectScene(const vtkRenderState* s, const Settings& settings, Scene& scene);
+  SceneFacts GetFacts(const vtkRenderState* s, const Settings& settings, const Scene& scene);
+  bool Draw(const vtkRenderState* s, const FramePlan& plan, Scene& scene, const Viewport& viewport);
+  void Recover();
+
+  LightSwitches Switches;
+  std::vector<LightOptions> Options; // of lights with photometric files
+  Frame CurrentFrame;
+  PassMessages Messages;
+  MapperHooks Mappers;
+  SceneStages Stages;
+  std::vector<ShadowVolumes> OwnShadows; // to send to other processes, by light number
+  vtkNew<AirlightContext> Context;
+  vtkNew<vtkParticipatingMedium> Vacuum;
+  std::string Error;
+};
+}
+
+#endif

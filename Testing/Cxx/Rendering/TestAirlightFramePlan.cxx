@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The plan of a frame, without a window: each decision of its own, from a scene of balls in fog with one
+// lamp that casts shadows.
+
+#include "AirlightTestCheck.h"
+#include "Frame/AirlightFramePlan.h"
+#include "Integration/AirlightMath.h"
+
+#include <cstdlib>
+
+using namespace airlight;
+using airlight_test::Check;
+
+namespace
+{
+LightFacts MakeLamp(bool casts = true) { return { true, casts, AIRLIGHT_POINT_CLOSED, false }; }
+
+struct Case
+{
+  PassProperties Properties;
+  SceneFacts Scene;
+  FrameLimits Limits;
+
+  Case()
+  {
+    this->Scene.Lights = { MakeLamp() };
+    this->Scene.AllShadersInjectable = true;
+    this->Scene.AllOpaque = true;
+    this->Scene.Width = 800;
+    this->Scene.Height = 600;
+  }
+  FramePlan Make() const { return MakeFramePlan(this->Properties, this->Scene, this->Limits); }
+};
+
+//------------------------------------------------------------------------------
+void TestTechnique()
+{
+  Case scene;
+  FramePlan plan = scene.Make();
+  Check(plan.Technique == ShadowTechnique::Planes && plan.Shadows == ShadowMethod::Planes &&
+      plan.Reason == TechniqueReason::AsAsked && plan.LimitPlanes,
+    "polygons cast by planes, within the memory limit");
+
+  scene.Limits.StorageBuffers = false;
+  plan = scene.Make();
+  Check(plan.Shadows == ShadowMethod::Map && plan.Reason == TechniqueReason::NoStorageBuffers,
+    "maps below OpenGL 4.3");
+  scene.Limits.StorageBuffers = true;
+
+  scene.Limits.PlanesOverMemory = true;
+  plan = scene.Make();
+  Check(plan.Shadows == ShadowMethod::Map && plan.Reason == TechniqueReason::PlanesOverMemory,
+    "maps where planes need too much memory");
+  scene.Limits.PlanesOverMemory = false;
+
+  scene.Scene.NonPolygonalCasters = true;
+  plan = scene.Make();
+  Check(plan.Shadows == ShadowMethod::Map && plan.Reason == TechniqueReason::NonPolygonalCasters,
+    "maps for casters without polygons");
+  scene.Properties.Technique = ShadowTechnique::Planes;
+  plan = scene.Make();
+  Check(plan.Shadows == ShadowMethod::Planes &&
+      plan.Reason == TechniqueReason::NonPolygonalCasters && !plan.LimitPlanes,
+    "planes that were asked for leave them out, whatever memory they take");
+  scene.Scene.Lights[0].CastsShadows = false;
+  Check(scene.Make().Reason == TechniqueReason::AsAsked, "nothing casts: no reason");
+
+  for (const ShadowTechnique technique :
+    { ShadowTechnique::None, ShadowTechnique::Map, ShadowTechnique::March })
+  {
+    scene.Properties.Technique = technique;
+    Check(scene.Make().Technique == technique, "a technique without conditions is taken");
+  }
+}
+
+//------------------------------------------------------------------------------
+void TestPlain()
+{
+  Case scene;
+  scene.Scene.Clear = true;
+  Check(!scene.Make().Plain, "clear air with shadows on surfaces is not plain");
+  scene.Properties.SurfaceShadows = false;
+  Check(scene.Make().Plain, "clear air without them is VTK's picture");
+  scene.Scene.Lights[0].Photometric = true;
+  Check(!scene.Make().Plain, "a photometric file changes surfaces");
+  scene.Scene.Lights[0].Photometric = false;
+  scene.Properties.RecordBuffers = true;
+  Check(!scene.Make().Plain, "buffers are to be recorded");
+  scene.Properties.RecordBuffers = false;
+  scene.Properties.Annotations = false;
+  Check(!scene.Make().Plain, "annotations are left out");
+  scene.Properties.Annotations = true;
+  scene.Properties.View = DebugView::AirlightOnly;
+  Check(!scene.Make().Plain, "the airlight alone is shown");
+}
+
+//------------------------------------------------------------------------------
+void TestGeometryPasses()
+{
+  Case scene;
+  FramePlan plan = scene.Make();
+  Check(plan.SingleGeometryPass && plan.ShadowingLight == 0,
+    "one light casts: the scene is drawn once, with and without it");
+  scene.Scene.Lights.insert(scene.Scene.Lights.begin(), MakeLamp(false));
+  plan = scene.Make();
+  Check(plan.SingleGeometryPass && plan.ShadowingLight == 1, "the second light casts");
+  scene.Scene.Lights[0].CastsShadows = true;
+  plan = scene.Make();
+  Check(!plan.SingleGeometryPass && plan.ShadowingLight == -1, "two lights cast: two passes");
+  scene.Properties.SurfaceShadows = false;
+  plan = scene.Make();
+  Check(plan.SingleGeometryPass && plan.ShadowingLight == -1, "no shadows on surfaces: one pass");
+
+  Case other;
+  other.Scene.AllOpaque = false;
+  Check(!other.Make().SingleGeometryPass, "a surface that may let light through: two passes");
+  other.Scene.AllOpaque = true;
+  other.Scene.TranslucentCasters = true;
+  Check(!other.Make().SingleGeometryPass, "glass that casts: two passes");
+  other.Properties.TranslucentShadows = false;
+  Check(other.Make().SingleGeometryPass, "glass that does not: one pass");
+  other.Scene.Lights.resize(5, MakeLamp(false));
+  Check(!other.Make().SingleGeometryPass, "five lights, more than shaders are unrolled for");
+  other.Scene.AllShadersInjectable = false;
+  other.Properties.Technique = ShadowTechnique::None;
+  Check(!other.Make().SingleGeometryPass, "a shader that the pass cannot change: two passes");
+}
+
+//------------------------------------------------------------------------------
+void TestUnshadowedInComposite()
+{
+  Case scene;
+  Check(!scene.Make().UnshadowedInComposite, "a light with shadows has a step of its own");
+  scene.Properties.Technique = ShadowTechnique::None;
+  Check(scene.Make().UnshadowedInComposite, "one without is integrated in the composite");
+  scene.Scene.Lights.resize(4, MakeLamp());
+  Check(scene.Make().UnshadowedInComposite, "so are four of a closed form");
+  scene.Scene.Lights.resize(5, MakeLamp());
+  Check(!scene.Make().UnshadowedInComposite, "five are not");
+  scene.Scene.Lights.resize(1);
+  scene.Scene.Lights[0].Kind = AIRLIGHT_POINT_QUADRATURE;
+  Check(scene.Make().UnshadowedInComposite, "one by quadrature is");
+  scene.Scene.Lights.resize(2, scene.Scene.Lights[0]);
+  Check(!scene.Make().UnshadowedInComposite, "two by quadrature are not");
+  scene.Scene.Lights[1].Kind = AIRLIGHT_POINT_CLOSED;
+  Check(!scene.Make().UnshadowedInComposite, "nor are two kinds");
+  scene.Scene.Lights[1].Scatters = false;
+  Check(scene.Make().UnshadowedInComposite, "a light that does not scatter counts for nothing");
+  scene.Scene.DensityImage = true;
+  Check(!scene.Make().UnshadowedInComposite, "an image of density needs a step of its own");
+  scene.Scene.DensityImage = false;
+  scene.Scene.DrawsOverMedium = true;
+  Check(!scene.Make().UnshadowedInComposite, "so do translucent surfaces");
+}
+
+//------------------------------------------------------------------------------
+void TestOutputs()
+{
+  Case scene;
+  FramePlan plan = scene.Make();
+  Check(!plan.Record && !plan.KeepBuffers && !plan.Translucent, "nothing is recorded");
+  Check(!plan.EncodedInput && !plan.EncodedOutput, "linear colours stay linear");
+  scene.Properties.EncodedOutput = true;
+  Check(!scene.Make().EncodedInput && scene.Make().EncodedOutput, "or are encoded");
+  scene.Properties.LinearInput = false;
+  scene.Properties.EncodedOutput = false;
+  Check(
+    scene.Make().EncodedInput && scene.Make().EncodedOutput, "encoded colours are encoded again");
+  scene.Properties.View = DebugView::BoundaryCount;
+  scene.Scene.DrawsOverMedium = true;
+  plan = scene.Make();
+  Check(plan.Record && !plan.KeepBuffers, "counts of boundaries are recorded, and not kept");
+  Check(!plan.Translucent, "debug views leave translucent surfaces out");
+  scene.Properties.View = DebugView::Shaded;
+  plan = scene.Make();
+  Check(plan.Translucent && plan.TranslucentFragments, "fragments have records");
+  scene.Limits.StorageBuffers = false;
+  Check(scene.Make().Translucent && !scene.Make().TranslucentFragments, "not below OpenGL 4.3");
+
+  scene.Properties.ScatteredSurfaceLight = true;
+  Check(scene.Make().ScatteredSurfaceLight, "surfaces are lit by scattered light");
+  scene.Scene.DensityImage = true;
+  Check(!scene.Make().ScatteredSurfaceLight, "not in an image of density");
+
+  scene.Scene.Volumes = 1;
+  scene.Properties.MemoryLimit = 1;
+  Check(scene.Make().VolumeNodes == 2, "rays through volumes have two nodes at least");
+}
+}
+
+//------------------------------------------------------------------------------
+int TestAirlightFramePlan(int, char*[])
+{
+  TestTechnique();
+  TestPlain();
+  TestGeometryPasses();
+  TestUnshadowedInComposite();
+  TestOutputs();
+  return airlight_test::Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
