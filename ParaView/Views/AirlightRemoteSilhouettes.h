@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Exchanges the silhouettes of casters between the ranks of a parallel ParaView. Each rank renders
- * its own surfaces in the medium, and IceT composites the nearest surface of each pixel. This equals
- * the serial picture if each rank has all shadows.
+ * its own surfaces in the medium, and IceT composites the nearest surface of each pixel. This
+ * equals the serial picture if each rank has all shadows.
  */
 
 #ifndef AirlightRemoteSilhouettes_h
