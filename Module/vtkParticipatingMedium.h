@@ -2,22 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkParticipatingMedium
- * @brief   fog, smoke, dust or water: how a volume of air or liquid scatters and absorbs light
+ * @brief   fog, smoke, dust or water: a volume that scatters and absorbs light
  *
- * A medium is described by its scattering and absorption coefficients (per colour channel, in
- * 1/world unit), its phase function (where scattered light goes) and its region (where it is).
- * Add it to a vtkAirlightPass to see it, or hand it to vtkAirlight to compute with it.
+ * A medium has scattering and absorption coefficients (per colour channel, in 1/world unit), a
+ * phase function (the directions of scattered light), a region and a density. Add it to a
+ * vtkAirlightPass to render it, or compute with it in vtkAirlight. See Documentation/guide.md.
  *
- * Three ways to say how dense a medium is:
- *  - the coefficients themselves, SetScattering() and SetAbsorption();
- *  - SetMeanFreePath(): the mean distance between two events, 1/extinction;
- *  - SetVisibility(): the meteorological range, the distance at which a black object's contrast
- *    against the horizon has fallen to 2 %: visibility = 3.912/extinction (Koschmieder 1924).
+ * SetScattering() and SetAbsorption() set the coefficients; SetMeanFreePath() and SetVisibility()
+ * scale them. The default is a clear medium, isotropic and unbounded, which changes nothing.
  *
- * The default is a clear medium: all coefficients zero, isotropic, unbounded. It changes nothing.
- *
- * Bad values (negative, infinite or not a number) are refused with an error and the old value
- * stays.
+ * Errors: invalid values (negative, infinite or NaN) give an error and the old value is kept.
  *
  * @sa vtkAirlightPass vtkAirlight
  */
@@ -62,8 +56,8 @@ public:
 
   ///@{
   /**
-   * Absorption coefficient sigma_a per RGB channel, in 1/world unit: the fraction of light turned
-   * into heat per unit length. Range: 0 to 1e100. Default: (0, 0, 0).
+   * Absorption coefficient sigma_a per RGB channel, in 1/world unit: the fraction of light absorbed
+   * per unit length. Range: 0 to 1e100. Default: (0, 0, 0).
    */
   void SetAbsorption(double r, double g, double b);
   void SetAbsorption(const double rgb[3]);
@@ -81,16 +75,17 @@ public:
   ///@{
   /**
    * Single-scattering albedo sigma_s/sigma_t per RGB channel, in [0, 1]. A channel without
-   * extinction reports 1: what little there might be would only scatter.
+   * extinction has the albedo 1.
    */
   double* GetAlbedo() VTK_SIZEHINT(3);
   void GetAlbedo(double rgb[3]);
   ///@}
 
   /**
-   * Scale all coefficients so that the mean extinction of the three channels is 3.912/distance
-   * (meteorological range, 2 % contrast). Albedo and colour stay; a clear medium becomes purely
-   * scattering and grey. Unit: world. Range: finite, at least 1e-99.
+   * Scales all coefficients so that the mean extinction of the three channels is 3.912/distance.
+   * The distance is the meteorological range, at which the contrast of a black object against the
+   * horizon has fallen to 2 % (Koschmieder 1924). Albedo and colour are kept; a clear medium
+   * becomes purely scattering and grey. Unit: world. Range: finite, at least 1e-99.
    */
   void SetVisibility(double distance);
 
@@ -100,9 +95,9 @@ public:
   double GetVisibility();
 
   /**
-   * Scale all coefficients so that the mean extinction of the three channels is 1/distance.
-   * Albedo and colour stay; a clear medium becomes purely scattering and grey. Unit: world.
-   * Range: finite, at least 1e-99.
+   * Scales all coefficients so that the mean extinction of the three channels is 1/distance. Albedo
+   * and colour are kept; a clear medium becomes purely scattering and grey. Unit: world. Range:
+   * finite, at least 1e-99.
    */
   void SetMeanFreePath(double distance);
 
@@ -131,9 +126,9 @@ public:
   ///@{
   /**
    * The phase function. Default: ISOTROPIC. Isotropic, Rayleigh's and Schlick's functions are exact
-   * in closed form; Henyey and Greenstein's, Cornette and Shanks' and tables are fitted, see
-   * SetPhaseTolerance(). Mie's are evaluated exactly and integrated by quadrature, which costs more:
-   * their high powers are nothing that a few poles can give without losing digits.
+   * in closed form. Henyey and Greenstein's, Cornette and Shanks' and tables are fitted, see
+   * SetPhaseTolerance(). Mie's are evaluated exactly and integrated by quadrature, which costs
+   * more, since a few poles cannot represent their high powers without losing digits.
    */
   void SetPhaseFunction(int type);
   vtkGetMacro(PhaseFunction, int);
@@ -150,12 +145,12 @@ public:
   ///@{
   /**
    * The parameter of the functions of Henyey and Greenstein (g, the mean cosine of the scattering
-   * angle), Cornette and Shanks (g) and Schlick (k; k = 1.55 g - 0.55 g^3 comes close to Henyey and
+   * angle), Cornette and Shanks (g) and Schlick (k; k = 1.55 g - 0.55 g^3 approximates Henyey and
    * Greenstein's g): above 0 forward, below 0 backward. Range: [-0.99, 0.99]. Default: 0.
    *
-   * The other functions have none: setting it to anything but 0 while one of them is chosen is an
-   * error, and the old value stays. A script may set it before it chooses the function; if it then
-   * chooses none, the error comes when the medium is used.
+   * The other functions have none: a value other than 0 with one of them selected is an error, and
+   * the old value is kept. A script may set it before it selects the function; if it then selects
+   * none, the error is reported when the medium is used.
    */
   void SetAnisotropy(double g);
   vtkGetMacro(Anisotropy, double);
@@ -164,10 +159,10 @@ public:
   ///@{
   /**
    * The measured function of SetPhaseFunctionToTabulated(). Column 0: scattering angle in degrees,
-   * in [0, 180], ascending; column 1: value, above 0, in any unit: the function is normalised.
-   * Between the rows its logarithm is a monotone cubic (Fritsch and Carlson 1980); it is constant
-   * before the first and after the last one. At least 2 rows. A table
-   * that is no good is refused with an error and the old one stays. Default: none.
+   * in [0, 180], ascending; column 1: value, above 0, in any unit: the function is normalised. Its
+   * logarithm is a monotone cubic between the rows (Fritsch and Carlson 1980) and constant before
+   * the first and after the last one. At least 2 rows. An invalid table gives an error and the old
+   * one is kept. Default: none.
    */
   void SetPhaseTable(vtkTable* table);
   vtkTable* GetPhaseTable();
@@ -175,19 +170,19 @@ public:
 
   ///@{
   /**
-   * Largest relative error allowed to the fit of the phase function by poles. The error of an
-   * integral of airlight is never above it, because the integrand is positive. Smaller values use
-   * more poles and cost more time. Range: [1e-6, 0.1]. Default: 1e-3.
+   * Maximum relative error of the fit of the phase function by poles. The error of an integral of
+   * airlight never exceeds it, because the integrand is positive. Smaller values need more poles
+   * and more time. Range: [1e-6, 0.1]. Default: 1e-3.
    */
   void SetPhaseTolerance(double tolerance);
   vtkGetMacro(PhaseTolerance, double);
   ///@}
 
   /**
-   * The relative error that the fit reached: 0 for functions that need no fit. It can exceed the
-   * tolerance asked for only at extreme anisotropy, where GetNumberOfPhasePoles() is at its limit.
-   * A table that no fit follows within the tolerance is used as it is, without poles and error, and
-   * integrated by quadrature as Mie's functions are.
+   * The relative error of the fit: 0 for functions that need no fit. It exceeds the tolerance only
+   * at extreme anisotropy, if GetNumberOfPhasePoles() is at its limit. A table that no fit matches
+   * within the tolerance is used directly, without poles and error, and integrated by quadrature as
+   * Mie's functions are.
    */
   double GetPhaseErrorBound();
 
@@ -200,9 +195,9 @@ public:
   /**
    * The function as it is integrated: with s = tan(theta/2) and q_k = s^2 + b_k^2
    *
-   *   p = (1 + s^2) sum_k (c1_k/q_k + c2_k/q_k^2 + c3_k/q_k^3) + factor ((1 + cosTheta)/2)^exponent
+   *  p = (1 + s^2) sum_k (c1_k/q_k + c2_k/q_k^2 + c3_k/q_k^3) + factor ((1 + cosTheta)/2)^exponent
    *
-   * GetPhasePole() gives (b, c1, c2, c3), GetPhasePower() (factor, exponent). Index range: 0 to
+   * GetPhasePole() returns (b, c1, c2, c3), GetPhasePower() (factor, exponent). Index range: 0 to
    * GetNumberOfPhasePoles() - 1.
    */
   int GetNumberOfPhasePoles();
@@ -212,9 +207,9 @@ public:
 
   ///@{
   /**
-   * Ambient radiance per RGB channel, W/(m^2 sr): light that arrives evenly from everywhere and
-   * stands for multiple scattering. The medium adds albedo * L * (1 - transmittance) to each ray.
-   * Range: 0 to 1e100. Default: (0, 0, 0).
+   * Ambient radiance per RGB channel, W/(m^2 sr): light that arrives evenly from all directions, an
+   * approximation of multiple scattering. The medium adds albedo * L * (1 - transmittance) to each
+   * ray. Range: 0 to 1e100. Default: (0, 0, 0).
    */
   void SetAmbientRadiance(double r, double g, double b);
   void SetAmbientRadiance(const double rgb[3]);
@@ -234,7 +229,7 @@ public:
 
   ///@{
   /**
-   * The region filled by the medium. Outside it is vacuum. Default: UNBOUNDED.
+   * The region of the medium. Outside it is vacuum. Default: UNBOUNDED.
    */
   void SetRegion(int type);
   vtkGetMacro(Region, int);
@@ -246,8 +241,8 @@ public:
 
   ///@{
   /**
-   * The box of SetRegionToBox(): xmin, xmax, ymin, ymax, zmin, zmax in world units, each minimum
-   * at most its maximum. Default: (-1, 1, -1, 1, -1, 1).
+   * The box of SetRegionToBox(): xmin, xmax, ymin, ymax, zmin, zmax in world units, each minimum at
+   * most its maximum. Default: (-1, 1, -1, 1, -1, 1).
    */
   void SetBounds(double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
   void SetBounds(const double bounds[6]);
@@ -273,13 +268,14 @@ public:
 
   ///@{
   /**
-   * The surface of SetRegionToSurface(): polygons or strips that close, of any orientation and shape,
-   * in world coordinates. Inside is what a way from infinity reaches after an odd number of
-   * crossings: a surface within another one bounds a hole. Surfaces must not pass through each
-   * other; give overlapping bodies a medium each. Points at one place count as one point. Airlight
-   * is integrated by quadrature, see vtkAirlight, with the length of every way inside.
-   * An empty or open mesh is refused with an error and the old surface stays; if a mesh becomes so
-   * later, an error is reported when the medium is used, which then is nowhere. At most 4 million
+   * The surface of SetRegionToSurface(): closed polygons or strips, of any orientation and shape,
+   * in world coordinates. A point is inside if a path from infinity to it crosses the surface an
+   * odd number of times: a surface within another one bounds a hole. Surfaces must not intersect
+   * each other; give overlapping bodies separate media. Points at the same position count as one.
+   * Airlight is integrated by quadrature, see vtkAirlight.
+   *
+   * An empty or open mesh gives an error and the old surface is kept. If a mesh becomes so later,
+   * an error is reported when the medium is used, and the medium is ignored. At most 4 million
    * triangles. Default: none.
    */
   void SetSurface(vtkPolyData* surface);
@@ -310,8 +306,8 @@ public:
 
   ///@{
   /**
-   * The height over which SetDensityToExponentialHeight() falls to 1/e, world units. Range:
-   * finite, above 0. Default: 1.
+   * The height over which SetDensityToExponentialHeight() falls to 1/e, world units. Range: finite,
+   * above 0. Default: 1.
    */
   void SetScaleHeight(double height);
   vtkGetMacro(ScaleHeight, double);
@@ -319,8 +315,8 @@ public:
 
   ///@{
   /**
-   * The height at which SetDensityToExponentialHeight() is 1: dot(up, point) there, world units.
-   * Range: finite. Default: 0.
+   * The height at which SetDensityToExponentialHeight() is 1, world units; the height of a point is
+   * dot(up, point). Range: finite. Default: 0.
    */
   void SetReferenceHeight(double height);
   vtkGetMacro(ReferenceHeight, double);
@@ -338,20 +334,20 @@ public:
 
   ///@{
   /**
-   * The image of SetDensityToImage(): its point scalars are the density, without unit, as a factor of
-   * both coefficients. Between the points it is trilinear, outside the image 0; the image's origin,
-   * spacing and direction matrix place it in the world. The medium is where both its region and the
-   * image are; an unbounded region stands for the box along the world's axes that holds the image.
-   * Ways through an image are summed up cell by cell, to rounding; airlight is integrated by
-   * quadrature. Range: one finite value of at least 0 for each point, at most 1e100; at least 2 points
-   * along each axis. The medium keeps 8 bytes for each point.
-   * An image that is no good is refused with an error and the old one stays; if it becomes so later,
-   * or there is none, an error is reported when the medium is used, which then is nowhere. Call
-   * Modified() of the image after a change of its scalars. Default: none.
+   * The image of SetDensityToImage(): its point scalars are the density, a factor of both
+   * coefficients, without unit. It is trilinear between the points and 0 outside the image, whose
+   * origin, spacing and direction matrix position it in the world. The medium is the intersection
+   * of its region and the image; an unbounded region is the axis-aligned box that contains the
+   * image. Optical depths are summed cell by cell, to rounding; airlight is integrated by
+   * quadrature. Range: one finite value for each point, 0 to 1e100; at least 2 points along each
+   * axis. Default: none.
    *
-   * vtkAirlight and vtkAirlightReference take any number of such media. vtkAirlightPass draws one, alone
-   * and not inside a closed surface (see its limits and its "ErrorBound"), with 16 bytes for each point
-   * on the graphics card; vtkAirlightPolyDataMapper none. What they do not draw they say.
+   * An invalid image gives an error and the old one is kept. If it becomes invalid later, or there
+   * is none, an error is reported when the medium is used, and the medium is ignored. Call
+   * Modified() of the image after a change of its scalars.
+   *
+   * vtkAirlight and vtkAirlightReference support any number of such media; for the limits of
+   * vtkAirlightPass and vtkAirlightPolyDataMapper see Documentation/guide.md.
    */
   void SetDensityImage(vtkImageData* image);
   vtkImageData* GetDensityImage();
