@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""SetShadowOpacity() and SetCastsShadow(): the coloured shadow of a pane, and that of its opacity alone."""
+"""SetShadowOpacity() and SetCastsShadow(): the coloured shadow of a pane, none, and bad values."""
 
 import unittest
 
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkInformation, vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonCore import (vtkInformation, vtkLogger, vtkOutputWindow,
+                                      vtkStringOutputWindow)
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer,
                                          vtkRenderWindow)
@@ -20,7 +21,9 @@ def take_errors(action):
     window = vtkStringOutputWindow()
     old = vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(window)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
     action()
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_INFO)
     vtkOutputWindow.SetInstance(old)
     return window.GetOutput()
 
