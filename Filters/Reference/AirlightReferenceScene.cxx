@@ -4,6 +4,7 @@
 
 #include "Reference/AirlightReferenceMesh.h"
 #include "Scene/AirlightCasterKeys.h"
+#include "Scene/AirlightClassTraits.h"
 #include "Scene/AirlightPropParts.h"
 #include "vtkActor.h"
 #include "vtkCompositeDataIterator.h"
@@ -27,15 +28,6 @@ namespace airlight
 {
 namespace
 {
-// Mappers that draw their input's polygons as they are.
-bool DrawsItsPolygons(vtkMapper* mapper)
-{
-  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") ||
-           mapper->IsA("vtkCompositePolyDataMapper")) &&
-    !mapper->IsA("vtkPointGaussianMapper") && !mapper->IsA("vtkOpenGLSphereMapper") &&
-    !mapper->IsA("vtkOpenGLStickMapper");
-}
-
 std::vector<glm::dvec4> GetClippingPlanes(vtkMapper* mapper)
 {
   std::vector<glm::dvec4> result;

@@ -4,8 +4,8 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightCameraRays
     AirlightCasterKeys
+    AirlightClassTraits
     AirlightPropParts
   HEADERS
     AirlightAbort.h
-    AirlightClassNames.h
     AirlightGeometryTimes.h)

@@ -4,6 +4,7 @@
 
 #include "Casters/AirlightGlyphs.h"
 #include "Scene/AirlightCasterKeys.h"
+#include "Scene/AirlightClassTraits.h"
 #include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
@@ -15,16 +16,7 @@ namespace airlight
 bool MayCast(vtkProp* prop) { return prop->GetVisibility() && CastsShadow(prop); }
 
 //------------------------------------------------------------------------------
-bool DrawsItsPolygons(vtkMapper* mapper)
-{
-  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") ||
-           mapper->IsA("vtkCompositePolyDataMapper")) &&
-    !mapper->IsA("vtkPointGaussianMapper") && !mapper->IsA("vtkOpenGLSphereMapper") &&
-    !mapper->IsA("vtkOpenGLStickMapper");
-}
-
-//------------------------------------------------------------------------------
-bool IsKnown(vtkMapper* mapper)
+bool HasPolygons(vtkMapper* mapper)
 {
   auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
   if (!glyphs || glyphs->GetNumberOfInputConnections(0) == 0)

@@ -16,12 +16,8 @@ namespace airlight
 // Visible, and its keys do not say otherwise.
 bool MayCast(vtkProp* prop);
 
-// Mappers that draw their input's polygons as they are. The others (point Gaussians, imposters) draw something
-// else in their place.
-bool DrawsItsPolygons(vtkMapper* mapper);
-
 // Whether what the mapper draws can be made of polygons.
-bool IsKnown(vtkMapper* mapper);
+bool HasPolygons(vtkMapper* mapper);
 
 // Whether a mapper draws all cells of this input. Of blocks, some may look otherwise than the actor.
 bool ShowsAll(vtkDataObject* input);

@@ -7,6 +7,7 @@
 #include "Casters/AirlightGlyphs.h"
 #include "Integration/AirlightMatrix.h"
 #include "Scene/AirlightCasterKeys.h"
+#include "Scene/AirlightClassTraits.h"
 #include "Scene/AirlightPropParts.h"
 #include "vtkActor.h"
 #include "vtkCompositeDataSet.h"
@@ -98,8 +99,8 @@ void CasterCache::AddProp(vtkProp* prop)
       vtkMapper* mapper = actor->GetMapper();
       if (MayCast(actor))
       {
-        mapper && !IsKnown(mapper) ? this->AddOther(actor, prop, matrix)
-                                   : this->AddActor(actor, prop, matrix);
+        mapper && !HasPolygons(mapper) ? this->AddOther(actor, prop, matrix)
+                                       : this->AddActor(actor, prop, matrix);
       }
     },
     [&](vtkProp* part) {

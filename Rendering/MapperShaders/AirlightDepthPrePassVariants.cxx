@@ -3,7 +3,7 @@
 #include "MapperShaders/AirlightDepthPrePassVariants.h"
 
 #include "OpenGL/AirlightOpenGL.h"
-#include "Scene/AirlightClassNames.h"
+#include "Scene/AirlightClassTraits.h"
 
 #include "vtkCommand.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -34,7 +34,8 @@ std::string CutShading(const std::string& source)
 // those of composite data, set some for each part.
 bool DrawsAtOnce(vtkAbstractMapper* mapper)
 {
-  return IsAnyOf(mapper, { "vtkOpenGLPolyDataMapper", "vtkAirlightPolyDataMapper" });
+  return HasTrait(mapper, ClassTrait::OneProgram) ||
+    std::string("vtkAirlightPolyDataMapper") == mapper->GetClassName();
 }
 
 // A uniform or an attribute that a program uses.

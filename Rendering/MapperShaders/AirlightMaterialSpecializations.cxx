@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperShaders/AirlightMaterialSpecializations.h"
 
-#include "Scene/AirlightClassNames.h"
+#include "Scene/AirlightClassTraits.h"
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
@@ -18,20 +18,13 @@ namespace airlight
 {
 namespace
 {
-// Mappers that draw with their actor's property. Composite data's blocks have opacities of their own.
-bool TakesIntensities(vtkMapper* mapper)
-{
-  return IsAnyOf(
-    mapper, { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper", "vtkCompositePolyDataMapper2" });
-}
-
 // Edges, vertices and what is selected are drawn with other numbers.
 MaterialSpecialization Find(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   vtkMapper* mapper = actor->GetMapper();
   MaterialSpecialization known;
-  if (!TakesIntensities(mapper) || mapper->GetSelection() ||
+  if (!HasTrait(mapper, ClassTrait::UsesItsProperty) || mapper->GetSelection() ||
     property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
     property->GetVertexVisibility())
   {

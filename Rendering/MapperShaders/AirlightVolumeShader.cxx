@@ -5,6 +5,7 @@
 #include "AirlightVolume.h"
 #include "Integration/AirlightMatrix.h"
 #include "Scene/AirlightCameraUniforms.h"
+#include "Scene/AirlightClassTraits.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -175,11 +176,8 @@ std::vector<vtkVolume*> GetVolumes(vtkProp** props, int count)
 bool HasRayCastVolume(vtkProp* prop)
 {
   const std::vector<vtkVolume*> volumes = GetVolumes(&prop, 1);
-  return std::any_of(volumes.begin(), volumes.end(), [](vtkVolume* volume) {
-    vtkAbstractVolumeMapper* mapper = volume->GetMapper();
-    return mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkSmartVolumeMapper") ||
-      mapper->IsA("vtkMultiBlockVolumeMapper");
-  });
+  return std::any_of(volumes.begin(), volumes.end(),
+    [](vtkVolume* volume) { return MayCastRays(volume->GetMapper()); });
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pass/AirlightDelegate.h"
 
-#include "Scene/AirlightClassNames.h"
+#include "Scene/AirlightClassTraits.h"
 
 #include "vtkActor.h"
 #include "vtkCameraPass.h"
@@ -68,7 +68,7 @@ vtkStandardNewMacro(StandIn);
 // Subclasses may draw with other actors of theirs.
 bool IsPlain(vtkProp* prop)
 {
-  return airlight::IsAnyOf(prop, { "vtkOpenGLActor", "vtkActor" }) &&
+  return airlight::HasTrait(prop, airlight::ClassTrait::DrawsItself) &&
     !prop->HasTranslucentPolygonalGeometry();
 }
 
@@ -165,7 +165,7 @@ vtkRenderPass* FindTranslucentPass(vtkRenderPass* delegate)
 bool HasOpaquePass(vtkRenderPass* delegate)
 {
   return Find(delegate, [](vtkRenderPass* pass) {
-    return vtkOpaquePass::SafeDownCast(pass) || IsAnyOf(pass, { "vtkDefaultPass" });
+    return vtkOpaquePass::SafeDownCast(pass) || HasTrait(pass, ClassTrait::OpaqueSurfaces);
   });
 }
 }

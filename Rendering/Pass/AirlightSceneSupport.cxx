@@ -3,7 +3,7 @@
 #include "Pass/AirlightSceneSupport.h"
 
 #include "Pass/AirlightScenePass.h"
-#include "Scene/AirlightClassNames.h"
+#include "Scene/AirlightClassTraits.h"
 
 #include "vtkActor.h"
 #include "vtkHiddenLineRemovalPass.h"
@@ -34,19 +34,15 @@ bool HasForeignPass(vtkProp* prop)
 
 // Whether all that a prop draws as opaque is drawn by mappers whose shaders the pass adds to. Props may
 // draw with actors of their own, and subclasses with anything.
-bool IsKnown(vtkProp* prop)
+bool HasSupportedMapper(vtkProp* prop)
 {
   if (!prop->HasOpaqueGeometry() || prop->IsA("vtkActor2D"))
   {
     return true;
   }
   auto* actor = vtkActor::SafeDownCast(prop);
-  // In ParaView: its actor draws its mapper with an actor of its own, to which it hands all that it
-  // has; ParaView/ has actors that draw nothing, but cast.
-  return IsAnyOf(actor, { "vtkOpenGLActor", "vtkActor", "vtkPVLODActor", "AirlightStandIn" }) &&
-    IsAnyOf(actor->GetMapper(),
-      { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper", "vtkCompositePolyDataMapper2",
-        "vtkOpenGLGlyph3DMapper" });
+  return HasTrait(actor, ClassTrait::DrawsItsMapper) &&
+    HasTrait(actor->GetMapper(), ClassTrait::InjectableShaders);
 }
 
 // Whether each fragment of a known prop hides all that is behind it.
@@ -67,15 +63,15 @@ bool IsSolidProp(vtkProp* prop)
 // something coarser while the scene is turned.
 bool DrawsAllOfIt(vtkProp* prop)
 {
-  if (!IsAnyOf(prop, { "vtkOpenGLActor", "vtkActor" }) || !IsKnown(prop) || !IsSolidProp(prop) ||
+  if (!HasTrait(prop, ClassTrait::DrawsItself) || !HasSupportedMapper(prop) || !IsSolidProp(prop) ||
     HasForeignPass(prop))
   {
     return false;
   }
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkShaderProperty* shader = actor->GetShaderProperty();
-  return IsAnyOf(actor->GetMapper(), { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper" }) &&
-    prop->HasOpaqueGeometry() && !shader->HasVertexShaderCode() && !shader->HasGeometryShaderCode();
+  return HasTrait(actor->GetMapper(), ClassTrait::DrawsItsInput) && prop->HasOpaqueGeometry() &&
+    !shader->HasVertexShaderCode() && !shader->HasGeometryShaderCode();
 }
 
 // As far as that does not depend on single props.
@@ -93,7 +89,8 @@ bool HidesAllBehind(const vtkRenderState* s, vtkRenderPass* delegate)
   vtkProp** first = s->GetPropArray();
   return MayHideAllBehind(s, delegate) &&
     std::all_of(first, first + s->GetPropArrayCount(), [](vtkProp* prop) {
-      return IsKnown(prop) && IsSolidProp(prop) && !AirlightScenePass::IsPointGaussians(prop);
+      return HasSupportedMapper(prop) && IsSolidProp(prop) &&
+        !AirlightScenePass::IsPointGaussians(prop);
     });
 }
 
@@ -120,7 +117,8 @@ bool HasInjectableShaders(const vtkRenderState* s, vtkRenderPass* delegate)
     !(renderer->GetUseHiddenLineRemoval() &&
       vtkHiddenLineRemovalPass::WireframePropsExist(first, count)) &&
     std::all_of(first, first + count, [](vtkProp* prop) {
-      return IsKnown(prop) && !HasForeignPass(prop) && !AirlightScenePass::IsPointGaussians(prop);
+      return HasSupportedMapper(prop) && !HasForeignPass(prop) &&
+        !AirlightScenePass::IsPointGaussians(prop);
     });
 }
 }
