@@ -1,7 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
+  PRIVATE_CLASSES
+    AirlightCompositePass
+    AirlightUnshadowedLights
   GLSL
     glsl/AirlightCompositeFS.glsl
     glsl/AirlightCopyFS.glsl
-    glsl/AirlightDisplay.glsl)
+    glsl/AirlightDisplay.glsl
+    glsl/AirlightWholeRays.glsl)

@@ -230,7 +230,7 @@ bool Frame::ScatterLights()
 {
   if (this->Plan.UnshadowedInComposite)
   {
-    this->Buffers.clear();
+    this->Buffers.Clear();
     this->ReleaseMaps(this->Window);
     return true;
   }
@@ -239,7 +239,7 @@ bool Frame::ScatterLights()
     return this->Fail(this->Textures.GetError());
   }
   this->ClearTarget(0.0f);
-  this->Buffers.clear();
+  this->Buffers.Clear();
   this->Volumes.resize(this->Lamps.size());
   // Maps are large: those of lamps, or of a technique, that are no more go.
   const bool mapped =
@@ -275,6 +275,117 @@ bool Frame::ScatterLights()
 }
 
 //------------------------------------------------------------------------------
+// Reads one light's airlight and clears its target for the next one.
+bool Frame::RecordSingle(int index)
+{
+  if (!this->Buffers.RecordLight(this->Textures, index))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->ClearTarget(0.0f);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Record()
+{
+  return this->Buffers.Record(this->Textures) || this->Fail(this->Textures.GetError());
+}
+
+//------------------------------------------------------------------------------
+FrameScene Frame::GetScene()
+{
+  return { this->Window, this->Media, this->Lamps, *this->Rays, this->Data.GetTexture(),
+    this->Width, this->Height };
+}
+
+//------------------------------------------------------------------------------
+CompositePass::Options Frame::GetCompositeOptions() const
+{
+  CompositePass::Options options;
+  options.Unshadowed = this->Plan.UnshadowedInComposite;
+  options.Equiangular = !this->TransmitsShadows;
+  options.ShadowingLight = this->Plan.ShadowingLight;
+  options.LightsPerChannel = BitsPerChannel;
+  options.DebugView = static_cast<int>(this->Plan.View);
+  options.Record = this->Plan.Record;
+  options.AmbientError = ClosedFormError;
+  options.EncodedInput = this->Plan.EncodedInput;
+  options.EncodedOutput = this->Plan.EncodedOutput;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+CompositePass::Inputs Frame::GetCompositeInputs()
+{
+  CompositePass::Inputs inputs;
+  inputs.Distances = this->Textures.Distances;
+  inputs.Depth = this->Textures.Depth;
+  inputs.Scene = this->Textures.Scene;
+  inputs.SceneWithoutLight = this->Textures.Dark;
+  inputs.Scattered = this->Textures.Scattered;
+  inputs.MoreLit = this->Textures.Lit;
+  inputs.Counts = this->Textures.Counts;
+  return inputs;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::CompositeTranslucent()
+{
+  std::vector<vtkTextureObject*> targets = { this->Textures.Radiance };
+  if (this->Plan.Record)
+  {
+    targets.insert(targets.end(),
+      { this->Textures.Airlight, this->Textures.Surface, this->Textures.Transmittance });
+  }
+  if (!this->Textures.Bind(targets, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  if (!this->Composition.DrawIntoTextures(
+        this->GetScene(), this->GetCompositeOptions(), this->GetCompositeInputs()))
+  {
+    return this->Fail(this->Composition.GetError());
+  }
+  if (!this->Textures.Bind({ this->Textures.Radiance }, this->Textures.Depth))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->BlendColours();
+  this->Window->GetState()->vtkglDepthFunc(GL_LEQUAL);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Composite(int x, int y, bool blend)
+{
+  const FrameScene scene = this->GetScene();
+  const CompositePass::Options options = this->GetCompositeOptions();
+  const CompositePass::Inputs inputs = this->GetCompositeInputs();
+  const bool ok = this->Plan.Translucent
+    ? this->Composition.CopyIntoViewport(
+        scene, options, inputs, this->Textures.Radiance, x, y, blend)
+    : this->Composition.DrawIntoViewport(scene, options, inputs, x, y, blend);
+  return ok || this->Fail(this->Composition.GetError());
+}
+
+//------------------------------------------------------------------------------
+bool Frame::DrawPlanes()
+{
+  const bool planes = this->Plan.Shadows == ShadowMethod::Planes;
+  for (size_t k = 0; k < this->Lamps.size() && planes; ++k)
+  {
+    const Lamp& lamp = this->Lamps[k];
+    if (lamp.Scatters() && lamp.CastsShadows && this->Volumes[k].HasShadows() &&
+      !this->Boundaries.DrawWireframe(this->GetPlanesSource(static_cast<int>(k))))
+    {
+      return this->Fail(this->Boundaries.GetError());
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void Frame::ReleaseMaps(vtkWindow* window)
 {
   for (const auto& map : this->Maps)
@@ -295,9 +406,7 @@ void Frame::ReleaseObjects(vtkWindow* window)
     quad.Release();
   }
   this->DistancesQuad.Release();
-  this->CompositeQuad.Release();
-  this->TranslucentQuad.Release();
-  this->CopyQuad.Release();
+  this->Composition.Release();
   this->MapQuad.Release();
   this->Boundaries.Release();
   this->FragmentLists.Release();

@@ -19,7 +19,9 @@
 #define AirlightFrame_h
 
 #include "Casters/AirlightCasters.h"
+#include "Composite/AirlightCompositePass.h"
 #include "Frame/AirlightFramePlan.h"
+#include "Frame/AirlightFrameRecorder.h"
 #include "Frame/AirlightTargets.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
 #include "OpenGL/AirlightQuad.h"
@@ -66,9 +68,6 @@ constexpr float QuadratureError = 1e-3f;
 // In an image that its medium's region cuts: where the way to the light begins to leave the region instead of
 // the image there is a kink, at which cells are not cut. 6e-3 measured.
 constexpr float CutImageError = 1e-2f;
-
-// The numbers of the lights that the medium scatters.
-std::vector<int> FindScattering(const std::vector<Lamp>& lamps);
 
 // Whether the media neither scatter nor absorb.
 bool IsClear(const f64::AirlightMedia& media);
@@ -133,8 +132,8 @@ public:
 
   // The buffers of vtkAirlightPass::GetBuffer(), after that.
   bool Record();
-  vtkImageData* GetBuffer(const std::string& name);
-  void ForgetBuffers() { this->Buffers.clear(); }
+  vtkImageData* GetBuffer(const std::string& name) const { return this->Buffers.Get(name); }
+  void ForgetBuffers() { this->Buffers.Clear(); }
 
   // Step 5: into the framebuffer that is bound, with the viewport at x, y.
   bool Composite(int x, int y, bool blend);
@@ -197,25 +196,19 @@ private:
   };
   bool Resolve(int index, Lists lists, int row, int rows);
   bool DrawResolve(int index, Lists lists, bool fragmentsOnly, int row, int rows);
-  bool IsTurned(int index, Lists lists) const;
-  std::string GetResolveSource(int index, Lists lists, bool fragmentsOnly) const;
-  static std::string GetTurnSource(); // AirlightTurn.glsl and what it takes, and the media
+  bool IsTurned(int index, Lists lists);
+  std::string GetResolveSource(int index, Lists lists, bool fragmentsOnly);
   std::string GetTurnedSource(int index, Lists lists) const;
   std::string GetResolveHead(int index, bool storage) const;
   void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool fragmentsOnly);
   void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);
   double GetIntegralError(int index) const;
-  void SetTurnedConstants(vtkShaderProgram* program, const std::vector<int>& lights);
   void SetMapUniforms(vtkShaderProgram* program, int index);
   ShadowMap* GetMap(int index) const;
 
-  std::string GetWholeRaysSource(const std::vector<int>& lights) const;
-  bool AreTurned(const std::vector<int>& lights) const;
-  void SetWholeRaysUniforms(vtkShaderProgram* program, const std::vector<int>& lights);
-
-  vtkShaderProgram* ReadyComposite(bool layers, int x, int y);
-  vtkShaderProgram* ReadyCopy(int x, int y);
-  std::vector<std::pair<const char*, vtkTextureObject*>> GetCompositeTextures();
+  FrameScene GetScene();
+  CompositePass::Options GetCompositeOptions() const;
+  CompositePass::Inputs GetCompositeInputs();
   std::vector<vtkTextureObject*> GetScatterTargets();
   bool HasMoreLit() const { return this->Lamps.size() > BitsPerChannel; }
   void ClearTarget(float value);
@@ -235,12 +228,10 @@ private:
   std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise
   std::array<Quad, 5> ResolveQuads;             // none, short, long, map, records only
   Quad DistancesQuad;
-  Quad CompositeQuad;
-  Quad TranslucentQuad;
-  Quad CopyQuad;
+  CompositePass Composition;
   Quad MapQuad; // of all maps, as are the programs
   ProgramMaker MapPrograms;
-  std::map<std::string, vtkSmartPointer<vtkImageData>> Buffers;
+  FrameRecorder Buffers;
   std::string Error;
 
   // This frame's.

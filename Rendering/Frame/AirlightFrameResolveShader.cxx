@@ -9,6 +9,7 @@
 #include "AirlightMapBoundaries.h"
 #include "AirlightMapMarch.h"
 #include "AirlightNoBoundaries.h"
+#include "AirlightNoPackedBoundaries.h"
 #include "AirlightRayMarch.h"
 #include "AirlightResolveFS.h"
 #include "AirlightResolveOutputs.h"
@@ -16,8 +17,11 @@
 #include "AirlightShadowCounts.h"
 #include "AirlightTranslucentLists.h"
 #include "AirlightTransmittanceBuffer.h"
+#include "AirlightTurnedFS.h"
+#include "AirlightTurnedRay.h"
 #include "Integration/AirlightIntegrate.h"
 #include "OpenGL/AirlightOpenGL.h"
+#include "Scene/AirlightEquiangularLights.h"
 
 #include "vtkShaderProgram.h"
 
@@ -50,7 +54,27 @@ double GetFadingLength(const airlight::f64::AirlightMedia& media)
 namespace airlight
 {
 //------------------------------------------------------------------------------
-std::string Frame::GetResolveSource(int index, Lists lists, bool fragmentsOnly) const
+bool Frame::IsTurned(int index, Lists lists)
+{
+  return IsEquiangular(this->GetScene(), index) && !this->TransmitsShadows && lists != Lists::Map &&
+    (lists == Lists::None || this->Boundaries.HasKBuffer());
+}
+
+//------------------------------------------------------------------------------
+std::string Frame::GetTurnedSource(int index, Lists lists) const
+{
+  const bool planes = lists != Lists::None;
+  // AirlightConstants.glsl sets a part of the light.
+  return this->GetResolveHead(index, planes) +
+    "uniform AirlightLight givenLight;\nAirlightLight light;\n" + GetEquiangularSource() +
+    AirlightShadowCounts +
+    (planes ? this->Boundaries.GetPackedSource(lists != Lists::Short)
+            : AirlightNoPackedBoundaries) +
+    AirlightTurnedRay + AirlightResolveOutputs + AirlightTurnedFS;
+}
+
+//------------------------------------------------------------------------------
+std::string Frame::GetResolveSource(int index, Lists lists, bool fragmentsOnly)
 {
   const bool records = this->Plan.TranslucentFragments;
   if (this->IsTurned(index, lists) && !fragmentsOnly)
@@ -125,7 +149,7 @@ void Frame::SetResolveUniforms(
   {
     SetMediaUniforms(program, "givenMedia", this->Media);
     SetLightUniforms(program, "givenLight", this->Lamps[index].Values);
-    this->SetTurnedConstants(program, { index });
+    SetEquiangularConstants(program, this->GetScene(), { index });
   }
   else
   {

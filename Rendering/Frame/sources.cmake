@@ -4,15 +4,13 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightFrame
     AirlightFramePlan
+    AirlightFrameRecorder
     AirlightTargets
   SOURCES
     AirlightFrameCasters.cxx
-    AirlightFrameComposite.cxx
     AirlightFrameResolve.cxx
     AirlightFrameResolveShader.cxx
     AirlightFrameSurfaces.cxx
-    AirlightFrameTurned.cxx
-    AirlightFrameWholeRays.cxx
   HEADERS
     AirlightSceneDrawer.h
   GLSL

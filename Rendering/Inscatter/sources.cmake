@@ -2,13 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   GLSL
-    glsl/AirlightConstants.glsl
     glsl/AirlightNoBoundaries.glsl
     glsl/AirlightNoPackedBoundaries.glsl
     glsl/AirlightResolveFS.glsl
-    glsl/AirlightResolveTranslucent.glsl
     glsl/AirlightResolveOutputs.glsl
+    glsl/AirlightResolveTranslucent.glsl
     glsl/AirlightShadowCounts.glsl
     glsl/AirlightTurnedFS.glsl
-    glsl/AirlightTurnedRay.glsl
-    glsl/AirlightWholeRays.glsl)
+    glsl/AirlightTurnedRay.glsl)

@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
+    AirlightCameraUniforms
+    AirlightEquiangularLights
+    AirlightFrameScene
     AirlightLamps
     AirlightLightGrid
     AirlightSceneData
-    AirlightCameraUniforms
   GLSL
-    glsl/AirlightCameraShader.glsl)
+    glsl/AirlightCameraShader.glsl
+    glsl/AirlightConstants.glsl)

@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Airlight of lights without shadows, which is found where the picture is put together.
-
-#include "Frame/AirlightFrame.h"
+#include "Composite/AirlightUnshadowedLights.h"
 
 #include "AirlightWholeRays.h"
-#include "Integration/AirlightIntegrate.h"
+#include "OpenGL/AirlightQuad.h"
 
 #include "vtkShaderProgram.h"
 
@@ -15,26 +12,8 @@
 namespace airlight
 {
 //------------------------------------------------------------------------------
-std::vector<int> FindScattering(const std::vector<Lamp>& lamps)
+std::string GetUnshadowedSource(const std::vector<int>& lights)
 {
-  std::vector<int> found;
-  for (size_t k = 0; k < lamps.size(); ++k)
-  {
-    if (lamps[k].Scatters())
-    {
-      found.push_back(static_cast<int>(k));
-    }
-  }
-  return found;
-}
-
-//------------------------------------------------------------------------------
-std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
-{
-  if (!this->Plan.UnshadowedInComposite)
-  {
-    return "";
-  }
   std::string lines;
   for (size_t i = 0; i < lights.size(); ++i)
   {
@@ -46,16 +25,13 @@ std::string Frame::GetWholeRaysSource(const std::vector<int>& lights) const
 }
 
 //------------------------------------------------------------------------------
-void Frame::SetWholeRaysUniforms(vtkShaderProgram* program, const std::vector<int>& lights)
+void SetUnshadowedUniforms(
+  vtkShaderProgram* program, const FrameScene& scene, const std::vector<int>& lights)
 {
-  if (this->AreTurned(lights))
-  {
-    this->SetTurnedConstants(program, lights);
-  }
   for (size_t i = 0; i < lights.size(); ++i)
   {
     const std::string index = "[" + std::to_string(i) + "]";
-    const f64::AirlightLight& light = this->Lamps[lights[i]].Values;
+    const f64::AirlightLight& light = scene.Lights[lights[i]].Values;
     SetLightUniforms(program, "lights" + index, light);
     if (f64::airlightIsDirectional(light))
     {
@@ -63,7 +39,7 @@ void Frame::SetWholeRaysUniforms(vtkShaderProgram* program, const std::vector<in
     }
     else
     {
-      this->Rays->SetFootUniforms(program, light.position, "own" + index + ".");
+      scene.Rays.SetFootUniforms(program, light.position, "own" + index + ".");
     }
   }
 }

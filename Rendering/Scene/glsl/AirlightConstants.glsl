@@ -1,5 +1,5 @@
 // What is the same for all pixels, and much used, of point lights in the one medium: six vectors a
-// light, see SetTurnedConstants().
+// light, see SetEquiangularConstants().
 
 flat in vec4 airlightFlatConstants[24]; // AirlightFullScreenVS.glsl
 

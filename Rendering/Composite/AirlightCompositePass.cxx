@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Composite/AirlightCompositePass.h"
+
+#include "AirlightCameraShader.h"
+#include "AirlightCompositeFS.h"
+#include "AirlightCopyFS.h"
+#include "AirlightDisplay.h"
+#include "Composite/AirlightUnshadowedLights.h"
+#include "OpenGL/AirlightOpenGL.h"
+#include "Scene/AirlightEquiangularLights.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+namespace
+{
+std::string Define(const char* name, int value)
+{
+  return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
+}
+
+bool HasAmbient(const f64::AirlightMedia& media)
+{
+  return std::any_of(media.item, media.item + media.count,
+    [](const f64::AirlightMedium& medium) { return medium.ambient != glm::dvec3(0.0); });
+}
+
+// The shader's text. `lights`: those that it integrates.
+std::string GetSource(const FrameScene& scene, const CompositePass::Options& options,
+  const std::vector<int>& lights, bool equiangular, bool intoTextures)
+{
+  const int kind = lights.empty() ? AIRLIGHT_POINT_CLOSED : scene.Lights[lights[0]].Values.kind;
+  const bool cones = std::any_of(
+    lights.begin(), lights.end(), [&](int k) { return scene.Lights[k].Values.cosCone > 0.0; });
+  return GetShaderVersion(false) + (cones ? "" : "#define AIRLIGHT_NO_CONE\n") +
+    Define("TURNED", equiangular) + (intoTextures ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
+    (intoTextures && options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
+    Define("DEBUG_VIEW", intoTextures ? 0 : options.DebugView) +
+    Define("APART", options.ShadowingLight) + Define("BITS", options.LightsPerChannel) +
+    Define("AMBIENT", HasAmbient(scene.Media)) + Define("ENCODED_INPUT", options.EncodedInput) +
+    Define("ENCODED_OUTPUT", options.EncodedOutput) + Define("PARALLEL", scene.Rays.IsParallel()) +
+    "#define AIRLIGHT_FULL_SCREEN\n" + GetScatteringSource(scene.Media, kind, false) +
+    AirlightCameraShader +
+    (equiangular ? GetEquiangularSource() : "uniform AirlightMedia media;\n") +
+    (options.Unshadowed ? GetUnshadowedSource(lights) : "") + AirlightDisplay + AirlightCompositeFS;
+}
+}
+
+//------------------------------------------------------------------------------
+bool CompositePass::Fail(const std::string& reason)
+{
+  this->Error = reason + ProgramMaker::GetReason();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* CompositePass::GetProgram(
+  Quad& quad, const FrameScene& scene, const Options& options, bool intoTextures, int x, int y)
+{
+  const std::vector<int> lights =
+    options.Unshadowed ? FindScattering(scene.Lights) : std::vector<int>();
+  const bool equiangular = options.Equiangular && AreEquiangular(scene, lights);
+  vtkShaderProgram* program =
+    quad.Ready(scene.Window, GetSource(scene, options, lights, equiangular, intoTextures));
+  if (!program)
+  {
+    this->Fail("the composite shader");
+    return nullptr;
+  }
+  if (equiangular)
+  {
+    SetEquiangularConstants(program, scene, lights);
+  }
+  SetUnshadowedUniforms(program, scene, lights);
+  SetMediaUniforms(program, equiangular ? "givenMedia" : "media", scene.Media);
+  // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
+  scene.Rays.SetUniforms(program, x, y);
+  if (intoTextures && options.Record)
+  {
+    program->SetUniformf("error", options.AmbientError);
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+CompositePass::NamedTextures CompositePass::GetTextures(
+  const FrameScene& scene, const Options& options, const Inputs& inputs)
+{
+  NamedTextures textures = { { "distances", inputs.Distances }, { "scene", inputs.Scene },
+    { "airlightData", scene.Data } };
+  if (!options.Unshadowed)
+  {
+    textures.emplace_back("scattered", inputs.Scattered);
+  }
+  if (options.ShadowingLight >= 0)
+  {
+    textures.emplace_back("dark", inputs.SceneWithoutLight);
+    if (options.ShadowingLight >= options.LightsPerChannel)
+    {
+      textures.emplace_back("lit", inputs.MoreLit);
+    }
+  }
+  if (options.Record)
+  {
+    textures.emplace_back("counts", inputs.Counts);
+  }
+  return textures;
+}
+
+//------------------------------------------------------------------------------
+bool CompositePass::DrawIntoTextures(
+  const FrameScene& scene, const Options& options, const Inputs& inputs)
+{
+  vtkOpenGLState* state = scene.Window->GetState();
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  if (!this->GetProgram(this->TextureQuad, scene, options, true, 0, 0))
+  {
+    return false;
+  }
+  this->TextureQuad.Draw(GetTextures(scene, options, inputs));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool CompositePass::DrawIntoViewport(
+  const FrameScene& scene, const Options& options, const Inputs& inputs, int x, int y, bool blend)
+{
+  vtkShaderProgram* program = this->GetProgram(this->ViewportQuad, scene, options, false, x, y);
+  if (!program)
+  {
+    return false;
+  }
+  program->SetUniformi("blended", blend ? 1 : 0);
+  SetViewportState(scene, x, y, blend);
+  NamedTextures textures = GetTextures(scene, options, inputs);
+  textures.emplace_back("sceneDepth", inputs.Depth);
+  this->ViewportQuad.Draw(textures);
+  RestoreState(scene);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool CompositePass::CopyIntoViewport(const FrameScene& scene, const Options& options,
+  const Inputs& inputs, vtkTextureObject* radiance, int x, int y, bool blend)
+{
+  vtkShaderProgram* program = this->CopyQuad.Ready(
+    scene.Window, std::string("#version 330\n") + AirlightDisplay + AirlightCopyFS);
+  if (!program)
+  {
+    return this->Fail("the shader of the last step");
+  }
+  const int corner[2] = { x, y };
+  program->SetUniform2i("airlightViewport", corner);
+  program->SetUniformi("encodedOutput", options.EncodedOutput ? 1 : 0);
+  program->SetUniformi("blended", blend ? 1 : 0);
+  SetViewportState(scene, x, y, blend);
+  this->CopyQuad.Draw(
+    { { "radiances", radiance }, { "sceneDepth", inputs.Depth }, { "scene", inputs.Scene } });
+  RestoreState(scene);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void CompositePass::SetViewportState(const FrameScene& scene, int x, int y, bool blend)
+{
+  vtkOpenGLState* state = scene.Window->GetState();
+  state->vtkglViewport(x, y, scene.Width, scene.Height);
+  state->vtkglScissor(x, y, scene.Width, scene.Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglDepthMask(GL_TRUE);
+  if (blend)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  else
+  {
+    state->vtkglDisable(GL_BLEND);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CompositePass::RestoreState(const FrameScene& scene)
+{
+  vtkOpenGLState* state = scene.Window->GetState();
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+//------------------------------------------------------------------------------
+void CompositePass::Release()
+{
+  this->TextureQuad.Release();
+  this->ViewportQuad.Release();
+  this->CopyQuad.Release();
+}
+}

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The medium before the scene: airlight + transmittance * scene. Into textures, where something is drawn
+ * over the medium or buffers are recorded, or at once into the caller's framebuffer.
+ */
+
+#ifndef AirlightCompositePass_h
+#define AirlightCompositePass_h
+
+#include "OpenGL/AirlightQuad.h"
+#include "Scene/AirlightFrameScene.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkShaderProgram;
+class vtkTextureObject;
+
+namespace airlight
+{
+class CompositePass
+{
+public:
+  struct Options
+  {
+    bool Unshadowed = false;  // the lights have no shadows in the medium and are integrated here
+    bool Equiangular = false; // and by equiangular quadrature where they can be
+    // The light without which the scene was drawn, too, -1 if there is none, and how many lights have
+    // their bits in one channel.
+    int ShadowingLight = -1;
+    int LightsPerChannel = 24;
+    int DebugView = 0; // vtkAirlightPass::DebugViewType
+    bool Record = false;
+    float AmbientError = 0.0f; // of what the media scatter of the ambient light, relative; recorded
+    bool EncodedInput = false;
+    bool EncodedOutput = false;
+  };
+
+  // What earlier steps drew; null where they drew none.
+  struct Inputs
+  {
+    vtkTextureObject* Distances = nullptr;
+    vtkTextureObject* Depth = nullptr;
+    vtkTextureObject* Scene = nullptr;
+    vtkTextureObject* SceneWithoutLight = nullptr;
+    vtkTextureObject* Scattered = nullptr; // the airlight of all lights, and bits of the first
+    vtkTextureObject* MoreLit = nullptr;   // bits of the others
+    vtkTextureObject* Counts = nullptr;    // where they are recorded
+  };
+
+  // Into the textures that are bound: radiance, and where they are recorded airlight, surface and
+  // transmittance. False with a reason in GetError() where a shader does not compile, here and below.
+  bool DrawIntoTextures(const FrameScene& scene, const Options& options, const Inputs& inputs);
+
+  // Into the framebuffer that is bound, with the viewport at x, y; `blend`: over what it holds.
+  bool DrawIntoViewport(const FrameScene& scene, const Options& options, const Inputs& inputs,
+    int x, int y, bool blend);
+
+  // The same of a radiance that DrawIntoTextures() has made.
+  bool CopyIntoViewport(const FrameScene& scene, const Options& options, const Inputs& inputs,
+    vtkTextureObject* radiance, int x, int y, bool blend);
+
+  const std::string& GetError() const { return this->Error; }
+  void Release();
+
+private:
+  using NamedTextures = std::vector<std::pair<const char*, vtkTextureObject*>>;
+
+  bool Fail(const std::string& reason);
+  vtkShaderProgram* GetProgram(
+    Quad& quad, const FrameScene& scene, const Options& options, bool intoTextures, int x, int y);
+  static NamedTextures GetTextures(
+    const FrameScene& scene, const Options& options, const Inputs& inputs);
+  static void SetViewportState(const FrameScene& scene, int x, int y, bool blend);
+  static void RestoreState(const FrameScene& scene);
+
+  Quad TextureQuad;
+  Quad ViewportQuad;
+  Quad CopyQuad;
+  std::string Error;
+};
+}
+
+#endif

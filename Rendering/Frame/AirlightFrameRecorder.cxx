@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/AirlightFrameRecorder.h"
+
+#include "Frame/AirlightTargets.h"
+
+#include "vtkImageData.h"
+#include "vtkTextureObject.h"
+
+namespace airlight
+{
+//------------------------------------------------------------------------------
+bool FrameRecorder::Record(Targets& targets)
+{
+  if (!targets.Bind(
+        { targets.Radiance, targets.Airlight, targets.Surface, targets.Transmittance }, nullptr))
+  {
+    return false;
+  }
+  this->Buffers["Radiance"] = targets.Read(0, 0, 3);
+  this->Buffers["Airlight"] = targets.Read(1, 0, 3);
+  this->Buffers["Surface"] = targets.Read(2, 0, 3);
+  this->Buffers["Transmittance"] = targets.Read(3, 0, 3);
+  this->Buffers["Depth"] = targets.Read(3, 3, 1);
+  this->Buffers["ErrorBound"] = targets.Read(1, 3, 1);
+  if (!targets.Bind({ targets.Counts }, nullptr))
+  {
+    return false;
+  }
+  this->Buffers["BoundaryCount"] = targets.Read(0, 0, 1);
+  this->Buffers["LitLength"] = targets.Read(0, 2, 1);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FrameRecorder::RecordLight(Targets& targets, int light)
+{
+  if (!targets.Bind({ targets.Single }, nullptr))
+  {
+    return false;
+  }
+  this->Buffers["Airlight:" + std::to_string(light)] = targets.Read(0, 0, 3);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* FrameRecorder::Get(const std::string& name) const
+{
+  const auto it = this->Buffers.find(name);
+  return it != this->Buffers.end() ? it->second.Get() : nullptr;
+}
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/AirlightEquiangularLights.h"
+
+#include "AirlightConstants.h"
+#include "AirlightTurn.h"
+#include "AirlightTurnPart.h"
+#include "AirlightTurnWhole.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+//------------------------------------------------------------------------------
+bool IsEquiangular(const FrameScene& scene, int light)
+{
+  const f64::AirlightPhase& phase = scene.Media.item[0].phase;
+  return scene.Lights[light].Values.kind == AIRLIGHT_POINT_CLOSED && phase.rows == 0 &&
+    phase.power.x <= 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool AreEquiangular(const FrameScene& scene, const std::vector<int>& lights)
+{
+  return !lights.empty() &&
+    std::all_of(lights.begin(), lights.end(), [&scene](int k) { return IsEquiangular(scene, k); });
+}
+
+//------------------------------------------------------------------------------
+// AirlightConstants.glsl sets a part of the medium.
+std::string GetEquiangularSource()
+{
+  return std::string("uniform AirlightMedia givenMedia;\nAirlightMedia media;\n") + AirlightTurn +
+    AirlightTurnPart + AirlightTurnWhole + AirlightConstants;
+}
+
+//------------------------------------------------------------------------------
+void SetEquiangularConstants(
+  vtkShaderProgram* program, const FrameScene& scene, const std::vector<int>& lights)
+{
+  const f64::AirlightMedium& medium = scene.Media.item[0];
+  std::vector<glm::vec4> constants;
+  for (int k : lights)
+  {
+    const f64::AirlightLight& light = scene.Lights[k].Values;
+    const CameraUniforms::LightPixel pixel = scene.Rays.GetLightPixel(light.position);
+    constants.insert(constants.end(),
+      { glm::vec4(light.position, light.radius),
+        glm::vec4(light.intensity * medium.sigmaS, medium.phase.pole[0].y),
+        glm::vec4(medium.sigmaT, pixel.IsNear ? 1.0 : 0.0), glm::vec4(pixel.Whole, pixel.Rest),
+        glm::vec4(pixel.PerX, 0.0f), glm::vec4(pixel.PerY, 0.0f) });
+  }
+  program->SetUniform4fv("airlightConstants", static_cast<int>(constants.size()), &constants[0].x);
+}
+}

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Point lights in one uniform medium whose airlight is integrated by equiangular quadrature: the
+ * shaders' text, and the numbers of lights and medium that are the same for all pixels.
+ */
+
+#ifndef AirlightEquiangularLights_h
+#define AirlightEquiangularLights_h
+
+#include "Scene/AirlightFrameScene.h"
+
+#include <string>
+#include <vector>
+
+class vtkShaderProgram;
+
+namespace airlight
+{
+// Whether a light has the closed form, and an integrand that is as smooth as the poles of the medium's
+// phase function make it.
+bool IsEquiangular(const FrameScene& scene, int light);
+bool AreEquiangular(const FrameScene& scene, const std::vector<int>& lights);
+
+// The quadrature and what it takes, with the medium as a global variable.
+std::string GetEquiangularSource();
+
+// As glsl/AirlightConstants.glsl takes them.
+void SetEquiangularConstants(
+  vtkShaderProgram* program, const FrameScene& scene, const std::vector<int>& lights);
+}
+
+#endif
