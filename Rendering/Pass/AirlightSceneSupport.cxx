@@ -75,7 +75,7 @@ bool DrawsAllOfIt(vtkProp* prop)
 }
 
 // As far as that does not depend on single props.
-bool MayHideAllBehind(const vtkRenderState* s, vtkRenderPass* delegate)
+bool MayHideAllBehind(const vtkRenderState* s, const vtkRenderPass* delegate)
 {
   vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
   return !delegate && !window->GetLineSmoothing() && !window->GetPointSmoothing() &&
@@ -84,7 +84,7 @@ bool MayHideAllBehind(const vtkRenderState* s, vtkRenderPass* delegate)
 }
 
 //------------------------------------------------------------------------------
-bool HidesAllBehind(const vtkRenderState* s, vtkRenderPass* delegate)
+bool HidesAllBehind(const vtkRenderState* s, const vtkRenderPass* delegate)
 {
   vtkProp** first = s->GetPropArray();
   return MayHideAllBehind(s, delegate) &&
@@ -95,7 +95,7 @@ bool HidesAllBehind(const vtkRenderState* s, vtkRenderPass* delegate)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkProp*> FindSolidProps(const vtkRenderState* s, vtkRenderPass* delegate)
+std::vector<vtkProp*> FindSolidProps(const vtkRenderState* s, const vtkRenderPass* delegate)
 {
   std::vector<vtkProp*> solids;
   if (MayHideAllBehind(s, delegate) && !s->GetRenderer()->GetUseHiddenLineRemoval())
@@ -108,7 +108,7 @@ std::vector<vtkProp*> FindSolidProps(const vtkRenderState* s, vtkRenderPass* del
 }
 
 //------------------------------------------------------------------------------
-bool HasInjectableShaders(const vtkRenderState* s, vtkRenderPass* delegate)
+bool HasInjectableShaders(const vtkRenderState* s, const vtkRenderPass* delegate)
 {
   vtkRenderer* renderer = s->GetRenderer();
   vtkProp** first = s->GetPropArray();
