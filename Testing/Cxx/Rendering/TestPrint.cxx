@@ -111,7 +111,7 @@ void TestPass()
     { "None", "ShadowPlanes", "Automatic", "ShadowMap", "RayMarch" },
     [&](int value) { pass->SetShadowTechnique(value); });
   CheckNames(pass, "DebugView",
-    { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines", "Difference" },
+    { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines" },
     [&](int value) { pass->SetDebugView(value); });
 
   vtkNew<vtkAirlightPolyDataMapper> mapper;
