@@ -138,12 +138,12 @@ public:
   ///@{
   /**
    * Whether translucent polygonal actors cast shadows. Each of their triangles is a layer that
-   * transmits 1 - opacity of the light in each colour, in both directions: n layers transmit (1 -
-   * opacity)^n, in the medium, on surfaces and on translucent surfaces. Both walls of a closed body
-   * attenuate, as in VTK's blending. The opacity is that of the actor's vtkProperty, or of a block
-   * of composite data, the same for all colours; SHADOW_OPACITY() gives coloured shadows. Opacities
-   * of colours, lookup tables or textures are ignored: an actor that is translucent only by them
-   * casts no shadow unless that key says otherwise. Default: true.
+   * transmits 1 - opacity of the light in each colour, in both directions: n layers transmit
+   * (1 - opacity)^n, in the medium, on surfaces and on translucent surfaces. Both walls of a closed
+   * body attenuate, as in VTK's blending. The opacity is that of the actor's vtkProperty, or of a
+   * block of composite data, the same for all colours; SetShadowOpacity() colours shadows.
+   * Opacities of colours, lookup tables or textures are ignored: an actor that is translucent only
+   * by them casts no shadow unless SetShadowOpacity() was called. Default: true.
    *
    * With SHADOW_MAP and RAY_MARCH, translucent casters cast no shadow, with one warning.
    *
@@ -240,14 +240,6 @@ public:
   ///@{
   /**
    * The debug view. Default: SHADED.
-   *
-   * DIFFERENCE computes the airlight again with RAY_MARCH, with GetNumberOfSteps() steps in shadow
-   * maps of GetShadowMapResolution(). It shows the difference of the picture's airlight from that,
-   * the mean of the three channels relative to the mean of the pixel's radiance: white for none,
-   * red for more, blue for less, the full colour at 1 % and beyond. The error of the ray march
-   * dominates: more steps and texels reduce the difference. With SHADOW_PLANES, casters that only
-   * shadow maps support are missing. With RAY_MARCH itself, and without shadow maps, an error says
-   * so and the picture is SHADED.
    */
   void SetDebugView(int view);
   vtkGetMacro(DebugView, int);
