@@ -178,7 +178,7 @@ bool vtkAirlightProbeFilter::CheckSettings()
   }
   this->Medium->GetPhaseErrorBound(); // prepares it for several threads
   return std::all_of(this->Lights.begin(), this->Lights.end(),
-    [this](vtkLight* light) { return CheckLamp(this, this->Medium, light); });
+    [this](vtkLight* light) { return CheckSceneLight(this, this->Medium, light); });
 }
 
 //------------------------------------------------------------------------------

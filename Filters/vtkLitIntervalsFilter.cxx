@@ -91,7 +91,7 @@ bool vtkLitIntervalsFilter::CheckSettings()
     vtkErrorMacro("There is no medium: call SetMedium().");
     return false;
   }
-  return CheckLamp(this, this->Medium, this->Light);
+  return CheckSceneLight(this, this->Medium, this->Light);
 }
 
 //------------------------------------------------------------------------------

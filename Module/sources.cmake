@@ -8,17 +8,17 @@ airlight_sources(
     glsl/Integrals/AirlightAmbient.glsl
     glsl/Integrals/AirlightExponentialIntegral.glsl
     glsl/Integrals/AirlightGauss.glsl
-    glsl/Integrals/AirlightGlow.glsl
-    glsl/Integrals/AirlightGlowRay.glsl
+    glsl/Integrals/AirlightScatteredIrradiance.glsl
+    glsl/Integrals/AirlightIrradianceRay.glsl
     glsl/Integrals/AirlightGoniometricRay.glsl
     glsl/Integrals/AirlightGridRay.glsl
     glsl/Integrals/AirlightKinks.glsl
     glsl/Integrals/AirlightPrelude.glsl
     glsl/Integrals/AirlightQuadrature.glsl
     glsl/Integrals/AirlightScattering.glsl
-    glsl/Integrals/AirlightTurn.glsl
-    glsl/Integrals/AirlightTurnPart.glsl
-    glsl/Integrals/AirlightTurnWhole.glsl
+    glsl/Integrals/AirlightEquiangular.glsl
+    glsl/Integrals/AirlightEquiangularPanel.glsl
+    glsl/Integrals/AirlightHalfAngle.glsl
     glsl/Light/AirlightGoniometric.glsl
     glsl/Light/AirlightLight.glsl
     glsl/Light/AirlightPointLight.glsl

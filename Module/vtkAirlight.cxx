@@ -139,13 +139,13 @@ bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, vtkLight* light, con
     return false;
   }
   const f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(origin));
-  f64::AirlightLight lamp;
-  switch (ConvertLight(converted, light, Vector(origin), lamp))
+  f64::AirlightLight sceneLight;
+  switch (ConvertLight(converted, light, Vector(origin), sceneLight))
   {
-    case LightSupport::Dark:
+    case LightSupport::Off:
       return true;
     case LightSupport::Scatters:
-      Store(converted, Integrate(converted, lamp, unit, t0, t1), rgb);
+      Store(converted, Integrate(converted, sceneLight, unit, t0, t1), rgb);
       return true;
     case LightSupport::Invalid:
       break;

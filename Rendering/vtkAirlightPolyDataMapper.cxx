@@ -3,7 +3,7 @@
 #include "vtkAirlightPolyDataMapper.h"
 
 #include "Integration/AirlightMatrix.h"
-#include "MapperShaders/vtkAirlightPolyDataMapperInternals.h"
+#include "MapperShaders/AirlightPolyDataMapperShader.h"
 #include "Medium/AirlightMediaMethods.h"
 #include "vtkAirlightPass.h"
 
@@ -24,6 +24,10 @@
 #include <string>
 
 using namespace airlight;
+
+class vtkAirlightPolyDataMapper::Internals : public PolyDataMapperShader
+{
+};
 
 namespace
 {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks the code with clang-tidy, cppcheck, shellcheck and pyflakes.
+# Checks who includes whom, and the code with clang-tidy, cppcheck, shellcheck and pyflakes.
 #
 # Usage: Utilities/static-checks.sh --quick             all but clang-tidy; of C++ only the library
 #        Utilities/static-checks.sh --all               everything; clang-tidy takes a processor an hour
@@ -126,6 +126,17 @@ changed()
   } | sort -u
 }
 
+# Who may include whom, and lines of 100 columns in code.
+check_rooms()
+{
+  local found
+  echo "includes and columns"
+  python3 Utilities/check-includes.py || findings=1
+  found=$(git ls-files Module Filters Rendering ParaView Wrapping Examples |
+    grep -E '\.(cxx|h|inl|glsl)$' | xargs awk 'length > 100 { print FILENAME ":" FNR ": wider than 100 columns" }')
+  [[ -z $found ]] || { echo "$found"; findings=1; }
+}
+
 with_tidy=1
 case ${1---help} in
   -h | --help)
@@ -142,6 +153,7 @@ case ${1---help} in
   *) mapfile -t files < <(realpath --relative-to "$root" "$@") ;;
 esac
 
+check_rooms
 check_shell
 check_python
 check_cpp

@@ -23,10 +23,10 @@ constexpr double Tiny = 1e-30; // keeps divisions by a black reference finite
 double Percentile(std::vector<double> values, double p)
 {
   std::sort(values.begin(), values.end());
-  const double place = p / 100.0 * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
+  const double rank = p / 100.0 * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
   const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (values[above] - values[below]) * (place - static_cast<double>(below));
+  return values[below] + (values[above] - values[below]) * (rank - static_cast<double>(below));
 }
 
 double Mean(const std::vector<double>& values, std::size_t count)

@@ -19,13 +19,13 @@ bool Precedes(const glm::dvec3& a, const glm::dvec3& b)
 struct Edge
 {
   Edge(const glm::dvec3& a, const glm::dvec3& b)
-    : Turned(Precedes(b, a))
-    , P(Turned ? b : a)
-    , Q(Turned ? a : b)
+    : Flipped(Precedes(b, a))
+    , P(Flipped ? b : a)
+    , Q(Flipped ? a : b)
   {
   }
 
-  bool Turned;
+  bool Flipped;
   glm::dvec3 P;
   glm::dvec3 Q;
 };
@@ -36,7 +36,7 @@ double EdgeSide(
 {
   const Edge edge(a, b);
   const double volume = glm::dot(direction, glm::cross(edge.P - origin, edge.Q - origin));
-  return edge.Turned ? -volume : volume;
+  return edge.Flipped ? -volume : volume;
 }
 
 // Keeps the part of [from, to] where the ray is on the positive side of the plane through `point`.

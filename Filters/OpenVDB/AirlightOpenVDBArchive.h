@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * An OpenVDB file that is looked through before it is read. For AirlightOpenVDBFile.cxx alone, so that
- * OpenVDB's headers are compiled once.
+ * An OpenVDB file that is looked through before it is read. For AirlightOpenVDBFile.cxx alone, so
+ * that OpenVDB's headers are compiled once.
  */
 
 #ifndef AirlightOpenVDBArchive_h
@@ -26,8 +26,8 @@
 
 namespace airlight
 {
-// Calls visit(<a grid's tree>::RootNodeType*) for those grids of the default shape whose trees can be
-// looked through. False for other grids: masks, bits, strings, points.
+// Calls visit(<a grid's tree>::RootNodeType*) for those grids of the default shape whose trees can
+// be looked through. False for other grids: masks, bits, strings, points.
 template <typename Visit>
 bool VisitTree(const openvdb::GridBase& grid, const Visit& visit)
 {

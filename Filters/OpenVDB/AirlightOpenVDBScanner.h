@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Looks through what OpenVDB is about to read. OpenVDB trusts its files: where one is damaged it may
- * write beyond a node's values, delete children that it has not read yet, leak a tree, or ask for
- * any amount of memory. So sizes are compared with what they have to be, what stands in the tree's
- * upper levels is unpacked once to see whether it can be, and all of it has to be there. What passes
- * costs no more memory than in proportion to the file.
+ * Looks through what OpenVDB is about to read. OpenVDB trusts its files: where one is damaged it
+ * may write beyond a node's values, delete children that it has not read yet, leak a tree, or ask
+ * for any amount of memory. So sizes are compared with what they have to be, what stands in the
+ * tree's upper levels is unpacked once to see whether it can be, and all of it has to be there.
+ * What passes costs no more memory than in proportion to the file.
  *
  * Sizes, transforms and metadata here, trees in AirlightOpenVDBTreeCheck.h. For
  * AirlightOpenVDBFile.cxx alone. Everything throws std::runtime_error, or what the stream throws

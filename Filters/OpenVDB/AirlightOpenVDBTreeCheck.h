@@ -49,7 +49,7 @@ public:
     const auto children = this->Scanner.template Get<std::uint32_t>();
     for (std::uint32_t i = 0; i < tiles; ++i)
     {
-      this->AddPlace();
+      this->AddNode();
       this->Scanner.template Get<Value>();
       if (this->Scanner.template Get<std::uint8_t>() > 1)
       {
@@ -58,7 +58,7 @@ public:
     }
     for (std::uint32_t i = 0; i < children; ++i)
     {
-      this->CheckNode<typename Root::ChildNodeType>(this->AddPlace());
+      this->CheckNode<typename Root::ChildNodeType>(this->AddNode());
     }
     this->CheckLeaves();
     openvdb::io::setGridBackgroundValuePtr(this->Stream, nullptr);
@@ -69,13 +69,13 @@ private:
   using Leaves = std::vector<std::uint16_t>;
 
   // Where one of the root's tiles or children is, each elsewhere.
-  Leaves& AddPlace()
+  Leaves& AddNode()
   {
-    openvdb::Coord place;
-    this->Stream.read(reinterpret_cast<char*>(place.asPointer()), 3 * sizeof(openvdb::Int32));
+    openvdb::Coord origin;
+    this->Stream.read(reinterpret_cast<char*>(origin.asPointer()), 3 * sizeof(openvdb::Int32));
     constexpr auto Last = static_cast<openvdb::Int32>(Root::ChildNodeType::DIM - 1);
-    const auto added = this->Places.emplace(place, Leaves());
-    if (((place[0] | place[1] | place[2]) & Last) != 0 || !added.second)
+    const auto added = this->Nodes.emplace(origin, Leaves());
+    if (((origin[0] | origin[1] | origin[2]) & Last) != 0 || !added.second)
     {
       OpenVDBScanner::Fail("a node of its tree is where none can be");
     }
@@ -149,9 +149,9 @@ private:
   {
     using Leaf = typename Root::LeafNodeType;
     constexpr std::uint64_t MaskBytes = Leaf::NUM_VALUES / 8;
-    for (const auto& place : this->Places)
+    for (const auto& origin : this->Nodes)
     {
-      for (const std::uint16_t active : place.second)
+      for (const std::uint16_t active : origin.second)
       {
         this->Scanner.Skip(MaskBytes);
         this->SkipValues(Leaf::NUM_VALUES, active, MaskBytes);
@@ -162,7 +162,7 @@ private:
   std::istream& Stream;
   OpenVDBScanner Scanner;
   bool Half;
-  std::map<openvdb::Coord, Leaves> Places;
+  std::map<openvdb::Coord, Leaves> Nodes;
   std::vector<Value> Values;
 };
 }

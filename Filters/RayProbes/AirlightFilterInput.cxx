@@ -34,20 +34,20 @@ HomogeneousPoint GetHomogeneousPosition(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
-LightSupport ConvertLamp(const f64::AirlightMedia& media, vtkLight* light, const glm::dvec3& origin,
-  f64::AirlightLight& lamp)
+LightSupport ConvertSceneLight(const f64::AirlightMedia& media, vtkLight* light,
+  const glm::dvec3& origin, f64::AirlightLight& sceneLight)
 {
-  const LightSupport support = ConvertLight(media, light, origin, lamp);
-  lamp.radius = std::max(1e-12 * glm::length(lamp.position), 1e-100);
+  const LightSupport support = ConvertLight(media, light, origin, sceneLight);
+  sceneLight.radius = std::max(1e-12 * glm::length(sceneLight.position), 1e-100);
   return support;
 }
 
 //------------------------------------------------------------------------------
-bool CheckLamp(vtkObject* filter, vtkParticipatingMedium* medium, vtkLight* light)
+bool CheckSceneLight(vtkObject* filter, vtkParticipatingMedium* medium, vtkLight* light)
 {
-  f64::AirlightLight lamp;
+  f64::AirlightLight sceneLight;
   const f64::AirlightMedia media = ConvertMedia({ medium }, glm::dvec3(0.0));
-  if (ConvertLight(media, light, glm::dvec3(0.0), lamp) != LightSupport::Invalid)
+  if (ConvertLight(media, light, glm::dvec3(0.0), sceneLight) != LightSupport::Invalid)
   {
     return true;
   }

@@ -30,12 +30,12 @@ Occluders CollectOccluders(vtkInformationVector* input);
 HomogeneousPoint GetHomogeneousPosition(vtkLight* light);
 
 // The light relative to `origin`, with a radius that keeps everything finite.
-LightSupport ConvertLamp(const f64::AirlightMedia& media, vtkLight* light, const glm::dvec3& origin,
-  f64::AirlightLight& lamp);
+LightSupport ConvertSceneLight(const f64::AirlightMedia& media, vtkLight* light,
+  const glm::dvec3& origin, f64::AirlightLight& sceneLight);
 
 // Whether the light can be used. If not, an error in the filter's name says why. Also lets the
 // medium prepare what it prepares on first use, so that threads may share it.
-bool CheckLamp(vtkObject* filter, vtkParticipatingMedium* medium, vtkLight* light);
+bool CheckSceneLight(vtkObject* filter, vtkParticipatingMedium* medium, vtkLight* light);
 
 // The last modification of the light or the matrix that it has.
 vtkMTimeType GetLightTime(vtkLight* light);

@@ -38,14 +38,15 @@ std::vector<Part> FindReach(
 {
   std::vector<Part> parts;
   const f64::AirlightMedia media = ConvertMedia({ medium }, segment.Start);
-  f64::AirlightLight lamp;
-  if (ConvertLamp(media, light, segment.Start, lamp) != LightSupport::Scatters)
+  f64::AirlightLight sceneLight;
+  if (ConvertSceneLight(media, light, segment.Start, sceneLight) != LightSupport::Scatters)
   {
     return parts;
   }
   const glm::dvec3 origin(0.0);
   const double length = segment.Length;
-  const f64::AirlightRay ray = f64::airlightRay(media, lamp, origin, segment.Direction, length);
+  const f64::AirlightRay ray =
+    f64::airlightRay(media, sceneLight, origin, segment.Direction, length);
   const Part cone = MakePart(ray.lit.x > ray.range.x ? ray.lit.x : -1.0,
     ray.lit.y < ray.range.y ? ray.lit.y : 2.0 * length, vtkLitIntervalsFilter::CONE);
   const Part whole = MakePart(0.0, length, vtkLitIntervalsFilter::LINE_END);

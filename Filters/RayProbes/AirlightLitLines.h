@@ -58,7 +58,7 @@ std::vector<LineSegment> CollectSegments(
 // Optical depth of the whole segment.
 glm::dvec3 FindDepth(vtkParticipatingMedium* medium, const LineSegment& segment);
 
-// In order along the segment. Thread safe after CheckLamp().
+// In order along the segment. Thread safe after CheckSceneLight().
 std::vector<LitPart> FindLitParts(vtkParticipatingMedium* medium, vtkLight* light,
   const Occluders& occluders, const LineSegment& segment);
 }

@@ -15,39 +15,39 @@ namespace
 {
 // Unshadowed. The lamp, which scatters, and the media are relative to the point.
 glm::dvec3 IrradianceOf(
-  const f64::AirlightMedia& media, const f64::AirlightLight& lamp, const glm::dvec3* normal)
+  const f64::AirlightMedia& media, const f64::AirlightLight& sceneLight, const glm::dvec3* normal)
 {
   const glm::dvec3 point(0.0);
-  const bool sun = f64::airlightIsDirectional(lamp);
-  const double r = glm::length(lamp.position);
+  const bool sun = f64::airlightIsDirectional(sceneLight);
+  const double r = glm::length(sceneLight.position);
   if (!(r > 0.0))
   {
     return glm::dvec3(0.0); // in the lamp, light has no direction
   }
-  const glm::dvec3 toLamp = lamp.position / r;
-  const double cosine = normal ? std::max(glm::dot(*normal, toLamp), 0.0) : 1.0;
-  if (lamp.cosCone > 0.0 && glm::dot(-toLamp, lamp.axis) < lamp.cosCone)
+  const glm::dvec3 toLight = sceneLight.position / r;
+  const double cosine = normal ? std::max(glm::dot(*normal, toLight), 0.0) : 1.0;
+  if (sceneLight.cosCone > 0.0 && glm::dot(-toLight, sceneLight.axis) < sceneLight.cosCone)
   {
     return glm::dvec3(0.0);
   }
-  const glm::dvec3 depth = sun ? f64::airlightSunDepths(media, point, toLamp)
-                               : f64::airlightDepthBetween(media, point, lamp.position);
+  const glm::dvec3 depth = sun ? f64::airlightSunDepths(media, point, toLight)
+                               : f64::airlightDepthBetween(media, point, sceneLight.position);
   // The square of the least distance is not 0.
-  const double fall = sun ? 1.0 : f64::airlightFalloff(lamp, point, std::max(r, 1e-100));
-  return lamp.intensity * (cosine * fall) * glm::exp(-depth);
+  const double fall = sun ? 1.0 : f64::airlightFalloff(sceneLight, point, std::max(r, 1e-100));
+  return sceneLight.intensity * (cosine * fall) * glm::exp(-depth);
 }
 
 // Calls use(light, lamp) for the lights that shine, relative to the point.
 template <typename Use>
-void ForEachLamp(
+void ForEachSceneLight(
   const Probe& probe, const f64::AirlightMedia& media, const glm::dvec3& point, const Use& use)
 {
   for (vtkLight* light : probe.Lights)
   {
-    f64::AirlightLight lamp;
-    if (ConvertLamp(media, light, point, lamp) == LightSupport::Scatters)
+    f64::AirlightLight sceneLight;
+    if (ConvertSceneLight(media, light, point, sceneLight) == LightSupport::Scatters)
     {
-      use(light, lamp);
+      use(light, sceneLight);
     }
   }
 }
@@ -98,14 +98,15 @@ glm::dvec3 Probe::FindDirect(const glm::dvec3& point, const glm::dvec3* normal, 
 {
   glm::dvec3 sum(0.0);
   const f64::AirlightMedia media = ConvertMedia({ this->Medium }, point);
-  ForEachLamp(*this, media, point, [&](vtkLight* light, const f64::AirlightLight& lamp) {
-    const glm::dvec3 irradiance = IrradianceOf(media, lamp, normal);
-    const bool arrives = irradiance != glm::dvec3(0.0);
-    if (arrives && !this->Shades->Blocked(point, GetHomogeneousPosition(light), margin))
-    {
-      sum += irradiance;
-    }
-  });
+  ForEachSceneLight(
+    *this, media, point, [&](vtkLight* light, const f64::AirlightLight& sceneLight) {
+      const glm::dvec3 irradiance = IrradianceOf(media, sceneLight, normal);
+      const bool arrives = irradiance != glm::dvec3(0.0);
+      if (arrives && !this->Shades->Blocked(point, GetHomogeneousPosition(light), margin))
+      {
+        sum += irradiance;
+      }
+    });
   return sum;
 }
 
@@ -114,11 +115,12 @@ glm::dvec3 Probe::FindScattered(const glm::dvec3& point, const glm::dvec3& norma
 {
   glm::dvec3 sum(0.0);
   const f64::AirlightMedia media = ConvertMedia({ this->Medium }, point);
-  ForEachLamp(*this, media, point, [&](vtkLight*, const f64::AirlightLight& lamp) {
-    const glm::dvec3 glow = f64::airlightGlow(media, lamp, glm::dvec3(0.0), normal);
+  ForEachSceneLight(*this, media, point, [&](vtkLight*, const f64::AirlightLight& sceneLight) {
+    const glm::dvec3 irradiance =
+      f64::airlightScatteredIrradiance(media, sceneLight, glm::dvec3(0.0), normal);
     for (int c = 0; c < 3; ++c)
     {
-      sum[c] += std::isfinite(glow[c]) ? glow[c] : 0.0; // with the lamp on the point
+      sum[c] += std::isfinite(irradiance[c]) ? irradiance[c] : 0.0; // with the lamp on the point
     }
   });
   return sum;

@@ -18,7 +18,7 @@ class vtkParticipatingMedium;
 
 namespace airlight
 {
-// Thread safe after CheckLamp() for each light.
+// Thread safe after CheckSceneLight() for each light.
 struct Probe
 {
   vtkParticipatingMedium* Medium;

@@ -20,8 +20,8 @@ namespace
 // What double precision resolves of the distance between a ray and a light, with some room.
 constexpr double RelativeRadius = 1e-12;
 
-// The least cosine by which VTK's mappers shade what is turned away from a headlight, since 9.2, and
-// the least of a gleam, since 9.3.
+// The least cosine by which VTK's mappers shade what is turned away from a headlight, since 9.2,
+// and the least of a gleam, since 9.3.
 constexpr double LeastToHeadlight = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0) ? 1e-6 : 0.0;
 constexpr double LeastGleam = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 1e-5 : 0.0;
 

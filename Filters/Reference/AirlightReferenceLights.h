@@ -25,7 +25,7 @@ namespace airlight
 {
 struct ReferenceLight
 {
-  LightSupport Support = LightSupport::Dark;
+  LightSupport Support = LightSupport::Off;
   f64::AirlightLight Values;     // relative to the eye
   HomogeneousPoint World{ 0.0 }; // its position
   bool CastsShadows = false;
@@ -45,8 +45,8 @@ class ReferenceLights
 {
 public:
   // The switched-on lights, in the renderer's order; creates and moves lights as VTK does before it
-  // draws. `radius` is the light radius asked for, 0 for the smallest that double precision resolves.
-  // `switches` says which lights the medium scatters.
+  // draws. `radius` is the light radius asked for, 0 for the smallest that double precision
+  // resolves. `switches` says which lights the medium scatters.
   ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia& media, const glm::dvec3& eye,
     double radius, const LightSwitches& switches);
 

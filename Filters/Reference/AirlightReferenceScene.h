@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What vtkAirlightReference sees of a renderer's props: triangles in the world, with what VTK's mappers
- * shade them by.
+ * What vtkAirlightReference sees of a renderer's props: triangles in the world, with what VTK's
+ * mappers shade them by.
  */
 
 #ifndef AirlightReferenceScene_h

@@ -17,7 +17,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 // A surface is lit as the air this little before it, relative to the distance: its own shadow, and
 // those of what it touches, begin or end there.
-constexpr double Before = 1e-9;
+constexpr double RelativeMargin = 1e-9;
 
 // A light whose numbers are not finite shades surfaces with NaN.
 glm::dvec3 MakeFinite(glm::dvec3 colour)
@@ -111,7 +111,7 @@ bool ReferenceTracer::IsLit(const PixelRay& ray, size_t light, double t) const
     return true;
   }
   return std::any_of(ray.Lit[light].begin(), ray.Lit[light].end(), [t](const auto& part) {
-    return part.From < t * (1.0 - Before) && part.To >= t * (1.0 - Before);
+    return part.From < t * (1.0 - RelativeMargin) && part.To >= t * (1.0 - RelativeMargin);
   });
 }
 

@@ -66,11 +66,12 @@ public:
     return HasScattering(this->Media) ? this->Lights.DescribeLeftOut() : "";
   }
 
-  // At a point of the picture, in pixels from its lower left corner; the middle of the first pixel is
-  // at 0.5, 0.5.
+  // At a point of the picture, in pixels from its lower left corner; the middle of the first pixel
+  // is at 0.5, 0.5.
   ReferencePixel Trace(double x, double y, const ReferenceChange& change = {}) const;
 
-  // The medium before a surface at a distance that others found: airlight, transmittance and lit length.
+  // The medium before a surface at a distance that others found: airlight, transmittance and lit
+  // length.
   ReferencePixel TraceTo(double x, double y, double end) const;
 
 private:

@@ -156,7 +156,7 @@ int vtkAirlightReference::RequestData(
   }
   if (tracer.GetLights().HasInvalid())
   {
-    vtkWarningMacro(<< InvalidLampText);
+    vtkWarningMacro(<< InvalidLightText);
   }
   const std::string leftOut = tracer.DescribeLeftOut();
   if (!leftOut.empty() && !this->Impl->WarnedCameraLights)

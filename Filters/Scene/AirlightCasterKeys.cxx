@@ -15,8 +15,8 @@ namespace airlight
 {
 namespace
 {
-// Where VTK's look-up of keys by strings finds them.
-constexpr const char* Location = "AirlightCasterKeys";
+// The class whose static methods give the keys: vtkInformationKeyLookup::Find() takes its name.
+constexpr const char* Location = "vtkAirlightPass";
 
 // False also for NaN.
 bool AreOpacities(const double* values, int length)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * When each part of a mesh's geometry was last modified. Geometry prepared from a mesh is up to date
- * while all three times are the same. Their maximum does not suffice: points that are swapped for
- * older ones leave it as it is.
+ * When each part of a mesh's geometry was last modified. Geometry prepared from a mesh is up to
+ * date while all three times are the same. Their maximum does not suffice: points that are swapped
+ * for older ones leave it as it is.
  *
  * No two objects have the same time, so equal times also mean the same objects.
  */

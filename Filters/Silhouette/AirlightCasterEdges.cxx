@@ -48,12 +48,12 @@ void Sort(Key* begin, Key* end)
   for (Key* next = begin + 1; next < end; ++next)
   {
     const Key key = *next;
-    Key* place = next;
-    for (; place > begin && place[-1] > key; --place)
+    Key* slot = next;
+    for (; slot > begin && slot[-1] > key; --slot)
     {
-      *place = place[-1];
+      *slot = slot[-1];
     }
-    *place = key;
+    *slot = key;
   }
 }
 

@@ -170,22 +170,22 @@ bool CasterMesh::ReadTriangles(vtkPolyData* data, const Progress& progress)
   }
   std::vector<size_t> first = FindUnused(corners, merged.First);
   size_t count = 0;
-  for (size_t& place : first)
+  for (size_t& slot : first)
   {
-    const size_t size = place;
-    place = count;
+    const size_t size = slot;
+    slot = count;
     count += size;
   }
   this->AddPoints(merged.Positions, merged.First);
   this->Triangles.resize(count);
   ForEachChunk(corners.GetCount(), [&](size_t chunk, size_t begin, size_t end) {
-    size_t place = first[chunk];
+    size_t slot = first[chunk];
     for (size_t f = begin; f < end; ++f)
     {
       std::array<vtkIdType, 3> ids = corners[f];
       if (FindVertices(merged.First, ids))
       {
-        this->Triangles[place++] = { static_cast<int>(ids[0]), static_cast<int>(ids[1]),
+        this->Triangles[slot++] = { static_cast<int>(ids[0]), static_cast<int>(ids[1]),
           static_cast<int>(ids[2]) };
       }
     }

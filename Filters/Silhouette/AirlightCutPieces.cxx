@@ -93,16 +93,16 @@ public:
   void AddLightCap(int triangle, bool facing)
   {
     const std::array<int, 3>& t = this->Mesh.Triangles[triangle];
-    const std::array<int, 3> turned{ t[0], t[facing ? 1 : 2], t[facing ? 2 : 1] };
+    const std::array<int, 3> oriented{ t[0], t[facing ? 1 : 2], t[facing ? 2 : 1] };
     this->Work.clear();
     for (int k = 0; k < 3; ++k)
     {
       glm::dvec3 weights(0.0);
       weights[k] = 1.0;
-      this->Work.push_back({ ToHomogeneous(this->Mesh.Points[turned[k]]), weights });
+      this->Work.push_back({ ToHomogeneous(this->Mesh.Points[oriented[k]]), weights });
     }
     this->ClipToBox();
-    this->Keep(turned, { -1, -1, 1, LIGHT_CAP });
+    this->Keep(oriented, { -1, -1, 1, LIGHT_CAP });
   }
 
   // The part of the box' faces in the triangle's shadow.

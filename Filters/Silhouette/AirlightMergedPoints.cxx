@@ -76,16 +76,16 @@ void MergeBucket(const BucketPoint* begin, const BucketPoint* end, std::vector<v
   --mask;
   for (const BucketPoint* p = begin; p != end; ++p)
   {
-    size_t place = Hash(p->Position) & mask;
-    while (table[place] && table[place]->Position != p->Position)
+    size_t slot = Hash(p->Position) & mask;
+    while (table[slot] && table[slot]->Position != p->Position)
     {
-      place = (place + 1) & mask;
+      slot = (slot + 1) & mask;
     }
-    if (!table[place])
+    if (!table[slot])
     {
-      table[place] = p;
+      table[slot] = p;
     }
-    first[p->Point] = table[place]->Point;
+    first[p->Point] = table[slot]->Point;
   }
 }
 }

@@ -106,21 +106,20 @@ Buckets<Item> FillBuckets(size_t count, size_t bucketCount, const Visit& visit)
     result.First[bucket] = total;
     for (size_t chunk = 0; chunk < chunks; ++chunk)
     {
-      size_t& place = next[chunk * bucketCount + bucket];
-      const size_t size = place;
-      place = total;
+      size_t& slot = next[chunk * bucketCount + bucket];
+      const size_t size = slot;
+      slot = total;
       total += size;
     }
   }
   result.First[bucketCount] = total;
   result.Items.reset(new Item[total]); // not initialised, unlike with std::make_unique
   ForEachChunk(count, [&](size_t chunk, size_t begin, size_t end) {
-    size_t* places = &next[chunk * bucketCount];
+    size_t* slots = &next[chunk * bucketCount];
     Item* items = result.Items.get();
     for (size_t i = begin; i < end; ++i)
     {
-      visit(
-        i, [places, items](size_t bucket, const Item& item) { items[places[bucket]++] = item; });
+      visit(i, [slots, items](size_t bucket, const Item& item) { items[slots[bucket]++] = item; });
     }
   });
   return result;

@@ -29,11 +29,11 @@ bool IsFinite(const glm::dvec3& v)
 std::shared_ptr<const DensityGrid> DensityGrid::Build(vtkImageData* image, std::string& error)
 {
   const std::shared_ptr<DensityGrid> grid(new DensityGrid);
-  return grid->ReadPlace(image, error) && grid->ReadSamples(image, error) ? grid : nullptr;
+  return grid->ReadGeometry(image, error) && grid->ReadSamples(image, error) ? grid : nullptr;
 }
 
 //------------------------------------------------------------------------------
-bool DensityGrid::ReadPlace(vtkImageData* image, std::string& error)
+bool DensityGrid::ReadGeometry(vtkImageData* image, std::string& error)
 {
   image->GetDimensions(&this->Size.x);
   if (glm::any(glm::lessThan(this->Size, glm::ivec3(2))))
@@ -76,9 +76,9 @@ bool DensityGrid::ReadPlace(vtkImageData* image, std::string& error)
   for (int corner = 1; corner < 8; ++corner)
   {
     const glm::dvec3 far(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const glm::dvec3 place = this->First + steps * (far * glm::dvec3(this->Size - 1));
-    this->Least = glm::min(this->Least, place);
-    this->Greatest = glm::max(this->Greatest, place);
+    const glm::dvec3 position = this->First + steps * (far * glm::dvec3(this->Size - 1));
+    this->Least = glm::min(this->Least, position);
+    this->Greatest = glm::max(this->Greatest, position);
   }
   return true;
 }

@@ -4,8 +4,8 @@
  * Density from the samples of an image: trilinear between them, 0 outside the image.
  *
  * Along a straight line through one cell, between eight samples, a trilinear function is a cubic of
- * the distance. Gauss and Legendre's two nodes integrate cubics exactly, so that the optical depth of
- * a way, summed cell by cell, is exact but for rounding.
+ * the distance. Gauss and Legendre's two nodes integrate cubics exactly, so that the optical depth
+ * of a way, summed cell by cell, is exact but for rounding.
  */
 
 #ifndef AirlightDensityGrid_h
@@ -27,8 +27,8 @@ namespace airlight
 class VTKAIRLIGHT_EXPORT DensityGrid
 {
 public:
-  // Copies the image's point scalars. Null and an error that continues "The density image ..." where
-  // they are no densities.
+  // Copies the image's point scalars. Null and an error that continues "The density image ..."
+  // where they are no densities.
   static std::shared_ptr<const DensityGrid> Build(vtkImageData* image, std::string& error);
 
   double GetDensity(const glm::dvec3& point) const;
@@ -43,8 +43,8 @@ public:
   double Integrate(
     const glm::dvec3& origin, const glm::dvec3& direction, double from, double to) const;
 
-  // Adds where between from and to the ray passes from one cell to the next, or enters or leaves the
-  // image, in ascending order: there the density has kinks and jumps.
+  // Adds where between from and to the ray passes from one cell to the next, or enters or leaves
+  // the image, in ascending order: there the density has kinks and jumps.
   void AddCuts(const glm::dvec3& origin, const glm::dvec3& direction, double from, double to,
     std::vector<double>& cuts) const;
 
@@ -75,7 +75,7 @@ private:
   };
 
   DensityGrid() = default;
-  bool ReadPlace(vtkImageData* image, std::string& error);
+  bool ReadGeometry(vtkImageData* image, std::string& error);
   bool ReadSamples(vtkImageData* image, std::string& error);
   bool Clip(const glm::dvec3& origin, const glm::dvec3& direction, double from, double to,
     Line& line) const;

@@ -35,7 +35,7 @@ struct Panel
   double From;   // of that variable
   double To;
   glm::dvec3 Value;
-  glm::dvec3 Doubt;
+  glm::dvec3 ErrorEstimate;
   double Weight; // of the doubt; the largest is halved first
 
   bool operator<(const Panel& other) const { return this->Weight < other.Weight; }
@@ -63,7 +63,8 @@ public:
           f64::airlightPieceAt(this->Media, this->Ray.origin, this->Ray.direction, t, cuts[i]);
         t = piece.to;
         // Where there is no grid, what lies beyond no longer counts.
-        piece.to = f64::airlightFadedAt(this->Media, piece, this->Ray.origin, this->Ray.direction);
+        piece.to =
+          f64::airlightNegligibleFrom(this->Media, piece, this->Ray.origin, this->Ray.direction);
         if (this->Scatters(piece))
         {
           this->AddParts(piece);
@@ -164,7 +165,7 @@ private:
     const double x = panel.Straight ? w - tL : h * std::sinh(w);
     const double r = panel.Straight ? std::sqrt(h * h + x * x) : h * std::cosh(w);
     const glm::dvec3 point = this->Ray.origin + (tL + x) * this->Ray.direction;
-    return (panel.Straight ? 1.0 : r) * f64::airlightShare(this->Light, point) *
+    return (panel.Straight ? 1.0 : r) * f64::airlightPhotometricShare(this->Light, point) *
       f64::airlightPointIntegrand(this->Media, this->Light, this->Ray, panel.Piece, x, r);
   }
 
@@ -184,12 +185,12 @@ private:
       coarse += Nodes[k][2] * value;
     }
     panel.Value = reach * fine;
-    panel.Doubt = reach * glm::abs(fine - coarse);
+    panel.ErrorEstimate = reach * glm::abs(fine - coarse);
   }
 
   static void Weigh(Panel& panel, const glm::dvec3& total)
   {
-    const glm::dvec3 share = panel.Doubt / (total + 1e-290);
+    const glm::dvec3 share = panel.ErrorEstimate / (total + 1e-290);
     panel.Weight = std::max({ share.x, share.y, share.z });
   }
 
@@ -200,25 +201,25 @@ private:
     {
       total += panel.Value;
     }
-    double doubt = 0.0;
+    double errorEstimate = 0.0;
     for (Panel& panel : this->Panels)
     {
       Weigh(panel, total);
-      doubt += panel.Weight;
+      errorEstimate += panel.Weight;
     }
     std::priority_queue<Panel> queue(std::less<Panel>(), std::move(this->Panels));
     // Written so that NaN ends it, too.
-    for (int i = 0; i < MostHalvings && doubt > Tolerance; ++i)
+    for (int i = 0; i < MostHalvings && errorEstimate > Tolerance; ++i)
     {
       Panel halves[2] = { queue.top(), queue.top() };
       queue.pop();
       halves[0].To = halves[1].From = 0.5 * (halves[0].From + halves[0].To);
-      doubt -= halves[0].Weight;
+      errorEstimate -= halves[0].Weight;
       for (Panel& half : halves)
       {
         this->Evaluate(half);
         Weigh(half, total);
-        doubt += half.Weight;
+        errorEstimate += half.Weight;
         queue.push(half);
       }
     }

@@ -103,8 +103,8 @@ private:
         this->Media, this->Ray.origin, this->Ray.direction, part, toSun, t, this->T1);
       ends.push_back(std::clamp(this->Variable(t), from, to));
     }
-    // Where the way to the light begins to leave a region through another face, what arrives can change on
-    // so short a part that no node sees it.
+    // Where the way to the light begins to leave a region through another face, what arrives can
+    // change on so short a part that no node sees it.
     const f64::AirlightWay way = f64::airlightWay(this->Light, this->Ray);
     for (double t = this->T0; t < this->T1;)
     {
@@ -117,9 +117,9 @@ private:
 
   glm::dvec3 Panel(double from, double to) const
   {
-    glm::dvec3 doubt;
+    glm::dvec3 errorEstimate;
     return f64::airlightPanel(
-      this->Media, this->Light, this->Ray, this->Piece, this->Straight, from, to, doubt);
+      this->Media, this->Light, this->Ray, this->Piece, this->Straight, from, to, errorEstimate);
   }
 
   glm::dvec3 Refine(double from, double to, const glm::dvec3& whole, int depth)
@@ -160,7 +160,7 @@ glm::dvec3 AdaptiveQuadrature(const f64::AirlightMedia& media, const f64::Airlig
     const f64::AirlightPiece piece = f64::airlightPieceAt(media, ray.origin, ray.direction, t0, t1);
     if (piece.inside != 0)
     {
-      const double end = f64::airlightFadedAt(media, piece, ray.origin, ray.direction);
+      const double end = f64::airlightNegligibleFrom(media, piece, ray.origin, ray.direction);
       sum += AdaptivePiece(media, light, ray, piece, end).Integrate();
     }
     t0 = piece.to;

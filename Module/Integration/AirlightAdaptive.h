@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The quadrature of glsl/AirlightQuadrature.glsl with as many panels as the integrand needs: for the
- * classes that compute in double precision.
+ * The quadrature of glsl/AirlightQuadrature.glsl with as many panels as the integrand needs: for
+ * the classes that compute in double precision.
  */
 
 #ifndef AirlightAdaptive_h

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The mathematics of the folder glsl as C++, through GLM: namespace airlight::f64 in double precision
- * for the CPU classes, airlight::f32 in the shaders' single precision for the tests. The text of
- * the functions is the shaders' own.
+ * The mathematics of the folder glsl as C++, through GLM: namespace airlight::f64 in double
+ * precision for the CPU classes, airlight::f32 in the shaders' single precision for the tests. The
+ * text of the functions is the shaders' own.
  */
 
 #ifndef AirlightMath_h

@@ -32,7 +32,7 @@ int ConvertRegion(int region)
   }
 }
 
-void MakeNowhere(f64::AirlightMedium& medium)
+void MakeEmpty(f64::AirlightMedium& medium)
 {
   medium.region.kind = AIRLIGHT_REGION_BOX;
   medium.region.boxMin = glm::dvec3(0.0);
@@ -49,7 +49,7 @@ void ConvertSurface(
   const std::shared_ptr<const SurfaceTree> tree = medium->GetSurfaceTree();
   if (!tree)
   {
-    MakeNowhere(result);
+    MakeEmpty(result);
     return;
   }
   region.boxMin = tree->GetLeast() - origin;
@@ -66,7 +66,7 @@ void ConvertGrid(
   const std::shared_ptr<const DensityGrid> grid = medium->GetDensityGrid();
   if (!grid)
   {
-    MakeNowhere(result);
+    MakeEmpty(result);
     return;
   }
   result.density = AIRLIGHT_DENSITY_GRID;
@@ -85,7 +85,7 @@ void ConvertGrid(
     region.boxMax = glm::min(region.boxMax, grid->GetGreatest() - origin);
     if (glm::any(glm::greaterThan(region.boxMin, region.boxMax)))
     {
-      MakeNowhere(result);
+      MakeEmpty(result);
     }
   }
 }
@@ -203,7 +203,7 @@ LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
   result.exponent = light->GetExponent();
   if (!light->GetSwitch() || result.intensity == glm::dvec3(0.0))
   {
-    return LightSupport::Dark;
+    return LightSupport::Off;
   }
   const glm::dvec3 axis = focalPoint - position;
   const double length = glm::length(axis);

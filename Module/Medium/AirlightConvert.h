@@ -34,13 +34,13 @@ VTKAIRLIGHT_EXPORT bool HasScattering(const f64::AirlightMedia& media);
 // What the mathematics can do with a light.
 enum class LightSupport
 {
-  Dark,     // switched off or without power: contributes nothing
+  Off,      // switched off or without power: contributes nothing
   Scatters, // done
   Invalid   // numbers that are not finite, or attenuation without a positive term
 };
 
 // What is said of lights that are LightSupport::Invalid.
-constexpr const char* InvalidLampText =
+constexpr const char* InvalidLightText =
   "A light is left out of the medium: its position, colour and attenuation must be finite, "
   "its attenuation at least 0 with one term above 0, its exponent at least 0, and the focal "
   "point of a spot or a directional light apart from its position.";

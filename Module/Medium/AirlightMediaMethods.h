@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What every class that is given media defines alike: the methods of its list of media, which is
- * Impl->Media (AirlightMediaList.h), and of its LightRadius. The headers declare them class by class,
- * as users and Python's wrapping read them.
+ * Impl->Media (AirlightMediaList.h), and of its LightRadius. The headers declare them class by
+ * class, as users and Python's wrapping read them.
  */
 
 #ifndef AirlightMediaMethods_h

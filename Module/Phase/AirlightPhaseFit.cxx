@@ -214,7 +214,8 @@ PhaseFit FitCornetteShanks(double g, double tolerance, int maximumPoles)
 //------------------------------------------------------------------------------
 namespace
 {
-// So many samples to each row, and as many to each of 45 even steps: a table is flat beyond its ends.
+// So many samples to each row, and as many to each of 45 even steps: a table is flat beyond its
+// ends.
 std::vector<double> TableSamples(const PhaseTable& table, int perRow)
 {
   std::vector<double> samples = { 1e-6, 1e6 };

@@ -39,8 +39,8 @@ double Mie(int n, double s);
 class PhaseTable
 {
 public:
-  // From the first two columns: scattering angle in degrees, value in any unit. Scales the values so
-  // that the function is normalised. Empty with a reason in `error` where the table is no good.
+  // From the first two columns: scattering angle in degrees, value in any unit. Scales the values
+  // so that the function is normalised. Empty with a reason in `error` where the table is no good.
   static PhaseTable Read(vtkTable* table, std::string& error);
 
   bool IsEmpty() const { return this->Rows.empty(); }

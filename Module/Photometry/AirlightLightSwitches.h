@@ -46,8 +46,8 @@ private:
   std::vector<Entry> Entries;
 };
 
-// The warning about so many lights that are fixed to the camera and not set. `dark`: the medium scatters
-// no other light.
+// The warning about so many lights that are fixed to the camera and not set. `dark`: the medium
+// scatters no other light.
 VTKAIRLIGHT_EXPORT std::string GetCameraLightsText(int count, bool dark);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which way the triangles of a closed surface face: neighbours alike, and each patch of them outwards,
-// which is the side that an even number of crossings leads to.
+// Which way the triangles of a closed surface face: neighbours alike, and each patch of them
+// outwards, which is the side that an even number of crossings leads to.
 
 #include "Region/AirlightSurfaceTree.h"
 
@@ -16,7 +16,8 @@ namespace airlight
 {
 namespace
 {
-// The triangles on an edge, each with whether it passes the edge from the lower to the higher point.
+// The triangles on an edge, each with whether it passes the edge from the lower to the higher
+// point.
 struct EdgeUse
 {
   // They are used, through a structured binding.
@@ -74,16 +75,16 @@ bool SurfaceTree::OrientAlike(std::string& error)
     error = text.str();
     return false;
   }
-  std::vector<int> turned(this->Triangles.size(), -1); // -1: not seen, 0: as it is, 1: over
+  std::vector<int> flipped(this->Triangles.size(), -1); // -1: not seen, 0: as it is, 1: over
   this->Patches.assign(this->Triangles.size(), 0);
   for (size_t seed = 0; seed < this->Triangles.size(); ++seed)
   {
-    if (turned[seed] >= 0)
+    if (flipped[seed] >= 0)
     {
       continue;
     }
     std::vector<int> waiting = { static_cast<int>(seed) };
-    turned[seed] = 0;
+    flipped[seed] = 0;
     while (!waiting.empty())
     {
       const int i = waiting.back();
@@ -91,13 +92,13 @@ bool SurfaceTree::OrientAlike(std::string& error)
       this->Patches[i] = this->PatchCount;
       for (const auto& [other, agree] : neighbours[i])
       {
-        const int wanted = agree ? turned[i] : 1 - turned[i];
-        if (turned[other] < 0)
+        const int wanted = agree ? flipped[i] : 1 - flipped[i];
+        if (flipped[other] < 0)
         {
-          turned[other] = wanted;
+          flipped[other] = wanted;
           waiting.push_back(other);
         }
-        else if (turned[other] != wanted)
+        else if (flipped[other] != wanted)
         {
           error = "has only one side, as a Klein bottle: nothing is inside of it";
           return false;
@@ -108,7 +109,7 @@ bool SurfaceTree::OrientAlike(std::string& error)
   }
   for (size_t i = 0; i < this->Triangles.size(); ++i)
   {
-    if (turned[i] == 1)
+    if (flipped[i] == 1)
     {
       std::swap(this->Triangles[i][1], this->Triangles[i][2]);
     }
@@ -125,9 +126,9 @@ glm::dvec3 SurfaceTree::GetAreaVector(int triangle) const
 }
 
 //------------------------------------------------------------------------------
-// Whether the place just above a triangle (side 1: where its corners run counter-clockwise) or below
-// it (-1) is inside. The crossings on the way from there to infinity, each 1 or -1, have an odd sum
-// where their number is odd, however their triangles are oriented.
+// Whether the place just above a triangle (side 1: where its corners run counter-clockwise) or
+// below it (-1) is inside. The crossings on the way from there to infinity, each 1 or -1, have an
+// odd sum where their number is odd, however their triangles are oriented.
 bool SurfaceTree::IsInsideFrom(int triangle, double side) const
 {
   const Triangle& t = this->Triangles[triangle];

@@ -13,8 +13,8 @@ namespace airlight
 {
 namespace
 {
-// vtkTriangleFilter reads three points of strips that have fewer. In their place, so that cells keep
-// their numbers, comes one that has no area.
+// vtkTriangleFilter reads three points of strips that have fewer. In their place, so that cells
+// keep their numbers, comes one that has no area.
 vtkSmartPointer<vtkCellArray> MendStrips(vtkCellArray* strips)
 {
   auto mended = vtkSmartPointer<vtkCellArray>::New();

@@ -14,9 +14,9 @@ class vtkPolyData;
 
 namespace airlight
 {
-// The triangles of the mesh, whatever its cells, without its lines and vertices. The mesh is left as
-// it is. `cells`, if given, becomes cell data: a value for each cell of the mesh, handed on to its
-// triangles.
+// The triangles of the mesh, whatever its cells, without its lines and vertices. The mesh is left
+// as it is. `cells`, if given, becomes cell data: a value for each cell of the mesh, handed on to
+// its triangles.
 vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* mesh, vtkDataArray* cells = nullptr);
 }
 

@@ -14,8 +14,8 @@ namespace
 // Koschmieder 1924, as in vtkParticipatingMedium::SetVisibility().
 constexpr double ContrastThreshold = 3.912;
 
-// Automatic visibility, in diagonals of the scene: ParaView's first camera is two of them away, and two
-// thirds of an object's contrast are left there. And without a scene, in world units.
+// Automatic visibility, in diagonals of the scene: ParaView's first camera is two of them away, and
+// two thirds of an object's contrast are left there. And without a scene, in world units.
 constexpr double DiagonalsSeen = 20.0;
 constexpr double UnknownVisibility = 10.0;
 

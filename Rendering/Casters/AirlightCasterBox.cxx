@@ -62,7 +62,7 @@ std::array<glm::dvec3, 8> GetCorners(const Caster& caster)
 glm::dvec3 FindAnchor(const std::vector<Caster>& casters)
 {
   std::vector<Box> boxes;
-  std::vector<double> places[3];
+  std::vector<double> coordinates[3];
   for (const Caster& caster : casters)
   {
     const Box box(caster);
@@ -72,7 +72,7 @@ glm::dvec3 FindAnchor(const std::vector<Caster>& casters)
       boxes.push_back(box);
       for (int axis = 0; axis < 3; ++axis)
       {
-        places[axis].push_back(middle[axis]);
+        coordinates[axis].push_back(middle[axis]);
       }
     }
   }
@@ -80,7 +80,8 @@ glm::dvec3 FindAnchor(const std::vector<Caster>& casters)
   {
     return glm::dvec3(0.0);
   }
-  const glm::dvec3 anchor(GetMedian(places[0]), GetMedian(places[1]), GetMedian(places[2]));
+  const glm::dvec3 anchor(
+    GetMedian(coordinates[0]), GetMedian(coordinates[1]), GetMedian(coordinates[2]));
   std::vector<double> reaches;
   reaches.reserve(boxes.size());
   for (const Box& box : boxes)

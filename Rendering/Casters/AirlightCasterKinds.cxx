@@ -24,7 +24,7 @@ bool HasPolygons(vtkMapper* mapper)
     return glyphs || DrawsItsPolygons(mapper);
   }
   glyphs->Update();
-  return HasKnownGlyphs(glyphs);
+  return HasSupportedGlyphs(glyphs);
 }
 
 //------------------------------------------------------------------------------

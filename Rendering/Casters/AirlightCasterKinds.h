@@ -19,7 +19,8 @@ bool MayCast(vtkProp* prop);
 // Whether what the mapper draws can be made of polygons.
 bool HasPolygons(vtkMapper* mapper);
 
-// Whether a mapper draws all cells of this input. Of blocks, some may look otherwise than the actor.
+// Whether a mapper draws all cells of this input. Of blocks, some may look otherwise than the
+// actor.
 bool ShowsAll(vtkDataObject* input);
 }
 

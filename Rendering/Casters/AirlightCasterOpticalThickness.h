@@ -30,8 +30,8 @@ struct CasterOpticalThickness
 // Opacities from 1 - 1e-6 on block.
 CasterOpticalThickness GetOpticalThickness(const glm::dvec3& opacity);
 
-// The largest error that rounding the thickness makes in what any number of layers of this kind lets
-// through: n layers are off by n u/2 exp(-n thickness), which is at most u / (2 e thickness).
+// The largest error that rounding the thickness makes in what any number of layers of this kind
+// lets through: n layers are off by n u/2 exp(-n thickness), which is at most u / (2 e thickness).
 double GetThicknessError(const CasterOpticalThickness& layer);
 }
 

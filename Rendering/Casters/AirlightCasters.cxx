@@ -115,12 +115,13 @@ void CasterCache::AddProp(vtkProp* prop)
 std::vector<glm::dvec3> NonPolygonalCaster::GetCorners() const
 {
   // A part's own bounds are those of where it stands without the assembly.
-  const double* b = this->Place ? this->Actor->GetMapper()->GetBounds() : this->Actor->GetBounds();
+  const double* b =
+    this->PartToWorld ? this->Actor->GetMapper()->GetBounds() : this->Actor->GetBounds();
   std::vector<glm::dvec3> corners;
   for (int i = 0; i < 8 && b && vtkMath::AreBoundsInitialized(b); ++i)
   {
     const glm::dvec4 corner(b[i & 1], b[2 + (i >> 1 & 1)], b[4 + (i >> 2)], 1.0);
-    corners.emplace_back(this->Place ? ToGlm(this->Place) * corner : corner);
+    corners.emplace_back(this->PartToWorld ? ToGlm(this->PartToWorld) * corner : corner);
   }
   return corners;
 }
@@ -133,8 +134,8 @@ void CasterCache::AddOther(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix
   other.Owner = owner;
   if (actor != owner)
   {
-    other.Place = vtkSmartPointer<vtkMatrix4x4>::New();
-    other.Place->DeepCopy(matrix);
+    other.PartToWorld = vtkSmartPointer<vtkMatrix4x4>::New();
+    other.PartToWorld->DeepCopy(matrix);
   }
   if (actor->HasOpaqueGeometry() && !other.GetCorners().empty())
   {

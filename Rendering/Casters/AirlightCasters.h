@@ -64,8 +64,8 @@ struct NonPolygonalCaster
   std::vector<glm::dvec3> GetCorners() const;
 
   vtkActor* Actor = nullptr;
-  vtkProp* Owner = nullptr;            // in the renderer: the actor, or what it is a part of
-  vtkSmartPointer<vtkMatrix4x4> Place; // of a part, to the world; else null
+  vtkProp* Owner = nullptr;                  // in the renderer: the actor, or what it is a part of
+  vtkSmartPointer<vtkMatrix4x4> PartToWorld; // of a part, to the world; else null
 };
 
 // Meshes are prepared once per change of their points or polygons and kept while anything in the
@@ -73,12 +73,12 @@ struct NonPolygonalCaster
 class CasterCache
 {
 public:
-  // All visible polygonal actors, glyphs, parts of assemblies and blocks of composite data sets, but
-  // for those whose property keys say otherwise; those that let light through where asked for.
+  // All visible polygonal actors, glyphs, parts of assemblies and blocks of composite data sets,
+  // but for those whose property keys say otherwise; those that let light through where asked for.
   const std::vector<Caster>& Collect(vtkRenderer* renderer, bool translucent);
 
-  // Whether the last Collect() met casters that let light through, and what is wrong with the keys of
-  // one of the props.
+  // Whether the last Collect() met casters that let light through, and what is wrong with the keys
+  // of one of the props.
   bool MetTranslucent() const { return this->Translucent; }
   const std::string& GetError() const { return this->Error; }
 
@@ -88,7 +88,8 @@ public:
   // Those of the last Collect(): point Gaussians, imposters, glyphs that GetGlyphs() does not know.
   const std::vector<NonPolygonalCaster>& GetNonPolygonal() const { return this->NonPolygonal; }
 
-  // A vtkLODProp3D of the last Collect() that shows something else than an actor; empty if there is none.
+  // A vtkLODProp3D of the last Collect() that shows something else than an actor; empty if there is
+  // none.
   const std::string& GetUnsupportedProp() const { return this->UnsupportedProp; }
 
   void Clear();

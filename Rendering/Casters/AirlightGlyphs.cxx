@@ -58,7 +58,7 @@ void TurnTo(vtkTransform* transform, const double d[3])
   }
 }
 
-void Turn(vtkTransform* transform, int mode, vtkDataArray* array, vtkIdType i)
+void Orient(vtkTransform* transform, int mode, vtkDataArray* array, vtkIdType i)
 {
   double v[4] = { 0.0, 0.0, 0.0, 0.0 };
   for (int k = 0; k < std::min(4, array->GetNumberOfComponents()); ++k)
@@ -109,7 +109,7 @@ void Scale(vtkTransform* transform, vtkGlyph3DMapper* mapper, vtkDataArray* arra
 }
 
 //------------------------------------------------------------------------------
-bool HasKnownGlyphs(vtkGlyph3DMapper* mapper)
+bool HasSupportedGlyphs(vtkGlyph3DMapper* mapper)
 {
   return vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0)) &&
     !mapper->GetUseSourceTableTree();
@@ -121,14 +121,14 @@ std::vector<Glyph> GetGlyphs(vtkGlyph3DMapper* mapper)
   std::vector<Glyph> glyphs;
   auto* data = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
   const int sources = mapper->GetNumberOfInputConnections(1);
-  if (sources == 0 || !HasKnownGlyphs(mapper))
+  if (sources == 0 || !HasSupportedGlyphs(mapper))
   {
     return glyphs;
   }
   // The mapper takes no other kind of array for a mask.
   vtkDataArray* mask =
     vtkBitArray::SafeDownCast(Get(mapper, data, mapper->GetMasking(), &Arrays::GetMaskArray));
-  vtkDataArray* turn = Get(mapper, data, mapper->GetOrient(), &Arrays::GetOrientationArray);
+  vtkDataArray* orientation = Get(mapper, data, mapper->GetOrient(), &Arrays::GetOrientationArray);
   vtkDataArray* scale = Get(mapper, data, mapper->GetScaling(), &Arrays::GetScaleArray);
   vtkDataArray* index =
     Get(mapper, data, mapper->GetSourceIndexing(), &Arrays::GetSourceIndexArray);
@@ -144,9 +144,9 @@ std::vector<Glyph> GetGlyphs(vtkGlyph3DMapper* mapper)
     }
     transform->Identity();
     transform->Translate(data->GetPoint(i));
-    if (turn)
+    if (orientation)
     {
-      Turn(transform, mapper->GetOrientationMode(), turn, i);
+      Orient(transform, mapper->GetOrientationMode(), orientation, i);
     }
     if (mapper->GetScaling())
     {

@@ -24,7 +24,7 @@ struct Glyph
 };
 
 // Whether GetGlyphs() knows the mapper's glyphs.
-bool HasKnownGlyphs(vtkGlyph3DMapper* mapper);
+bool HasSupportedGlyphs(vtkGlyph3DMapper* mapper);
 
 // The glyphs of a data set, turned, scaled, indexed and masked as the mapper does. None for
 // composite data sets and for sources from a table tree.

@@ -65,10 +65,10 @@ public:
 
 private:
   // Where a triangle belongs, and whether it is turned against the group's normal.
-  struct Place
+  struct PartToWorld
   {
     size_t Group = MostPlanes; // none: it has no area
-    bool Turned = false;
+    bool Flipped = false;
   };
 
   bool GroupTriangles();
@@ -81,15 +81,15 @@ private:
   const CasterMesh& Mesh;
   double Nearness;
   std::vector<PlaneGroup> Groups;
-  std::vector<Place> Places; // by triangle
+  std::vector<PartToWorld> Memberships; // by triangle
 };
 
 //------------------------------------------------------------------------------
 // False where there are too many planes.
 bool FaceFinder::GroupTriangles()
 {
-  this->Places.resize(this->Mesh.Triangles.size());
-  for (size_t f = 0; f < this->Places.size(); ++f)
+  this->Memberships.resize(this->Mesh.Triangles.size());
+  for (size_t f = 0; f < this->Memberships.size(); ++f)
   {
     if (!this->AddTriangle(f))
     {
@@ -114,7 +114,7 @@ bool FaceFinder::AddTriangle(size_t triangle)
       [&](int point) { return GetDistance(group, this->Mesh.Points[point]) <= this->Nearness; });
   };
   const auto found = std::find_if(this->Groups.begin(), this->Groups.end(), holds);
-  const auto place = static_cast<size_t>(found - this->Groups.begin());
+  const auto membership = static_cast<size_t>(found - this->Groups.begin());
   if (found == this->Groups.end())
   {
     if (this->Groups.size() == MostPlanes)
@@ -126,9 +126,9 @@ bool FaceFinder::AddTriangle(size_t triangle)
     group.Offset = this->Mesh.Planes[triangle].w / length;
     this->Groups.push_back(group);
   }
-  PlaneGroup& group = this->Groups[place];
+  PlaneGroup& group = this->Groups[membership];
   group.Area += 0.5 * length;
-  this->Places[triangle] = { place, glm::dot(group.Normal, normal) < 0.0 };
+  this->Memberships[triangle] = { membership, glm::dot(group.Normal, normal) < 0.0 };
   return true;
 }
 
@@ -140,8 +140,8 @@ void FaceFinder::AddEdge(const CasterMesh::EdgeEnds& ends, const Uses& uses)
   std::array<int, MostPlanes + 1> sums{};
   for (const CasterMesh::EdgeUse use : uses)
   {
-    const Place& place = this->Places[use / 2];
-    sums[place.Group] += (use % 2 == 1) != place.Turned ? 1 : -1;
+    const PartToWorld& membership = this->Memberships[use / 2];
+    sums[membership.Group] += (use % 2 == 1) != membership.Flipped ? 1 : -1;
   }
   for (size_t g = 0; g < this->Groups.size(); ++g)
   {
@@ -243,8 +243,9 @@ bool IsOnSide(
 }
 
 //------------------------------------------------------------------------------
-// How many triangles cover a place changes at the group's borders only. Where all of these are on the
-// outline of the convex hull it is the same number everywhere inside, and 1 where the areas are the same.
+// How many triangles cover a place changes at the group's borders only. Where all of these are on
+// the outline of the convex hull it is the same number everywhere inside, and 1 where the areas are
+// the same.
 PlanarFace FaceFinder::MakeFace(const PlaneGroup& group) const
 {
   if (!group.IsPlain || group.Border.size() < 3)

@@ -23,9 +23,9 @@ class CasterMesh;
 // However many triangles it is made of, they cover it, each place once, and nothing beside it.
 using PlanarFace = std::vector<glm::dvec3>;
 
-// Faces of other outlines, and those with holes, are left out. None where the triangles lie in more than
-// six planes. Takes time in proportion to the mesh's triangles, of which it looks at few where it is
-// curved.
+// Faces of other outlines, and those with holes, are left out. None where the triangles lie in more
+// than six planes. Takes time in proportion to the mesh's triangles, of which it looks at few where
+// it is curved.
 VTKAIRLIGHT_EXPORT std::vector<PlanarFace> FindPlanarFaces(const CasterMesh& mesh);
 }
 

@@ -40,10 +40,10 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
   const bool cones = std::any_of(
     lights.begin(), lights.end(), [&](int k) { return scene.Lights[k].Values.cosCone > 0.0; });
   return GetShaderVersion(false) + (cones ? "" : "#define AIRLIGHT_NO_CONE\n") +
-    Define("TURNED", equiangular) + (intoTextures ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
+    Define("EQUIANGULAR", equiangular) + (intoTextures ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
     (intoTextures && options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
     Define("DEBUG_VIEW", intoTextures ? 0 : options.DebugView) +
-    Define("APART", options.ShadowingLight) + Define("BITS", options.LightsPerChannel) +
+    Define("SHADOWING_LIGHT", options.ShadowingLight) + Define("BITS", options.LightsPerChannel) +
     Define("AMBIENT", HasAmbient(scene.Media)) + Define("ENCODED_INPUT", options.EncodedInput) +
     Define("ENCODED_OUTPUT", options.EncodedOutput) + Define("PARALLEL", scene.Rays.IsParallel()) +
     "#define AIRLIGHT_FULL_SCREEN\n" + GetScatteringSource(scene.Media, kind, false) +
@@ -68,7 +68,7 @@ vtkShaderProgram* CompositePass::GetProgram(
     options.Unshadowed ? FindScattering(scene.Lights) : std::vector<int>();
   const bool equiangular = options.Equiangular && AreEquiangular(scene, lights);
   vtkShaderProgram* program =
-    quad.Ready(scene.Window, GetSource(scene, options, lights, equiangular, intoTextures));
+    quad.GetOrCompile(scene.Window, GetSource(scene, options, lights, equiangular, intoTextures));
   if (!program)
   {
     this->Fail("the composite shader");
@@ -101,7 +101,7 @@ CompositePass::NamedTextures CompositePass::GetTextures(
   }
   if (options.ShadowingLight >= 0)
   {
-    textures.emplace_back("dark", inputs.SceneWithoutLight);
+    textures.emplace_back("withoutLight", inputs.SceneWithoutLight);
     if (options.ShadowingLight >= options.LightsPerChannel)
     {
       textures.emplace_back("lit", inputs.MoreLit);
@@ -151,7 +151,7 @@ bool CompositePass::DrawIntoViewport(
 bool CompositePass::CopyIntoViewport(const FrameScene& scene, const Options& options,
   const Inputs& inputs, vtkTextureObject* radiance, int x, int y, bool blend)
 {
-  vtkShaderProgram* program = this->CopyQuad.Ready(
+  vtkShaderProgram* program = this->CopyQuad.GetOrCompile(
     scene.Window, std::string("#version 330\n") + AirlightDisplay + AirlightCopyFS);
   if (!program)
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The medium before the scene: airlight + transmittance * scene. Into textures, where something is drawn
- * over the medium or buffers are recorded, or at once into the caller's framebuffer.
+ * The medium before the scene: airlight + transmittance * scene. Into textures, where something is
+ * drawn over the medium or buffers are recorded, or at once into the caller's framebuffer.
  */
 
 #ifndef AirlightCompositePass_h
@@ -27,8 +27,8 @@ public:
   {
     bool Unshadowed = false;  // the lights have no shadows in the medium and are integrated here
     bool Equiangular = false; // and by equiangular quadrature where they can be
-    // The light without which the scene was drawn, too, -1 if there is none, and how many lights have
-    // their bits in one channel.
+    // The light without which the scene was drawn, too, -1 if there is none, and how many lights
+    // have their bits in one channel.
     int ShadowingLight = -1;
     int LightsPerChannel = 24;
     int DebugView = 0; // vtkAirlightPass::DebugViewType
@@ -51,7 +51,8 @@ public:
   };
 
   // Into the textures that are bound: radiance, and where they are recorded airlight, surface and
-  // transmittance. False with a reason in GetError() where a shader does not compile, here and below.
+  // transmittance. False with a reason in GetError() where a shader does not compile, here and
+  // below.
   bool DrawIntoTextures(const FrameScene& scene, const Options& options, const Inputs& inputs);
 
   // Into the framebuffer that is bound, with the viewport at x, y; `blend`: over what it holds.

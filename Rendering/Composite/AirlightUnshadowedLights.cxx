@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Composite/AirlightUnshadowedLights.h"
 
-#include "AirlightWholeRays.h"
+#include "AirlightUnshadowedRays.h"
 #include "OpenGL/AirlightQuad.h"
 
 #include "vtkShaderProgram.h"
@@ -18,10 +18,11 @@ std::string GetUnshadowedSource(const std::vector<int>& lights)
   for (size_t i = 0; i < lights.size(); ++i)
   {
     lines +=
-      " sum += airlightWholeRay(" + std::to_string(i) + ", p, origin, direction, unit, end);";
+      " sum += airlightUnshadowedRay(" + std::to_string(i) + ", p, origin, direction, unit, end);";
   }
-  return "#define AIRLIGHT_WHOLE_LIGHTS " + std::to_string(std::max<size_t>(lights.size(), 1)) +
-    "\n#define AIRLIGHT_EACH_LIGHT" + lines + "\n" + AirlightWholeRays;
+  return "#define AIRLIGHT_UNSHADOWED_LIGHTS " +
+    std::to_string(std::max<size_t>(lights.size(), 1)) + "\n#define AIRLIGHT_EACH_LIGHT" + lines +
+    "\n" + AirlightUnshadowedRays;
 }
 
 //------------------------------------------------------------------------------

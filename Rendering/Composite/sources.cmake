@@ -7,5 +7,4 @@ airlight_sources(
   GLSL
     glsl/AirlightCompositeFS.glsl
     glsl/AirlightCopyFS.glsl
-    glsl/AirlightDisplay.glsl
-    glsl/AirlightWholeRays.glsl)
+    glsl/AirlightUnshadowedRays.glsl)

@@ -36,10 +36,10 @@ bool Frame::Fail(const std::string& reason)
 
 //------------------------------------------------------------------------------
 bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
-  f64::AirlightMedia& converted, std::vector<Lamp>& lamps)
+  f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights)
 {
   this->OverBudget = false;
-  return UploadData(this->Data, &this->Grids, window, media, converted, lamps) ||
+  return UploadData(this->Data, &this->Grids, window, media, converted, sceneLights) ||
     this->Fail(this->Data.GetError());
 }
 
@@ -49,16 +49,16 @@ bool Frame::Begin(const Input& input)
   this->Renderer = input.Renderer;
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(input.Renderer->GetRenderWindow());
   this->Media = input.Media;
-  this->Lamps = input.Lamps;
+  this->SceneLights = input.SceneLights;
   this->Rays = input.Rays;
   this->Solids = input.Solids;
   this->DrawInMap = input.DrawInMap;
   this->Width = input.Rays.GetWidth();
   this->Height = input.Rays.GetHeight();
   Targets::Needs needs;
-  needs.Lamps = input.Lamps.size();
+  needs.SceneLights = input.SceneLights.size();
   needs.Drawn = !this->Plan.AllShadersInjectable;
-  needs.Dark = this->Plan.ShadowingLight >= 0;
+  needs.WithoutLight = this->Plan.ShadowingLight >= 0;
   needs.Record = this->Plan.Record;
   needs.Translucent = this->Plan.Translucent;
   return this->Textures.Prepare(this->Window, this->Width, this->Height, needs) ||
@@ -193,7 +193,7 @@ bool Frame::ResolveDistances()
   {
     return this->Fail(this->Textures.GetError());
   }
-  vtkShaderProgram* program = this->DistancesQuad.Ready(
+  vtkShaderProgram* program = this->DistancesQuad.GetOrCompile(
     this->Window, std::string("#version 330\n") + AirlightCameraShader + AirlightDistancesFS);
   if (!program)
   {
@@ -240,23 +240,23 @@ bool Frame::ScatterLights()
   }
   this->ClearTarget(0.0f);
   this->Buffers.Clear();
-  this->Volumes.resize(this->Lamps.size());
+  this->Volumes.resize(this->SceneLights.size());
   // Maps are large: those of lamps, or of a technique, that are no more go.
   const bool mapped =
     this->Plan.Shadows == ShadowMethod::Map || this->Plan.Shadows == ShadowMethod::March;
-  if (this->Maps.size() > this->Lamps.size() || !mapped)
+  if (this->Maps.size() > this->SceneLights.size() || !mapped)
   {
     this->ReleaseMaps(this->Window);
   }
-  this->Maps.resize(this->Lamps.size());
+  this->Maps.resize(this->SceneLights.size());
   if (!this->UpdateShadows())
   {
     return false;
   }
-  for (size_t k = 0; k < this->Lamps.size(); ++k)
+  for (size_t k = 0; k < this->SceneLights.size(); ++k)
   {
-    const Lamp& lamp = this->Lamps[k];
-    if (lamp.Scatters() && !this->ScatterLight(static_cast<int>(k)))
+    const SceneLight& sceneLight = this->SceneLights[k];
+    if (sceneLight.Scatters() && !this->ScatterLight(static_cast<int>(k)))
     {
       return false;
     }
@@ -295,7 +295,7 @@ bool Frame::Record()
 //------------------------------------------------------------------------------
 FrameScene Frame::GetScene()
 {
-  return { this->Window, this->Media, this->Lamps, *this->Rays, this->Data.GetTexture(),
+  return { this->Window, this->Media, this->SceneLights, *this->Rays, this->Data.GetTexture(),
     this->Width, this->Height };
 }
 
@@ -322,7 +322,7 @@ CompositePass::Inputs Frame::GetCompositeInputs()
   inputs.Distances = this->Textures.Distances;
   inputs.Depth = this->Textures.Depth;
   inputs.Scene = this->Textures.Scene;
-  inputs.SceneWithoutLight = this->Textures.Dark;
+  inputs.SceneWithoutLight = this->Textures.WithoutLight;
   inputs.Scattered = this->Textures.Scattered;
   inputs.MoreLit = this->Textures.Lit;
   inputs.Counts = this->Textures.Counts;
@@ -373,10 +373,10 @@ bool Frame::Composite(int x, int y, bool blend)
 bool Frame::DrawPlanes()
 {
   const bool planes = this->Plan.Shadows == ShadowMethod::Planes;
-  for (size_t k = 0; k < this->Lamps.size() && planes; ++k)
+  for (size_t k = 0; k < this->SceneLights.size() && planes; ++k)
   {
-    const Lamp& lamp = this->Lamps[k];
-    if (lamp.Scatters() && lamp.CastsShadows && this->Volumes[k].HasShadows() &&
+    const SceneLight& sceneLight = this->SceneLights[k];
+    if (sceneLight.Scatters() && sceneLight.CastsShadows && this->Volumes[k].HasShadows() &&
       !this->Boundaries.DrawWireframe(this->GetPlanesSource(static_cast<int>(k))))
     {
       return this->Fail(this->Boundaries.GetError());

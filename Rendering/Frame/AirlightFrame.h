@@ -11,8 +11,9 @@
  *      volumes;
  *   5. into the caller's framebuffer.
  *
- * Most scenes are drawn once: steps 1 and 3 are one, in place of the first (vtkAirlightPassOnce.cxx).
- * Where no light's airlight has shadows, step 2 is done with step 4 (AirlightFrameWholeRays.cxx).
+ * Most scenes are drawn once: steps 1 and 3 are one, in place of the first
+ * (AirlightSceneStages.cxx). Where no light's airlight has shadows, step 2 is done with step 4
+ * (AirlightUnshadowedLights.cxx).
  */
 
 #ifndef AirlightFrame_h
@@ -23,11 +24,11 @@
 #include "Frame/AirlightFramePlan.h"
 #include "Frame/AirlightFrameRecorder.h"
 #include "Frame/AirlightTargets.h"
-#include "MapperShaders/AirlightSurfaceShader.h"
+#include "MapperShaders/AirlightSurfaceUniforms.h"
 #include "OpenGL/AirlightQuad.h"
 #include "Scene/AirlightCameraUniforms.h"
-#include "Scene/AirlightLamps.h"
 #include "Scene/AirlightSceneData.h"
+#include "Scene/AirlightSceneLights.h"
 #include "ShadowMaps/AirlightShadowMap.h"
 #include "ShadowVolumes/AirlightPlanarOccluders.h"
 #include "ShadowVolumes/AirlightShadowLists.h"
@@ -65,8 +66,8 @@ constexpr const char* RecordDefinition = "#define AIRLIGHT_RECORD\n";
 // Documentation/accuracy.md).
 constexpr float ClosedFormError = 1e-4f;
 constexpr float QuadratureError = 1e-3f;
-// In an image that its medium's region cuts: where the way to the light begins to leave the region instead of
-// the image there is a kink, at which cells are not cut. 6e-3 measured.
+// In an image that its medium's region cuts: where the way to the light begins to leave the region
+// instead of the image there is a kink, at which cells are not cut. 6e-3 measured.
 constexpr float CutImageError = 1e-2f;
 
 // Whether the media neither scatter nor absorb.
@@ -77,7 +78,7 @@ class Frame
 public:
   // UploadData() for the shaders, before Begin().
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
-    f64::AirlightMedia& converted, std::vector<Lamp>& lamps);
+    f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights);
 
   // Finds what casts shadows, before Begin(), with what lets light through or without; and what of
   // it has no polygons to draw planes from.
@@ -109,7 +110,7 @@ public:
   {
     vtkRenderer* Renderer;
     f64::AirlightMedia Media;
-    std::vector<Lamp> Lamps;
+    std::vector<SceneLight> SceneLights;
     CameraUniforms Rays;
     // Props of which each fragment hides what is behind it, drawn as their mappers' inputs are.
     std::vector<vtkProp*> Solids;
@@ -158,8 +159,8 @@ public:
   vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Textures.GetFramebuffer(); }
   const std::string& GetError() const { return this->Error; }
 
-  // Frees all OpenGL objects, of which some may be what OpenGL refused; the next frame makes others.
-  // Release() frees what is known of casters, too.
+  // Frees all OpenGL objects, of which some may be what OpenGL refused; the next frame makes
+  // others. Release() frees what is known of casters, too.
   void ReleaseObjects(vtkWindow* window);
   void Release(vtkWindow* window);
 
@@ -196,9 +197,9 @@ private:
   };
   bool Resolve(int index, Lists lists, int row, int rows);
   bool DrawResolve(int index, Lists lists, bool fragmentsOnly, int row, int rows);
-  bool IsTurned(int index, Lists lists);
+  bool ResolvesEquiangular(int index, Lists lists);
   std::string GetResolveSource(int index, Lists lists, bool fragmentsOnly);
-  std::string GetTurnedSource(int index, Lists lists) const;
+  std::string GetEquiangularResolveSource(int index, Lists lists) const;
   std::string GetResolveHead(int index, bool storage) const;
   void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool fragmentsOnly);
   void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);
@@ -210,7 +211,7 @@ private:
   CompositePass::Options GetCompositeOptions() const;
   CompositePass::Inputs GetCompositeInputs();
   std::vector<vtkTextureObject*> GetScatterTargets();
-  bool HasMoreLit() const { return this->Lamps.size() > BitsPerChannel; }
+  bool HasMoreLit() const { return this->SceneLights.size() > BitsPerChannel; }
   void ClearTarget(float value);
   void ClearDepth();
   void BlendColours();
@@ -238,7 +239,7 @@ private:
   vtkRenderer* Renderer = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
   f64::AirlightMedia Media{};
-  std::vector<Lamp> Lamps;
+  std::vector<SceneLight> SceneLights;
   std::optional<CameraUniforms> Rays;
   const CameraUniforms* MapRays = nullptr;
   const std::vector<Caster>* FoundCasters = nullptr; // null: without shadows

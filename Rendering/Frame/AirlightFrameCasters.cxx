@@ -39,12 +39,13 @@ bool Frame::PrepareCasters()
                        : std::vector<PlanarOccluder>();
   this->TransmitsShadows =
     planes && this->Plan.TranslucentShadows && this->Casters.MetTranslucent();
-  std::vector<int> slots(this->Lamps.size(), -1);
+  std::vector<int> slots(this->SceneLights.size(), -1);
   int count = 0;
   for (size_t k = 0; k < slots.size() && k < MaximumShadowingLights; ++k)
   {
-    const Lamp& lamp = this->Lamps[k];
-    if (this->TransmitsShadows && this->Plan.SurfaceShadows && lamp.Scatters() && lamp.CastsShadows)
+    const SceneLight& sceneLight = this->SceneLights[k];
+    if (this->TransmitsShadows && this->Plan.SurfaceShadows && sceneLight.Scatters() &&
+      sceneLight.CastsShadows)
     {
       slots[k] = count++;
     }
@@ -67,7 +68,7 @@ ShadowVolumes::RemoteSilhouettes Frame::GetRemoteSilhouettes(int index) const
   for (const ProcessSilhouettes& remote : this->RemoteSilhouettes)
   {
     const auto k = static_cast<size_t>(index);
-    const glm::dvec4& light = this->Lamps[k].World;
+    const glm::dvec4& light = this->SceneLights[k].World;
     if (k < remote.size() && glm::distance(remote[k]->Light, light) <= 1e-9 * glm::length(light))
     {
       found.push_back(remote[k]);
@@ -81,10 +82,10 @@ ShadowVolumes::RemoteSilhouettes Frame::GetRemoteSilhouettes(int index) const
 bool Frame::UpdateShadows()
 {
   size_t edges = 0;
-  for (size_t k = 0; k < this->Lamps.size() && this->FoundCasters; ++k)
+  for (size_t k = 0; k < this->SceneLights.size() && this->FoundCasters; ++k)
   {
-    const Lamp& lamp = this->Lamps[k];
-    if (lamp.Scatters() && lamp.CastsShadows)
+    const SceneLight& sceneLight = this->SceneLights[k];
+    if (sceneLight.Scatters() && sceneLight.CastsShadows)
     {
       if (!this->UpdateShadows(static_cast<int>(k), *this->FoundCasters))
       {
@@ -103,11 +104,11 @@ bool Frame::UpdateShadows()
 // Of one light.
 bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
 {
-  const Lamp& lamp = this->Lamps[index];
+  const SceneLight& sceneLight = this->SceneLights[index];
   if (this->Plan.Shadows == ShadowMethod::Planes)
   {
     this->Volumes[index].SetRemoteSilhouettes(this->GetRemoteSilhouettes(index));
-    if (this->Volumes[index].Update(casters, lamp.World, *this->Rays))
+    if (this->Volumes[index].Update(casters, sceneLight.World, *this->Rays))
     {
       return this->Boundaries.SetVolumes(index, this->Volumes[index]) ||
         this->Fail(this->Boundaries.GetError());
@@ -119,7 +120,7 @@ bool Frame::UpdateShadows(int index, const std::vector<Caster>& casters)
     this->Maps[index] = std::make_unique<ShadowMap>();
   }
   ShadowMap& map = *this->Maps[index];
-  if (!map.Update(casters, this->Casters.GetNonPolygonal(), lamp, this->Plan.MapResolution))
+  if (!map.Update(casters, this->Casters.GetNonPolygonal(), sceneLight, this->Plan.MapResolution))
   {
     return true;
   }

@@ -13,8 +13,8 @@ namespace airlight
 {
 namespace
 {
-// Shaders take time to compile for each light that they integrate: so many lights of a closed form in
-// the composite, one of any other kind.
+// Shaders take time to compile for each light that they integrate: so many lights of a closed form
+// in the composite, one of any other kind.
 constexpr std::size_t MaximumClosedLights = 4;
 
 bool HasClosedForm(int kind)
@@ -87,8 +87,8 @@ bool IsPlain(const FramePlan& plan, const PassProperties& properties, const Scen
 }
 
 //------------------------------------------------------------------------------
-// Shadows on surfaces are known only after the distances. Where a single light casts them, colours are
-// drawn with and without it.
+// Shadows on surfaces are known only after the distances. Where a single light casts them, colours
+// are drawn with and without it.
 void PlanGeometryPasses(FramePlan& plan, const SceneFacts& scene)
 {
   plan.SingleGeometryPass = plan.AllShadersInjectable;
@@ -114,8 +114,8 @@ void PlanGeometryPasses(FramePlan& plan, const SceneFacts& scene)
 }
 
 //------------------------------------------------------------------------------
-// The composite's shader is compiled for one kind of light without photometry. It makes frames without
-// shadows a fifth shorter (Documentation/benchmarks.md).
+// The composite's shader is compiled for one kind of light without photometry. It makes frames
+// without shadows a fifth shorter (Documentation/benchmarks.md).
 bool IsUnshadowedInComposite(const FramePlan& plan, const SceneFacts& scene)
 {
   if (plan.Record || plan.Translucent || plan.View != DebugView::Shaded ||

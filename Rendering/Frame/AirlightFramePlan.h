@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The plan of a frame: which steps it takes, and how. It follows from the properties of the pass, the
- * scene and the limits of OpenGL alone. No OpenGL is called.
+ * The plan of a frame: which steps it takes, and how. It follows from the properties of the pass,
+ * the scene and the limits of OpenGL alone. No OpenGL is called.
  *
  * Not installed; exported for the module's own tests.
  */
@@ -106,8 +106,8 @@ enum class TechniqueReason
 
 struct FramePlan
 {
-  // VTK's own picture: the medium is clear, and there are no shadows on surfaces. VTK then draws the
-  // scene, with its own roundings and multisampling.
+  // VTK's own picture: the medium is clear, and there are no shadows on surfaces. VTK then draws
+  // the scene, with its own roundings and multisampling.
   bool Plain = false;
 
   ShadowTechnique Technique = ShadowTechnique::None; // never Automatic
@@ -126,8 +126,8 @@ struct FramePlan
 
   bool AllShadersInjectable = false;
   bool AllOpaque = false;
-  // Colours and distances of opaque surfaces are drawn at once. With shadows on them, the light that
-  // casts them is this one, -1 if there is none: the scene is drawn with and without it.
+  // Colours and distances of opaque surfaces are drawn at once. With shadows on them, the light
+  // that casts them is this one, -1 if there is none: the scene is drawn with and without it.
   bool SingleGeometryPass = false;
   int ShadowingLight = -1;
   // No light's airlight has shadows: the composite integrates it, without a step of its own.

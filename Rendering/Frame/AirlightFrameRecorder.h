@@ -21,8 +21,8 @@ class Targets;
 class FrameRecorder
 {
 public:
-  // Reads what the composite and the lights' airlight left in the targets. False with a reason in the
-  // targets' GetError(), here and below.
+  // Reads what the composite and the lights' airlight left in the targets. False with a reason in
+  // the targets' GetError(), here and below.
   bool Record(Targets& targets);
 
   // Reads one light's airlight.

@@ -20,14 +20,14 @@ namespace airlight
 // Null where nothing casts shadows in this light.
 ShadowMap* Frame::GetMap(int index) const
 {
-  const bool used = this->Lamps[index].CastsShadows && this->Maps[index];
+  const bool used = this->SceneLights[index].CastsShadows && this->Maps[index];
   return used && this->Maps[index]->HasCasters() ? this->Maps[index].get() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 bool Frame::ScatterLight(int index)
 {
-  const bool shadows = this->Lamps[index].CastsShadows;
+  const bool shadows = this->SceneLights[index].CastsShadows;
   const ShadowMethod method = this->Plan.Shadows;
   if (shadows && method == ShadowMethod::Planes && this->Volumes[index].HasShadows())
   {
@@ -41,9 +41,10 @@ bool Frame::ScatterLight(int index)
 //------------------------------------------------------------------------------
 ShadowLists::Source Frame::GetPlanesSource(int index)
 {
-  const Lamp& lamp = this->Lamps[index];
-  return { index, this->Volumes[index], lamp.World, *this->Rays, this->Textures.Distances,
-    FindTruncationPlanes(*this->FoundCasters, this->Faces, lamp.World, this->Rays->GetEye()) };
+  const SceneLight& sceneLight = this->SceneLights[index];
+  return { index, this->Volumes[index], sceneLight.World, *this->Rays, this->Textures.Distances,
+    FindTruncationPlanes(
+      *this->FoundCasters, this->Faces, sceneLight.World, this->Rays->GetEye()) };
 }
 
 //------------------------------------------------------------------------------
@@ -80,22 +81,24 @@ bool Frame::ResolveLong(int index, int row, int rows)
   {
     return this->Fail(this->Boundaries.GetError());
   }
-  const bool turned = this->IsTurned(index, Lists::Long);
-  bool ok = draws == 0 || !turned || this->DrawResolve(index, Lists::Long, false, row, rows);
-  for (int draw = 0; draw < draws && ok && (!turned || this->Plan.TranslucentFragments); ++draw)
+  const bool equiangular = this->ResolvesEquiangular(index, Lists::Long);
+  bool ok = draws == 0 || !equiangular || this->DrawResolve(index, Lists::Long, false, row, rows);
+  for (int draw = 0; draw < draws && ok && (!equiangular || this->Plan.TranslucentFragments);
+       ++draw)
   {
-    ok = this->DrawResolve(index, draw == 0 ? Lists::Long : Lists::LongRest, turned, row, rows);
+    ok =
+      this->DrawResolve(index, draw == 0 ? Lists::Long : Lists::LongRest, equiangular, row, rows);
   }
   return ok;
 }
 
 //------------------------------------------------------------------------------
-// The records of translucent fragments take the closed form. What is behind them does not, so that it is
-// the same to the last bit with and without them.
+// The records of translucent fragments take the closed form. What is behind them does not, so that
+// it is the same to the last bit with and without them.
 bool Frame::Resolve(int index, Lists lists, int row, int rows)
 {
   return this->DrawResolve(index, lists, false, row, rows) &&
-    (!this->Plan.TranslucentFragments || !this->IsTurned(index, lists) ||
+    (!this->Plan.TranslucentFragments || !this->ResolvesEquiangular(index, lists) ||
       this->DrawResolve(index, lists, true, row, rows));
 }
 
@@ -107,7 +110,7 @@ bool Frame::DrawResolve(int index, Lists lists, bool fragmentsOnly, int row, int
     : std::min<size_t>(static_cast<size_t>(lists), static_cast<size_t>(Lists::Long));
   Quad& quad = this->ResolveQuads[fragmentsOnly ? 4 : own];
   vtkShaderProgram* program =
-    quad.Ready(this->Window, this->GetResolveSource(index, lists, fragmentsOnly));
+    quad.GetOrCompile(this->Window, this->GetResolveSource(index, lists, fragmentsOnly));
   if (!program)
   {
     return this->Fail(std::string("the airlight shader") + ProgramMaker::GetReason());

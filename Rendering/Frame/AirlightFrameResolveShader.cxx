@@ -6,6 +6,8 @@
 #include "Frame/AirlightFrame.h"
 
 #include "AirlightCameraShader.h"
+#include "AirlightEquiangularFS.h"
+#include "AirlightEquiangularRay.h"
 #include "AirlightMapBoundaries.h"
 #include "AirlightMapMarch.h"
 #include "AirlightNoBoundaries.h"
@@ -17,8 +19,6 @@
 #include "AirlightShadowCounts.h"
 #include "AirlightTranslucentLists.h"
 #include "AirlightTransmittanceBuffer.h"
-#include "AirlightTurnedFS.h"
-#include "AirlightTurnedRay.h"
 #include "Integration/AirlightIntegrate.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "Scene/AirlightEquiangularLights.h"
@@ -54,14 +54,14 @@ double GetFadingLength(const airlight::f64::AirlightMedia& media)
 namespace airlight
 {
 //------------------------------------------------------------------------------
-bool Frame::IsTurned(int index, Lists lists)
+bool Frame::ResolvesEquiangular(int index, Lists lists)
 {
   return IsEquiangular(this->GetScene(), index) && !this->TransmitsShadows && lists != Lists::Map &&
     (lists == Lists::None || this->Boundaries.HasKBuffer());
 }
 
 //------------------------------------------------------------------------------
-std::string Frame::GetTurnedSource(int index, Lists lists) const
+std::string Frame::GetEquiangularResolveSource(int index, Lists lists) const
 {
   const bool planes = lists != Lists::None;
   // AirlightConstants.glsl sets a part of the light.
@@ -70,16 +70,16 @@ std::string Frame::GetTurnedSource(int index, Lists lists) const
     AirlightShadowCounts +
     (planes ? this->Boundaries.GetPackedSource(lists != Lists::Short)
             : AirlightNoPackedBoundaries) +
-    AirlightTurnedRay + AirlightResolveOutputs + AirlightTurnedFS;
+    AirlightEquiangularRay + AirlightResolveOutputs + AirlightEquiangularFS;
 }
 
 //------------------------------------------------------------------------------
 std::string Frame::GetResolveSource(int index, Lists lists, bool fragmentsOnly)
 {
   const bool records = this->Plan.TranslucentFragments;
-  if (this->IsTurned(index, lists) && !fragmentsOnly)
+  if (this->ResolvesEquiangular(index, lists) && !fragmentsOnly)
   {
-    return this->GetTurnedSource(index, lists);
+    return this->GetEquiangularResolveSource(index, lists);
   }
   const bool planes = lists != Lists::None && lists != Lists::Map;
   const bool march = this->Plan.Shadows == ShadowMethod::March;
@@ -106,7 +106,7 @@ std::string Frame::GetResolveSource(int index, Lists lists, bool fragmentsOnly)
 // What the sources of a light's airlight begin with.
 std::string Frame::GetResolveHead(int index, bool storage) const
 {
-  const f64::AirlightLight& light = this->Lamps[index].Values;
+  const f64::AirlightLight& light = this->SceneLights[index].Values;
   return GetShaderVersion(storage) + BoundaryBuffer::DefineNodes(this->TransmitsShadows) +
     (this->Plan.Record ? RecordDefinition : "") + "#define AIRLIGHT_MORE_LIT " +
     std::to_string(this->HasMoreLit()) + "\n" +
@@ -120,14 +120,14 @@ std::string Frame::GetResolveHead(int index, bool storage) const
 // Of a light's airlight, relative to that without shadows.
 double Frame::GetIntegralError(int index) const
 {
-  const Lamp& lamp = this->Lamps[index];
+  const SceneLight& sceneLight = this->SceneLights[index];
   const bool cut =
     HasGrid(this->Media) && this->Media.item[0].region.kind != AIRLIGHT_REGION_UNBOUNDED;
-  double error = lamp.GridError +
-    (cut                            ? CutImageError
-        : IsQuadrature(lamp.Values) ? QuadratureError
-                                    : ClosedFormError);
-  if (this->TransmitsShadows && this->Lamps[index].CastsShadows)
+  double error = sceneLight.GridError +
+    (cut                                  ? CutImageError
+        : IsQuadrature(sceneLight.Values) ? QuadratureError
+                                          : ClosedFormError);
+  if (this->TransmitsShadows && this->SceneLights[index].CastsShadows)
   {
     double thickness = 0.0;
     for (const CasterOpticalThickness& layer : this->Volumes[index].GetLayers())
@@ -144,25 +144,25 @@ void Frame::SetResolveUniforms(
   vtkShaderProgram* program, int index, Lists lists, bool fragmentsOnly)
 {
   this->Rays->SetUniforms(program, 0, 0);
-  const bool turned = this->IsTurned(index, lists) && !fragmentsOnly;
-  if (turned)
+  const bool equiangular = this->ResolvesEquiangular(index, lists) && !fragmentsOnly;
+  if (equiangular)
   {
     SetMediaUniforms(program, "givenMedia", this->Media);
-    SetLightUniforms(program, "givenLight", this->Lamps[index].Values);
+    SetLightUniforms(program, "givenLight", this->SceneLights[index].Values);
     SetEquiangularConstants(program, this->GetScene(), { index });
   }
   else
   {
     SetMediaUniforms(program, "media", this->Media);
-    SetLightUniforms(program, "light", this->Lamps[index].Values);
+    SetLightUniforms(program, "light", this->SceneLights[index].Values);
   }
-  if (f64::airlightIsDirectional(this->Lamps[index].Values))
+  if (f64::airlightIsDirectional(this->SceneLights[index].Values))
   {
     program->SetUniformi("lightHasPixel", 0);
   }
   else
   {
-    this->Rays->SetFootUniforms(program, this->Lamps[index].Values.position);
+    this->Rays->SetFootUniforms(program, this->SceneLights[index].Values.position);
   }
   const bool planes = lists != Lists::None && lists != Lists::Map;
   this->SetStartUniforms(program, index, planes);
@@ -177,7 +177,7 @@ void Frame::SetResolveUniforms(
     program->SetUniformf("phaseError", static_cast<float>(this->Plan.PhaseErrorBound));
     program->SetUniformf("error", static_cast<float>(this->GetIntegralError(index)));
   }
-  if (this->Plan.TranslucentFragments && !turned)
+  if (this->Plan.TranslucentFragments && !equiangular)
   {
     this->FragmentLists.Use(program);
     program->SetUniformi("lightBit", index < MaximumShadowingLights ? index : -1);

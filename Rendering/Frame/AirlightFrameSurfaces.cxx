@@ -43,7 +43,7 @@ bool Frame::BindSceneAndDistances()
   std::vector<vtkTextureObject*> targets = { this->Textures.Scene, this->Textures.Distances };
   if (this->Plan.ShadowingLight >= 0)
   {
-    targets.push_back(this->Textures.Dark);
+    targets.push_back(this->Textures.WithoutLight);
   }
   if (!this->Textures.Bind(targets, this->Textures.Depth))
   {
@@ -69,8 +69,8 @@ bool Frame::BindSceneAndDistances()
 }
 
 //------------------------------------------------------------------------------
-// What is in the dark picture where no surface is nobody reads. To blend is more work, and may round
-// what an opaque fragment writes.
+// What is in the dark picture where no surface is nobody reads. To blend is more work, and may
+// round what an opaque fragment writes.
 void Frame::BeginSurfaces()
 {
   if (this->Plan.SingleGeometryPass)
@@ -120,11 +120,11 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Height = this->Height;
   values.VolumeNodes = this->Plan.VolumeNodes;
   values.Media = &this->Media;
-  values.Lamps = &this->Lamps;
+  values.SceneLights = &this->SceneLights;
   values.Lit = this->Textures.Scattered;
   values.MoreLit = this->HasMoreLit() ? this->Textures.Lit : this->Textures.Scattered;
   values.Data = this->Data.GetTexture();
-  values.Glow = this->Plan.ScatteredSurfaceLight;
+  values.ScatteredIrradiance = this->Plan.ScatteredSurfaceLight;
   values.EncodedInput = this->Plan.EncodedInput;
   values.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
   values.Transmittances = &this->SurfaceTransmittance;

@@ -62,9 +62,9 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, cons
   ForgetErrors();
   bool ok = this->Allocate(this->Distances, 1) && this->Allocate(this->Scene, 4) &&
     this->Allocate(this->Scattered, 4) &&
-    (needs.Lamps <= BitsPerChannel || this->Allocate(this->Lit, 4)) &&
+    (needs.SceneLights <= BitsPerChannel || this->Allocate(this->Lit, 4)) &&
     (!needs.Drawn || this->Allocate(this->Drawn, 2)) &&
-    (!needs.Dark || this->Allocate(this->Dark, 4));
+    (!needs.WithoutLight || this->Allocate(this->WithoutLight, 4));
   if (this->Depth->GetHandle() == 0)
   {
     this->Depth->SetContext(window);
@@ -144,8 +144,8 @@ bool Targets::Bind(const std::vector<vtkTextureObject*>& colours, vtkTextureObje
 }
 
 //------------------------------------------------------------------------------
-// VTK's record of the draw buffers outlives the framebuffer that had them, and the next one that asks
-// for as many would not get them.
+// VTK's record of the draw buffers outlives the framebuffer that had them, and the next one that
+// asks for as many would not get them.
 void Targets::DrawInto(int count)
 {
   unsigned int buffers[8] = { GL_NONE };
@@ -185,7 +185,7 @@ vtkSmartPointer<vtkImageData> Targets::Read(
 void Targets::Release(vtkWindow* window)
 {
   for (vtkTextureObject* texture : { this->Distances.Get(), this->Drawn.Get(), this->Depth.Get(),
-         this->Scene.Get(), this->Dark.Get(), this->Scattered.Get(), this->Lit.Get(),
+         this->Scene.Get(), this->WithoutLight.Get(), this->Scattered.Get(), this->Lit.Get(),
          this->Counts.Get(), this->Single.Get(), this->Radiance.Get(), this->Airlight.Get(),
          this->Surface.Get(), this->Transmittance.Get() })
   {

@@ -31,9 +31,9 @@ public:
   // is beyond the graphics card.
   struct Needs
   {
-    size_t Lamps = 0;
+    size_t SceneLights = 0;
     bool Drawn = false;
-    bool Dark = false;
+    bool WithoutLight = false;
     bool Record = false;
     bool Translucent = false;
   };
@@ -59,8 +59,8 @@ public:
   vtkNew<vtkTextureObject> Drawn; // R: the same as the mappers drew it; G: below 0 where they did
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkTextureObject> Scene;
-  vtkNew<vtkTextureObject> Dark;      // the scene without the light that casts shadows on it
-  vtkNew<vtkTextureObject> Scattered; // RGB: airlight, A: bits of the first 24 lights (litBit)
+  vtkNew<vtkTextureObject> WithoutLight; // the scene without the light that casts shadows on it
+  vtkNew<vtkTextureObject> Scattered;    // RGB: airlight, A: bits of the first 24 lights (litBit)
   vtkNew<vtkTextureObject> Lit;      // RGB: those of others, 24 a channel; only where there are any
   vtkNew<vtkTextureObject> Counts;   // recorded only: boundaries; error bound; lit length
   vtkNew<vtkTextureObject> Single;   // recorded: one light's airlight

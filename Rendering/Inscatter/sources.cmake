@@ -8,5 +8,5 @@ airlight_sources(
     glsl/AirlightResolveOutputs.glsl
     glsl/AirlightResolveTranslucent.glsl
     glsl/AirlightShadowCounts.glsl
-    glsl/AirlightTurnedFS.glsl
-    glsl/AirlightTurnedRay.glsl)
+    glsl/AirlightEquiangularFS.glsl
+    glsl/AirlightEquiangularRay.glsl)

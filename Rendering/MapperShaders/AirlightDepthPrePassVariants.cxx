@@ -30,9 +30,9 @@ std::string CutShading(const std::string& source)
     : source.substr(0, line + 1) + "#define AIRLIGHT_DEPTH_PRE_PASS\n" + source.substr(line + 1);
 }
 
-// Whether a mapper draws with one program between one update of its uniforms and the next. Others, as
-// those of composite data, set some for each part.
-bool DrawsAtOnce(vtkAbstractMapper* mapper)
+// Whether a mapper draws with one program between one update of its uniforms and the next. Others,
+// as those of composite data, set some for each part.
+bool DrawsInOneCall(vtkAbstractMapper* mapper)
 {
   return HasTrait(mapper, ClassTrait::OneProgram) ||
     std::string("vtkAirlightPolyDataMapper") == mapper->GetClassName();
@@ -63,17 +63,17 @@ std::vector<Active> ListActive(GLuint program, GLenum count, Get get)
   return all;
 }
 
-std::array<GLfloat, 16> GetReals(GLuint program, GLint place)
+std::array<GLfloat, 16> GetReals(GLuint program, GLint position)
 {
   std::array<GLfloat, 16> values{};
-  glGetUniformfv(program, place, values.data());
+  glGetUniformfv(program, position, values.data());
   return values;
 }
 
-std::array<GLint, 4> GetIntegers(GLuint program, GLint place)
+std::array<GLint, 4> GetIntegers(GLuint program, GLint position)
 {
   std::array<GLint, 4> values{};
-  glGetUniformiv(program, place, values.data());
+  glGetUniformiv(program, position, values.data());
   return values;
 }
 
@@ -124,11 +124,11 @@ CopyUniform FindCopy(GLenum type)
 }
 
 //------------------------------------------------------------------------------
-// The mapper's event is the last before it draws; the observers of others, who may set uniforms, come
-// before this one.
+// The mapper's event is the last before it draws; the observers of others, who may set uniforms,
+// come before this one.
 void DepthPrePassVariants::Observe(vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper)
 {
-  if (!DrawsAtOnce(mapper) || this->Observed.count(mapper) > 0)
+  if (!DrawsInOneCall(mapper) || this->Observed.count(mapper) > 0)
   {
     return;
   }
@@ -205,18 +205,18 @@ DepthPrePassVariants::Variant DepthPrePassVariants::Make(
 }
 
 //------------------------------------------------------------------------------
-// Once more, with the mapper's attributes where its vertex arrays have them, and outputs as VTK numbers
-// them.
+// Once more, with the mapper's attributes where its vertex arrays have them, and outputs as VTK
+// numbers them.
 bool DepthPrePassVariants::Link(Variant& variant)
 {
   const auto from = static_cast<GLuint>(variant.OriginalHandle);
   const auto to = static_cast<GLuint>(variant.Handle);
   for (const Active& attribute : ListActive(from, GL_ACTIVE_ATTRIBUTES, glGetActiveAttrib))
   {
-    const GLint place = glGetAttribLocation(from, attribute.Name.c_str());
-    if (place >= 0) // not of gl_VertexID and the like
+    const GLint position = glGetAttribLocation(from, attribute.Name.c_str());
+    if (position >= 0) // not of gl_VertexID and the like
     {
-      glBindAttribLocation(to, static_cast<GLuint>(place), attribute.Name.c_str());
+      glBindAttribLocation(to, static_cast<GLuint>(position), attribute.Name.c_str());
     }
   }
   for (GLuint i = 0; i < MostOutputs; ++i)

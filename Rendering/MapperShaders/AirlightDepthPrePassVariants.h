@@ -3,11 +3,12 @@
 /**
  * Programs of mappers that draw distances and nothing else.
  *
- * In the stage of distances a mapper's program ends before it shades, by a branch. Renderers that run
- * both sides of every branch (Mesa's on processors) shade all the same, and graphics cards set aside
- * the registers for it. So what is about to be drawn gets a variant: the same shaders without what comes
- * after that branch (AIRLIGHT_DEPTH_PRE_PASS), attributes at the same places, and the same values of
- * uniforms. Making the mapper's shaders anew for each stage, as VTK can, takes longer than it saves.
+ * In the stage of distances a mapper's program ends before it shades, by a branch. Renderers that
+ * run both sides of every branch (Mesa's on processors) shade all the same, and graphics cards set
+ * aside the registers for it. So what is about to be drawn gets a variant: the same shaders without
+ * what comes after that branch (AIRLIGHT_DEPTH_PRE_PASS), attributes at the same places, and the
+ * same values of uniforms. Making the mapper's shaders anew for each stage, as VTK can, takes
+ * longer than it saves.
  */
 
 #ifndef AirlightDepthPrePassVariants_h
@@ -33,8 +34,8 @@ using CopyUniform = void (*)(unsigned int program, int from, int to);
 class DepthPrePassVariants
 {
 public:
-  // In the stage of distances, when a mapper asks for its uniforms: what it draws from now on, until
-  // StopObserving(), is drawn by its program's variant, if it has one.
+  // In the stage of distances, when a mapper asks for its uniforms: what it draws from now on,
+  // until StopObserving(), is drawn by its program's variant, if it has one.
   void Observe(vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper);
   void StopObserving();
 

@@ -16,21 +16,21 @@ bool operator==(const LightSpecialization& a, const LightSpecialization& b)
 }
 
 //------------------------------------------------------------------------------
-std::vector<LightSpecialization> SpecializeLights(const std::vector<Lamp>& lamps)
+std::vector<LightSpecialization> SpecializeLights(const std::vector<SceneLight>& sceneLights)
 {
   std::vector<LightSpecialization> lights;
-  if (lamps.size() > MaximumSpecializedLights)
+  if (sceneLights.size() > MaximumSpecializedLights)
   {
     return lights;
   }
-  for (const Lamp& lamp : lamps)
+  for (const SceneLight& sceneLight : sceneLights)
   {
-    const double* fading = lamp.Light->GetAttenuationValues();
+    const double* fading = sceneLight.Light->GetAttenuationValues();
     // VTK compares in single precision.
-    lights.push_back(
-      { lamp.Scatters(), f64::airlightIsDirectional(lamp.Values), lamp.Values.goniometric != 0,
-        lamp.Light->GetPositional() != 0, static_cast<float>(lamp.Light->GetConeAngle()) < 90.0f,
-        fading[0] == 0.0 && fading[1] == 0.0 && fading[2] == 1.0 });
+    lights.push_back({ sceneLight.Scatters(), f64::airlightIsDirectional(sceneLight.Values),
+      sceneLight.Values.goniometric != 0, sceneLight.Light->GetPositional() != 0,
+      static_cast<float>(sceneLight.Light->GetConeAngle()) < 90.0f,
+      fading[0] == 0.0 && fading[1] == 0.0 && fading[2] == 1.0 });
   }
   return lights;
 }
@@ -38,31 +38,32 @@ std::vector<LightSpecialization> SpecializeLights(const std::vector<Lamp>& lamps
 namespace
 {
 // The light that arrives from a lamp, for AirlightSurface.glsl.
-std::string Share(const LightSpecialization& lamp, const std::string& index)
+std::string Share(const LightSpecialization& sceneLight, const std::string& index)
 {
-  if (!lamp.Scatters)
+  if (!sceneLight.Scatters)
   {
     return "vec3(1.0)";
   }
-  const std::string passed = lamp.Sun ? "airlightPassed(" + index + ", true, point)"
-    : lamp.Positional && !lamp.Goniometric
-    ? "AIRLIGHT_PASSED_FROM(" + index + ", lightPositionVC" + index + ", point)"
-    : "airlightPassed(" + index + ", false, point)";
-  return "airlightShare(" + index + ", " + passed + ")";
+  const std::string passed = sceneLight.Sun
+    ? "airlightLightTransmittance(" + index + ", true, point)"
+    : sceneLight.Positional && !sceneLight.Goniometric
+    ? "AIRLIGHT_TRANSMITTANCE_FROM(" + index + ", lightPositionVC" + index + ", point)"
+    : "airlightLightTransmittance(" + index + ", false, point)";
+  return "airlightApplyShadows(" + index + ", " + passed + ")";
 }
 }
 
 //------------------------------------------------------------------------------
 // A loop of a length that the compiler does not know, and arrays in it, cost several times as much.
-std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int apart)
+std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int shadowingLight)
 {
   std::string lines;
   for (size_t k = 0; k < lights.size() && lights.size() <= MaximumUnrolledLights; ++k)
   {
     const std::string index = std::to_string(k);
-    lines += " airlightArrived[" + index +
-      "] = " + (static_cast<int>(k) == apart ? "airlightApart * " : "") + Share(lights[k], index) +
-      ";";
+    lines += " airlightReceivedLight[" + index +
+      "] = " + (static_cast<int>(k) == shadowingLight ? "airlightShadowingLightFactor * " : "") +
+      Share(lights[k], index) + ";";
   }
   return lines.empty() ? "" : "#define AIRLIGHT_EACH_LIGHT(point)" + lines + "\n";
 }
@@ -71,17 +72,17 @@ namespace
 {
 // Of a uniform's name; that itself where it is to be asked.
 std::string GetConstant(
-  const std::string& name, const std::string& what, const LightSpecialization& lamp)
+  const std::string& name, const std::string& what, const LightSpecialization& sceneLight)
 {
   if (what == "Positional")
   {
-    return lamp.Positional ? "1" : "0";
+    return sceneLight.Positional ? "1" : "0";
   }
   if (what == "ConeAngle")
   {
-    return lamp.Spot ? name : "90.0";
+    return sceneLight.Spot ? name : "90.0";
   }
-  return lamp.InverseSquare ? "vec3(0.0, 0.0, 1.0)" : name;
+  return sceneLight.InverseSquare ? "vec3(0.0, 0.0, 1.0)" : name;
 }
 }
 

@@ -8,7 +8,7 @@
 #ifndef AirlightLightSpecialization_h
 #define AirlightLightSpecialization_h
 
-#include "Scene/AirlightLamps.h"
+#include "Scene/AirlightSceneLights.h"
 
 #include <cstddef>
 #include <string>
@@ -19,8 +19,8 @@ namespace airlight
 // So many lamps have lines of their own in the shaders; more share a loop.
 constexpr size_t MaximumUnrolledLights = 4;
 
-// Of so many the shaders know the types. Of sixteen, Mesa's compiler takes twice as long for what is then
-// shorter.
+// Of so many the shaders know the types. Of sixteen, Mesa's compiler takes twice as long for what
+// is then shorter.
 constexpr size_t MaximumSpecializedLights = 8;
 
 struct LightSpecialization
@@ -36,11 +36,11 @@ struct LightSpecialization
 bool operator==(const LightSpecialization& a, const LightSpecialization& b);
 
 // Each lamp; none where there are too many.
-std::vector<LightSpecialization> SpecializeLights(const std::vector<Lamp>& lamps);
+std::vector<LightSpecialization> SpecializeLights(const std::vector<SceneLight>& sceneLights);
 
-// The macro with a line for each lamp, for AirlightSurface.glsl; empty where there is none. `apart`:
-// SurfaceShaderOptions::Apart.
-std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int apart);
+// The macro with a line for each lamp, for AirlightSurface.glsl; empty where there is none.
+// `apart`: SurfaceShaderOptions::Apart.
+std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int shadowingLight);
 
 // VTK's lines in which uniforms are asked for lights' types, with what is lights in their place.
 std::string SpecializeLightTypes(

@@ -31,7 +31,7 @@ MaterialSpecialization Find(vtkActor* actor)
     return known;
   }
   known.NoAmbient = property->GetAmbient() == 0.0;
-  known.WholeDiffuse = property->GetDiffuse() == 1.0;
+  known.FullDiffuse = property->GetDiffuse() == 1.0;
   known.NoSpecular = property->GetSpecular() == 0.0;
   known.Opaque = property->GetOpacity() == 1.0 && !mapper->IsA("vtkCompositePolyDataMapper2");
   return known;
@@ -39,13 +39,13 @@ MaterialSpecialization Find(vtkActor* actor)
 
 MaterialSpecialization Both(const MaterialSpecialization& a, const MaterialSpecialization& b)
 {
-  return { a.NoAmbient && b.NoAmbient, a.WholeDiffuse && b.WholeDiffuse,
-    a.NoSpecular && b.NoSpecular, a.Opaque && b.Opaque };
+  return { a.NoAmbient && b.NoAmbient, a.FullDiffuse && b.FullDiffuse, a.NoSpecular && b.NoSpecular,
+    a.Opaque && b.Opaque };
 }
 
 bool AreSame(const MaterialSpecialization& a, const MaterialSpecialization& b)
 {
-  return a.NoAmbient == b.NoAmbient && a.WholeDiffuse == b.WholeDiffuse &&
+  return a.NoAmbient == b.NoAmbient && a.FullDiffuse == b.FullDiffuse &&
     a.NoSpecular == b.NoSpecular && a.Opaque == b.Opaque;
 }
 
@@ -53,10 +53,10 @@ bool AreSame(const MaterialSpecialization& a, const MaterialSpecialization& b)
 void MakeConstant(std::string& shader, const std::string& uniform, const std::string& value)
 {
   const std::string declaration = "uniform float " + uniform + ";";
-  const size_t place = shader.find(declaration);
-  if (place != std::string::npos)
+  const size_t position = shader.find(declaration);
+  if (position != std::string::npos)
   {
-    shader.replace(place, declaration.size(), "const float " + uniform + " = " + value + ";");
+    shader.replace(position, declaration.size(), "const float " + uniform + " = " + value + ";");
   }
 }
 }
@@ -104,8 +104,8 @@ void MaterialSpecializations::AddActors(vtkProp** props, int count)
 }
 
 //------------------------------------------------------------------------------
-// All shaders are made anew where they are drawn next, and those of mappers that this frame does not draw
-// know nothing until then.
+// All shaders are made anew where they are drawn next, and those of mappers that this frame does
+// not draw know nothing until then.
 void MaterialSpecializations::Invalidate()
 {
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
@@ -133,9 +133,9 @@ bool MaterialSpecializations::Update(vtkProp** props, int count, bool known)
   };
   constexpr size_t few = 100; // that are not drawn any more
   const bool many = this->Entries.size() > 2 * static_cast<size_t>(count) + few;
-  const bool old = known != this->AllKnown || many ||
+  const bool old = known != this->CoversAll || many ||
     std::any_of(this->Entries.begin(), this->Entries.end(), isOld);
-  this->AllKnown = known;
+  this->CoversAll = known;
   if (old)
   {
     this->Invalidate();
@@ -164,7 +164,7 @@ void MaterialSpecializations::Specialize(std::string& fragmentShader, vtkProp* p
     }
   };
   specialize(entry.Compiled.NoAmbient, "ambientIntensity", "0.0");
-  specialize(entry.Compiled.WholeDiffuse, "diffuseIntensity", "1.0");
+  specialize(entry.Compiled.FullDiffuse, "diffuseIntensity", "1.0");
   specialize(entry.Compiled.NoSpecular, "specularIntensity", "0.0");
   specialize(entry.Compiled.Opaque, "opacityUniform", "1.0");
 }

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the mappers' shaders know of materials when they are made: which parts of VTK's shading come to
- * nothing. A surface has no gleam of its own unless told so, and software renderers take as long for
- * gleams that are multiplied by 0 as for others.
+ * What the mappers' shaders know of materials when they are made: which parts of VTK's shading come
+ * to nothing. A surface has no gleam of its own unless told so, and software renderers take as long
+ * for gleams that are multiplied by 0 as for others.
  *
- * A mapper's shader serves all actors that share the mapper, and VTK makes it anew where it is drawn with
- * a property that has changed since, but not where an actor gets another one.
+ * A mapper's shader serves all actors that share the mapper, and VTK makes it anew where it is
+ * drawn with a property that has changed since, but not where an actor gets another one.
  */
 
 #ifndef AirlightMaterialSpecializations_h
@@ -26,18 +26,18 @@ namespace airlight
 // What is so of a vtkProperty.
 struct MaterialSpecialization
 {
-  bool NoAmbient = false;    // GetAmbient() is 0
-  bool WholeDiffuse = false; // GetDiffuse() is 1
-  bool NoSpecular = false;   // GetSpecular() is 0
-  bool Opaque = false;       // GetOpacity() is 1
+  bool NoAmbient = false;   // GetAmbient() is 0
+  bool FullDiffuse = false; // GetDiffuse() is 1
+  bool NoSpecular = false;  // GetSpecular() is 0
+  bool Opaque = false;      // GetOpacity() is 1
 };
 
 class MaterialSpecializations
 {
 public:
-  // Before a frame: of all that it draws. `known`: whether that is all of it. True where some mapper's
-  // shader says something else and VTK would not make it anew: then all are to be, so that no frame hangs
-  // on those before it.
+  // Before a frame: of all that it draws. `known`: whether that is all of it. True where some
+  // mapper's shader says something else and VTK would not make it anew: then all are to be, so that
+  // no frame hangs on those before it.
   bool Update(vtkProp** props, int count, bool known);
 
   // While a mapper's shader is made: puts in what is known of its actors.
@@ -57,7 +57,7 @@ private:
   void Invalidate();
 
   std::map<vtkAbstractMapper*, Entry> Entries; // not read through
-  bool AllKnown = false;
+  bool CoversAll = false;
 };
 }
 

@@ -8,7 +8,7 @@
 #include "AirlightInscatterToFragment.h"
 #include "AirlightInscatterToTranslucent.h"
 #include "AirlightSurface.h"
-#include "AirlightSurfaceGlow.h"
+#include "AirlightSurfaceIrradiance.h"
 #include "AirlightSurfaceLights.h"
 #include "AirlightSurfaceMedium.h"
 #include "AirlightTranslucentLists.h"
@@ -24,8 +24,8 @@ namespace airlight
 {
 namespace
 {
-// What VTK makes of the line for the version, with one that has storage buffers: some compilers refuse
-// them as extensions of 1.50.
+// What VTK makes of the line for the version, with one that has storage buffers: some compilers
+// refuse them as extensions of 1.50.
 const char* StorageSystem = "#version 430\n"
                             "#define highp\n"
                             "#define mediump\n"
@@ -68,14 +68,16 @@ std::string CommonDeclarations(const SurfaceShaderOptions& options)
   return options.Mathematics + DefineStages() +
     define("TRANSLUCENT_FRAGMENTS", HasRecords(options)) +
     define("SHADOW_TRANSMITTANCE", HasShadowTransmittance(options)) +
-    define("LAMPS", options.LampCount) + define("BITS", BitsPerChannel) +
-    define("ONLY_COLOURS", options.Once && options.KnownView && !options.Translucent) +
-    define("MORE_LIT", options.LampCount > BitsPerChannel) + define("IN_PASS", options.InPass) +
-    define("READS_LIT", options.InPass && options.ReadsLit) +
+    define("SCENE_LIGHTS", options.SceneLightCount) + define("BITS", BitsPerChannel) +
+    define("ONLY_COLOURS",
+      options.SingleGeometryPass && options.ViewportIsTarget && !options.Translucent) +
+    define("MORE_LIT", options.SceneLightCount > BitsPerChannel) +
+    define("IN_PASS", options.InPass) + define("READS_LIT", options.InPass && options.ReadsLit) +
     define("AT_VERTICES", options.AtVertices) +
-    (options.KnownView ? define("PARALLEL", options.Parallel) + define("FRAGMENT_IS_PIXEL", 1)
-                       : "") +
-    DefineEachLight(options.Lights, options.Apart) + AirlightSurfaceLights;
+    (options.ViewportIsTarget
+        ? define("PARALLEL", options.Parallel) + define("FRAGMENT_IS_PIXEL", 1)
+        : "") +
+    DefineEachLight(options.Lights, options.ShadowingLight) + AirlightSurfaceLights;
 }
 
 std::string StorageDeclarations(const SurfaceShaderOptions& options)
@@ -87,38 +89,41 @@ std::string StorageDeclarations(const SurfaceShaderOptions& options)
 
 std::string Declarations(const SurfaceShaderOptions& options)
 {
-  const std::string glow = options.GlowLightCount > 0 ? "#define AIRLIGHT_GLOW_LIGHTS " +
-      std::to_string(options.GlowLightCount) + "\n" + AirlightSurfaceGlow
-                                                      : "";
+  const std::string scattered = options.ScatteringLightCount > 0
+    ? "#define AIRLIGHT_SCATTERING_LIGHTS " + std::to_string(options.ScatteringLightCount) + "\n" +
+      AirlightSurfaceIrradiance
+    : "";
   const char* before = HasRecords(options) ? AirlightInscatterToTranslucent
     : options.AtVertices                   ? ""
                                            : AirlightInscatterToFragment;
   const std::string medium =
     options.Translucent ? std::string(before) + AirlightDisplay + AirlightSurfaceMedium : "";
   return CommonDeclarations(options) + AirlightCameraShader + AirlightFragment +
-    StorageDeclarations(options) + AirlightSurface + glow + medium + Undefine;
+    StorageDeclarations(options) + AirlightSurface + scattered + medium + Undefine;
 }
 
 // Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
 // meets the surface head on, in the diffuse part. Unlit shaders have neither place.
-std::string AddGlow(const std::string& body)
+std::string AddScatteredIrradiance(const std::string& body)
 {
-  const std::string glow = "airlightGlowColour(normalVCVSOutput)";
+  const std::string scattered = "airlightScatteredColour(normalVCVSOutput)";
   static const std::regex phong("\\bambientColor \\+ diffuse \\+ specular\\b");
   static const std::regex physical("\\bcolor \\+= Lo;");
-  return std::regex_replace(std::regex_replace(body, phong,
-                              "ambientColor + diffuse + diffuseColor * " + glow + " + specular"),
-    physical, "color += Lo + (1.0 - metallic) * DiffuseLambert(albedo) * " + glow + ";");
+  return std::regex_replace(
+    std::regex_replace(
+      body, phong, "ambientColor + diffuse + diffuseColor * " + scattered + " + specular"),
+    physical, "color += Lo + (1.0 - metallic) * DiffuseLambert(albedo) * " + scattered + ";");
 }
 
 // Puts the fragment behind the medium, before other passes make of it what they blend.
 std::string AddMedium(const std::string& body)
 {
   const std::string marker = "//VTK::DepthPeeling::Impl";
-  const size_t place = body.find(marker);
-  return place == std::string::npos ? body
-                                    : body.substr(0, place) +
-      "\n  gl_FragData[0].rgb = airlightThrough(gl_FragData[0].rgb);\n  " + body.substr(place);
+  const size_t position = body.find(marker);
+  return position == std::string::npos ? body
+                                       : body.substr(0, position) +
+      "\n  gl_FragData[0].rgb = airlightApplyMedium(gl_FragData[0].rgb);\n  " +
+      body.substr(position);
 }
 
 std::string WithoutComments(const std::string& body)
@@ -136,8 +141,8 @@ bool MayLeaveEarly(const std::string& body)
     body.find("texture(") == std::string::npos && body.find("gl_FragDepth") == std::string::npos;
 }
 
-// Whether the mapper's shading has the places of lights and of the fragment, which is drawn where the triangle
-// is. `body` without comments.
+// Whether the mapper's shading has the places of lights and of the fragment, which is drawn where
+// the triangle is. `body` without comments.
 bool HasPositions(
   const std::string& shader, const std::string& body, const std::vector<LightSpecialization>& known)
 {
@@ -154,7 +159,8 @@ bool HasPositions(
 }
 
 // Below 0 in green: no shader that writes colours does that.
-const char* WriteDistance = "    gl_FragData[0] = vec4(airlightFragmentPlace(), -1.0, 0.0, 1.0);\n";
+const char* WriteDistance =
+  "    gl_FragData[0] = vec4(airlightFragmentParameter(), -1.0, 0.0, 1.0);\n";
 
 // What is drawn where no colours are.
 std::string OtherStages(bool records, bool leave)
@@ -175,19 +181,19 @@ std::string DepthPrePassBranch(const std::string& hide, const std::string& shade
     shade + "\n#endif\n";
 }
 
-// main() where all that is known of a fragment is drawn at once. Shades in a function, which may have
-// returned from anywhere.
-std::string DrawOnce(const SurfaceShaderOptions& options)
+// main() where all that is known of a fragment is drawn at once. Shades in a function, which may
+// have returned from anywhere.
+std::string MakeSingleGeometryPass(const SurfaceShaderOptions& options)
 {
-  const char* dark = "    vec4 colour = gl_FragData[0];\n"
-                     "    airlightApart = 0.0;\n"
-                     "    airlightShade();\n"
-                     "    gl_FragData[2] = gl_FragData[0];\n"
-                     "    gl_FragData[0] = colour;\n";
+  const char* withoutLight = "    vec4 colour = gl_FragData[0];\n"
+                             "    airlightShadowingLightFactor = 0.0;\n"
+                             "    airlightShade();\n"
+                             "    gl_FragData[2] = gl_FragData[0];\n"
+                             "    gl_FragData[0] = colour;\n";
   return std::string("\nvoid main()\n{\n  airlightShade();\n"
                      "  if (airlightStage == AIRLIGHT_STAGE_COLOUR)\n  {\n"
-                     "    gl_FragData[1] = vec4(airlightFragmentPlace(), 0.0, 0.0, 1.0);\n") +
-    (options.Apart >= 0 ? dark : "") + "  }\n}\n";
+                     "    gl_FragData[1] = vec4(airlightFragmentParameter(), 0.0, 0.0, 1.0);\n") +
+    (options.ShadowingLight >= 0 ? withoutLight : "") + "  }\n}\n";
 }
 }
 
@@ -225,7 +231,7 @@ void InjectSurfaceShader(
   const size_t bodyStart = fragmentShader.find('{', mainStart);
   const size_t bodyEnd = fragmentShader.rfind('}');
   if (mainStart == std::string::npos || bodyStart == std::string::npos || bodyEnd < bodyStart ||
-    fragmentShader.find("airlightArrived") != std::string::npos)
+    fragmentShader.find("airlightReceivedLight") != std::string::npos)
   {
     return;
   }
@@ -235,8 +241,9 @@ void InjectSurfaceShader(
   static const std::regex lightColor("\\blightColor([0-9]+)\\b");
   const bool anyLight = std::regex_search(body, lightColor);
   std::string lit = SpecializeLightTypes(
-    std::regex_replace(body, lightColor, "(lightColor$1 * airlightArrived[$1])"), options.Lights);
-  lit = options.GlowLightCount > 0 ? AddGlow(lit) : lit;
+    std::regex_replace(body, lightColor, "(lightColor$1 * airlightReceivedLight[$1])"),
+    options.Lights);
+  lit = options.ScatteringLightCount > 0 ? AddScatteredIrradiance(lit) : lit;
   lit = options.Translucent ? AddMedium(lit) : lit;
   const bool records = HasRecords(options);
   const bool hides = pointGaussians || options.Hides;
@@ -247,10 +254,11 @@ void InjectSurfaceShader(
   const std::string bare = WithoutComments(body);
   const bool early = MayLeaveEarly(bare);
   const std::string others = options.InPass ? OtherStages(records, early) : "";
-  const std::string shade = (options.Once ? "void airlightShade()\n{\n" : "void main()\n{\n") +
-    hide + (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
+  const std::string shade =
+    (options.SingleGeometryPass ? "void airlightShade()\n{\n" : "void main()\n{\n") + hide +
+    (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
     (early ? "" : others) + fragmentShader.substr(bodyEnd) +
-    (options.Once ? DrawOnce(options) : "");
+    (options.SingleGeometryPass ? MakeSingleGeometryPass(options) : "");
   fragmentShader.replace(mainStart, fragmentShader.size(),
     (options.UniformMedia && HasPositions(fragmentShader, bare, options.Lights)
         ? "#define AIRLIGHT_UNIFORM_MEDIA\n"
@@ -278,24 +286,25 @@ void InjectVertexShader(std::string& vertexShader, const SurfaceShaderOptions& o
 
 //------------------------------------------------------------------------------
 bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::AirlightMedia& media,
-  const std::vector<Lamp>& lamps, bool glows, bool translucent)
+  const std::vector<SceneLight>& sceneLights, bool scatteredLight, bool translucent)
 {
-  const int lampCount = static_cast<int>(lamps.size());
-  const bool lights = glows || (translucent && !(options.InPass && options.TranslucentFragments));
-  const int kind = lights ? CommonKind(lamps) : AIRLIGHT_POINT_CLOSED;
-  const bool photometry = std::any_of(
-    lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Values.goniometric != 0; });
-  const std::string source =
-    GetScatteringSource(media, kind, photometry) + (glows ? GetGlowSource() : "");
-  // VTK's own options knows the number of lights, too, and is made anew where another number shines; a
-  // mapper without the pass is to stay as it is.
+  const int sceneLightCount = static_cast<int>(sceneLights.size());
+  const bool lights =
+    scatteredLight || (translucent && !(options.InPass && options.TranslucentFragments));
+  const int kind = lights ? CommonKind(sceneLights) : AIRLIGHT_POINT_CLOSED;
+  const bool photometry = std::any_of(sceneLights.begin(), sceneLights.end(),
+    [](const SceneLight& sceneLight) { return sceneLight.Values.goniometric != 0; });
+  const std::string source = GetScatteringSource(media, kind, photometry) +
+    (scatteredLight ? GetScatteredIrradianceSource() : "");
+  // VTK's own options knows the number of lights, too, and is made anew where another number
+  // shines; a mapper without the pass is to stay as it is.
   const std::vector<LightSpecialization> known =
-    options.InPass ? SpecializeLights(lamps) : std::vector<LightSpecialization>();
+    options.InPass ? SpecializeLights(sceneLights) : std::vector<LightSpecialization>();
   const bool everywhere = std::all_of(media.item, media.item + media.count, [](const auto& medium) {
     return medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
       medium.density == AIRLIGHT_DENSITY_UNIFORM;
   });
-  if (lampCount <= options.LampCount && everywhere == options.UniformMedia &&
+  if (sceneLightCount <= options.SceneLightCount && everywhere == options.UniformMedia &&
     source == options.Mathematics && translucent == options.Translucent && known == options.Lights)
   {
     return false;
@@ -304,8 +313,9 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
   options.UniformMedia = everywhere;
   options.Translucent = translucent;
   // Some more, so that another lamp does not make other shaders.
-  options.LampCount = std::max(options.LampCount, (lampCount + 7) / 8 * 8);
-  options.GlowLightCount = glows ? std::min(options.LampCount, MaximumGlowLights) : 0;
+  options.SceneLightCount = std::max(options.SceneLightCount, (sceneLightCount + 7) / 8 * 8);
+  options.ScatteringLightCount =
+    scatteredLight ? std::min(options.SceneLightCount, MaximumScatteringLights) : 0;
   options.Mathematics = source;
   return true;
 }

@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The state that what is added to the mappers' shaders reads.
-
-#include "MapperShaders/AirlightSurfaceShader.h"
+#include "MapperShaders/AirlightSurfaceUniforms.h"
 
 #include "OpenGL/AirlightQuad.h"
 #include "Scene/AirlightCameraUniforms.h"
@@ -17,18 +14,19 @@ namespace airlight
 {
 namespace
 {
-void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
+void SetScatteringLights(vtkShaderProgram* program, const SurfaceUniforms& values)
 {
   int count = 0;
-  for (const Lamp& lamp : *values.Lamps)
+  for (const SceneLight& sceneLight : *values.SceneLights)
   {
-    if (lamp.Glows() && count < MaximumGlowLights)
+    if (sceneLight.HasPower() && count < MaximumScatteringLights)
     {
-      SetLightUniforms(program, "airlightGlowLights[" + std::to_string(count) + "]", lamp.Values);
+      SetLightUniforms(
+        program, "airlightScatteringLights[" + std::to_string(count) + "]", sceneLight.Values);
       ++count;
     }
   }
-  program->SetUniformi("airlightGlowCount", count);
+  program->SetUniformi("airlightScatteringLightCount", count);
   glm::mat3 normals = values.Rays->GetNormalMatrix();
   program->SetUniformMatrix3x3("airlightNormalToWorld", &normals[0].x);
 }
@@ -36,20 +34,20 @@ void SetGlowUniforms(vtkShaderProgram* program, const SurfaceUniforms& values)
 
 //------------------------------------------------------------------------------
 // Shaders without photometry do not have these uniforms.
-void SetPhotometries(vtkShaderProgram* program, const std::vector<Lamp>& lamps)
+void SetPhotometries(vtkShaderProgram* program, const std::vector<SceneLight>& sceneLights)
 {
   if (!program->IsUniformUsed("airlightGoniometric"))
   {
     return;
   }
   std::vector<int> goniometric;
-  for (size_t k = 0; k < lamps.size(); ++k)
+  for (size_t k = 0; k < sceneLights.size(); ++k)
   {
-    goniometric.push_back(lamps[k].Values.goniometric);
-    if (lamps[k].Values.goniometric != 0)
+    goniometric.push_back(sceneLights[k].Values.goniometric);
+    if (sceneLights[k].Values.goniometric != 0)
     {
-      SetPhotometryUniforms(
-        program, "airlightPhotometries[" + std::to_string(k) + "]", lamps[k].Values.photometry);
+      SetPhotometryUniforms(program, "airlightPhotometries[" + std::to_string(k) + "]",
+        sceneLights[k].Values.photometry);
     }
   }
   program->SetUniform1iv(
@@ -100,35 +98,36 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
     return;
   }
   SetMediaUniforms(program, "airlightMedia", *values.Media);
-  std::vector<glm::vec4> lamps;
-  for (const Lamp& lamp : *values.Lamps)
+  std::vector<glm::vec4> sceneLights;
+  for (const SceneLight& sceneLight : *values.SceneLights)
   {
-    const float kind = !lamp.Scatters()         ? -1.0f
-      : f64::airlightIsDirectional(lamp.Values) ? 0.0f
-                                                : 1.0f;
-    lamps.emplace_back(glm::vec3(lamp.Values.position), kind);
+    const float kind = !sceneLight.Scatters()         ? -1.0f
+      : f64::airlightIsDirectional(sceneLight.Values) ? 0.0f
+                                                      : 1.0f;
+    sceneLights.emplace_back(glm::vec3(sceneLight.Values.position), kind);
   }
-  if (!lamps.empty())
+  if (!sceneLights.empty())
   {
-    program->SetUniform4fv("airlightLamps", static_cast<int>(lamps.size()), &lamps[0].x);
+    program->SetUniform4fv(
+      "airlightSceneLights", static_cast<int>(sceneLights.size()), &sceneLights[0].x);
   }
-  program->SetUniformi("airlightLampCount", static_cast<int>(lamps.size()));
-  SetPhotometries(program, *values.Lamps);
+  program->SetUniformi("airlightSceneLightCount", static_cast<int>(sceneLights.size()));
+  SetPhotometries(program, *values.SceneLights);
   if (values.Transmittances)
   {
     values.Transmittances->UseInMapper(program);
   }
-  if (values.Glow)
+  if (values.ScatteredIrradiance)
   {
-    SetGlowUniforms(program, values);
+    SetScatteringLights(program, values);
   }
   program->SetUniformi("airlightEncodedInput", values.EncodedInput ? 1 : 0);
   program->SetUniformi("airlightAdditive", values.Additive ? 1 : 0);
   const bool lights = values.Stage == SurfaceStage::Translucent && !values.Records;
-  for (size_t k = 0; k < values.Lamps->size() && lights; ++k)
+  for (size_t k = 0; k < values.SceneLights->size() && lights; ++k)
   {
     SetLightUniforms(
-      program, "airlightLights[" + std::to_string(k) + "]", (*values.Lamps)[k].Values);
+      program, "airlightLights[" + std::to_string(k) + "]", (*values.SceneLights)[k].Values);
   }
 }
 }

@@ -28,21 +28,21 @@ const std::string StartMark = "//Airlight::Start\n";
 
 void Mark(std::string& shader, const std::string& tag, const std::string& mark, bool after)
 {
-  const size_t place = shader.find(tag);
-  if (place != std::string::npos)
+  const size_t position = shader.find(tag);
+  if (position != std::string::npos)
   {
-    shader.insert(place + (after ? tag.size() : 0), (after ? "\n" : "") + mark);
+    shader.insert(position + (after ? tag.size() : 0), (after ? "\n" : "") + mark);
   }
 }
 
 bool Replace(std::string& shader, const std::string& what, const std::string& with)
 {
-  const size_t place = shader.find(what);
-  if (place == std::string::npos)
+  const size_t position = shader.find(what);
+  if (position == std::string::npos)
   {
     return false;
   }
-  shader.replace(place, what.size(), with);
+  shader.replace(position, what.size(), with);
   return true;
 }
 
@@ -65,23 +65,24 @@ bool AddMedium(std::string& shader)
   static const std::regex slice("g_fragColor\\.rgb \\*= opacity;");
   const std::string scale = ".rgb = $1.rgb * in_scale + in_bias * $1.a;\n";
   const std::string whole = shader;
-  shader =
-    std::regex_replace(shader, blend, "$1" + scale + "$1 = airlightThroughVolume($1);\n" + "$&");
+  shader = std::regex_replace(
+    shader, blend, "$1" + scale + "$1 = airlightApplyMediumToVolume($1);\n" + "$&");
   shader = std::regex_replace(shader, slice,
     "$&\ng_fragColor.rgb = g_fragColor.rgb * in_scale + in_bias * g_fragColor.a;\n"
-    "g_fragColor = airlightThroughVolume(g_fragColor);");
+    "g_fragColor = airlightApplyMediumToVolume(g_fragColor);");
   return shader != whole;
 }
 
-// Every mention of a light's colour in VTK's shading; where there are some, in computeLighting(). VTK
-// 9.1 numbers lights as the renderer has them, 9.2 and later those with a position first.
+// Every mention of a light's colour in VTK's shading; where there are some, in computeLighting().
+// VTK 9.1 numbers lights as the renderer has them, 9.2 and later those with a position first.
 void AddLights(std::string& shader)
 {
   static const std::regex colour("in_light(Diffuse|Specular)Color\\[(lightNum|0)\\]");
   static const std::regex sorted("in_light(Diffuse|Specular)Color\\[(posNum|dirNum)\\]");
   const std::string whole = shader;
-  shader = std::regex_replace(shader, colour, "($& * airlightArrived[$2])");
-  shader = std::regex_replace(shader, sorted, "($& * airlightArrived[airlightSortedLamps[$2]])");
+  shader = std::regex_replace(shader, colour, "($& * airlightReceivedLight[$2])");
+  shader = std::regex_replace(
+    shader, sorted, "($& * airlightReceivedLight[airlightSortedSceneLights[$2]])");
   if (shader != whole)
   {
     Replace(shader, "vec4 finalColor = vec4(0.0);",
@@ -121,17 +122,18 @@ bool IsVolumeProgram(vtkShaderProgram* program)
 
 //------------------------------------------------------------------------------
 // Shaders that number lights as the renderer has them do not have these.
-void SetSortedLamps(vtkShaderProgram* program, const std::vector<Lamp>& lamps)
+void SetSortedSceneLights(vtkShaderProgram* program, const std::vector<SceneLight>& sceneLights)
 {
-  if (!program->IsUniformUsed("airlightSortedLamps"))
+  if (!program->IsUniformUsed("airlightSortedSceneLights"))
   {
     return;
   }
-  std::vector<int> sorted(lamps.size());
+  std::vector<int> sorted(sceneLights.size());
   std::iota(sorted.begin(), sorted.end(), 0);
-  std::stable_partition(
-    sorted.begin(), sorted.end(), [&lamps](int k) { return lamps[k].Light->GetPositional() != 0; });
-  program->SetUniform1iv("airlightSortedLamps", static_cast<int>(sorted.size()), sorted.data());
+  std::stable_partition(sorted.begin(), sorted.end(),
+    [&sceneLights](int k) { return sceneLights[k].Light->GetPositional() != 0; });
+  program->SetUniform1iv(
+    "airlightSortedSceneLights", static_cast<int>(sorted.size()), sorted.data());
 }
 
 //------------------------------------------------------------------------------
@@ -139,12 +141,12 @@ void SetVolumeUniforms(vtkShaderProgram* program, vtkVolume* volume, const Surfa
 {
   glm::dmat4 shift(1.0);
   shift[3] = glm::dvec4(-values.Rays->GetEye(), 1.0);
-  glm::mat4 place(shift * ToGlm(volume->GetMatrix()));
+  glm::mat4 volumeToEye(shift * ToGlm(volume->GetMatrix()));
   const float size[2] = { static_cast<float>(values.Width), static_cast<float>(values.Height) };
-  program->SetUniformMatrix4x4("airlightVolumeToEye", &place[0][0]);
+  program->SetUniformMatrix4x4("airlightVolumeToEye", &volumeToEye[0][0]);
   program->SetUniform2f("airlightVolumeSize", size);
   program->SetUniformi("airlightNodeCount", values.VolumeNodes);
-  SetSortedLamps(program, *values.Lamps);
+  SetSortedSceneLights(program, *values.SceneLights);
 }
 
 //------------------------------------------------------------------------------

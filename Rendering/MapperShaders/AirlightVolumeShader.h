@@ -8,7 +8,7 @@
 #ifndef AirlightVolumeShader_h
 #define AirlightVolumeShader_h
 
-#include "MapperShaders/AirlightSurfaceShader.h"
+#include "MapperShaders/AirlightSurfaceUniforms.h"
 
 #include <cstdint>
 #include <string>
@@ -40,7 +40,8 @@ void SetVolumeUniforms(vtkShaderProgram* program, vtkVolume* volume, const Surfa
 // The visible volumes among some props and their parts.
 std::vector<vtkVolume*> GetVolumes(vtkProp** props, int count);
 
-// Whether a prop holds volumes whose mappers use shaders of the graphics card, and may be rewritten.
+// Whether a prop holds volumes whose mappers use shaders of the graphics card, and may be
+// rewritten.
 bool HasRayCastVolume(vtkProp* prop);
 
 // How many nodes a ray gets, so that the records of this many volumes over all pixels fit into the

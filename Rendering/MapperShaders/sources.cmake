@@ -5,16 +5,15 @@ airlight_sources(
     AirlightDepthPrePassVariants
     AirlightLightSpecialization
     AirlightMaterialSpecializations
+    AirlightPolyDataMapperShader
     AirlightSurfaceShader
+    AirlightSurfaceUniforms
     AirlightVolumeShader
-    vtkAirlightPolyDataMapperInternals
-  SOURCES
-    AirlightSurfaceUniforms.cxx
   GLSL
     glsl/AirlightInscatterToFragment.glsl
     glsl/AirlightFragment.glsl
     glsl/AirlightSurface.glsl
-    glsl/AirlightSurfaceGlow.glsl
+    glsl/AirlightSurfaceIrradiance.glsl
     glsl/AirlightSurfaceLights.glsl
     glsl/AirlightSurfaceMedium.glsl
     glsl/AirlightVertexMedium.glsl

@@ -10,9 +10,9 @@
 #include "vtkObject.h" // which vtkOpenGLError.h uses
 #include "vtkOpenGLError.h"
 
-// glMemoryBarrier() stands before whatever reads what shaders wrote to storage buffers. No test fails without
-// these calls: software renderers, on which the tests run, finish one draw before the next. Graphics cards
-// need not.
+// glMemoryBarrier() stands before whatever reads what shaders wrote to storage buffers. No test
+// fails without these calls: software renderers, on which the tests run, finish one draw before the
+// next. Graphics cards need not.
 
 namespace airlight
 {

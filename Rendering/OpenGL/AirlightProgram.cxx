@@ -41,8 +41,8 @@ bool IsLastToChange(const vtkObjectBase* pass, vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* ProgramMaker::Ready(vtkOpenGLRenderWindow* window, const std::string& vertex,
-  std::string& fragment, const std::string& geometry)
+vtkShaderProgram* ProgramMaker::GetOrCompile(vtkOpenGLRenderWindow* window,
+  const std::string& vertex, std::string& fragment, const std::string& geometry)
 {
   if (this->Waits > 0 && this->Failed == fragment)
   {

@@ -7,13 +7,12 @@
 #include "AirlightExponentialIntegral.h"
 #include "AirlightFullScreenVS.h"
 #include "AirlightGauss.h"
-#include "AirlightGlow.h"
-#include "AirlightGlowRay.h"
 #include "AirlightGoniometric.h"
 #include "AirlightGoniometricRay.h"
 #include "AirlightGrid.h"
 #include "AirlightGridRay.h"
 #include "AirlightHeightFog.h"
+#include "AirlightIrradianceRay.h"
 #include "AirlightKinks.h"
 #include "AirlightLight.h"
 #include "AirlightMedia.h"
@@ -25,6 +24,7 @@
 #include "AirlightPrelude.h"
 #include "AirlightQuadrature.h"
 #include "AirlightRegion.h"
+#include "AirlightScatteredIrradiance.h"
 #include "AirlightScattering.h"
 #include "Integration/AirlightIntegrate.h"
 #include "Integration/AirlightMath.h"
@@ -150,7 +150,10 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
 }
 
 //------------------------------------------------------------------------------
-std::string GetGlowSource() { return std::string(AirlightGlowRay) + AirlightGlow; }
+std::string GetScatteredIrradianceSource()
+{
+  return std::string(AirlightIrradianceRay) + AirlightScatteredIrradiance;
+}
 
 //------------------------------------------------------------------------------
 void SetMediaUniforms(
@@ -190,7 +193,8 @@ void SetLightUniforms(
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* Quad::Ready(vtkOpenGLRenderWindow* window, const std::string& fragmentSource)
+vtkShaderProgram* Quad::GetOrCompile(
+  vtkOpenGLRenderWindow* window, const std::string& fragmentSource)
 {
   if (this->Program && this->Source == fragmentSource)
   {
@@ -200,7 +204,7 @@ vtkShaderProgram* Quad::Ready(vtkOpenGLRenderWindow* window, const std::string& 
   {
     this->Source = fragmentSource;
     std::string text = fragmentSource;
-    this->Program = this->Programs.Ready(window, AirlightFullScreenVS, text);
+    this->Program = this->Programs.GetOrCompile(window, AirlightFullScreenVS, text);
   }
   return this->Program;
 }

@@ -28,11 +28,12 @@ struct AirlightPhotometry;
 
 // The texts of the mathematics in the order in which they need one another, compiled for as many
 // media, and where there is one for as many poles, as there are. `lightKind` is the kind of light
-// that the text is to handle, below 0 for all; `photometry` tells whether lights may shine by tables.
+// that the text is to handle, below 0 for all; `photometry` tells whether lights may shine by
+// tables.
 std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, bool photometry);
 
-// What airlightGlow() needs beyond them.
-std::string GetGlowSource();
+// What airlightScatteredIrradiance() needs beyond them.
+std::string GetScatteredIrradianceSource();
 
 // Sets a uniform AirlightMedia or AirlightLight of this name.
 void SetMediaUniforms(
@@ -46,7 +47,7 @@ class Quad
 {
 public:
   // Compiles the fragment shader if it differs from the last one. Null where that fails.
-  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& fragmentSource);
+  vtkShaderProgram* GetOrCompile(vtkOpenGLRenderWindow* window, const std::string& fragmentSource);
 
   // Draws with these textures bound to these names.
   void Draw(const std::vector<std::pair<const char*, vtkTextureObject*>>& textures);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The binding points of the shaders' storage buffers: the only place that numbers them. Each point has one
- * meaning in the whole module. Shaders use the names of DefineStorageBindings().
+ * The binding points of the shaders' storage buffers: the only place that numbers them. Each point
+ * has one meaning in the whole module. Shaders use the names of DefineStorageBindings().
  */
 
 #ifndef AirlightStorageBinding_h

@@ -8,4 +8,5 @@ airlight_sources(
   HEADERS
     AirlightOpenGL.h
   GLSL
+    glsl/AirlightDisplay.glsl
     glsl/AirlightFullScreenVS.glsl)

@@ -23,11 +23,11 @@ namespace
 {
 //------------------------------------------------------------------------------
 // The opaque geometry of a prop, or of none.
-class StandIn : public vtkProp
+class ProxyProp : public vtkProp
 {
 public:
-  static StandIn* New();
-  vtkTypeMacro(StandIn, vtkProp);
+  static ProxyProp* New();
+  vtkTypeMacro(ProxyProp, vtkProp);
 
   void SetProp(vtkProp* prop, bool* drawn)
   {
@@ -49,8 +49,8 @@ public:
   int RenderOverlay(vtkViewport*) override { return this->Nothing(); }
 
 private:
-  StandIn() = default;
-  ~StandIn() override = default;
+  ProxyProp() = default;
+  ~ProxyProp() override = default;
 
   int Nothing()
   {
@@ -62,7 +62,7 @@ private:
   bool* Drawn = nullptr;
 };
 
-vtkStandardNewMacro(StandIn);
+vtkStandardNewMacro(ProxyProp);
 
 //------------------------------------------------------------------------------
 // Subclasses may draw with other actors of theirs.
@@ -137,17 +137,17 @@ void DelegateProps::Show(const vtkRenderState* from, vtkRenderState& to)
 //------------------------------------------------------------------------------
 void DelegateProps::Add(vtkProp* prop)
 {
-  auto standIn = vtkSmartPointer<StandIn>::New();
-  standIn->SetProp(prop, &this->Drawn);
-  this->StandIns.push_back(standIn);
-  this->Props.emplace_back(standIn);
+  auto proxyProp = vtkSmartPointer<ProxyProp>::New();
+  proxyProp->SetProp(prop, &this->Drawn);
+  this->ProxyProps.push_back(proxyProp);
+  this->Props.emplace_back(proxyProp);
 }
 
 //------------------------------------------------------------------------------
 void DelegateProps::Clear()
 {
   this->Props.clear();
-  this->StandIns.clear();
+  this->ProxyProps.clear();
   this->Drawn = false;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What vtkAirlightPass lets a user's delegate draw. A delegate draws a scene at once; the medium has
- * to come between its surfaces and what blends over them. So the delegate is shown stand-ins of the
- * props, which draw opaque geometry alone.
+ * What vtkAirlightPass lets a user's delegate draw. A delegate draws a scene at once; the medium
+ * has to come between its surfaces and what blends over them. So the delegate is shown stand-ins of
+ * the props, which draw opaque geometry alone.
  */
 
 #ifndef AirlightDelegate_h
@@ -41,7 +41,7 @@ private:
   void Add(vtkProp* prop);
 
   std::vector<vtkProp*> Props;
-  std::vector<vtkSmartPointer<vtkProp>> StandIns;
+  std::vector<vtkSmartPointer<vtkProp>> ProxyProps;
   bool Drawn = false;
 };
 
@@ -49,7 +49,8 @@ private:
 // it. Null where there is none.
 vtkRenderPass* FindTranslucentPass(vtkRenderPass* delegate);
 
-// Whether it draws surfaces with a pass of VTK's own, which asks nothing of the renderer's settings.
+// Whether it draws surfaces with a pass of VTK's own, which asks nothing of the renderer's
+// settings.
 bool HasOpaquePass(vtkRenderPass* delegate);
 }
 

@@ -14,11 +14,11 @@ namespace airlight
 {
 //------------------------------------------------------------------------------
 void MapperHooks::Update(const FramePlan& plan, const f64::AirlightMedia& media,
-  const std::vector<Lamp>& lamps, const FrameInput& input)
+  const std::vector<SceneLight>& sceneLights, const FrameInput& input)
 {
   this->Window = input.Window;
   this->NotCompiled.clear();
-  this->UpdateOptions(plan, media, lamps, input);
+  this->UpdateOptions(plan, media, sceneLights, input);
   if (this->Materials.Update(input.Props, input.NumberOfProps, plan.AllShadersInjectable))
   {
     this->ShaderTime.Modified();
@@ -26,10 +26,10 @@ void MapperHooks::Update(const FramePlan& plan, const f64::AirlightMedia& media,
 }
 
 //------------------------------------------------------------------------------
-// Translucency stays: surfaces that become translucent for a moment shall not rebuild all shaders each
-// time.
+// Translucency stays: surfaces that become translucent for a moment shall not rebuild all shaders
+// each time.
 void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia& media,
-  const std::vector<Lamp>& lamps, const FrameInput& input)
+  const std::vector<SceneLight>& sceneLights, const FrameInput& input)
 {
   SurfaceShaderOptions& options = this->Options;
   options.TranslucentFragments = input.StorageBuffers;
@@ -41,15 +41,17 @@ void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia&
   const bool known = plan.SingleGeometryPass &&
     (plan.Shadows == ShadowMethod::None || plan.Shadows == ShadowMethod::Planes);
   const bool other = hides != options.Hides || reads != options.ReadsLit ||
-    plan.SingleGeometryPass != options.Once || plan.ShadowingLight != options.Apart ||
-    known != options.KnownView || (known && input.Parallel != options.Parallel);
-  options.KnownView = known;
+    plan.SingleGeometryPass != options.SingleGeometryPass ||
+    plan.ShadowingLight != options.ShadowingLight || known != options.ViewportIsTarget ||
+    (known && input.Parallel != options.Parallel);
+  options.ViewportIsTarget = known;
   options.Parallel = known && input.Parallel;
   options.Hides = hides;
   options.ReadsLit = reads;
-  options.Once = plan.SingleGeometryPass;
-  options.Apart = plan.ShadowingLight;
-  if (UpdateSurfaceShaderOptions(options, media, lamps, plan.ScatteredSurfaceLight, translucent) ||
+  options.SingleGeometryPass = plan.SingleGeometryPass;
+  options.ShadowingLight = plan.ShadowingLight;
+  if (UpdateSurfaceShaderOptions(
+        options, media, sceneLights, plan.ScatteredSurfaceLight, translucent) ||
     other)
   {
     this->ShaderTime.Modified();
@@ -97,7 +99,7 @@ void MapperHooks::ChangeShader(const std::string& vertex, const std::string& geo
     this->ChangeSurfaceShader(changed, AirlightScenePass::IsPointGaussians(prop));
   }
   if (this->Window && IsLastToChange(this->Pass, prop) &&
-    !this->Programs.Ready(this->Window, vertex, changed, geometry))
+    !this->Programs.GetOrCompile(this->Window, vertex, changed, geometry))
   {
     this->NotCompiled = mapper->GetClassName();
     return;
@@ -112,7 +114,7 @@ void MapperHooks::ChangeSurfaceShader(std::string& shader, bool splats)
   const bool records = this->Options.TranslucentFragments;
   Change& last = this->LastChange;
   if (last.Time != time || last.PointGaussians != splats || last.Records != records ||
-    last.Before != shader)
+    last.Source != shader)
   {
     last = { shader, shader, splats, records, time };
     InjectSurfaceShader(last.After, this->Options, splats);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the pass does when VTK's mappers build their shaders: which text they get, and when they have
- * to be built again.
+ * What the pass does when VTK's mappers build their shaders: which text they get, and when they
+ * have to be built again.
  */
 
 #ifndef AirlightMapperHooks_h
@@ -12,7 +12,7 @@
 #include "MapperShaders/AirlightMaterialSpecializations.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
 #include "OpenGL/AirlightProgram.h"
-#include "Scene/AirlightLamps.h"
+#include "Scene/AirlightSceneLights.h"
 
 #include "vtkTimeStamp.h"
 
@@ -45,7 +45,7 @@ public:
     int NumberOfProps;
   };
   void Update(const FramePlan& plan, const f64::AirlightMedia& media,
-    const std::vector<Lamp>& lamps, const FrameInput& input);
+    const std::vector<SceneLight>& sceneLights, const FrameInput& input);
 
   // Within a frame: casters let light through.
   void AddShadowTransmittance();
@@ -55,8 +55,8 @@ public:
   void ChangeShader(const std::string& vertex, const std::string& geometry, std::string& fragment,
     vtkAbstractMapper* mapper, vtkProp* prop);
 
-  // After a frame: whether all shaders compiled. False with a reason in `error`; the next frame then
-  // asks for them again.
+  // After a frame: whether all shaders compiled. False with a reason in `error`; the next frame
+  // then asks for them again.
   bool CheckCompiled(std::string& error);
 
   // The window's context goes.
@@ -67,13 +67,13 @@ public:
 
 private:
   void UpdateOptions(const FramePlan& plan, const f64::AirlightMedia& media,
-    const std::vector<Lamp>& lamps, const FrameInput& input);
+    const std::vector<SceneLight>& sceneLights, const FrameInput& input);
   void ChangeSurfaceShader(std::string& shader, bool splats);
 
   // The last change of a surface's shader: of many actors' shaders most are the same.
   struct Change
   {
-    std::string Before;
+    std::string Source;
     std::string After;
     bool PointGaussians = false;
     bool Records = false;

@@ -42,12 +42,12 @@ std::string GetMapperNames(const std::vector<NonPolygonalCaster>& casters)
 
 std::string DescribeNonPolygonal(const CasterCache& casters, bool automatic)
 {
-  const std::string keep = " Set vtkAirlightPass::CASTS_SHADOW() to 0 in the property keys of "
-                           "those that shall not cast";
+  const std::string keep = " Call vtkAirlightPass::SetCastsShadow(prop, false) for props that "
+                           "shall not cast";
   return "No shadow planes can be drawn from what the mappers " +
     GetMapperNames(casters.GetNonPolygonal()) + " draw: " +
     (automatic
-        ? "shadows come from shadow maps, which are less exact." + keep + " for exact shadows."
+        ? "shadows come from shadow maps, which are less exact." + keep + " to get exact shadows."
         : "it casts none." + keep + ", or call SetShadowTechniqueToShadowMap().");
 }
 }
@@ -87,25 +87,25 @@ void PassMessages::CheckMedia(const MediaList& media)
 }
 
 //------------------------------------------------------------------------------
-void PassMessages::CheckLights(const std::vector<Lamp>& lamps,
+void PassMessages::CheckLights(const std::vector<SceneLight>& sceneLights,
   const std::vector<LightOptions>& options, bool scattering, bool scatteredSurfaceLight)
 {
-  if (scattering && std::any_of(lamps.begin(), lamps.end(), IsLeftOut))
+  if (scattering && std::any_of(sceneLights.begin(), sceneLights.end(), IsLeftOut))
   {
-    this->WarnOnce(CameraLights, DescribeLeftOut(lamps));
+    this->WarnOnce(CameraLights, DescribeLeftOut(sceneLights));
   }
-  for (const Lamp& lamp : lamps)
+  for (const SceneLight& sceneLight : sceneLights)
   {
-    if (lamp.Support == LightSupport::Invalid)
+    if (sceneLight.Support == LightSupport::Invalid)
     {
-      this->WarnOnce(InvalidLights, InvalidLampText);
+      this->WarnOnce(InvalidLights, InvalidLightText);
     }
   }
-  for (const Lamp& lamp : lamps)
+  for (const SceneLight& sceneLight : sceneLights)
   {
     const auto own = std::find_if(options.begin(), options.end(),
-      [&lamp](const LightOptions& option) { return option.Light == lamp.Light; });
-    if (own != options.end() && own->Table && lamp.Scatters() && !lamp.Table)
+      [&sceneLight](const LightOptions& option) { return option.Light == sceneLight.Light; });
+    if (own != options.end() && own->Table && sceneLight.Scatters() && !sceneLight.Table)
     {
       this->WarnOnce(PhotometryUnused,
         "A light's photometric file " + own->PhotometryFile +
@@ -113,19 +113,19 @@ void PassMessages::CheckLights(const std::vector<Lamp>& lamps,
           "from its position.");
     }
   }
-  if (static_cast<int>(lamps.size()) > MaximumShadowingLights)
+  if (static_cast<int>(sceneLights.size()) > MaximumShadowingLights)
   {
     this->WarnOnce(ManyLights,
-      "There are " + std::to_string(lamps.size()) + " lights; those after the first " +
+      "There are " + std::to_string(sceneLights.size()) + " lights; those after the first " +
         std::to_string(MaximumShadowingLights) + " cast no shadows on surfaces.");
   }
-  const auto scattered =
-    std::count_if(lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Glows(); });
-  if (scatteredSurfaceLight && scattered > MaximumGlowLights)
+  const auto scattered = std::count_if(sceneLights.begin(), sceneLights.end(),
+    [](const SceneLight& sceneLight) { return sceneLight.HasPower(); });
+  if (scatteredSurfaceLight && scattered > MaximumScatteringLights)
   {
     this->WarnOnce(ManyScatteredLights,
       "The medium scatters " + std::to_string(scattered) + " lights; those after the first " +
-        std::to_string(MaximumGlowLights) + " light surfaces directly only.");
+        std::to_string(MaximumScatteringLights) + " light surfaces directly only.");
   }
 }
 
@@ -179,7 +179,7 @@ void PassMessages::CheckCasters(const CasterCache& casters, const FramePlan& pla
     this->WarnOnce(LevelsOfDetail,
       "A prop of the class " + casters.GetUnsupportedProp() +
         " casts no shadow: the level of detail that it shows is a volume or an image. Add one with "
-        "a vtkMapper, or set vtkAirlightPass::CASTS_SHADOW() to 0 in its property keys.");
+        "a vtkMapper, or call vtkAirlightPass::SetCastsShadow(prop, false).");
   }
   if (casters.MetTranslucent() && plan.TranslucentShadows &&
     (plan.Shadows == ShadowMethod::Map || plan.Shadows == ShadowMethod::March))

@@ -9,7 +9,7 @@
 #define AirlightPassMessages_h
 
 #include "Frame/AirlightFramePlan.h"
-#include "Scene/AirlightLamps.h"
+#include "Scene/AirlightSceneLights.h"
 
 #include <bitset>
 #include <string>
@@ -36,8 +36,8 @@ public:
   void CheckMedia(const MediaList& media);
 
   // Lights that are left out, or lack what was asked for. `scattering`: a medium scatters.
-  void CheckLights(const std::vector<Lamp>& lamps, const std::vector<LightOptions>& options,
-    bool scattering, bool scatteredSurfaceLight);
+  void CheckLights(const std::vector<SceneLight>& sceneLights,
+    const std::vector<LightOptions>& options, bool scattering, bool scatteredSurfaceLight);
 
   // A shadow technique other than asked for, scattered light that a density image rules out.
   void CheckPlan(

@@ -33,13 +33,14 @@ struct PassRenderer::Scene
   CameraUniforms Rays;
   std::vector<vtkParticipatingMedium*> Media;
   f64::AirlightMedia Converted{};
-  std::vector<Lamp> Lights;
+  std::vector<SceneLight> Lights;
 };
 
 namespace
 {
-// A renderer with a pass leaves out that the camera learns whether it is one of a stereo pair, which it
-// learns from vtkCamera::Render() alone. That also clears the viewport, as every frame does.
+// A renderer with a pass leaves out that the camera learns whether it is one of a stereo pair,
+// which it learns from vtkCamera::Render() alone. That also clears the viewport, as every frame
+// does.
 void UpdateStereo(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -202,8 +203,8 @@ bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& setting
     scene.Media.push_back(this->Vacuum);
   }
   scene.Converted = ConvertMedia(scene.Media, scene.Rays.GetEye());
-  scene.Lights = CollectLamps(s->GetRenderer(), scene.Converted, scene.Rays, settings.LightRadius,
-    this->Switches, this->Options);
+  scene.Lights = CollectSceneLights(s->GetRenderer(), scene.Converted, scene.Rays,
+    settings.LightRadius, this->Switches, this->Options);
   this->Messages.CheckLights(scene.Lights, this->Options, HasScattering(scene.Converted),
     settings.Properties.ScatteredSurfaceLight);
   return true;
@@ -220,7 +221,7 @@ SceneFacts PassRenderer::GetFacts(
   {
     facts.PhaseErrorBound = std::max(facts.PhaseErrorBound, medium->GetPhaseErrorBound());
   }
-  for (const Lamp& light : scene.Lights)
+  for (const SceneLight& light : scene.Lights)
   {
     facts.Lights.push_back(
       { light.Scatters(), light.CastsShadows, light.Values.kind, light.Values.goniometric != 0 });
@@ -246,7 +247,7 @@ bool PassRenderer::Draw(
     FindSolidProps(s, this->Stages.GetDelegate()),
     [this](const std::vector<NonPolygonalCaster>& casters, vtkCamera* camera, int x, int y,
       int side) { this->Stages.DrawInMap(casters, camera, x, y, side); } };
-  bool ok = this->CurrentFrame.Upload(scene.Window, scene.Media, input.Media, input.Lamps) &&
+  bool ok = this->CurrentFrame.Upload(scene.Window, scene.Media, input.Media, input.SceneLights) &&
     this->CurrentFrame.Begin(input);
   if (ok)
   {
@@ -303,7 +304,7 @@ bool PassRenderer::CollectSilhouettes(
     return false;
   }
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
-  const std::vector<Lamp> lights = CollectLamps(
+  const std::vector<SceneLight> lights = CollectSceneLights(
     renderer, ConvertMedia(media, view.GetEye()), view, lightRadius, this->Switches, this->Options);
   this->CurrentFrame.FindCasters(renderer, false);
   this->OwnShadows.resize(lights.size());

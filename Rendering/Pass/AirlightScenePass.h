@@ -42,8 +42,8 @@ public:
   // and into its mappers.
   void PrepareLights(vtkRenderer* renderer);
 
-  // Whether an actor is drawn as point Gaussians: blended with what is behind, at any opacity, though VTK
-  // draws opaque ones with the opaque surfaces.
+  // Whether an actor is drawn as point Gaussians: blended with what is behind, at any opacity,
+  // though VTK draws opaque ones with the opaque surfaces.
   static bool IsPointGaussians(vtkProp* prop);
   static bool IsEmissive(vtkProp* prop);
 
@@ -53,12 +53,12 @@ public:
   // The surfaces and the ray cast volumes among that, plainly.
   static void RenderFragments(const vtkRenderState* s);
 
-  // Opaque point Gaussians, translucent surfaces with this pass or, without one, as the renderer's settings
-  // say, then volumes.
+  // Opaque point Gaussians, translucent surfaces with this pass or, without one, as the renderer's
+  // settings say, then volumes.
   void RenderTransparent(const vtkRenderState* s, vtkRenderPass* translucentPass);
 
-  // The same of the renderer's props that are in the state only, but for volumes, with the passes that
-  // the renderer's settings say.
+  // The same of the renderer's props that are in the state only, but for volumes, with the passes
+  // that the renderer's settings say.
   void RenderTransparentOf(const vtkRenderState* s);
 
   // Into the framebuffer that is bound: VTK's FXAA of it; annotations.

@@ -31,14 +31,14 @@ namespace
 void DrawCaster(const NonPolygonalCaster& caster, vtkRenderer* renderer)
 {
   vtkActor* actor = caster.Actor;
-  if (!caster.Place)
+  if (!caster.PartToWorld)
   {
     actor->RenderOpaqueGeometry(renderer);
     return;
   }
   const vtkSmartPointer<vtkInformation> keys = actor->GetPropertyKeys();
   actor->SetPropertyKeys(caster.Owner->GetPropertyKeys());
-  actor->PokeMatrix(caster.Place);
+  actor->PokeMatrix(caster.PartToWorld);
   actor->RenderOpaqueGeometry(renderer);
   actor->PokeMatrix(nullptr);
   actor->SetPropertyKeys(keys);
@@ -107,8 +107,8 @@ void SceneStages::DrawOverFrame(const vtkRenderState* s, bool annotations)
 }
 
 //------------------------------------------------------------------------------
-// VTK's FXAA takes the renderer's part of the window, in 8 bits. A delegate stands for a renderer with
-// passes, which does without.
+// VTK's FXAA takes the renderer's part of the window, in 8 bits. A delegate stands for a renderer
+// with passes, which does without.
 bool SceneStages::MayAntialias(const vtkRenderState* s)
 {
   if (!s->GetRenderer()->GetUseFXAA() || this->Delegate)
@@ -320,7 +320,8 @@ void SceneStages::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapp
   values.Hidden = values.Hides && this->IsDrawnLater(prop);
   values.Additive = AirlightScenePass::IsEmissive(prop);
   SetSurfaceUniforms(program, values);
-  // VTK leaves the lights of another renderer in a program that both use and that is newer than they.
+  // VTK leaves the lights of another renderer in a program that both use and that is newer than
+  // they.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
   if (this->DrawsMap)
   {

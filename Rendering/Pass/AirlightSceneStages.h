@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws the parts of a renderer's scene for a frame, with VTK's own passes or a user's delegate, and
- * sets the uniforms of the mappers' shaders for each stage.
+ * Draws the parts of a renderer's scene for a frame, with VTK's own passes or a user's delegate,
+ * and sets the uniforms of the mappers' shaders for each stage.
  */
 
 #ifndef AirlightSceneStages_h
@@ -10,7 +10,7 @@
 
 #include "Frame/AirlightSceneDrawer.h"
 #include "MapperShaders/AirlightDepthPrePassVariants.h"
-#include "MapperShaders/AirlightSurfaceShader.h"
+#include "MapperShaders/AirlightSurfaceUniforms.h"
 #include "Pass/AirlightDelegate.h"
 #include "Pass/AirlightScenePass.h"
 
@@ -72,8 +72,8 @@ public:
   void CollectFragments() override;
   void DrawTranslucent() override;
 
-  // Casters without polygons, into the face of a shadow map: with its light as camera, the face's lower
-  // left corner and side.
+  // Casters without polygons, into the face of a shadow map: with its light as camera, the face's
+  // lower left corner and side.
   void DrawInMap(
     const std::vector<NonPolygonalCaster>& casters, vtkCamera* camera, int x, int y, int side);
 

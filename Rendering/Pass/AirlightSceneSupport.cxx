@@ -32,8 +32,8 @@ bool HasForeignPass(vtkProp* prop)
   return keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
 }
 
-// Whether all that a prop draws as opaque is drawn by mappers whose shaders the pass adds to. Props may
-// draw with actors of their own, and subclasses with anything.
+// Whether all that a prop draws as opaque is drawn by mappers whose shaders the pass adds to. Props
+// may draw with actors of their own, and subclasses with anything.
 bool HasSupportedMapper(vtkProp* prop)
 {
   if (!prop->HasOpaqueGeometry() || prop->IsA("vtkActor2D"))
@@ -59,8 +59,8 @@ bool IsSolidProp(vtkProp* prop)
     !shader->HasFragmentShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
 }
 
-// Whether a prop's mapper draws its input where it is, of which nothing shines through. Not one that draws
-// something coarser while the scene is turned.
+// Whether a prop's mapper draws its input where it is, of which nothing shines through. Not one
+// that draws something coarser while the scene is turned.
 bool DrawsAllOfIt(vtkProp* prop)
 {
   if (!HasTrait(prop, ClassTrait::DrawsItself) || !HasSupportedMapper(prop) || !IsSolidProp(prop) ||

@@ -15,8 +15,8 @@ class vtkRenderState;
 
 namespace airlight
 {
-// Whether all that is drawn as opaque is drawn by shaders that the pass can add to. `delegate`: the user's
-// pass that draws the scene, or null.
+// Whether all that is drawn as opaque is drawn by shaders that the pass can add to. `delegate`: the
+// user's pass that draws the scene, or null.
 bool HasInjectableShaders(const vtkRenderState* s, const vtkRenderPass* delegate);
 
 // Whether each fragment of the opaque surfaces hides all that is behind it, as far as is known.

@@ -91,8 +91,8 @@ CameraUniforms::LightPixel CameraUniforms::GetLightPixel(const glm::dvec3& posit
   result.IsNear = std::abs(pixel.x) < 1e5 && std::abs(pixel.y) < 1e5;
   if (result.IsNear)
   {
-    result.Whole = glm::vec2(glm::floor(pixel));
-    result.Rest = glm::vec2(pixel - glm::floor(pixel));
+    result.Integer = glm::vec2(glm::floor(pixel));
+    result.Fraction = glm::vec2(pixel - glm::floor(pixel));
     result.PerX = glm::vec3(glm::cross(along, this->Affine[1]));
     result.PerY = glm::vec3(glm::cross(along, this->Affine[2]));
   }
@@ -105,8 +105,8 @@ void CameraUniforms::SetFootUniforms(
 {
   const LightPixel pixel = this->GetLightPixel(position);
   program->SetUniformi((prefix + "HasPixel").c_str(), pixel.IsNear ? 1 : 0);
-  program->SetUniform2f((prefix + "Pixel").c_str(), &pixel.Whole.x);
-  program->SetUniform2f((prefix + "PixelRest").c_str(), &pixel.Rest.x);
+  program->SetUniform2f((prefix + "Pixel").c_str(), &pixel.Integer.x);
+  program->SetUniform2f((prefix + "PixelRest").c_str(), &pixel.Fraction.x);
   program->SetUniform3f((prefix + "PerX").c_str(), &pixel.PerX.x);
   program->SetUniform3f((prefix + "PerY").c_str(), &pixel.PerY.x);
 }

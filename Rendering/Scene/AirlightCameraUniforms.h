@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The rays of a renderer's pixels as the uniforms of glsl/AirlightCameraShader.glsl. World axes, the eye
- * as origin: subtracted in double precision, so that single precision serves the shaders even far
- * from the world's origin.
+ * The rays of a renderer's pixels as the uniforms of glsl/AirlightCameraShader.glsl. World axes,
+ * the eye as origin: subtracted in double precision, so that single precision serves the shaders
+ * even far from the world's origin.
  */
 
 #ifndef AirlightCameraUniforms_h
@@ -37,14 +37,14 @@ public:
   glm::mat4 GetClipMatrix(const glm::dvec3& origin) const;
 
   // Where a light at `position` [from the eye] is in the picture: the pixel, its whole part and the
-  // rest, and what its moment about a pixel's ray grows by per pixel away from it (airlightMoment). It
-  // vanishes, linearly, at the light's own pixel, and is taken from there: as a cross product of
+  // rest, and what its moment about a pixel's ray grows by per pixel away from it (airlightMoment).
+  // It vanishes, linearly, at the light's own pixel, and is taken from there: as a cross product of
   // long vectors it would be lost in single precision near the light.
   struct LightPixel
   {
     bool IsNear = false; // in or somewhere around the view; else the rest is not set
-    glm::vec2 Whole = glm::vec2(0.0f);
-    glm::vec2 Rest = glm::vec2(0.0f);
+    glm::vec2 Integer = glm::vec2(0.0f);
+    glm::vec2 Fraction = glm::vec2(0.0f);
     glm::vec3 PerX = glm::vec3(0.0f);
     glm::vec3 PerY = glm::vec3(0.0f);
   };

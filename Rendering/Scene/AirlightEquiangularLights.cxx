@@ -3,9 +3,9 @@
 #include "Scene/AirlightEquiangularLights.h"
 
 #include "AirlightConstants.h"
-#include "AirlightTurn.h"
-#include "AirlightTurnPart.h"
-#include "AirlightTurnWhole.h"
+#include "AirlightEquiangular.h"
+#include "AirlightEquiangularPanel.h"
+#include "AirlightHalfAngle.h"
 
 #include "vtkShaderProgram.h"
 
@@ -32,8 +32,8 @@ bool AreEquiangular(const FrameScene& scene, const std::vector<int>& lights)
 // AirlightConstants.glsl sets a part of the medium.
 std::string GetEquiangularSource()
 {
-  return std::string("uniform AirlightMedia givenMedia;\nAirlightMedia media;\n") + AirlightTurn +
-    AirlightTurnPart + AirlightTurnWhole + AirlightConstants;
+  return std::string("uniform AirlightMedia givenMedia;\nAirlightMedia media;\n") +
+    AirlightEquiangular + AirlightEquiangularPanel + AirlightHalfAngle + AirlightConstants;
 }
 
 //------------------------------------------------------------------------------
@@ -49,8 +49,9 @@ void SetEquiangularConstants(
     constants.insert(constants.end(),
       { glm::vec4(light.position, light.radius),
         glm::vec4(light.intensity * medium.sigmaS, medium.phase.pole[0].y),
-        glm::vec4(medium.sigmaT, pixel.IsNear ? 1.0 : 0.0), glm::vec4(pixel.Whole, pixel.Rest),
-        glm::vec4(pixel.PerX, 0.0f), glm::vec4(pixel.PerY, 0.0f) });
+        glm::vec4(medium.sigmaT, pixel.IsNear ? 1.0 : 0.0),
+        glm::vec4(pixel.Integer, pixel.Fraction), glm::vec4(pixel.PerX, 0.0f),
+        glm::vec4(pixel.PerY, 0.0f) });
   }
   program->SetUniform4fv("airlightConstants", static_cast<int>(constants.size()), &constants[0].x);
 }

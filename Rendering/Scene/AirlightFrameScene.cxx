@@ -5,7 +5,7 @@
 namespace airlight
 {
 //------------------------------------------------------------------------------
-std::vector<int> FindScattering(const std::vector<Lamp>& lights)
+std::vector<int> FindScattering(const std::vector<SceneLight>& lights)
 {
   std::vector<int> found;
   for (size_t k = 0; k < lights.size(); ++k)

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A renderer's scene in one frame, as the steps of the frame take it. Valid while the frame is drawn.
+ * A renderer's scene in one frame, as the steps of the frame take it. Valid while the frame is
+ * drawn.
  */
 
 #ifndef AirlightFrameScene_h
 #define AirlightFrameScene_h
 
 #include "Scene/AirlightCameraUniforms.h"
-#include "Scene/AirlightLamps.h"
+#include "Scene/AirlightSceneLights.h"
 
 #include <vector>
 
@@ -21,7 +22,7 @@ struct FrameScene
 {
   vtkOpenGLRenderWindow* Window;
   const f64::AirlightMedia& Media;
-  const std::vector<Lamp>& Lights;
+  const std::vector<SceneLight>& Lights;
   const CameraUniforms& Rays;
   vtkTextureObject* Data; // surfaces, tables and images of media and lights
   int Width;              // of the viewport
@@ -29,7 +30,7 @@ struct FrameScene
 };
 
 // The numbers of the lights that the medium scatters.
-std::vector<int> FindScattering(const std::vector<Lamp>& lights);
+std::vector<int> FindScattering(const std::vector<SceneLight>& lights);
 }
 
 #endif

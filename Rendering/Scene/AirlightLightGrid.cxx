@@ -20,7 +20,7 @@ constexpr int Largest = 65;
 
 constexpr int TestPoints = 500;
 // Where less light than this is left, errors do not matter.
-constexpr double Dark = 5.0; // optical depth
+constexpr double OpaqueDepth = 5.0; // optical depth
 constexpr int MostAge = 4;
 // Density that single precision can reckon with, and through which nothing is seen.
 constexpr double Opaque = 1e25;
@@ -161,9 +161,9 @@ double Interpolate(const std::vector<double>& means, const glm::ivec3& size, con
 double Spread(int i, int base)
 {
   double value = 0.0;
-  for (double place = 1.0 / base; i > 0; i /= base, place /= base)
+  for (double position = 1.0 / base; i > 0; i /= base, position /= base)
   {
-    value += place * (i % base);
+    value += position * (i % base);
   }
   return value;
 }
@@ -181,11 +181,11 @@ std::vector<TestPoint> MakeTests(const Ways& ways, double sigmaT)
   for (int i = 1; i <= TestPoints; ++i)
   {
     const glm::dvec3 share(Spread(i, 2), Spread(i, 3), Spread(i, 5));
-    const glm::dvec3 place = share * ways.GetGrid().GetLast();
-    if (ways.Scatters(place))
+    const glm::dvec3 position = share * ways.GetGrid().GetLast();
+    if (ways.Scatters(position))
     {
-      const glm::dvec2 way = ways.Measure(place);
-      if (sigmaT * way.x * way.y < Dark)
+      const glm::dvec2 way = ways.Measure(position);
+      if (sigmaT * way.x * way.y < OpaqueDepth)
       {
         points.push_back({ share, way.x, way.y });
       }
@@ -266,8 +266,8 @@ const LightGrid& LightGrids::GetLight(
   there.region.boxMin += eye;
   there.region.boxMax += eye;
   there.region.centre += eye;
-  f64::AirlightLight lamp = light;
-  lamp.position += directional ? glm::dvec3(0.0) : eye;
+  f64::AirlightLight sceneLight = light;
+  sceneLight.position += directional ? glm::dvec3(0.0) : eye;
   const double near =
     1e-9 * (glm::length(eye) + glm::length(there.region.boxMax - there.region.boxMin));
   const auto same = [near](const glm::dvec3& a, const glm::dvec3& b) {
@@ -276,7 +276,7 @@ const LightGrid& LightGrids::GetLight(
   for (const std::unique_ptr<Entry>& entry : this->Entries)
   {
     const f64::AirlightRegion& region = entry->Region;
-    if (entry->Directional == directional && same(entry->Position, lamp.position) &&
+    if (entry->Directional == directional && same(entry->Position, sceneLight.position) &&
       entry->SigmaT == medium.sigmaT && region.kind == there.region.kind &&
       same(region.boxMin, there.region.boxMin) && same(region.boxMax, there.region.boxMax) &&
       same(region.centre, there.region.centre) && region.radius == there.region.radius)
@@ -285,8 +285,8 @@ const LightGrid& LightGrids::GetLight(
       return entry->Values;
     }
   }
-  this->Entries.push_back(std::make_unique<Entry>(Entry{
-    there.region, medium.sigmaT, lamp.position, directional, 0, LightGrid::Build(there, lamp) }));
+  this->Entries.push_back(std::make_unique<Entry>(Entry{ there.region, medium.sigmaT,
+    sceneLight.position, directional, 0, LightGrid::Build(there, sceneLight) }));
   return this->Entries.back()->Values;
 }
 

@@ -5,7 +5,7 @@ airlight_sources(
     AirlightCameraUniforms
     AirlightEquiangularLights
     AirlightFrameScene
-    AirlightLamps
+    AirlightSceneLights
     AirlightLightGrid
     AirlightSceneData
   GLSL

@@ -27,7 +27,7 @@ constexpr size_t Batch = 1 << 15;
 constexpr double RelativeNear = 1e-6;
 // What no caster is beyond.
 constexpr float Nothing = 1e30f;
-glm::dvec3 Place(const Caster& caster, int point)
+glm::dvec3 ToWorld(const Caster& caster, int point)
 {
   return glm::dvec3(caster.ToWorld * glm::dvec4(caster.Mesh->Points[point], 1.0));
 }
@@ -35,21 +35,22 @@ glm::dvec3 Place(const Caster& caster, int point)
 
 //------------------------------------------------------------------------------
 bool ShadowMap::Update(const std::vector<Caster>& casters,
-  const std::vector<NonPolygonalCaster>& nonPolygonal, const Lamp& lamp, int resolution)
+  const std::vector<NonPolygonalCaster>& nonPolygonal, const SceneLight& sceneLight, int resolution)
 {
   // Whether the others changed, nobody says.
   const bool same = this->Drawn && nonPolygonal.empty() && this->NonPolygonal.empty() &&
-    this->Casters == casters && this->Light == lamp.World && this->Axis == lamp.Values.axis &&
-    this->CosCone == lamp.Values.cosCone && this->Resolution == resolution;
+    this->Casters == casters && this->Light == sceneLight.World &&
+    this->Axis == sceneLight.Values.axis && this->CosCone == sceneLight.Values.cosCone &&
+    this->Resolution == resolution;
   if (same)
   {
     return false;
   }
   this->Casters = casters;
   this->NonPolygonal = nonPolygonal;
-  this->Light = lamp.World;
-  this->Axis = lamp.Values.axis;
-  this->CosCone = lamp.Values.cosCone;
+  this->Light = sceneLight.World;
+  this->Axis = sceneLight.Values.axis;
+  this->CosCone = sceneLight.Values.cosCone;
   this->Resolution = resolution;
   this->SetProjection();
   this->Drawn = this->Kind == Projection::None;
@@ -73,7 +74,7 @@ glm::dmat3 ShadowMap::GetFrame(int face) const
 }
 
 //------------------------------------------------------------------------------
-glm::ivec2 ShadowMap::GetPlace(int face) const
+glm::ivec2 ShadowMap::GetTile(int face) const
 {
   return { face % FacesInRow * this->Side, face / FacesInRow * this->Side };
 }
@@ -159,7 +160,7 @@ void ShadowMap::EndNearest(vtkOpenGLRenderWindow* window)
 bool ShadowMap::Draw(vtkOpenGLRenderWindow* window, ProgramMaker& programs)
 {
   std::string text = AirlightShadowMapFS;
-  vtkShaderProgram* program = programs.Ready(window, AirlightShadowMapVS, text);
+  vtkShaderProgram* program = programs.GetOrCompile(window, AirlightShadowMapVS, text);
   if (!program)
   {
     this->Error = std::string("the shadow map's shader") + ProgramMaker::GetReason();
@@ -215,8 +216,8 @@ void ShadowMap::DrawCasters(vtkShaderProgram* program)
   {
     for (const std::array<int, 3>& t : caster.Mesh->Triangles)
     {
-      const glm::dvec3 points[3] = { Place(caster, t[0]) - this->Anchor,
-        Place(caster, t[1]) - this->Anchor, Place(caster, t[2]) - this->Anchor };
+      const glm::dvec3 points[3] = { ToWorld(caster, t[0]) - this->Anchor,
+        ToWorld(caster, t[1]) - this->Anchor, ToWorld(caster, t[2]) - this->Anchor };
       this->AddTriangle(points, corners);
       if (corners.size() >= 3 * Batch)
       {
@@ -244,9 +245,9 @@ void ShadowMap::DrawCorners(vtkShaderProgram* program, const std::vector<Corner>
     return;
   }
   const auto attribute = [program](const char* name, int components, size_t offset) {
-    const GLint place = glGetAttribLocation(program->GetHandle(), name);
-    glEnableVertexAttribArray(place);
-    glVertexAttribPointer(place, components, GL_FLOAT, GL_FALSE, sizeof(Corner),
+    const GLint location = glGetAttribLocation(program->GetHandle(), name);
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(Corner),
       reinterpret_cast<const void*>(offset)); // NOLINT: OpenGL's way to give an offset
   };
   attribute("position", 3, offsetof(Corner, Position));
@@ -254,12 +255,12 @@ void ShadowMap::DrawCorners(vtkShaderProgram* program, const std::vector<Corner>
   attribute("limit", 1, offsetof(Corner, Limit));
   for (int face = 0; face < this->GetFaceCount(); ++face)
   {
-    const glm::ivec2 place = this->GetPlace(face);
+    const glm::ivec2 tile = this->GetTile(face);
     const glm::mat3 frame(this->GetFrame(face));
     // Not through VTK's record, which is told where it ends.
-    glViewport(place.x, place.y, this->Side, this->Side);
-    glScissor(place.x, place.y, this->Side, this->Side);
-    program->SetUniform2i("place", &place.x);
+    glViewport(tile.x, tile.y, this->Side, this->Side);
+    glScissor(tile.x, tile.y, this->Side, this->Side);
+    program->SetUniform2i("tile", &tile.x);
     program->SetUniform3fv("frame", 3, &frame[0].x);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
   }

@@ -13,7 +13,7 @@
 
 #include "Casters/AirlightCasters.h"
 #include "OpenGL/AirlightQuad.h"
-#include "Scene/AirlightLamps.h"
+#include "Scene/AirlightSceneLights.h"
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
@@ -43,7 +43,8 @@ class ShadowMap
 public:
   // Takes the lamp and its casters. True where the map has to be drawn anew, into GetTexture().
   bool Update(const std::vector<Caster>& casters,
-    const std::vector<NonPolygonalCaster>& nonPolygonal, const Lamp& lamp, int resolution);
+    const std::vector<NonPolygonalCaster>& nonPolygonal, const SceneLight& sceneLight,
+    int resolution);
 
   // Makes the texture. False with a reason in GetError() where it cannot be had.
   bool Prepare(vtkOpenGLRenderWindow* window);
@@ -104,7 +105,7 @@ private:
   void DrawCorners(vtkShaderProgram* program, const std::vector<Corner>& corners);
   int GetFaceCount() const { return this->Kind == Projection::Cube ? 6 : 1; }
   glm::dmat3 GetFrame(int face) const;
-  glm::ivec2 GetPlace(int face) const;
+  glm::ivec2 GetTile(int face) const;
 
   std::vector<Caster> Casters;
   std::vector<NonPolygonalCaster> NonPolygonal;

@@ -30,7 +30,7 @@ constexpr double Rounding = 1e-6;
 // A rough bound of what interpolation and the map's own numbers lose, relative to distances.
 constexpr double MapRounding = 1e-5;
 
-glm::dvec3 Place(const Caster& caster, int point)
+glm::dvec3 ToWorld(const Caster& caster, int point)
 {
   return glm::dvec3(caster.ToWorld * glm::dvec4(caster.Mesh->Points[point], 1.0));
 }
@@ -156,7 +156,7 @@ void ShadowMap::SetParallelProjection()
   {
     for (int i = 0; i < static_cast<int>(caster.Mesh->Points.size()); ++i)
     {
-      const glm::dvec3 point = toFrame * Place(caster, i);
+      const glm::dvec3 point = toFrame * ToWorld(caster, i);
       low = glm::min(low, point);
       high = glm::max(high, point);
     }

@@ -4,7 +4,7 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightShadowMap
   SOURCES
-    AirlightShadowMapOthers.cxx
+    AirlightNonPolygonalShadowMap.cxx
     AirlightShadowMapProjection.cxx
   GLSL
     glsl/AirlightMapBoundaries.glsl

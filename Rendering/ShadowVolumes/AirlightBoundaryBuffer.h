@@ -29,10 +29,10 @@ namespace airlight
 class BoundaryBuffer
 {
 public:
-  // For a frame. `transmitsShadows`: whether boundaries tell how much light their casters let through. `edges`:
-  // the most silhouette edges of a light, on which alone the number of slots depends, so that a
-  // picture does not depend on those before it. `limit` in bytes. False with a reason in GetError()
-  // where a buffer cannot be had.
+  // For a frame. `transmitsShadows`: whether boundaries tell how much light their casters let
+  // through. `edges`: the most silhouette edges of a light, on which alone the number of slots
+  // depends, so that a picture does not depend on those before it. `limit` in bytes. False with a
+  // reason in GetError() where a buffer cannot be had.
   bool Prepare(int width, int height, bool transmitsShadows, size_t edges, std::uint64_t limit);
   const std::string& GetError() const { return this->Error; }
 
@@ -47,16 +47,16 @@ public:
   // Empties all for the rows from this one on.
   void Clear(int row);
 
-  // What shaders that write or read boundaries begin with, after GetShaderVersion(true). The lists' words
-  // alone for others that have the lists' kinds of light, not their boundaries.
+  // What shaders that write or read boundaries begin with, after GetShaderVersion(true). The lists'
+  // words alone for others that have the lists' kinds of light, not their boundaries.
   std::string GetSource() const;
   static std::string DefineNodes(bool transmitsShadows);
 
   // Binds all and sets the uniforms of that source.
   void Use(vtkShaderProgram* program);
 
-  // After a draw: the boundaries in lists, also those for which there was no room, and the most of a
-  // pixel whose list is to be sorted, as far as a draw has found that out.
+  // After a draw: the boundaries in lists, also those for which there was no room, and the most of
+  // a pixel whose list is to be sorted, as far as a draw has found that out.
   struct Counts
   {
     std::uint64_t Boundaries = 0;

@@ -40,8 +40,8 @@ ClippedRegions::ClippedRegions(const CameraRays& rays, bool anyPicture)
 {
   const std::array<CameraRays::Ray, 4> corners = rays.GetCornerRays();
   const CameraRays::Ray middle = rays.GetRay(0.5 * rays.GetWidth(), 0.5 * rays.GetHeight());
-  this->Before.End = glm::dvec4(rays.GetForward(), -(1.0 + Margin) * rays.GetNear());
-  this->Behind.End = glm::dvec4(-rays.GetForward(), (1.0 - Margin) * rays.GetFar());
+  this->InFront.End = glm::dvec4(rays.GetForward(), -(1.0 + Margin) * rays.GetNear());
+  this->Beyond.End = glm::dvec4(-rays.GetForward(), (1.0 - Margin) * rays.GetFar());
   for (size_t i = 0; i < corners.size(); ++i)
   {
     const CameraRays::Ray& ray = corners[i];
@@ -53,17 +53,17 @@ ClippedRegions::ClippedRegions(const CameraRays& rays, bool anyPicture)
 
     const double nearest = (1.0 + Margin) * ray.Nearest;
     const double farthest = (1.0 - Margin) * ray.Farthest;
-    this->Before.Corners.emplace_back(ray.Origin + nearest * ray.Direction, 1.0);
-    this->Before.Corners.push_back(
+    this->InFront.Corners.emplace_back(ray.Origin + nearest * ray.Direction, 1.0);
+    this->InFront.Corners.push_back(
       rays.IsParallel() ? glm::dvec4(-ray.Direction, 0.0) : glm::dvec4(ray.Origin, 1.0));
-    this->Behind.Corners.emplace_back(ray.Origin + farthest * ray.Direction, 1.0);
-    this->Behind.Corners.emplace_back(ray.Direction, 0.0);
+    this->Beyond.Corners.emplace_back(ray.Origin + farthest * ray.Direction, 1.0);
+    this->Beyond.Corners.emplace_back(ray.Direction, 0.0);
   }
 }
 
 //------------------------------------------------------------------------------
 // Where one of the view's sides, the clipping plane or one of the box's sides is between the two.
-bool ClippedRegions::IsApart(const Box& box, const Region& region) const
+bool ClippedRegions::IsOutside(const Box& box, const Region& region) const
 {
   if (GetLeast(region.End, box) > 0.0)
   {
@@ -102,6 +102,6 @@ bool ClippedRegions::MayCutOff(const Caster& caster) const
   Box box;
   std::transform(corners.begin(), corners.end(), box.begin(),
     [this](const glm::dvec3& corner) { return glm::dvec4(corner - this->Eye, 1.0); });
-  return !this->IsApart(box, this->Before) || !this->IsApart(box, this->Behind);
+  return !this->IsOutside(box, this->InFront) || !this->IsOutside(box, this->Beyond);
 }
 }

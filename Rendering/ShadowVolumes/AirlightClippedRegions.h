@@ -21,16 +21,16 @@ namespace airlight
 class CameraRays;
 struct Caster;
 
-// Which parts of casters rays of the picture may meet before the near clipping plane or behind the far one,
-// where nothing of them is drawn.
+// Which parts of casters rays of the picture may meet before the near clipping plane or behind the
+// far one, where nothing of them is drawn.
 class VTKAIRLIGHT_EXPORT ClippedRegions
 {
 public:
   // `anyPicture`: of any width and height, for other processes, whose windows are not known.
   explicit ClippedRegions(const CameraRays& rays, bool anyPicture = false);
 
-  // Whether there may be such parts of it: where its box and one of the two regions are not apart for
-  // certain.
+  // Whether there may be such parts of it: where its box and one of the two regions are not apart
+  // for certain.
   bool MayCutOff(const Caster& caster) const;
 
 private:
@@ -42,13 +42,13 @@ private:
   };
   using Box = std::array<glm::dvec4, 8>; // corners from the eye, as GetCorners() numbers them
 
-  bool IsApart(const Box& box, const Region& region) const;
+  bool IsOutside(const Box& box, const Region& region) const;
 
   glm::dvec3 Eye{ 0.0 };
   bool AnyPicture = false;
   std::array<glm::dvec4, 4> Sides; // of the view, positive inside
-  Region Before;
-  Region Behind;
+  Region InFront;
+  Region Beyond;
 };
 }
 

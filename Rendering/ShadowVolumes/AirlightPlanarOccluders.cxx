@@ -15,8 +15,8 @@ namespace airlight
 {
 namespace
 {
-// Of the face's extent: how far inside its outline and behind its plane it is taken to lie, for roundings of what
-// is drawn and what of the mesh is not quite flat.
+// Of the face's extent: how far inside its outline and behind its plane it is taken to lie, for
+// roundings of what is drawn and what of the mesh is not quite flat.
 constexpr double Inset = 1e-3;
 constexpr double Setback = 1e-4;
 // Of the clipping planes' depths.
@@ -115,8 +115,9 @@ bool ComesBefore(const Candidate& a, const Candidate& b)
 }
 
 //------------------------------------------------------------------------------
-// What is asked of places and of directions is linear in them, and the rays from a light through a box before
-// a plane meet that inside the outline of where those through its corners do: if the corners' are hidden, all are.
+// What is asked of places and of directions is linear in them, and the rays from a light through a
+// box before a plane meet that inside the outline of where those through its corners do: if the
+// corners' are hidden, all are.
 bool HidesShadow(const PlanarOccluder& face, const std::array<glm::dvec3, 8>& box,
   const glm::dvec4& light, const glm::dvec3& eye)
 {

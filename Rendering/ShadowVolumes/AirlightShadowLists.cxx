@@ -58,7 +58,7 @@ bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height,
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* ShadowLists::ReadyPlanes(
+vtkShaderProgram* ShadowLists::GetPlanesProgram(
   PlaneKind kind, const std::string& fragment, const Source& source)
 {
   const std::string head = GetShaderVersion(true) + "#define AIRLIGHT_NEAR_PLANES " +
@@ -66,7 +66,7 @@ vtkShaderProgram* ShadowLists::ReadyPlanes(
     std::to_string(kind == PlaneKind::Cap) + "\n";
   std::string text = head + fragment;
   vtkShaderProgram* program =
-    this->PlanePrograms.Ready(this->Window, head + AirlightPlanesVS, text);
+    this->PlanePrograms.GetOrCompile(this->Window, head + AirlightPlanesVS, text);
   if (!program)
   {
     this->Error = std::string("the shader of shadow planes") + ProgramMaker::GetReason();
@@ -95,9 +95,9 @@ std::string ShadowLists::GetPlanesSource(const CameraUniforms& view) const
 }
 
 //------------------------------------------------------------------------------
-// By parts that a storage block of any driver holds. Front faces are seen from outside the volume. By
-// indices, a plane takes four vertices instead of six, and software renderers take few planes at a time:
-// after every fifty vertices that they have clipped they go through all that they took.
+// By parts that a storage block of any driver holds. Front faces are seen from outside the volume.
+// By indices, a plane takes four vertices instead of six, and software renderers take few planes at
+// a time: after every fifty vertices that they have clipped they go through all that they took.
 void ShadowLists::DrawRecords(PlaneKind kind, const Buffer& buffer) const
 {
   const bool planes = kind == PlaneKind::Plane;
@@ -134,7 +134,8 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
   {
     return true;
   }
-  vtkShaderProgram* program = this->ReadyPlanes(kind, this->GetPlanesSource(source.Rays), source);
+  vtkShaderProgram* program =
+    this->GetPlanesProgram(kind, this->GetPlanesSource(source.Rays), source);
   if (!program)
   {
     return false;
@@ -151,7 +152,7 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
 
 //------------------------------------------------------------------------------
 // Draws all planes and caps, clipped to some rows.
-bool ShadowLists::DrawOnce(const Source& source, int row, int rows, BoundaryBuffer::Counts& counts)
+bool ShadowLists::TryDraw(const Source& source, int row, int rows, BoundaryBuffer::Counts& counts)
 {
   this->Store.Clear(row);
   // No test fails without it, see AirlightOpenGL.h.
@@ -180,7 +181,7 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
   while (rows > 0)
   {
     BoundaryBuffer::Counts counts;
-    if (!this->DrawOnce(source, row, rows, counts))
+    if (!this->TryDraw(source, row, rows, counts))
     {
       return 0;
     }
@@ -244,7 +245,7 @@ int ShadowLists::Fill(const Source& source, int row, int rows)
 //------------------------------------------------------------------------------
 bool ShadowLists::DrawWireframe(const Source& source)
 {
-  vtkShaderProgram* program = this->ReadyPlanes(PlaneKind::Plane, AirlightOutlineFS, source);
+  vtkShaderProgram* program = this->GetPlanesProgram(PlaneKind::Plane, AirlightOutlineFS, source);
   if (!program || !this->UploadTruncationPlanes(source))
   {
     return false;

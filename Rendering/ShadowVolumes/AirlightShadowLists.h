@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Draws a light's shadow planes and collects, for each pixel, the boundaries that its ray crosses
- * before the surface (AirlightBoundaryBuffer.h). None is left out: where they do not fit, the buffer
- * grows; where it may not grow, fewer rows are drawn at a time.
+ * before the surface (AirlightBoundaryBuffer.h). None is left out: where they do not fit, the
+ * buffer grows; where it may not grow, fewer rows are drawn at a time.
  */
 
 #ifndef AirlightShadowLists_h
@@ -31,8 +31,8 @@ class ShadowLists
 {
 public:
   static constexpr std::uint64_t MostBands = 16;
-  // What indices of 16 bits reach, four vertices a plane. Multiples of 16 records are aligned as parts of
-  // a storage buffer have to be.
+  // What indices of 16 bits reach, four vertices a plane. Multiples of 16 records are aligned as
+  // parts of a storage buffer have to be.
   static constexpr int PlanesPerDraw = 16368;
   // Caps and near planes, up to 64 bytes each: what the smallest storage blocks hold.
   static constexpr int RecordsPerDraw = 1 << 18;
@@ -41,23 +41,24 @@ public:
   static bool IsSupported(vtkOpenGLRenderWindow* window);
 
   // Fragment source that reads the boundaries, after a GetShaderVersion(true) and
-  // BoundaryBuffer::DefineNodes(). A first draw does the pixels with few. Where GetLongDraws() is above 0 afterwards, there are others: Sort() puts
-  // them in order and that many draws of the source for sorted lists do them, all but the first
-  // with the uniform "resume" set.
+  // BoundaryBuffer::DefineNodes(). A first draw does the pixels with few. Where GetLongDraws() is
+  // above 0 afterwards, there are others: Sort() puts them in order and that many draws of the
+  // source for sorted lists do them, all but the first with the uniform "resume" set.
   std::string GetBoundariesSource(bool sorted) const;
 
-  // Where there are slots: functions that read a pixel's boundaries in order, from its slots, or from
-  // its list once that is sorted (glsl/AirlightSortedKBuffer.glsl, glsl/AirlightSortedList.glsl).
+  // Where there are slots: functions that read a pixel's boundaries in order, from its slots, or
+  // from its list once that is sorted (glsl/AirlightSortedKBuffer.glsl,
+  // glsl/AirlightSortedList.glsl).
   std::string GetPackedSource(bool sorted) const;
 
-  // As BoundaryBuffer::Prepare(); with `budgeted`, Fill() gives up where all rows at once would need
-  // more than MostBands times the memory limit.
+  // As BoundaryBuffer::Prepare(); with `budgeted`, Fill() gives up where all rows at once would
+  // need more than MostBands times the memory limit.
   bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool transmitsShadows,
     size_t edges, std::uint64_t memoryLimit, bool budgeted);
   const std::string& GetError() const { return this->Error; }
 
-  // Uploads a light's edges and caps; `light` is the light's number. False with a reason in GetError()
-  // where there is no memory for them.
+  // Uploads a light's edges and caps; `light` is the light's number. False with a reason in
+  // GetError() where there is no memory for them.
   bool SetVolumes(int light, const ShadowVolumes& volumes);
 
   // What a light's planes are drawn from.
@@ -76,9 +77,9 @@ public:
   // with a reason in GetError() where nothing could be drawn.
   int Fill(const Source& source, int row, int rows);
 
-  // Draws the outlines of a light's planes into the bound framebuffer, where nothing hides them; red
-  // where the view enters a shadow through a plane, blue where it leaves it. False with a reason in
-  // GetError() where the shader does not compile.
+  // Draws the outlines of a light's planes into the bound framebuffer, where nothing hides them;
+  // red where the view enters a shadow through a plane, blue where it leaves it. False with a
+  // reason in GetError() where the shader does not compile.
   bool DrawWireframe(const Source& source);
 
   // Whether Fill() failed since there are too many boundaries.
@@ -117,15 +118,16 @@ private:
     Near
   };
 
-  vtkShaderProgram* ReadyPlanes(PlaneKind kind, const std::string& fragment, const Source& source);
+  vtkShaderProgram* GetPlanesProgram(
+    PlaneKind kind, const std::string& fragment, const Source& source);
   bool MakeCorners();
   void DrawRecords(PlaneKind kind, const Buffer& buffer) const;
   std::string GetPlanesSource(const CameraUniforms& view) const;
   bool DrawFragments(const Source& source, PlaneKind kind, int row, int rows);
-  bool DrawOnce(const Source& source, int row, int rows, BoundaryBuffer::Counts& counts);
+  bool TryDraw(const Source& source, int row, int rows, BoundaryBuffer::Counts& counts);
   int DrawRows(const Source& source, int row, int rows);
   bool MergeOverflow(int row, int rows);
-  vtkShaderProgram* ReadyLists(Quad& quad, const std::string& fragment);
+  vtkShaderProgram* GetListsProgram(Quad& quad, const std::string& fragment);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   int Width = 0;

@@ -31,8 +31,8 @@ bool ShadowLists::Upload(Buffer& buffer, const void* data, size_t count, size_t 
 }
 
 //------------------------------------------------------------------------------
-// The corners of the two triangles of each plane, (A, A far, B) and (B, A far, B far), among four vertices a
-// plane. Of as many planes as a draw takes, for all lights.
+// The corners of the two triangles of each plane, (A, A far, B) and (B, A far, B far), among four
+// vertices a plane. Of as many planes as a draw takes, for all lights.
 bool ShadowLists::MakeCorners()
 {
   if (this->Corners.Count > 0)

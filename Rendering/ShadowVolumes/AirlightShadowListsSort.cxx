@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How boundaries are read in order: slots, lists that the reader sorts, and lists sorted beforehand.
+// How boundaries are read in order: slots, lists that the reader sorts, and lists sorted
+// beforehand.
 
 #include "ShadowVolumes/AirlightShadowLists.h"
 
@@ -51,9 +52,9 @@ std::string ShadowLists::GetBoundariesSource(bool sorted) const
 
 //------------------------------------------------------------------------------
 // A program that changes lists; nothing is drawn into the framebuffer.
-vtkShaderProgram* ShadowLists::ReadyLists(Quad& quad, const std::string& fragment)
+vtkShaderProgram* ShadowLists::GetListsProgram(Quad& quad, const std::string& fragment)
 {
-  vtkShaderProgram* program = quad.Ready(this->Window,
+  vtkShaderProgram* program = quad.GetOrCompile(this->Window,
     GetShaderVersion(true) + BoundaryBuffer::DefineNodes(this->Store.HasShadowTransmittance()) +
       this->Store.GetSource() + fragment);
   if (!program)
@@ -74,7 +75,7 @@ bool ShadowLists::MergeOverflow(int row, int rows)
 {
   vtkOpenGLState* state = this->Window->GetState();
   vtkOpenGLState::ScopedglColorMask maskSaver(state);
-  if (!this->ReadyLists(
+  if (!this->GetListsProgram(
         this->OverflowQuad, std::string(AirlightSortedKBuffer) + AirlightOverflowFS))
   {
     return false;
@@ -101,7 +102,7 @@ int ShadowLists::GetLongDraws()
 bool ShadowLists::Sort()
 {
   vtkOpenGLState::ScopedglColorMask maskSaver(this->Window->GetState());
-  vtkShaderProgram* program = this->ReadyLists(this->SortQuad, AirlightSortFS);
+  vtkShaderProgram* program = this->GetListsProgram(this->SortQuad, AirlightSortFS);
   if (!program)
   {
     return false;

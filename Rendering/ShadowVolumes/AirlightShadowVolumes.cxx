@@ -21,8 +21,9 @@ glm::dvec3 Transform(const glm::dmat4& matrix, const glm::dvec3& point)
   return glm::dvec3(matrix * glm::dvec4(point, 1.0));
 }
 
-// The size of the coordinates, in the world's unit, that VTK's mappers round to single precision. Of points
-// farther from their origin than ten thousand times their extent they subtract the middle beforehand.
+// The size of the coordinates, in the world's unit, that VTK's mappers round to single precision.
+// Of points farther from their origin than ten thousand times their extent they subtract the middle
+// beforehand.
 float GetCoordinateSize(const Caster& caster)
 {
   const CasterMesh& mesh = *caster.Mesh;

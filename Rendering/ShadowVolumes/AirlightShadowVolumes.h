@@ -49,8 +49,8 @@ struct ShadowCap
 class ShadowVolumes
 {
 public:
-  // `light` is the homogeneous world position; `anyPicture`: for views of any width and height. Returns
-  // true where edges, near edges or caps changed.
+  // `light` is the homogeneous world position; `anyPicture`: for views of any width and height.
+  // Returns true where edges, near edges or caps changed.
   bool Update(const std::vector<Caster>& casters, const glm::dvec4& light,
     const CameraUniforms& view, bool anyPicture = false);
 
@@ -60,8 +60,8 @@ public:
 
   const std::vector<ShadowEdge>& GetEdges() const { return this->Edges; }
   const std::vector<ShadowCap>& GetCaps() const { return this->Caps; }
-  // Planes, or casters that enclose the light and leave none: then the start of the rays, and all else
-  // outside, is in their shadow.
+  // Planes, or casters that enclose the light and leave none: then the start of the rays, and all
+  // else outside, is in their shadow.
   bool HasShadows() const
   {
     return !this->Edges.empty() || !this->NearEdges.empty() || !this->Caps.empty() ||

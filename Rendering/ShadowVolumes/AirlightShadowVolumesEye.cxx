@@ -23,8 +23,8 @@ constexpr double PlaneTolerance = 2e-5;
 constexpr double AsideLength = 1e-11;
 const glm::dvec3 AsideDirection{ 0.61, 0.47, 0.64 };
 
-// Where a point of the edge's plane is: from the sides that begin at A and at B, and beyond the edge,
-// each times the length of what it is measured from. The light is the anchor, or at infinity.
+// Where a point of the edge's plane is: from the sides that begin at A and at B, and beyond the
+// edge, each times the length of what it is measured from. The light is the anchor, or at infinity.
 glm::dvec3 GetSides(const ShadowEdge& edge, const glm::dvec4& light, const glm::dvec3& point,
   const glm::dvec3& normal)
 {
@@ -64,8 +64,8 @@ bool ShadowVolumes::IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) con
 }
 
 //------------------------------------------------------------------------------
-// With all that single precision could not find out of an eye so near: on which side of the plane it
-// is, and in it of the edge's ends, where the light, a vertex and the eye lie on a line.
+// With all that single precision could not find out of an eye so near: on which side of the plane
+// it is, and in it of the edge's ends, where the light, a vertex and the eye lie on a line.
 NearEdge ShadowVolumes::MakeNear(const ShadowEdge& edge, const glm::dvec3& eye) const
 {
   const glm::dvec3 a(edge.A);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What casts shadows in other processes, each of which draws a part of the scene: the silhouettes of
- * all their casters, light by light, not their triangles. They are sent as bytes.
+ * What casts shadows in other processes, each of which draws a part of the scene: the silhouettes
+ * of all their casters, light by light, not their triangles. They are sent as bytes.
  */
 
 #ifndef AirlightSilhouetteExchange_h
@@ -34,7 +34,8 @@ using ProcessSilhouettes = std::vector<std::shared_ptr<const LightSilhouettes>>;
 // What the shadow volumes of a process's casters say of it.
 LightSilhouettes DescribeSilhouettes(const ShadowVolumes& volumes, const glm::dvec4& light);
 
-// For processes on machines of one kind: the bytes of another kind are refused, as what is cut short.
+// For processes on machines of one kind: the bytes of another kind are refused, as what is cut
+// short.
 std::vector<unsigned char> WriteSilhouettes(const std::vector<LightSilhouettes>& shadows);
 // False with a reason in `error`.
 bool ReadSilhouettes(

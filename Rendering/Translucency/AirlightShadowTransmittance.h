@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What translucent casters leave of each light on the opaque surface of each pixel, as the shaders
- * keep it (glsl/AirlightTransmittanceBuffer.glsl): each light's resolve writes it, the mappers' fragments read it.
+ * keep it (glsl/AirlightTransmittanceBuffer.glsl): each light's resolve writes it, the mappers'
+ * fragments read it.
  *
  * Memory: 8 bytes a pixel and light.
  */
@@ -20,8 +21,8 @@ namespace airlight
 class ShadowTransmittance
 {
 public:
-  // Room for this viewport and these lights: the place of light k, -1 for one that is not dimmed. False
-  // with a reason in GetError() where the buffer cannot be had.
+  // Room for this viewport and these lights: the place of light k, -1 for one that is not dimmed.
+  // False with a reason in GetError() where the buffer cannot be had.
   bool Prepare(int width, int height, const std::vector<int>& slots);
   const std::string& GetError() const { return this->Error; }
 

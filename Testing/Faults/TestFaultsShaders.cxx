@@ -64,7 +64,8 @@ void TestLists()
   }
   Trial trial(scene);
   TryShader(trial, "the shader of long lists", "uint sortRun(");
-  TryShader(trial, "the airlight shader", "airlightTurnPixel(p, airlightRayUnit(p), texelFetch");
+  TryShader(
+    trial, "the airlight shader", "airlightEquiangularPixel(p, airlightRayUnit(p), texelFetch");
 }
 
 // What shaders that the pass does not add to have drawn has its distance from the depth buffer.

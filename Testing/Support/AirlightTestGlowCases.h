@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * airlightGlow() of Module/glsl in double and in single precision against the brute force of
+ * airlightScatteredIrradiance() of Module/glsl in double and in single precision against the brute force of
  * AirlightTestGlow.h, over random settings: a light of strength 1 at distance 1, optical distance
  * 0.01 to 10, any normal.
  */
@@ -266,10 +266,11 @@ inline bool CompareGlow(int kind)
     airlight::ConvertLight(media, setting.Light, glm::dvec3(0.0), light);
     light.radius = 1e-5; // as the pass has it
     const double error = GlowError(
-      airlight::f64::airlightGlow(media, light, glm::dvec3(0.0), setting.Normal), expected);
+      airlight::f64::airlightScatteredIrradiance(media, light, glm::dvec3(0.0), setting.Normal),
+      expected);
     doubles.Add(error, family.Limit, describe);
-    errors.push_back(GlowError(airlight::f32::airlightGlow(ToSingle(media), ToSingle(light),
-                                 glm::vec3(0.0f), glm::vec3(setting.Normal)),
+    errors.push_back(GlowError(airlight::f32::airlightScatteredIrradiance(ToSingle(media),
+                                 ToSingle(light), glm::vec3(0.0f), glm::vec3(setting.Normal)),
       expected));
     singles.Add(errors.back(), family.Limit, describe);
   }

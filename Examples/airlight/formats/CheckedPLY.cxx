@@ -162,8 +162,8 @@ private:
   const char* At;
 };
 
-// The same of a binary file, in which any bytes are numbers: of those that are no lengths it is enough
-// that they are there.
+// The same of a binary file, in which any bytes are numbers: of those that are no lengths it is
+// enough that they are there.
 class BinaryNumbers
 {
 public:

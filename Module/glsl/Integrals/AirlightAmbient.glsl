@@ -1,10 +1,11 @@
-// Ambient radiance that media scatter into a ray: exact for one medium and for uniform ones, otherwise
-// by Gauss-Legendre quadrature on panels that follow the integrand. Each panel is as long as its nodes
-// serve the channel that changes fastest among those that still have light. Checked against adaptive
-// quadrature: 1e-6 in single precision, 1e-9 in double.
+// Ambient radiance that media scatter into a ray: exact for one medium and for uniform ones,
+// otherwise by Gauss-Legendre quadrature on panels that follow the integrand. Each panel is as long
+// as its nodes serve the channel that changes fastest among those that still have light. Checked
+// against adaptive quadrature: 1e-6 in single precision, 1e-9 in double.
 
 // A channel is dark, and a density negligible, after so many e-foldings. A medium into which a ray
-// falls is followed in steps of so many scale heights: its depth is an exponential of an exponential.
+// falls is followed in steps of so many scale heights: its depth is an exponential of an
+// exponential.
 #ifdef AIRLIGHT_DOUBLE
 #define AIRLIGHT_AMBIENT_DEPTH 40.0
 #define AIRLIGHT_AMBIENT_HEIGHTS 36.0
@@ -113,7 +114,7 @@ AIRLIGHT_FN real3 airlightAmbientByPanels(AIRLIGHT_IN(AirlightMedia) media,
   AirlightPiece own = piece;
   own.from = real(0.0);
   own.to = piece.to - piece.from;
-  real end = airlightFadedAt(media, own, start, direction);
+  real end = airlightNegligibleFrom(media, own, start, direction);
   real3 sum = real3(real(0.0));
   real from = real(0.0);
   for (int panel = 0; panel < AIRLIGHT_AMBIENT_PANELS && from < end; panel++)

@@ -99,10 +99,10 @@ AIRLIGHT_FN real airlightGFar(real x, real y)
   return airlightGFarPair(x, y).x;
 }
 #else
-// Away from the origin, single precision: the Stieltjes form with the exponential replaced by twelve
-// positive poles, fitted by least squares with Lawson's weights: no cancellation, relative error
-// 2.3e-7 for |z| >= 0.05. A pole of higher order (AirlightPhase.glsl) has the same form, with powers of
-// the same quotients: 2e-6 and 6e-6 for |z| >= 0.1.
+// Away from the origin, single precision: the Stieltjes form with the exponential replaced by
+// twelve positive poles, fitted by least squares with Lawson's weights: no cancellation, relative
+// error 2.3e-7 for |z| >= 0.05. A pole of higher order (AirlightPhase.glsl) has the same form, with
+// powers of the same quotients: 2e-6 and 6e-6 for |z| >= 0.1.
 AIRLIGHT_FN real airlightFarTerm(real weight, real p, real y2, real3 c, real u2)
 {
   real r = real(1.0) / (p * p + y2);

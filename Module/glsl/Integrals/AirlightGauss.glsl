@@ -36,8 +36,9 @@ AIRLIGHT_FN real2 airlightGaussNode(int k)
 }
 
 // Weights that give, from the values at the nodes, the integrand's coefficients of the Legendre
-// polynomials of degrees 6 and 7 (for the negative node the latter changes its sign). Where these are
-// small the integrand is smooth; a kink between the outermost nodes cannot hide from both of them.
+// polynomials of degrees 6 and 7 (for the negative node the latter changes its sign). Where these
+// are small the integrand is smooth; a kink between the outermost nodes cannot hide from both of
+// them.
 AIRLIGHT_FN real2 airlightRoughWeight(int k)
 {
 #ifdef AIRLIGHT_DOUBLE
@@ -57,8 +58,8 @@ AIRLIGHT_FN real2 airlightRoughWeight(int k)
 // From an end of the interval to the nearest node.
 #define AIRLIGHT_GAUSS_GAP 0.039710143502463824
 
-// Weights of the positive and of the negative node in the value that the nodes' polynomial has at 1; at -1
-// they change places.
+// Weights of the positive and of the negative node in the value that the nodes' polynomial has at
+// 1; at -1 they change places.
 AIRLIGHT_FN real2 airlightEndWeight(int k)
 {
   if (k == 0)

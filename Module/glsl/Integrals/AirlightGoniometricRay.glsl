@@ -136,7 +136,7 @@ AIRLIGHT_FN real4 airlightCellNode(bool narrow, int k)
 AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
   AIRLIGHT_IN(AirlightPiece) piece, AIRLIGHT_IN(AirlightPhotometryCell) cell, bool straight,
-  real w0, real w1, AIRLIGHT_OUT(real3) doubt)
+  real w0, real w1, AIRLIGHT_OUT(real3) errorEstimate)
 {
   real middle = real(0.5) * (w0 + w1);
   real reach = real(0.5) * (w1 - w0);
@@ -168,7 +168,7 @@ AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
   }
   // One node is wrong by the square of the width, three by its sixth power: the square of the
   // relative difference is still on the safe side.
-  doubt = reach *
+  errorEstimate = reach *
     (narrow ? abs(even) * min(abs(even) / max(sum, real3(real(1e-30))), real3(real(1.0)))
             : airlightRough(even, odd));
   return reach * sum;
@@ -203,7 +203,7 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
   int steps = 0;
   for (int pass = 0; pass < 2; pass++)
   {
-    real3 doubt = real3(real(0.0));
+    real3 errorEstimate = real3(real(0.0));
     sum = real3(real(0.0));
     AirlightPhotometryCell cell;
     real a = w0;
@@ -218,8 +218,9 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
       {
         step = min(widest, most);
         real after = airlightJustAfter(straight, tL, ray.foot.h, a);
-        // Beside a pole the cell just left and the next one differ by roundings: there the middle of
-        // the panel tells. And cells are looked up for each panel: where a ray leaves one can be missed.
+        // Beside a pole the cell just left and the next one differ by roundings: there the middle
+        // of the panel tells. And cells are looked up for each panel: where a ray leaves one can be
+        // missed.
         bool beside = most < widest;
         real x = after;
         for (int look = beside ? 0 : 1; look < 2; look++)
@@ -250,12 +251,12 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
       else
       {
         sum += value;
-        doubt += part;
+        errorEstimate += part;
         a = b;
         step = min(real(2.0) * step, widest);
       }
     }
-    if (!any(greaterThan(doubt, real(2.0 * AIRLIGHT_PANEL_TOLERANCE) * sum)))
+    if (!any(greaterThan(errorEstimate, real(2.0 * AIRLIGHT_PANEL_TOLERANCE) * sum)))
     {
       return sum;
     }

@@ -4,16 +4,16 @@
 // (AirlightLightGrid.h), times the length.
 
 // Of a part: of what it changes the optical depth by, of its length over the distance from the
-// light, and of v = asinh(x/h) near the light. The scattering angle changes by no more than the latter
-// two, and tables can have bumps of a degree.
+// light, and of v = asinh(x/h) near the light. The scattering angle changes by no more than the
+// latter two, and tables can have bumps of a degree.
 #define AIRLIGHT_PART_DEPTH 1.0
 #if AIRLIGHT_HAS_TABLE
 #define AIRLIGHT_PART_SLANT 0.05
-#define AIRLIGHT_PART_TURN 0.05
+#define AIRLIGHT_PANEL_ANGLE 0.05
 #define AIRLIGHT_MOST_PARTS 200.0
 #else
 #define AIRLIGHT_PART_SLANT 0.3
-#define AIRLIGHT_PART_TURN 0.8
+#define AIRLIGHT_PANEL_ANGLE 0.8
 #define AIRLIGHT_MOST_PARTS 40.0
 #endif
 
@@ -36,9 +36,9 @@ real airlightToLight(AirlightMedium medium, AirlightLight light, real3 point)
   }
   real2 range = airlightRegionRange(medium.region, point, way, l);
   range = airlightGridRange(medium.grid, point, way, range.x, range.y);
-  real3 place = (medium.grid.start + medium.grid.axes * point) / medium.grid.last;
+  real3 position = (medium.grid.start + medium.grid.axes * point) / medium.grid.last;
   real mean = airlightInterpolated(
-    light.gridFirst, light.gridSize, clamp(place, 0.0, 1.0) * light.gridSize);
+    light.gridFirst, light.gridSize, clamp(position, 0.0, 1.0) * light.gridSize);
   return max(mean, 0.0) * max(range.y - range.x, 0.0);
 }
 
@@ -48,24 +48,24 @@ real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point)
 }
 
 // The next boundary often lies a little further on the same ray: what is known of it is kept.
-real3 airlightKnownOrigin = real3(0.0);
-real3 airlightKnownDirection = real3(0.0);
-real airlightKnownTo = -1.0;
-real airlightKnownDepth = 0.0;
+real3 airlightCachedOrigin = real3(0.0);
+real3 airlightCachedDirection = real3(0.0);
+real airlightCachedTo = -1.0;
+real airlightCachedDepth = 0.0;
 
 // Integral of the density on the ray up to t.
-real airlightGridBefore(AirlightMedium medium, AirlightRay ray, real t)
+real airlightGridDepthTo(AirlightMedium medium, AirlightRay ray, real t)
 {
-  bool known = airlightKnownTo >= ray.range.x && airlightKnownTo <= t &&
-    airlightKnownOrigin == ray.origin && airlightKnownDirection == ray.direction;
-  real from = known ? airlightKnownTo : ray.range.x;
-  real before = known ? airlightKnownDepth : 0.0;
-  airlightKnownOrigin = ray.origin;
-  airlightKnownDirection = ray.direction;
-  airlightKnownTo = t;
-  airlightKnownDepth =
+  bool known = airlightCachedTo >= ray.range.x && airlightCachedTo <= t &&
+    airlightCachedOrigin == ray.origin && airlightCachedDirection == ray.direction;
+  real from = known ? airlightCachedTo : ray.range.x;
+  real before = known ? airlightCachedDepth : 0.0;
+  airlightCachedOrigin = ray.origin;
+  airlightCachedDirection = ray.direction;
+  airlightCachedTo = t;
+  airlightCachedDepth =
     before + airlightGridDepth(medium.grid, ray.origin, ray.direction, from, t);
-  return airlightKnownDepth;
+  return airlightCachedDepth;
 }
 
 // What is scattered at t, per unit sigmaS and density, with the depth before it on the ray.
@@ -81,7 +81,7 @@ real3 airlightGridIntegrand(
   real x = t - ray.range.x - ray.foot.tL;
   real r = sqrt(ray.foot.h * ray.foot.h + x * x);
   return airlightPhase(medium.phase, -x / r) * airlightFalloff(light, point, r) *
-    airlightShare(light, point) * passes;
+    airlightPhotometricShare(light, point) * passes;
 }
 
 // The integral over [a, b], the part of the ray in one cell; `depth` is before a.
@@ -96,7 +96,7 @@ real3 airlightInterval3InCell(AirlightMedium medium, AirlightLight light, Airlig
   real v0 = straight ? a : airlightAsinh((a - tL) / ray.foot.h);
   real v1 = straight ? b : airlightAsinh((b - tL) / ray.foot.h);
   real count = 2.0 * steepest * (b - a) / AIRLIGHT_PART_DEPTH;
-  count = straight ? count : max(count, (v1 - v0) / AIRLIGHT_PART_TURN);
+  count = straight ? count : max(count, (v1 - v0) / AIRLIGHT_PANEL_ANGLE);
   int parts = int(clamp(ceil(count), 1.0, AIRLIGHT_MOST_PARTS));
   real width = (v1 - v0) / real(parts);
   real3 sum = real3(0.0);

@@ -1,5 +1,5 @@
-// Where along a ray the way to the light begins to leave a region through another face, or to touch it
-// at all: there the integrand has a kink, at which quadrature is cut.
+// Where along a ray the way to the light begins to leave a region through another face, or to touch
+// it at all: there the integrand has a kink, at which quadrature is cut.
 
 // A ray and its light: origin and direction seen from a light at a place, else from the world's
 // origin, with the direction towards the light.
@@ -109,8 +109,8 @@ AIRLIGHT_FN real airlightSphereKink(AIRLIGHT_IN(AirlightRegion) region,
         dot(o, o) - r2 * dot(way.origin, way.origin), t0, t1);
 }
 
-// The first kink in (t0, t1), a little after t0 at least, else t1. A way that begins in a sphere alone in the world leaves it
-// without.
+// The first kink in (t0, t1), a little after t0 at least, else t1. A way that begins in a sphere
+// alone in the world leaves it without.
 AIRLIGHT_FN real airlightNextKink(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightWay) way,
   real t0, real t1)
 {
@@ -121,7 +121,8 @@ AIRLIGHT_FN real airlightNextKink(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(
     {
       t1 = airlightBoxKink(media.item[i].region, way, t0, t1);
     }
-    else if (AIRLIGHT_REGION_KIND(media.item[i].region) == AIRLIGHT_REGION_SPHERE && AIRLIGHT_MEDIUM_COUNT > 1)
+    else if (AIRLIGHT_REGION_KIND(media.item[i].region) == AIRLIGHT_REGION_SPHERE &&
+      AIRLIGHT_MEDIUM_COUNT > 1)
     {
       t1 = airlightSphereKink(media.item[i].region, way, t0, t1);
     }

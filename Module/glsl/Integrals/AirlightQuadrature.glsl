@@ -1,8 +1,8 @@
 // Airlight by quadrature, for what has no closed form: other attenuations than the inverse square,
 // spots with an exponent, lights outside the region, varying density, several media.
 
-// What a panel may be in doubt by, relative to the piece's integral. Where the integrand is smooth it
-// is better than that by some orders of magnitude. Kinks that the panels are not cut at
+// What a panel may be in doubt by, relative to the piece's integral. Where the integrand is smooth
+// it is better than that by some orders of magnitude. Kinks that the panels are not cut at
 // (AirlightKinks.glsl) are those of surfaces and tables: there are many, and 1e-3 is what they are
 // allowed together.
 #if AIRLIGHT_HAS_SURFACE || AIRLIGHT_HAS_TABLE || AIRLIGHT_HAS_PHOTOMETRY
@@ -13,8 +13,8 @@
 
 // So many panels may be halved, on all of a pixel's ray together. Mesa's software renderer ends all
 // loops of a shader, without a word, after 65 535 rounds together, counted for eight pixels at once
-// that wait for one another; with surfaces, where every node walks through a tree, a panel takes some
-// hundreds of them.
+// that wait for one another; with surfaces, where every node walks through a tree, a panel takes
+// some hundreds of them.
 #define AIRLIGHT_MOST_TRIES 800
 #define AIRLIGHT_MOST_ROUNDS 6000
 #ifndef AIRLIGHT_MAY_TRY // in shaders
@@ -27,8 +27,8 @@ int airlightTries = 0;
 #define AIRLIGHT_MAY_TRY (airlightTries++ < AIRLIGHT_MOST_TRIES && AIRLIGHT_FEW_ROUNDS)
 #endif
 
-// Panels narrower than this, of where they are, have nodes that rounding moves: halving them helps no
-// more.
+// Panels narrower than this, of where they are, have nodes that rounding moves: halving them helps
+// no more.
 #ifdef AIRLIGHT_DOUBLE
 #define AIRLIGHT_NARROWEST 1e-15
 #else
@@ -76,7 +76,7 @@ AIRLIGHT_FN real airlightFalloff(AIRLIGHT_IN(AirlightLight) light, real3 point, 
 }
 
 // What a light's photometric table says of the direction of a point.
-AIRLIGHT_FN real airlightShare(AIRLIGHT_IN(AirlightLight) light, real3 point)
+AIRLIGHT_FN real airlightPhotometricShare(AIRLIGHT_IN(AirlightLight) light, real3 point)
 {
 #if AIRLIGHT_HAS_PHOTOMETRY
   if (light.goniometric != 0)
@@ -90,10 +90,11 @@ AIRLIGHT_FN real airlightShare(AIRLIGHT_IN(AirlightLight) light, real3 point)
 // Optical depth on the way to a light at a place, and to one at infinity.
 #ifdef AIRLIGHT_GRID_STEPS
 real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point); // AirlightGridRay
-#define AIRLIGHT_LAMP_DEPTH airlightLightDepth
+#define AIRLIGHT_LIGHT_DEPTH airlightLightDepth
 #define AIRLIGHT_SUN_DEPTH airlightLightDepth
 #else
-#define AIRLIGHT_LAMP_DEPTH(media, light, point) airlightDepthBetween(media, point, (light).position)
+#define AIRLIGHT_LIGHT_DEPTH(media, light, point)                                                  \
+  airlightDepthBetween(media, point, (light).position)
 #define AIRLIGHT_SUN_DEPTH(media, light, point) airlightSunDepths(media, point, (light).position)
 #endif
 
@@ -106,7 +107,7 @@ AIRLIGHT_FN real3 airlightPointIntegrand(AIRLIGHT_IN(AirlightMedia) media,
   real t = ray.range.x + ray.foot.tL + x;
   real3 point = ray.origin + t * ray.direction;
   real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
-    AIRLIGHT_LAMP_DEPTH(media, light, point);
+    AIRLIGHT_LIGHT_DEPTH(media, light, point);
   return airlightScattered(media, piece, point, -x / r) * exp(-depth) *
     airlightFalloff(light, point, r);
 }
@@ -122,9 +123,9 @@ AIRLIGHT_FN real3 airlightSunIntegrand(AIRLIGHT_IN(AirlightMedia) media,
   return airlightScattered(media, piece, point, dot(light.position, ray.direction)) * exp(-depth);
 }
 
-// The integrand over v. `straight`: v is t, for lights at infinity, and for lights at a place on intervals
-// so short that asinh() would give one number. Otherwise t - foot = h sinh v, which makes the peak near
-// the light, of width h, as smooth as the tails: dt = r dv.
+// The integrand over v. `straight`: v is t, for lights at infinity, and for lights at a place on
+// intervals so short that asinh() would give one number. Otherwise t - foot = h sinh v, which makes
+// the peak near the light, of width h, as smooth as the tails: dt = r dv.
 AIRLIGHT_FN real3 airlightPanelValue(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
   AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v)
@@ -143,16 +144,16 @@ AIRLIGHT_FN real3 airlightPanelValue(AIRLIGHT_IN(AirlightMedia) media,
   real r = real(0.5) * ray.foot.h * (e + real(1.0) / e);
   real x = real(0.5) * ray.foot.h * (e - real(1.0) / e);
   real3 point = ray.origin + (ray.range.x + ray.foot.tL + x) * ray.direction;
-  return r * airlightShare(light, point) *
+  return r * airlightPhotometricShare(light, point) *
     airlightPointIntegrand(media, light, ray, piece, x, r);
 }
 
-// One panel by Gauss-Legendre quadrature; `doubt` is how much it may be wrong by. In surfaces, where the
-// way to the light can change at a stroke, it includes what lies between the panel's ends and its
-// outermost nodes, where the integrand at the ends is not the nodes' polynomial.
-AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, AIRLIGHT_OUT(real3) doubt)
+// One panel by Gauss-Legendre quadrature; `doubt` is how much it may be wrong by. In surfaces,
+// where the way to the light can change at a stroke, it includes what lies between the panel's ends
+// and its outermost nodes, where the integrand at the ends is not the nodes' polynomial.
+AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1,
+  AIRLIGHT_OUT(real3) errorEstimate)
 {
   real3 sum = real3(real(0.0));
   real3 even = real3(real(0.0));
@@ -178,13 +179,13 @@ AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media,
     high += (above ? end.x : end.y) * value;
 #endif
   }
-  doubt = airlightRough(even, odd);
+  errorEstimate = airlightRough(even, odd);
 #if AIRLIGHT_CHECK_ENDS
-  doubt += real(AIRLIGHT_GAUSS_GAP) *
+  errorEstimate += real(AIRLIGHT_GAUSS_GAP) *
     (abs(airlightPanelValue(media, light, ray, piece, straight, v0) - low) +
       abs(airlightPanelValue(media, light, ray, piece, straight, v1) - high));
 #endif
-  doubt *= real(0.5) * (v1 - v0);
+  errorEstimate *= real(0.5) * (v1 - v0);
   return real(0.5) * (v1 - v0) * sum;
 }
 
@@ -200,8 +201,8 @@ AIRLIGHT_FN int airlightPanelCount(real length, real scale)
   return int(clamp(length / scale, real(0.0), real(60.0))) + 1;
 }
 
-// The panels from v0 to v1 again, where `total` turned out not to be good enough. A panel whose nodes
-// are too few is halved, which finds the kinks.
+// The panels from v0 to v1 again, where `total` turned out not to be good enough. A panel whose
+// nodes are too few is halved, which finds the kinks.
 AIRLIGHT_FN real3 airlightHalvedPanels(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
   AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, int panels, real3 total)
@@ -216,10 +217,10 @@ AIRLIGHT_FN real3 airlightHalvedPanels(AIRLIGHT_IN(AirlightMedia) media,
   {
     // The last one may be a rounding error wide.
     real b = v1 - a < real(1.01) * step ? v1 : a + step;
-    real3 doubt;
-    real3 value = airlightPanel(media, light, ray, piece, straight, a, b, doubt);
+    real3 errorEstimate;
+    real3 value = airlightPanel(media, light, ray, piece, straight, a, b, errorEstimate);
     // Written so that what is not a number ends it, too.
-    bool few = any(greaterThan(doubt, real(AIRLIGHT_PANEL_TOLERANCE) * total));
+    bool few = any(greaterThan(errorEstimate, real(AIRLIGHT_PANEL_TOLERANCE) * total));
     if (few && step > width * real(1.0 / 512.0) && step > real(AIRLIGHT_NARROWEST) * abs(a) &&
       AIRLIGHT_MAY_TRY)
     {

@@ -10,7 +10,7 @@ AIRLIGHT_FN real3 airlightTail3(AIRLIGHT_IN(AirlightMedia) media,
 {
 #ifdef AIRLIGHT_GRID_STEPS
   // There it is the density's integral before t.
-  return real3(airlightGridBefore(media.item[0], ray, t));
+  return real3(airlightGridDepthTo(media.item[0], ray, t));
 #else
   if (AIRLIGHT_LIGHT_KIND != AIRLIGHT_POINT_CLOSED)
   {
@@ -103,8 +103,8 @@ AIRLIGHT_FN real3 airlightDirectionalHeight(AIRLIGHT_IN(AirlightMedium) medium,
   {
     return real3(real(0.0));
   }
-  // From the end of lesser depth. The other end's depth less the difference would round to something
-  // below 0 where both are large, and exp() would grow beyond all numbers.
+  // From the end of lesser depth. The other end's depth less the difference would round to
+  // something below 0 where both are large, and exp() would grow beyond all numbers.
   real slope = real(1.0) - m / mu;
   real end = slope >= real(0.0) ? t0 : t1;
   real depth = airlightInsideDepth(medium, ray.origin, ray.direction, ray.range.x, end) +

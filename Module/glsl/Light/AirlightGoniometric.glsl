@@ -77,7 +77,7 @@ struct AirlightPhotometryCell
 };
 
 // The angle, in turns of the circle, that is next to the interval.
-AIRLIGHT_FN real airlightPhotometryTurn(real angle, real4 interval)
+AIRLIGHT_FN real airlightPhotometryAngle(real angle, real4 interval)
 {
   real fromMiddle = angle - real(0.5) * (interval.x + interval.y);
   real turn = real(6.283185307179586);
@@ -125,7 +125,7 @@ AIRLIGHT_FN real airlightPhotometryInside(AIRLIGHT_IN(AirlightPhotometry) photom
   real2 angles = airlightPhotometryAngles(photometry, cell.type, direction);
   if (cell.type == 1)
   {
-    angles.y = airlightPhotometryTurn(angles.y, cell.column);
+    angles.y = airlightPhotometryAngle(angles.y, cell.column);
   }
   real v = clamp((angles.x - cell.row.x) * cell.row.z, real(0.0), real(1.0));
   real h = clamp((angles.y - cell.column.x) * cell.column.z, real(0.0), real(1.0));

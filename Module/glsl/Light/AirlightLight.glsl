@@ -1,7 +1,8 @@
 // A light and the ray that it lights.
 
 // How a light's airlight is integrated.
-#define AIRLIGHT_POINT_CLOSED 0         // inverse square, inside the one uniform medium: closed form
+// inverse square, inside the one uniform medium: closed form
+#define AIRLIGHT_POINT_CLOSED 0
 #define AIRLIGHT_POINT_QUADRATURE 1     // any other light at a place
 #define AIRLIGHT_DIRECTIONAL_CLOSED 2   // one uniform medium, unbounded or a box: exponentials
 #define AIRLIGHT_DIRECTIONAL_HEIGHT 3   // one medium of exponential height, unbounded
@@ -45,8 +46,8 @@ struct AirlightRay
   real3 direction;
   real2 range;       // inside media, as distances from the origin
   real2 lit;         // the part of it inside a spot's cone
-  // The same from the light's foot, to which a cone's ends can be much closer than to the origin: with
-  // digits that `lit` has not. And how long that part is.
+  // The same from the light's foot, to which a cone's ends can be much closer than to the origin:
+  // with digits that `lit` has not. And how long that part is.
   real2 litFromFoot;
   real litWay;
   AirlightFoot foot; // of the light, from range.x
@@ -80,10 +81,10 @@ AIRLIGHT_FN real airlightWayBetween(AIRLIGHT_IN(AirlightRay) ray, real t0, real 
   return t1 - t0;
 }
 
-// Keeps of [range.x, range.y] what is inside a spot's cone. The cone is convex, so there is one. With
-// y = (t - tL)/h and the components (axisH, axisD) of the axis towards the light's perpendicular
-// and along the ray, inside means axisH + y axisD >= cosCone sqrt(1 + y^2). `moment` as in
-// airlightRayBeside().
+// Keeps of [range.x, range.y] what is inside a spot's cone. The cone is convex, so there is one.
+// With y = (t - tL)/h and the components (axisH, axisD) of the axis towards the light's
+// perpendicular and along the ray, inside means axisH + y axisD >= cosCone sqrt(1 + y^2). `moment`
+// as in airlightRayBeside().
 AIRLIGHT_FN void airlightClipToCone(
   AIRLIGHT_IN(AirlightLight) light, real3 moment, AIRLIGHT_INOUT(AirlightRay) ray)
 {
@@ -105,7 +106,8 @@ AIRLIGHT_FN void airlightClipToCone(
   real s = light.cosCone * sqrt(discriminant);
   real q = b > real(0.0) ? -(b + s) : s - b;
   real far = real(AIRLIGHT_FAR);
-  real root1 = abs(q) > abs(a) * far ? far * sign(q) * (a < real(0.0) ? real(-1.0) : real(1.0)) : q / a;
+  real root1 =
+    abs(q) > abs(a) * far ? far * sign(q) * (a < real(0.0) ? real(-1.0) : real(1.0)) : q / a;
   real root2 = q != real(0.0) ? c / q : real(0.0);
   real low = min(root1, root2);
   real high = max(root1, root2);
@@ -135,9 +137,9 @@ AIRLIGHT_FN void airlightClipToCone(
   ray.litWay = close ? ray.litFromFoot.y - ray.litFromFoot.x : ray.lit.y - ray.lit.x;
 }
 
-// The light's moment about a pixel's ray where the light stands for a pixel of its own: its whole part
-// and the rest, `perX` and `perY` what the moment grows by per pixel away from it, for a direction of
-// length `unit`. Near the light this keeps digits that airlightRay() loses.
+// The light's moment about a pixel's ray where the light stands for a pixel of its own: its whole
+// part and the rest, `perX` and `perY` what the moment grows by per pixel away from it, for a
+// direction of length `unit`. Near the light this keeps digits that airlightRay() loses.
 AIRLIGHT_FN real3 airlightMoment(
   real2 p, real2 pixel, real2 pixelRest, real3 perX, real3 perY, real unit)
 {
@@ -145,9 +147,9 @@ AIRLIGHT_FN real3 airlightMoment(
   return (q.x * perX + q.y * perY) / unit;
 }
 
-// The ray from origin to t1 and the foot of the light's perpendicular on it, given the light's moment
-// (light - origin) x direction: its length is the light's distance, and with the direction it says to
-// which side the light is.
+// The ray from origin to t1 and the foot of the light's perpendicular on it, given the light's
+// moment (light - origin) x direction: its length is the light's distance, and with the direction
+// it says to which side the light is.
 AIRLIGHT_FN AirlightRay airlightRayBeside(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, real3 origin, real3 direction, real t1, real3 moment)
 {

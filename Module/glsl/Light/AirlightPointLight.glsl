@@ -10,9 +10,9 @@
 
 // Wider angles take more nodes in the quadrature of short intervals.
 #ifdef AIRLIGHT_DOUBLE
-#define AIRLIGHT_WIDE_TURN 0.1
+#define AIRLIGHT_WIDE_ANGLE 0.1
 #else
-#define AIRLIGHT_WIDE_TURN 0.5
+#define AIRLIGHT_WIDE_ANGLE 0.5
 #endif
 
 // Below this fraction of the tail an interval counts as short: there the difference of two tails
@@ -46,7 +46,7 @@ AIRLIGHT_FN real airlightTail(
 
 // One sample of the quadrature below, for each channel: the light turned by `angle` from the sample
 // at x0 = t0 - tL.
-AIRLIGHT_FN real3 airlightTurnedSample(AIRLIGHT_IN(AirlightPhase) phase, real3 sigmaT,
+AIRLIGHT_FN real3 airlightAngleSample(AIRLIGHT_IN(AirlightPhase) phase, real3 sigmaT,
   AIRLIGHT_IN(AirlightFoot) foot, real x0, real r0, real angle)
 {
   real c = cos(angle);
@@ -69,7 +69,7 @@ AIRLIGHT_FN real3 airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real3 s
   real turn = airlightAngle(foot.h * way, foot.h * foot.h + x0 * x1);
   // A wide angle with little in it: the phase function's peak lies beyond it (strong backward
   // scattering), and its flank takes more nodes.
-  int panels = turn > real(AIRLIGHT_WIDE_TURN) ? 4 : 1;
+  int panels = turn > real(AIRLIGHT_WIDE_ANGLE) ? 4 : 1;
   real reach = real(0.5) * turn / real(panels);
   real3 sum = real3(real(0.0));
   // One loop, whose length compilers do not know: software renderers run both sides of every branch
@@ -80,13 +80,13 @@ AIRLIGHT_FN real3 airlightShortSegment(AIRLIGHT_IN(AirlightPhase) phase, real3 s
     real2 node = airlightGaussNode((k % AIRLIGHT_GAUSS_COUNT) / 2);
     real middle = real(2 * (k / AIRLIGHT_GAUSS_COUNT) + 1) * reach;
     real angle = middle + (k % 2 == 0 ? reach : -reach) * node.x;
-    sum += node.y * airlightTurnedSample(phase, sigmaT, foot, x0, r0, angle);
+    sum += node.y * airlightAngleSample(phase, sigmaT, foot, x0, r0, angle);
   }
   return sum * (reach / foot.h);
 }
 
-// The integral from x0 = t0 - tL along a way of this length per unit sigmaS I, given the tails at its
-// ends, for each channel.
+// The integral from x0 = t0 - tL along a way of this length per unit sigmaS I, given the tails at
+// its ends, for each channel.
 AIRLIGHT_FN real3 airlightSegmentFromTails(AIRLIGHT_IN(AirlightPhase) phase, real3 sigmaT,
   AIRLIGHT_IN(AirlightFoot) foot, real x0, real way, real3 tail0, real3 tail1)
 {

@@ -4,8 +4,8 @@
 //
 //   sum_i e_i min(t_i, l)
 //
-// which is continuous in every t_i. So is the depth, with the depth from 0 to min(t_i, l) in place of
-// the length.
+// which is continuous in every t_i. So is the depth, with the depth from 0 to min(t_i, l) in place
+// of the length.
 //
 // The triangles lie in a tree of boxes. Texels: two for each node in depth-first order, (least
 // corner, node that follows the subtree) and (greatest corner, -1; of a leaf: its triangle); then
@@ -31,20 +31,20 @@ AIRLIGHT_FN real airlightProductError(real a, real b, real product)
   return error;
 }
 
-// p.x q.y - p.y q.x with its true sign, 0 where it is 0: without it, the triangles on a plane through
-// the line would not agree on which of them the line meets. And with most of its digits however
-// small it is: such a triangle is met at a mean of its corners, weighted by three of these.
+// p.x q.y - p.y q.x with its true sign, 0 where it is 0: without it, the triangles on a plane
+// through the line would not agree on which of them the line meets. And with most of its digits
+// however small it is: such a triangle is met at a mean of its corners, weighted by three of these.
 AIRLIGHT_FN real airlightCross(real2 p, real2 q)
 {
 #ifdef AIRLIGHT_DOUBLE
-  const real doubt = real(1e-6);
+  const real errorEstimate = real(1e-6);
 #else
-  const real doubt = real(1e-2);
+  const real errorEstimate = real(1e-2);
 #endif
   AIRLIGHT_PRECISE real a = p.x * q.y;
   AIRLIGHT_PRECISE real b = p.y * q.x;
   AIRLIGHT_PRECISE real side = a - b;
-  if (abs(side) <= doubt * (abs(a) + abs(b)))
+  if (abs(side) <= errorEstimate * (abs(a) + abs(b)))
   {
     side += airlightProductError(p.x, q.y, a) - airlightProductError(p.y, q.x, b);
   }
@@ -52,8 +52,8 @@ AIRLIGHT_FN real airlightCross(real2 p, real2 q)
 }
 
 // Twice the signed area of the triangle (origin, a, b), for which the origin lies on no edge: where
-// it does, it counts as moved by (e, e^2), e > 0 and infinitely small. Taken in one order of a and b,
-// so that the two triangles on an edge agree to the last digit and a line through the edge meets
+// it does, it counts as moved by (e, e^2), e > 0 and infinitely small. Taken in one order of a and
+// b, so that the two triangles on an edge agree to the last digit and a line through the edge meets
 // exactly one.
 AIRLIGHT_FN real airlightSide(real2 a, real2 b)
 {
@@ -186,8 +186,8 @@ AIRLIGHT_FN void airlightTestNode(
 }
 #endif
 
-// Of a medium inside a surface: x: integral of the density on [0, l] of a ray; y: the next t_i after
-// t; z: how many times the surface holds the ray after t, which is 0 or 1.
+// Of a medium inside a surface: x: integral of the density on [0, l] of a ray; y: the next t_i
+// after t; z: how many times the surface holds the ray after t, which is 0 or 1.
 AIRLIGHT_FN real3 airlightSurfaceSums(
   AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real l, real t)
 {

@@ -92,10 +92,10 @@ void airlightEnterNext(inout AirlightWalk walk, float end)
 
 AirlightCell airlightCell(int first, ivec3 size, ivec3 cell)
 {
-  int place = first + cell.x + size.x * (cell.y + size.y * cell.z);
+  int texel = first + cell.x + size.x * (cell.y + size.y * cell.z);
   AirlightCell result;
-  result.low = texelFetch(airlightData, place);
-  result.high = texelFetch(airlightData, place + size.x * size.y);
+  result.low = texelFetch(airlightData, texel);
+  result.high = texelFetch(airlightData, texel + size.x * size.y);
   return result;
 }
 

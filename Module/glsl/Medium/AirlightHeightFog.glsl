@@ -1,6 +1,6 @@
 // Rays through media whose density falls exponentially with height: how far they matter, and where
-// quadrature is cut. Heights are in scale heights here, so that a density is exp(-height); a ray may
-// cross thousands of them of which a dozen count.
+// quadrature is cut. Heights are in scale heights here, so that a density is exp(-height); a ray
+// may cross thousands of them of which a dozen count.
 
 // Least and greatest difference of heights outside of which nothing is left of light or density.
 #define AIRLIGHT_DARK_HEIGHTS 4.0 // exp(-exp(4))
@@ -34,8 +34,8 @@ AIRLIGHT_FN real airlightFadingLength(
   {
     return depth / sigma;
   }
-  // depth = sigma exp(-height) (1 - exp(-rise l))/rise, by logarithms: exp(-height) may be beyond all
-  // numbers, as may be the way at the density of the point.
+  // depth = sigma exp(-height) (1 - exp(-rise l))/rise, by logarithms: exp(-height) may be beyond
+  // all numbers, as may be the way at the density of the point.
   real rise = airlightRise(medium, direction);
   real way = log(depth / sigma) + max(airlightScaleHeights(medium, point), real(-80.0));
   real turn = way + log(max(abs(rise), real(1e-30)));
@@ -50,8 +50,8 @@ AIRLIGHT_FN real airlightFadingLength(
   return (turn > real(20.0) ? turn : log(real(1.0) + exp(turn))) / max(-rise, real(1e-30));
 }
 
-// How far from a point a ray goes until nothing of the density is left, above heights at which even a
-// light from near the horizon comes through; AIRLIGHT_FAR where it never is.
+// How far from a point a ray goes until nothing of the density is left, above heights at which even
+// a light from near the horizon comes through; AIRLIGHT_FAR where it never is.
 AIRLIGHT_FN real airlightThinningLength(
   AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 direction, real sigma)
 {
@@ -64,8 +64,8 @@ AIRLIGHT_FN real airlightThinningLength(
   return (real(AIRLIGHT_THIN_HEIGHTS) + max(thickness + real(5.0), real(0.0))) / rise;
 }
 
-// Height at which the way to a light at infinity has an optical depth of 1; far below where there is
-// none.
+// Height at which the way to a light at infinity has an optical depth of 1; far below where there
+// is none.
 AIRLIGHT_FN real airlightDimHeight(AIRLIGHT_IN(AirlightMedium) medium, real3 toLight)
 {
   real slope = airlightRise(medium, toLight);
@@ -73,9 +73,9 @@ AIRLIGHT_FN real airlightDimHeight(AIRLIGHT_IN(AirlightMedium) medium, real3 toL
   return slope > real(1e-18) && sigma > real(0.0) ? log(sigma / slope) : real(-AIRLIGHT_FAR);
 }
 
-// The first t in (t0, t1), else t1, at which a ray enters or leaves what counts of [from, end]: from
-// a little below the height at which the light is dim up to where nothing is left of the density,
-// above that height and above where the ray is lowest.
+// The first t in (t0, t1), else t1, at which a ray enters or leaves what counts of [from, end]:
+// from a little below the height at which the light is dim up to where nothing is left of the
+// density, above that height and above where the ray is lowest.
 AIRLIGHT_FN real airlightLayerEnd(AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction,
   real2 part, real dim, real t0, real t1)
 {

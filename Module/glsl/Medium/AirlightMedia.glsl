@@ -86,7 +86,8 @@ AIRLIGHT_FN AirlightPiece airlightPieceAt(
 AIRLIGHT_FN real airlightLengthInside(
   AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
 {
-  if (AIRLIGHT_MEDIUM_COUNT == 1 && AIRLIGHT_REGION_KIND(media.item[0].region) != AIRLIGHT_REGION_SURFACE)
+  if (AIRLIGHT_MEDIUM_COUNT == 1 &&
+    AIRLIGHT_REGION_KIND(media.item[0].region) != AIRLIGHT_REGION_SURFACE)
   {
     return t1 - t0;
   }
@@ -100,8 +101,8 @@ AIRLIGHT_FN real airlightLengthInside(
   return sum;
 }
 
-// How far from the piece's beginning each channel counts: until nothing is left of its light in any medium,
-// or of every medium that it sees.
+// How far from the piece's beginning each channel counts: until nothing is left of its light in any
+// medium, or of every medium that it sees.
 AIRLIGHT_FN real3 airlightChannelLengths(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
 {
@@ -140,15 +141,15 @@ AIRLIGHT_FN real3 airlightChannelLengths(AIRLIGHT_IN(AirlightMedia) media,
 }
 
 // Where in the piece no channel counts any more, or the piece's end.
-AIRLIGHT_FN real airlightFadedAt(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightPiece) piece,
-  real3 origin, real3 direction)
+AIRLIGHT_FN real airlightNegligibleFrom(
+  AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
 {
   real3 lengths = airlightChannelLengths(media, piece, origin, direction);
   return min(piece.to, piece.from + max(lengths.x, max(lengths.y, lengths.z)));
 }
 
-// The first t in (t0, t1), else t1, at which a channel ends that counts on a small part of it only: panels
-// for the others would not see it.
+// The first t in (t0, t1), else t1, at which a channel ends that counts on a small part of it only:
+// panels for the others would not see it.
 AIRLIGHT_FN real airlightNextChannelEnd(
   AIRLIGHT_IN(AirlightPiece) piece, real3 lengths, real t0, real t1)
 {

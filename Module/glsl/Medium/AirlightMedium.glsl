@@ -23,8 +23,8 @@ struct AirlightMedium
 #define AIRLIGHT_DENSITY_KIND(medium) (medium).density
 #endif
 
-// (1 - exp(-sigma l))/sigma, sigma >= 0: the optical length of a way of length l along which density
-// falls exponentially; l where sigma is 0.
+// (1 - exp(-sigma l))/sigma, sigma >= 0: the optical length of a way of length l along which
+// density falls exponentially; l where sigma is 0.
 AIRLIGHT_FN real airlightOpticalLength(real sigma, real l)
 {
   real depth = sigma * l;
@@ -94,7 +94,8 @@ AIRLIGHT_FN real airlightInsideDepth(
   // From the lower end, where the density is largest.
   real rate = dot(medium.up, direction) * medium.inverseScaleHeight;
   real lower = rate >= real(0.0) ? from : to;
-  // Opaque either way, and a channel without extinction stays clear: infinity times 0 is not a number.
+  // Opaque either way, and a channel without extinction stays clear: infinity times 0 is not a
+  // number.
   return min(airlightDensity(medium, origin + lower * direction) *
       airlightOpticalLength(abs(rate), to - from),
     real(1e30));

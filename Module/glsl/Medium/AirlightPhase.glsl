@@ -60,8 +60,8 @@ AIRLIGHT_FN real airlightPhaseTable(AIRLIGHT_IN(AirlightPhase) phase, real cosTh
 #endif
 }
 
-// The poles and the power at (1 + cosTheta)/2 and (1 - cosTheta)/2; apart, the latter is exact near the
-// forward direction.
+// The poles and the power at (1 + cosTheta)/2 and (1 - cosTheta)/2; apart, the latter is exact near
+// the forward direction.
 AIRLIGHT_FN real airlightPhaseHalves(
   AIRLIGHT_IN(AirlightPhase) phase, real forward, real backward)
 {
@@ -110,9 +110,9 @@ AIRLIGHT_FN real airlightPhaseCancellation(AIRLIGHT_IN(AirlightPhase) phase)
   return max(sum.y / sum.x, sum.w / sum.z);
 }
 
-// What one pole adds to airlightPhaseG(): e^(u s0)/u times the integral of e^(-us) times its part of
-// w over s from s0 = x/u. The simple pole gives g(x, y), y = b u. Integration by parts leads from
-// one order to the next, with G = e^z E1(z), z = x - i y:
+// What one pole adds to airlightPhaseG(): e^(u s0)/u times the integral of e^(-us) times its part
+// of w over s from s0 = x/u. The simple pole gives g(x, y), y = b u. Integration by parts leads
+// from one order to the next, with G = e^z E1(z), z = x - i y:
 //
 //   a2 = (g + Re G - x/|z|^2)/(2 b^2)
 //   a3 = (3 a2 + u^2 (1/|z|^2 - g)/2 - u^2 x/|z|^4)/(4 b^2)
@@ -137,8 +137,8 @@ AIRLIGHT_FN real airlightPoleG(real4 pole, real x, real u)
   real b2 = pole.x * pole.x;
   real u2 = u * u;
   real a2 = (g.x + g.y - x * inverse) / (real(2.0) * b2);
-  real a3 =
-    (real(3.0) * a2 + u2 * (real(0.5) * (inverse - g.x) - x * inverse * inverse)) / (real(4.0) * b2);
+  real a3 = (real(3.0) * a2 + u2 * (real(0.5) * (inverse - g.x) - x * inverse * inverse)) /
+    (real(4.0) * b2);
   return pole.y * g.x + pole.z * a2 + pole.w * a3;
 }
 

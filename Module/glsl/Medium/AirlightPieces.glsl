@@ -24,16 +24,16 @@ AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_IN(AirlightMedia) media,
   panels = AIRLIGHT_FEW_ROUNDS ? panels * AIRLIGHT_SURFACE_PANELS : 1;
 #endif
   real3 sum = real3(real(0.0));
-  real3 doubt = real3(real(0.0));
+  real3 errorEstimate = real3(real(0.0));
   for (int i = 0; i < panels; i++)
   {
     real a = v0 + (v1 - v0) * real(i) / real(panels);
     real b = v0 + (v1 - v0) * real(i + 1) / real(panels);
     real3 part;
     sum += airlightPanel(media, light, ray, piece, straight, a, b, part);
-    doubt += part;
+    errorEstimate += part;
   }
-  return any(greaterThan(doubt, real(2.0 * AIRLIGHT_PANEL_TOLERANCE) * sum))
+  return any(greaterThan(errorEstimate, real(2.0 * AIRLIGHT_PANEL_TOLERANCE) * sum))
     ? airlightHalvedPanels(media, light, ray, piece, straight, v0, v1, panels, sum)
     : sum;
 }

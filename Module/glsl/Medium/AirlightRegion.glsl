@@ -40,13 +40,14 @@ AIRLIGHT_FN real2 airlightClipSlab(real2 range, real o, real d, real lo, real hi
   return real2(max(range.x, min(a, b)), min(range.y, max(a, b)));
 }
 
-// The part (from, to) of [0, t1] in which the ray is inside the region, of a surface inside its box;
-// to <= from: nowhere.
+// The part (from, to) of [0, t1] in which the ray is inside the region, of a surface inside its
+// box; to <= from: nowhere.
 AIRLIGHT_FN real2 airlightRegionRange(
   AIRLIGHT_IN(AirlightRegion) region, real3 origin, real3 direction, real t1)
 {
   real2 range = real2(real(0.0), t1);
-  if (AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_BOX || AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SURFACE)
+  if (AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_BOX ||
+    AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SURFACE)
   {
     range = airlightClipSlab(range, origin.x, direction.x, region.boxMin.x, region.boxMax.x);
     range = airlightClipSlab(range, origin.y, direction.y, region.boxMin.y, region.boxMax.y);

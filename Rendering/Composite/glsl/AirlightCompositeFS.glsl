@@ -8,13 +8,13 @@ uniform sampler2D scene;
 uniform sampler2D sceneDepth;
 uniform int blended; // over what the framebuffer holds
 #endif
-#ifndef AIRLIGHT_WHOLE_LIGHTS
+#ifndef AIRLIGHT_UNSHADOWED_LIGHTS
 uniform sampler2D scattered;
 #endif
-#if AIRLIGHT_APART >= 0
+#if AIRLIGHT_SHADOWING_LIGHT >= 0
 // The scene without the one light that casts shadows on it, and where that light reaches surfaces.
-uniform sampler2D dark;
-#if AIRLIGHT_APART >= AIRLIGHT_BITS
+uniform sampler2D withoutLight;
+#if AIRLIGHT_SHADOWING_LIGHT >= AIRLIGHT_BITS
 uniform sampler2D lit;
 #endif
 #endif
@@ -30,31 +30,31 @@ layout(location = 2) out vec4 surface;
 layout(location = 3) out vec4 transmittance; // and the distance along the unit ray
 #endif
 
-#if AIRLIGHT_APART >= 0
+#if AIRLIGHT_SHADOWING_LIGHT >= 0
 bool airlightIsLit(ivec2 pixel)
 {
-#if AIRLIGHT_APART >= AIRLIGHT_BITS
-  float bits = texelFetch(lit, pixel, 0)[AIRLIGHT_APART / AIRLIGHT_BITS - 1];
+#if AIRLIGHT_SHADOWING_LIGHT >= AIRLIGHT_BITS
+  float bits = texelFetch(lit, pixel, 0)[AIRLIGHT_SHADOWING_LIGHT / AIRLIGHT_BITS - 1];
 #else
   float bits = texelFetch(scattered, pixel, 0).a;
 #endif
-  return ((uint(bits) >> uint(AIRLIGHT_APART % AIRLIGHT_BITS)) & 1u) != 0u;
+  return ((uint(bits) >> uint(AIRLIGHT_SHADOWING_LIGHT % AIRLIGHT_BITS)) & 1u) != 0u;
 }
 #endif
 
 void main()
 {
-#if AIRLIGHT_TURNED
+#if AIRLIGHT_EQUIANGULAR
   media = givenMedia;
   airlightTakeMedium(media);
 #endif
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
-  float place = texelFetch(distances, pixel, 0).r;
+  float parameter = texelFetch(distances, pixel, 0).r;
   vec4 colour = texelFetch(scene, pixel, 0);
   float unit = airlightRayUnit(p);
-#if AIRLIGHT_APART >= 0
-  colour = place >= 0.0 && !airlightIsLit(pixel) ? texelFetch(dark, pixel, 0) : colour;
+#if AIRLIGHT_SHADOWING_LIGHT >= 0
+  colour = parameter >= 0.0 && !airlightIsLit(pixel) ? texelFetch(withoutLight, pixel, 0) : colour;
 #endif
   // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
   colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
@@ -63,7 +63,7 @@ void main()
 #endif
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
-  float end = place >= 0.0 ? unit * place : AIRLIGHT_FAR;
+  float end = parameter >= 0.0 ? unit * parameter : AIRLIGHT_FAR;
 #if AIRLIGHT_GREY
   vec3 passes = vec3(exp(-airlightDepth(media, origin, direction, end).x));
 #else
@@ -74,8 +74,8 @@ void main()
 #else
   const vec3 ambient = vec3(0.0);
 #endif
-#ifdef AIRLIGHT_WHOLE_LIGHTS
-  vec3 added = airlightWholeRays(p, origin, direction, unit, end) + ambient;
+#ifdef AIRLIGHT_UNSHADOWED_LIGHTS
+  vec3 added = airlightUnshadowedRays(p, origin, direction, unit, end) + ambient;
 #else
   vec3 added = texelFetch(scattered, pixel, 0).rgb + ambient;
 #endif
@@ -85,8 +85,8 @@ void main()
 #ifdef AIRLIGHT_RECORD
   airlight = vec4(added,
     texelFetch(counts, pixel, 0).g + error * max(ambient.r, max(ambient.g, ambient.b)));
-  surface = vec4(place >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
-  transmittance = vec4(passes, place >= 0.0 ? end : -1.0);
+  surface = vec4(parameter >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
+  transmittance = vec4(passes, parameter >= 0.0 ? end : -1.0);
 #endif
 #ifndef AIRLIGHT_TRANSLUCENT
 #if AIRLIGHT_DEBUG_VIEW == 1

@@ -1,6 +1,6 @@
-// Distances of all opaque surfaces. Some props draw with actors of their own, whose shaders the pass
-// does not get to add to: skyboxes, axes, billboards. Those wrote colours; their distance is that of
-// the depth buffer, to its precision, and none where it is that of the far plane.
+// Distances of all opaque surfaces. Some props draw with actors of their own, whose shaders the
+// pass does not get to add to: skyboxes, axes, billboards. Those wrote colours; their distance is
+// that of the depth buffer, to its precision, and none where it is that of the far plane.
 
 uniform sampler2D drawn;
 uniform sampler2D sceneDepth;

@@ -1,5 +1,5 @@
-// A light without shadows: no boundaries. The ray's airlight is then that without shadows; found a second
-// time it would take compilers twice as long.
+// A light without shadows: no boundaries. The ray's airlight is then that without shadows; found a
+// second time it would take compilers twice as long.
 #define AIRLIGHT_NO_BOUNDARIES
 
 const int AIRLIGHT_MORE = 0;

@@ -1,4 +1,4 @@
-// A light without shadows, for AirlightTurnedRay.glsl.
+// A light without shadows, for AirlightEquiangularRay.glsl.
 
 int packedLeft = 0;
 const int packedWeights = 0;

@@ -1,8 +1,8 @@
 // One light's airlight along each pixel's ray: the sum over the ray's lit intervals. Blended
 // additively, light by light.
 
-// The light's own pixel, its whole part and the rest, and what its moment about the ray grows by per
-// pixel away from it.
+// The light's own pixel, its whole part and the rest, and what its moment about the ray grows by
+// per pixel away from it.
 uniform int lightHasPixel;
 uniform vec2 lightPixel;
 uniform vec2 lightPixelRest;
@@ -24,9 +24,9 @@ void main()
 {
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
-  float place = texelFetch(distances, pixel, 0).r;
+  float parameter = texelFetch(distances, pixel, 0).r;
   float unit = airlightRayUnit(p);
-  float surface = unit * place;
+  float surface = unit * parameter;
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
   vec3 moment = lightHasPixel != 0
@@ -48,7 +48,7 @@ void main()
   float runStart = -1.0; // of what is lit, or not, as a whole
   AirlightCounts shadows = airlightStartCounts();
 #ifdef AIRLIGHT_K_BUFFER_SIZE
-  airlightEndBoundaries(place, unit);
+  airlightEndBoundaries(parameter, unit);
 #endif
   if (!airlightOpenBoundaries(pixel, ray, surface, from, shadows))
   {
@@ -66,7 +66,7 @@ void main()
   float litLength = 0.0;
   int boundaries = 0;
   AirlightPassing passing = airlightPassing(shadows);
-  bool startsLit = airlightPassesWhole(passing);
+  bool startsLit = airlightPassesUndimmed(passing);
 
   int state = AIRLIGHT_MORE;
   while (state == AIRLIGHT_MORE)

@@ -1,4 +1,4 @@
-// What AirlightResolveFS.glsl and AirlightTurnedFS.glsl take and give.
+// What AirlightResolveFS.glsl and AirlightEquiangularFS.glsl take and give.
 
 uniform sampler2D distances;
 uniform vec4 litBit; // what to add where the surface is lit

@@ -1,14 +1,18 @@
-// Adds to the records of what is drawn over the medium: on the run [runStart, runEnd] of the ray so much
-// of the light passes; undimmed, `sum` is scattered into [from, to] of it, which lies inside the media.
+// Adds to the records of what is drawn over the medium: on the run [runStart, runEnd] of the ray so
+// much of the light passes; undimmed, `sum` is scattered into [from, to] of it, which lies inside
+// the media.
 
 uniform int lightBit; // of the light, -1 without surface shadows
 
 void addToFragment(uint fragment, vec3 part)
 {
   uint word = AIRLIGHT_TRANSLUCENT_WORDS * fragment;
-  translucentFragments[word + 2u] = floatBitsToUint(uintBitsToFloat(translucentFragments[word + 2u]) + part.r);
-  translucentFragments[word + 3u] = floatBitsToUint(uintBitsToFloat(translucentFragments[word + 3u]) + part.g);
-  translucentFragments[word + 4u] = floatBitsToUint(uintBitsToFloat(translucentFragments[word + 4u]) + part.b);
+  translucentFragments[word + 2u] =
+    floatBitsToUint(uintBitsToFloat(translucentFragments[word + 2u]) + part.r);
+  translucentFragments[word + 3u] =
+    floatBitsToUint(uintBitsToFloat(translucentFragments[word + 3u]) + part.g);
+  translucentFragments[word + 4u] =
+    floatBitsToUint(uintBitsToFloat(translucentFragments[word + 4u]) + part.b);
 }
 
 void addToFragments(AirlightMedia media, AirlightLight light, ivec2 pixel, AirlightRay ray,

@@ -38,8 +38,8 @@ AirlightCounts airlightAdd(AirlightCounts a, AirlightCounts b)
 // The share of the light that is left.
 vec3 airlightPassing(AirlightCounts counts)
 {
-  // Where boundaries meet, rounding lets a ray leave a volume before it enters it; what is far below
-  // 0 has overrun, beyond a thickness of 2048.
+  // Where boundaries meet, rounding lets a ray leave a volume before it enters it; what is far
+  // below 0 has overrun, beyond a thickness of 2048.
   bvec3 dark = bvec3(uvec3(greaterThan(counts.blocks, ivec3(0))) |
     uvec3(lessThan(counts.thickness, ivec3(-(1 << 26)))));
   vec3 passing = exp(-vec3(max(counts.thickness, ivec3(0))) / 1048576.0);
@@ -52,7 +52,7 @@ bool airlightPasses(vec3 passing)
   return any(greaterThan(passing, vec3(0.0)));
 }
 
-bool airlightPassesWhole(vec3 passing)
+bool airlightPassesUndimmed(vec3 passing)
 {
   return passing == vec3(1.0);
 }
@@ -94,7 +94,7 @@ bool airlightPasses(bool lit)
   return lit;
 }
 
-bool airlightPassesWhole(bool lit)
+bool airlightPassesUndimmed(bool lit)
 {
   return lit;
 }

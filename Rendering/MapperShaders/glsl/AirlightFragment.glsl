@@ -1,18 +1,18 @@
-// Where this fragment is on its pixel's ray. gl_FragCoord.w is the reciprocal of the depth along the
-// camera's axis in full single precision, at any ratio of the clipping range, where a depth buffer keeps
-// 24 bits of a hyperbola.
+// Where this fragment is on its pixel's ray. gl_FragCoord.w is the reciprocal of the depth along
+// the camera's axis in full single precision, at any ratio of the clipping range, where a depth
+// buffer keeps 24 bits of a hyperbola.
 //
-// To the last bit the same in all shaders, where drivers can be told so: what is drawn with one shader
-// is compared with what another drew.
+// To the last bit the same in all shaders, where drivers can be told so: what is drawn with one
+// shader is compared with what another drew.
 #ifdef GL_ARB_gpu_shader5
 #define AIRLIGHT_SAME_EVERYWHERE precise
 #else
 #define AIRLIGHT_SAME_EVERYWHERE
 #endif
 
-// Its distance on the unit of airlightDirection(), which shadow planes' are on, too. Of the ray nothing
-// needs to be known.
-float airlightFragmentPlace()
+// Its distance on the unit of airlightDirection(), which shadow planes' are on, too. Of the ray
+// nothing needs to be known.
+float airlightFragmentParameter()
 {
   AIRLIGHT_SAME_EVERYWHERE float t = airlightParallel != 0
     ? airlightDepthToDistance.x + airlightDepthToDistance.y * gl_FragCoord.z
@@ -23,7 +23,7 @@ float airlightFragmentPlace()
 vec3 airlightFragmentPoint()
 {
   vec2 p = airlightPixel();
-  return airlightOrigin(p) + airlightFragmentPlace() * airlightDirection(p);
+  return airlightOrigin(p) + airlightFragmentParameter() * airlightDirection(p);
 }
 
 // Its distance along the unit ray. Written out: some compilers do not see through functions.

@@ -1,14 +1,14 @@
 // What the medium before a point of a surface scatters to the eye.
 
-uniform AirlightLight airlightLights[AIRLIGHT_LAMPS];
+uniform AirlightLight airlightLights[AIRLIGHT_SCENE_LIGHTS];
 
 // Scattered into the ray before its fragment, shadows left out of account.
 vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
 {
   vec3 sum = airlightAmbient(airlightMedia, origin, direction, t);
-  for (int k = 0; k < airlightLampCount; k++)
+  for (int k = 0; k < airlightSceneLightCount; k++)
   {
-    if (airlightLamps[k].w >= 0.0)
+    if (airlightSceneLights[k].w >= 0.0)
     {
       AirlightRay ray = airlightRay(airlightMedia, airlightLights[k], origin, direction, t);
       if (ray.lit.y > ray.lit.x)

@@ -18,8 +18,8 @@ uniform int airlightUseLit;
 const int airlightStage = AIRLIGHT_STAGE_TRANSLUCENT;
 #endif
 #if AIRLIGHT_HAS_PHOTOMETRY
-uniform AirlightPhotometry airlightPhotometries[AIRLIGHT_LAMPS];
-uniform int airlightGoniometric[AIRLIGHT_LAMPS]; // 1: light k shines by its table
+uniform AirlightPhotometry airlightPhotometries[AIRLIGHT_SCENE_LIGHTS];
+uniform int airlightGoniometric[AIRLIGHT_SCENE_LIGHTS]; // 1: light k shines by its table
 #endif
 
 #if AIRLIGHT_TRANSLUCENT_FRAGMENTS
@@ -49,45 +49,48 @@ void airlightReadLit()
 #endif
 
 // The share of each light that arrives; see airlightReceive().
-vec3 airlightArrived[AIRLIGHT_LAMPS];
-float airlightApart = 1.0; // of one of them; see SurfaceShaderOptions::Apart
+vec3 airlightReceivedLight[AIRLIGHT_SCENE_LIGHTS];
+float airlightShadowingLightFactor = 1.0; // of one of them; see SurfaceShaderOptions::Apart
 
 // The share of light k that the medium leaves of it on its way to a point; `sun`: the light is at
 // infinity.
-vec3 airlightPassed(int k, bool sun, vec3 point)
+vec3 airlightLightTransmittance(int k, bool sun, vec3 point)
 {
-  vec3 share = airlightFade(sun
-      ? airlightSunDepths(airlightMedia, point, airlightLamps[k].xyz)
-      : airlightDepthBetween(airlightMedia, point, airlightLamps[k].xyz));
+  vec3 share = airlightTransmittanceOf(sun
+      ? airlightSunDepths(airlightMedia, point, airlightSceneLights[k].xyz)
+      : airlightDepthBetween(airlightMedia, point, airlightSceneLights[k].xyz));
 #if AIRLIGHT_HAS_PHOTOMETRY
   if (airlightGoniometric[k] != 0)
   {
-    share *= airlightPhotometry(airlightPhotometries[k], normalize(point - airlightLamps[k].xyz));
+    share *=
+      airlightPhotometry(airlightPhotometries[k], normalize(point - airlightSceneLights[k].xyz));
   }
 #endif
   return share;
 }
 
-// The same of a light with a position, `at` in VTK's coordinates. Where all media are everywhere the same its
-// distance is all that counts, which the mapper's own shading asks for, too: then nothing needs to be known
-// of the pixel's ray, whose numbers take software renderers as long as all of that shading.
+// The same of a light with a position, `at` in VTK's coordinates. Where all media are everywhere
+// the same its distance is all that counts, which the mapper's own shading asks for, too: then
+// nothing needs to be known of the pixel's ray, whose numbers take software renderers as long as
+// all of that shading.
 #ifdef AIRLIGHT_UNIFORM_MEDIA
-vec3 airlightPassedOver(float way)
+vec3 airlightTransmittanceOver(float way)
 {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     sum += airlightMedia.item[i].sigmaT;
   }
-  return airlightFade(sum * way);
+  return airlightTransmittanceOf(sum * way);
 }
-#define AIRLIGHT_PASSED_FROM(k, at, point) airlightPassedOver(length(vertexVCVSOutput.xyz - at))
+#define AIRLIGHT_TRANSMITTANCE_FROM(k, at, point)                                                  \
+  airlightTransmittanceOver(length(vertexVCVSOutput.xyz - at))
 #else
-#define AIRLIGHT_PASSED_FROM(k, at, point) airlightPassed(k, false, point)
+#define AIRLIGHT_TRANSMITTANCE_FROM(k, at, point) airlightLightTransmittance(k, false, point)
 #endif
 
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
-uniform int airlightTransmittanceSlots[AIRLIGHT_LAMPS]; // place of light k, -1: not dimmed
+uniform int airlightTransmittanceSlots[AIRLIGHT_SCENE_LIGHTS]; // place of light k, -1: not dimmed
 
 #if AIRLIGHT_TRANSLUCENT_FRAGMENTS
 // What translucent casters leave of the light in this place at a record's point.
@@ -113,13 +116,14 @@ vec3 airlightShadowTransmittance(int k)
   }
 #endif
   uint word = airlightTransmittanceWord(slot, ivec2(airlightPixel()));
-  return airlightStage == AIRLIGHT_STAGE_COLOUR ? airlightUnpack(shadowTransmittance[word], shadowTransmittance[word + 1u])
-                                                : vec3(1.0);
+  return airlightStage == AIRLIGHT_STAGE_COLOUR
+    ? airlightUnpack(shadowTransmittance[word], shadowTransmittance[word + 1u])
+    : vec3(1.0);
 }
 #endif
 
 // The share of light k that arrives, of what the medium leaves of it: none in shadow.
-vec3 airlightShare(int k, vec3 passed)
+vec3 airlightApplyShadows(int k, vec3 passed)
 {
 #if AIRLIGHT_TRANSLUCENT_FRAGMENTS
   if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_TRANSLUCENT && k < 4 * AIRLIGHT_BITS)
@@ -157,13 +161,15 @@ void airlightReceive()
 #ifdef AIRLIGHT_EACH_LIGHT
   AIRLIGHT_EACH_LIGHT(point)
 #else
-  bool shades = airlightStage == AIRLIGHT_STAGE_COLOUR || airlightStage == AIRLIGHT_STAGE_TRANSLUCENT;
-  int count = shades ? airlightLampCount : 0;
+  bool shades =
+    airlightStage == AIRLIGHT_STAGE_COLOUR || airlightStage == AIRLIGHT_STAGE_TRANSLUCENT;
+  int count = shades ? airlightSceneLightCount : 0;
   for (int k = 0; k < count; k++)
   {
-    float kind = airlightLamps[k].w;
-    airlightArrived[k] =
-      kind < 0.0 ? vec3(1.0) : airlightShare(k, airlightPassed(k, kind == 0.0, point));
+    float kind = airlightSceneLights[k].w;
+    airlightReceivedLight[k] = kind < 0.0
+      ? vec3(1.0)
+      : airlightApplyShadows(k, airlightLightTransmittance(k, kind == 0.0, point));
   }
 #endif
 }

@@ -8,7 +8,7 @@ in vec3 airlightAddedVSOutput;
 uniform int airlightEncodedInput; // 1: colours are encoded for display
 uniform int airlightAdditive;     // 1: for fragments that are added to what is behind
 
-vec3 airlightThrough(vec3 colour)
+vec3 airlightApplyMedium(vec3 colour)
 {
   if (airlightStage != AIRLIGHT_STAGE_TRANSLUCENT)
   {
@@ -25,7 +25,8 @@ vec3 airlightThrough(vec3 colour)
   vec3 direction = normalize(airlightDirection(p));
   float t = airlightFragmentDistance();
   vec3 passes = exp(-airlightDepth(airlightMedia, origin, direction, t));
-  return airlightAdditive != 0 ? colour * passes
-                               : colour * passes + airlightInscatterToFragment(origin, direction, t);
+  return airlightAdditive != 0
+    ? colour * passes
+    : colour * passes + airlightInscatterToFragment(origin, direction, t);
 #endif
 }

@@ -1,5 +1,5 @@
-// Added to the fragment shaders of VTK's volume ray casting: what the medium before each sample makes
-// of its colour before it is blended, and what of each light arrives at it.
+// Added to the fragment shaders of VTK's volume ray casting: what the medium before each sample
+// makes of its colour before it is blended, and what of each light arrives at it.
 //
 // The air before the samples, scattered light and optical depth, is known at a few nodes, equally
 // spaced between where the ray enters the volume and where it ends, and interpolated by cubics that
@@ -10,7 +10,8 @@ uniform int airlightNodeCount;    // 2 to AIRLIGHT_NODES
 uniform mat4 airlightVolumeToEye; // from the data set's coordinates to those of the rays
 uniform vec2 airlightVolumeSize;  // of the viewport, pixels
 uniform int airlightEncodedInput; // 1: colours are encoded for display
-uniform int airlightSortedLamps[AIRLIGHT_LAMPS]; // those with a position first, as VTK may number them
+// those with a position first, as VTK may number them
+uniform int airlightSortedSceneLights[AIRLIGHT_SCENE_LIGHTS];
 
 vec3 airlightVolumeOrigin; // of the ray, as airlightOrigin()
 vec3 airlightVolumeAlong;  // unit
@@ -40,12 +41,14 @@ void airlightCollectNodes()
   {
     return;
   }
-  uint next = atomicExchange(translucentHeads[airlightTranslucentHead(airlightVolumePixel())], first);
+  uint next =
+    atomicExchange(translucentHeads[airlightTranslucentHead(airlightVolumePixel())], first);
   for (uint k = 0u; k < count; k++)
   {
     uint word = AIRLIGHT_TRANSLUCENT_WORDS * (first + k);
     translucentFragments[word] = k + 1u < count ? first + k + 1u : next;
-    translucentFragments[word + 1u] = floatBitsToUint(airlightFirstNode + float(k) * airlightNodeStep);
+    translucentFragments[word + 1u] =
+      floatBitsToUint(airlightFirstNode + float(k) * airlightNodeStep);
     for (uint i = 2u; i < AIRLIGHT_TRANSLUCENT_WORDS; i++)
     {
       translucentFragments[word + i] = 0u;
@@ -174,9 +177,9 @@ void airlightFindSpan()
 // At the end of VTK's own preparations.
 void airlightStartVolume()
 {
-  for (int k = 0; k < AIRLIGHT_LAMPS; k++)
+  for (int k = 0; k < AIRLIGHT_SCENE_LIGHTS; k++)
   {
-    airlightArrived[k] = vec3(1.0);
+    airlightReceivedLight[k] = vec3(1.0);
   }
   if (airlightStage != AIRLIGHT_STAGE_TRANSLUCENT && airlightStage != AIRLIGHT_STAGE_COLLECT)
   {
@@ -223,7 +226,8 @@ vec3 airlightNodeLight(int i, int k)
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
   if (airlightTransmittanceSlots[k] >= 0)
   {
-    light *= airlightTranslucentTransmittance(airlightNodeTranslucent[i], airlightTransmittanceSlots[k]);
+    light *=
+      airlightTranslucentTransmittance(airlightNodeTranslucent[i], airlightTransmittanceSlots[k]);
   }
 #endif
   return light;
@@ -241,14 +245,15 @@ void airlightReceiveSample()
   vec3 point = airlightVolumeOrigin + t * airlightVolumeAlong;
   float share;
   int i = airlightSampleNode(t, share);
-  for (int k = 0; k < airlightLampCount; k++)
+  for (int k = 0; k < airlightSceneLightCount; k++)
   {
-    float kind = airlightLamps[k].w;
-    airlightArrived[k] = kind < 0.0 ? vec3(1.0) : airlightPassed(k, kind == 0.0, point);
+    float kind = airlightSceneLights[k].w;
+    airlightReceivedLight[k] =
+      kind < 0.0 ? vec3(1.0) : airlightLightTransmittance(k, kind == 0.0, point);
 #if AIRLIGHT_TRANSLUCENT_FRAGMENTS
-    if (airlightUseLit != 0 && airlightLamps[k].w >= 0.0 && k < 4 * AIRLIGHT_BITS)
+    if (airlightUseLit != 0 && airlightSceneLights[k].w >= 0.0 && k < 4 * AIRLIGHT_BITS)
     {
-      airlightArrived[k] *= mix(airlightNodeLight(i, k), airlightNodeLight(i + 1, k), share);
+      airlightReceivedLight[k] *= mix(airlightNodeLight(i, k), airlightNodeLight(i + 1, k), share);
     }
 #endif
   }
@@ -261,7 +266,7 @@ vec3 airlightCubic(vec3 a, vec3 aSlope, vec3 b, vec3 bSlope, float x)
 }
 
 // A sample's colour, times its opacity, behind the medium before it.
-vec4 airlightThroughVolume(vec4 colour)
+vec4 airlightApplyMediumToVolume(vec4 colour)
 {
   if (airlightStage != AIRLIGHT_STAGE_TRANSLUCENT || colour.a <= 0.0)
   {

@@ -2,7 +2,8 @@
 // Each is an affine function of the pixel's centre, counted from the viewport's lower left corner.
 
 // With AIRLIGHT_FULL_SCREEN the vertex shader is AirlightFullScreenVS.glsl; with
-// AIRLIGHT_FRAGMENT_IS_PIXEL the target is the viewport; with AIRLIGHT_PARALLEL it is known whether the projection is parallel.
+// AIRLIGHT_FRAGMENT_IS_PIXEL the target is the viewport; with AIRLIGHT_PARALLEL it is known whether
+// the projection is parallel.
 
 #ifdef AIRLIGHT_FULL_SCREEN
 flat in vec4 airlightFlatPixels;

@@ -18,9 +18,9 @@ void airlightTakeLight(int k, inout AirlightLight light)
   light.intensity = airlightFlatConstants[6 * k + 1].xyz;
 }
 
-// What its light scatters, of a sum along the ray: a channel that does not scatter is dark, whatever the
-// limit of its integral.
-vec3 airlightTurnLight(AirlightLight light, AirlightRay ray, AirlightShade sum)
+// What its light scatters, of a sum along the ray: a channel that does not scatter is dark,
+// whatever the limit of its integral.
+vec3 airlightEquiangularLight(AirlightLight light, AirlightRay ray, AirlightSpectrum sum)
 {
   vec3 full = light.intensity * (sum / ray.foot.h);
   return mix(vec3(0.0), full, greaterThan(light.intensity, vec3(0.0)));

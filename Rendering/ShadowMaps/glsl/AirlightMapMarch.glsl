@@ -3,7 +3,8 @@
 uniform sampler2D shadowMap; // distance that the light goes; 1e30 where nothing is in its way
 uniform int mapKind;         // 0: no casters, 1: six faces, 2: one in perspective, 3: parallel
 uniform int mapResolution;
-uniform vec3 mapOrigin;     // from the eye: the light, or where it is at infinity the casters' middle
+// from the eye: the light, or where it is at infinity the casters' middle
+uniform vec3 mapOrigin;
 uniform vec3 mapFrame[3];   // kinds 2 and 3: across, across, away from the light
 uniform vec2 mapScale;      // of tangents, kind 3 of lengths, to -1..1
 uniform float mapNearest;   // kind 3: where casters begin
@@ -13,7 +14,7 @@ uniform int marchSteps;
 uniform float marchScale; // directional light: the length on which its shadows change
 
 // Where a point falls in the map.
-struct AirlightMapPlace
+struct AirlightMapPosition
 {
   vec2 texel; // on its face, 0 to mapResolution
   ivec2 face; // the face's lower left corner
@@ -21,9 +22,9 @@ struct AirlightMapPlace
   bool inside;
 };
 
-AirlightMapPlace airlightMapPlace(vec3 point)
+AirlightMapPosition airlightMapPosition(vec3 point)
 {
-  AirlightMapPlace place;
+  AirlightMapPosition position;
   vec3 p = point - mapOrigin;
   vec3 q;
   int face = 0;
@@ -50,27 +51,27 @@ AirlightMapPlace airlightMapPlace(vec3 point)
   {
     q = vec3(dot(p, mapFrame[0]), dot(p, mapFrame[1]), dot(p, mapFrame[2]));
   }
-  place.distance = mapKind == 3 ? q.z : length(p);
-  place.inside = mapKind == 3 || q.z > 0.0;
+  position.distance = mapKind == 3 ? q.z : length(p);
+  position.inside = mapKind == 3 || q.z > 0.0;
   vec2 across = mapScale * (mapKind == 3 ? q.xy : q.xy / max(q.z, 1e-30));
-  place.inside = place.inside && mapKind != 0 && all(lessThanEqual(abs(across), vec2(1.0)));
-  place.texel = float(mapResolution) * (0.5 + 0.5 * clamp(across, -1.0, 1.0));
-  place.face = mapResolution * ivec2(face % 3, face / 3);
-  return place;
+  position.inside = position.inside && mapKind != 0 && all(lessThanEqual(abs(across), vec2(1.0)));
+  position.texel = float(mapResolution) * (0.5 + 0.5 * clamp(across, -1.0, 1.0));
+  position.face = mapResolution * ivec2(face % 3, face / 3);
+  return position;
 }
 
-bool airlightMapLets(AirlightMapPlace place, ivec2 texel, float slack)
+bool airlightMapLets(AirlightMapPosition position, ivec2 texel, float slack)
 {
   ivec2 inside = clamp(texel, ivec2(0), ivec2(mapResolution - 1));
-  return place.distance - slack <= texelFetch(shadowMap, place.face + inside, 0).r;
+  return position.distance - slack <= texelFetch(shadowMap, position.face + inside, 0).r;
 }
 
 // Whether light reaches a point, from the eye, of the air.
 bool airlightIsLit(vec3 point)
 {
-  AirlightMapPlace place = airlightMapPlace(point);
-  return !place.inside || airlightMapLets(place, ivec2(floor(place.texel)),
-                            mapSlack + mapRelativeSlack * abs(place.distance));
+  AirlightMapPosition position = airlightMapPosition(point);
+  return !position.inside || airlightMapLets(position, ivec2(floor(position.texel)),
+                            mapSlack + mapRelativeSlack * abs(position.distance));
 }
 
 // Whether light reaches a point of a surface. A point near a convex edge may lie in a texel whose
@@ -78,13 +79,13 @@ bool airlightIsLit(vec3 point)
 // through; the view ray's end is less exact than points of the air.
 bool airlightIsSurfaceLit(vec3 point)
 {
-  AirlightMapPlace place = airlightMapPlace(point);
-  float slack = 10.0 * (mapSlack + mapRelativeSlack * abs(place.distance));
-  ivec2 first = ivec2(floor(place.texel - 0.5));
-  bool lit = !place.inside;
+  AirlightMapPosition position = airlightMapPosition(point);
+  float slack = 10.0 * (mapSlack + mapRelativeSlack * abs(position.distance));
+  ivec2 first = ivec2(floor(position.texel - 0.5));
+  bool lit = !position.inside;
   for (int i = 0; i < 4; i++)
   {
-    lit = lit || airlightMapLets(place, first + ivec2(i % 2, i / 2), slack);
+    lit = lit || airlightMapLets(position, first + ivec2(i % 2, i / 2), slack);
   }
   return lit;
 }

@@ -2,7 +2,8 @@
 // What VTK's mappers drew from a light, made part of its shadow map: each texel with a bias by the
 // slope between it and its neighbours on the same thing.
 
-uniform sampler2D drawn; // distances on the unit of airlightDirection(); 1e30 where there is nothing
+// distances on the unit of airlightDirection(); 1e30 where there is nothing
+uniform sampler2D drawn;
 uniform int resolution;  // of a face
 uniform int parallel;    // 1: that unit is 1
 uniform vec2 scale;      // of tangents, to -1..1

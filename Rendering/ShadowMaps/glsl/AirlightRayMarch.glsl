@@ -14,7 +14,7 @@ vec3 airlightMarchedStep(AirlightMarch march, float middle, float t, float a, fl
   float h = march.ray.foot.h;
   float r2 = h * h + middle * middle;
   vec3 point = march.ray.origin + t * march.ray.direction;
-  return march.turn / float(marchSteps) * (r2 / h) * airlightShare(light, point) *
+  return march.turn / float(marchSteps) * (r2 / h) * airlightPhotometricShare(light, point) *
     airlightPointIntegrand(media, light, march.ray, piece, middle, sqrt(r2));
 }
 

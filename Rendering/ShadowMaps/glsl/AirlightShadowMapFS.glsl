@@ -6,7 +6,7 @@
 uniform vec2 scale;
 uniform int resolution;
 uniform int parallel;
-uniform ivec2 place; // of the face's lower left corner
+uniform ivec2 tile; // of the face's lower left corner
 
 flat in vec4 trianglePlane;
 flat in float triangleLimit;
@@ -16,7 +16,7 @@ layout(location = 0) out vec4 nearestDistance;
 void main()
 {
   vec3 n = trianglePlane.xyz;
-  vec2 s = (2.0 * (gl_FragCoord.xy - vec2(place)) / float(resolution) - 1.0) / scale;
+  vec2 s = (2.0 * (gl_FragCoord.xy - vec2(tile)) / float(resolution) - 1.0) / scale;
   vec2 reach = 1.5 / (float(resolution) * scale);
   float slope = dot(abs(n.xy), reach);
   float far = triangleLimit;

@@ -10,7 +10,8 @@ uniform vec2 scale;    // of tangents, or where `parallel` of lengths, to -1..1
 uniform int parallel;
 uniform float nearest; // nothing nearer to the light's plane is drawn
 
-flat out vec4 trianglePlane; // normal in that frame, away from the light; dot(normal, x) of its points
+// normal in that frame, away from the light; dot(normal, x) of its points
+flat out vec4 trianglePlane;
 flat out float triangleLimit; // its largest distance
 
 void main()

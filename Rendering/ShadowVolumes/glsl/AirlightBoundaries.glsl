@@ -1,13 +1,13 @@
 // The boundaries of a pixel in order of distance. A first draw takes the pixels whose boundaries
-// have slots, or where there are none (AIRLIGHT_K_BUFFER_SIZE 0), those with short lists, which are sorted
-// here in a local array. It leaves out the others; AirlightSortFS.glsl sorts their lists in place, and
-// further draws with AIRLIGHT_SORTED read them as they are, some boundaries a draw, because some
-// software renderers bound the iterations of one shader run.
+// have slots, or where there are none (AIRLIGHT_K_BUFFER_SIZE 0), those with short lists, which are
+// sorted here in a local array. It leaves out the others; AirlightSortFS.glsl sorts their lists in
+// place, and further draws with AIRLIGHT_SORTED read them as they are, some boundaries a draw,
+// because some software renderers bound the iterations of one shader run.
 //
-// A boundary has AIRLIGHT_NODE_WORDS: distance on the unit of airlightDirection(), weight, index of the
-// next. Where there are slots, the first word is as that of a slot, and the second for who reads it. With
-// AIRLIGHT_SHADOW_TRANSMITTANCE the weight is eight times the number of layers and a bit for each channel that they
-// block, and the optical thickness of the layers follows.
+// A boundary has AIRLIGHT_NODE_WORDS: distance on the unit of airlightDirection(), weight, index of
+// the next. Where there are slots, the first word is as that of a slot, and the second for who
+// reads it. With AIRLIGHT_SHADOW_TRANSMITTANCE the weight is eight times the number of layers and a
+// bit for each channel that they block, and the optical thickness of the layers follows.
 
 layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
 {
@@ -62,12 +62,12 @@ int boundariesLeft;
 
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
 
-uint boundaryBefore; // the last but one
+uint boundaryPrevious; // the last but one
 
 // What a pause leaves takes the last two boundaries read, the first of which becomes the head.
 void airlightLeave(float from, AirlightCounts shadows)
 {
-  uint a = AIRLIGHT_NODE_WORDS * boundaryBefore;
+  uint a = AIRLIGHT_NODE_WORDS * boundaryPrevious;
   uint b = AIRLIGHT_NODE_WORDS * boundaryLast;
   nodes[a] = floatBitsToUint(from);
   nodes[b] = floatBitsToUint(airlightRunStart);
@@ -137,7 +137,7 @@ int airlightNextBoundary(out float t, out AirlightCounts weight)
   }
   boundariesLeft--;
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
-  boundaryBefore = boundaryLast;
+  boundaryPrevious = boundaryLast;
 #endif
   boundaryLast = boundaryNode;
   boundaryNode = nodes[AIRLIGHT_NODE_WORDS * boundaryNode + 2u];
@@ -147,7 +147,7 @@ int airlightNextBoundary(out float t, out AirlightCounts weight)
 void airlightCloseBoundaries(ivec2 pixel, int state, float from, AirlightCounts shadows)
 {
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
-  uint paused = boundaryBefore;
+  uint paused = boundaryPrevious;
 #else
   uint paused = boundaryLast;
 #endif

@@ -1,12 +1,12 @@
-// Where the boundaries of a pixel lie: in slots of its own, as many as AIRLIGHT_K_BUFFER_SIZE, in the order in
-// which they were drawn. Those of a row of pixels lie together, the first slots of all first: most pixels
-// have few boundaries, and memory is fast where what is read lies in a row. What has no slot goes into a
-// list (AirlightPlanesFS.glsl).
+// Where the boundaries of a pixel lie: in slots of its own, as many as AIRLIGHT_K_BUFFER_SIZE, in
+// the order in which they were drawn. Those of a row of pixels lie together, the first slots of all
+// first: most pixels have few boundaries, and memory is fast where what is read lies in a row. What
+// has no slot goes into a list (AirlightPlanesFS.glsl).
 //
 // A slot holds one number, by which boundaries are sorted: the bits of the distance, on the unit of
-// airlightDirection() or in parallel projection as it is; they grow with it. The last two are replaced
-// by the weight: 2, 1, -1, -2 as 0 to 3. So boundaries at one distance come as entries before exits,
-// and volumes that touch stay joined.
+// airlightDirection() or in parallel projection as it is; they grow with it. The last two are
+// replaced by the weight: 2, 1, -1, -2 as 0 to 3. So boundaries at one distance come as entries
+// before exits, and volumes that touch stay joined.
 
 layout(std430, binding = AIRLIGHT_BINDING_K_BUFFER) buffer AirlightKBuffer
 {

@@ -1,6 +1,6 @@
-// Pixels with more boundaries than slots: what the slots hold joins their lists. Each run of as many
-// boundaries as there are slots is put in order, in the registers of AirlightSortedKBuffer.glsl, for
-// AirlightSortFS.glsl to merge.
+// Pixels with more boundaries than slots: what the slots hold joins their lists. Each run of as
+// many boundaries as there are slots is put in order, in the registers of
+// AirlightSortedKBuffer.glsl, for AirlightSortFS.glsl to merge.
 
 layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
 {

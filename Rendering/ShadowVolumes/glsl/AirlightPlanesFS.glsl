@@ -1,8 +1,8 @@
 // Each fragment of a shadow plane is a boundary (t, +-weight) in one of its pixel's slots, or where
-// there is none left, in the pixel's list. What software renderers do for each of eight pixels in turn
-// takes most of the time, also where only one of them needs it: writing to memory, above all atomically.
-// The depth test, made lenient, rejects most of what the
-// surface hides; who reads the boundaries leaves out the rest.
+// there is none left, in the pixel's list. What software renderers do for each of eight pixels in
+// turn takes most of the time, also where only one of them needs it: writing to memory, above all
+// atomically. The depth test, made lenient, rejects most of what the surface hides; who reads the
+// boundaries leaves out the rest.
 
 layout(early_fragment_tests) in;
 
@@ -22,11 +22,10 @@ flat in int planeLayer;
 #endif
 
 #if AIRLIGHT_CAPS
-// The surface that the ray ends on is none that it goes through. Its distance is as the mapper draws
-// it, which for triangles that are large or far from the eye has the rounding of their corners, the
-// more the more edge-on they are seen.
-// NEARER is for graphics cards, which may move corners by fractions of a pixel; no test fails without it on
-// software renderers, which need not.
+// The surface that the ray ends on is none that it goes through. Its distance is as the mapper
+// draws it, which for triangles that are large or far from the eye has the rounding of their
+// corners, the more the more edge-on they are seen. NEARER is for graphics cards, which may move
+// corners by fractions of a pixel; no test fails without it on software renderers, which need not.
 uniform sampler2D distances;
 const float NEARER = 1.0 - 1e-5;
 flat in float planeRounding;
@@ -134,7 +133,8 @@ void main()
   }
 #endif
   // A plane seen edge-on can give no finite t, or in a perspective one behind the eye, where the
-  // rasteriser has rounded its corners to fractions of a pixel; it is then as good as behind everything.
+  // rasteriser has rounded its corners to fractions of a pixel; it is then as good as behind
+  // everything.
   if (!(abs(t) < 1e18) || (airlightParallel == 0 && t < 0.0))
   {
     t = 1e18;

@@ -1,14 +1,14 @@
 // Shadow planes: each silhouette edge, pulled out of a buffer, becomes the quadrilateral from the
 // edge to infinity, away from the light, or to where all that follows is hidden. AIRLIGHT_CAPS: a
-// caster's own triangles, where rays go through them. AIRLIGHT_NEAR_PLANES: those that the eye lies on,
-// which it would see edge-on; a triangle over the whole view lets the fragments find out which rays cross
-// them.
+// caster's own triangles, where rays go through them. AIRLIGHT_NEAR_PLANES: those that the eye lies
+// on, which it would see edge-on; a triangle over the whole view lets the fragments find out which
+// rays cross them.
 
 // Relative to the anchor (the light itself, or for a directional light any point). Per edge: A and
-// its weight, B and the number of its caster, the plane's normal. Per cap: A and the side of the light
-// (1: where the triangle's normal points, -1: behind), B and the size of the mesh's coordinates, C. Per near plane: as an edge, B with the
-// plane's offset from the eye, and fourth the eye's place in the plane. The third's w is the kind of
-// caster.
+// its weight, B and the number of its caster, the plane's normal. Per cap: A and the side of the
+// light (1: where the triangle's normal points, -1: behind), B and the size of the mesh's
+// coordinates, C. Per near plane: as an edge, B with the plane's offset from the eye, and fourth
+// the eye's place in the plane. The third's w is the kind of caster.
 layout(std430, binding = AIRLIGHT_BINDING_SILHOUETTE_EDGES) readonly buffer AirlightEdges
 {
   vec4 edges[];
@@ -18,7 +18,8 @@ uniform mat4 anchorToClip;
 uniform vec3 anchor;     // from the eye
 uniform vec4 fromLight;  // directional: the light's direction and w 0; point: w 1
 uniform int inParallel; // 1: the projection is parallel
-uniform ivec3 givenListLayout; // what all fragments need, see AirlightKBuffer.glsl and AirlightListHeads.glsl
+// what all fragments need, see AirlightKBuffer.glsl and AirlightListHeads.glsl
+uniform ivec3 givenListLayout;
 // As in AirlightCameraShader.glsl.
 uniform vec3 airlightRayOrigin[3];
 uniform vec3 airlightRayDirection[3];
@@ -57,8 +58,8 @@ void draw()
   planeNormal = normalize(cross(b - a, c - a));
   planeWeight = int(edges[first].w);
   planeLayer = int(edges[first + 2].w);
-  // Some units of single precision's last place of the farthest corner, from the eye, the anchor or the origin
-  // of the coordinates that the mapper has.
+  // Some units of single precision's last place of the farthest corner, from the eye, the anchor or
+  // the origin of the coordinates that the mapper has.
   float fromEye = max(length(anchor + a), max(length(anchor + b), length(anchor + c)));
   float size = max(fromEye, edges[first + 1].w);
   planeRounding = 5e-7 * max(size, max(length(a), max(length(b), length(c))));
@@ -80,14 +81,16 @@ void draw()
   gl_Position = vec4(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0, -1.0, 1.0);
 }
 #else
-// By caster, from the eye: the plane of a surface that hides all behind it (AirlightPlanarOccluders.h), or 0.
-layout(std430, binding = AIRLIGHT_BINDING_TRUNCATION_PLANES) readonly buffer AirlightTruncationPlanes
+// By caster, from the eye: the plane of a surface that hides all behind it
+// (AirlightPlanarOccluders.h), or 0.
+layout(
+  std430, binding = AIRLIGHT_BINDING_TRUNCATION_PLANES) readonly buffer AirlightTruncationPlanes
 {
   vec4 truncationPlanes[];
 };
 
-// Where the ray from the light through a point is hidden for good, or at infinity. Of nothing but that point
-// and its caster: planes that meet there have the same end.
+// Where the ray from the light through a point is hidden for good, or at infinity. Of nothing but
+// that point and its caster: planes that meet there have the same end.
 vec4 getEnd(vec3 point, vec4 end)
 {
   vec3 away = fromLight.w == 0.0 ? fromLight.xyz : point;

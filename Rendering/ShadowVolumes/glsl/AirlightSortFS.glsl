@@ -1,8 +1,8 @@
-// One step of a merge sort of the pixels' long lists, in place: runs of `run` boundaries that are in
-// order become runs of twice as many. Linked lists are merged by changing links only (R. Sedgewick,
-// Algorithms, on merge sort of lists). A step walks each list twice; the number of steps is the
-// logarithm of the longest list's length. Split into draws because some software renderers bound
-// the iterations of all loops of one shader run together.
+// One step of a merge sort of the pixels' long lists, in place: runs of `run` boundaries that are
+// in order become runs of twice as many. Linked lists are merged by changing links only (R.
+// Sedgewick, Algorithms, on merge sort of lists). A step walks each list twice; the number of steps
+// is the logarithm of the longest list's length. Split into draws because some software renderers
+// bound the iterations of all loops of one shader run together.
 
 layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
 {
@@ -19,7 +19,9 @@ bool airlightInscatterToFragment(uint a, uint b)
 #else
   float ta = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * a]);
   float tb = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * b]);
-  return ta < tb || (ta == tb && int(nodes[AIRLIGHT_NODE_WORDS * a + 1u]) >= int(nodes[AIRLIGHT_NODE_WORDS * b + 1u]));
+  return ta < tb ||
+    (ta == tb &&
+      int(nodes[AIRLIGHT_NODE_WORDS * a + 1u]) >= int(nodes[AIRLIGHT_NODE_WORDS * b + 1u]));
 #endif
 }
 

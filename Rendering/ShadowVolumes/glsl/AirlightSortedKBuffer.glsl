@@ -2,8 +2,8 @@
 
 const uint AIRLIGHT_NO_BOUNDARY = 0xffffffffu;
 
-// The nearest first, 16 or 32 of them: AIRLIGHT_K_BUFFER_SIZE. Not an array, which some drivers do not keep in
-// registers.
+// The nearest first, 16 or 32 of them: AIRLIGHT_K_BUFFER_SIZE. Not an array, which some drivers do
+// not keep in registers.
 uvec4 sortedA;
 uvec4 sortedB;
 uvec4 sortedC;
@@ -85,8 +85,8 @@ bool airlightOpenPacked(ivec2 pixel, float end)
   packedWeights = 0;
   packedLeft = 0;
   int all = int(listHeads[airlightCountIndex(pixel)]);
-  // Without min(count, 16): compilers unroll loops whose greatest length they see, and software renderers
-  // run through all of an unrolled one for every pixel.
+  // Without min(count, 16): compilers unroll loops whose greatest length they see, and software
+  // renderers run through all of an unrolled one for every pixel.
   int count = all * int(all <= AIRLIGHT_K_BUFFER_SIZE);
   uint first = airlightKBufferStart(pixel);
 #if AIRLIGHT_K_BUFFER_SIZE > 16
@@ -101,7 +101,8 @@ bool airlightOpenPacked(ivec2 pixel, float end)
 #if AIRLIGHT_K_BUFFER_SIZE > 16
   for (int i = near; i < count; i++)
   {
-    airlightInsertFar(airlightInsertNear(airlightReadKBuffer(airlightKBufferIndex(first, uint(i)), end)));
+    airlightInsertFar(
+      airlightInsertNear(airlightReadKBuffer(airlightKBufferIndex(first, uint(i)), end)));
   }
 #endif
   return all <= AIRLIGHT_K_BUFFER_SIZE;

@@ -1,5 +1,5 @@
-// The boundaries of a pixel's list, which AirlightSortFS.glsl put in order, read as those in slots are
-// (AirlightSortedKBuffer.glsl).
+// The boundaries of a pixel's list, which AirlightSortFS.glsl put in order, read as those in slots
+// are (AirlightSortedKBuffer.glsl).
 
 const uint AIRLIGHT_NO_BOUNDARY = 0xffffffffu;
 

@@ -14,7 +14,8 @@ void airlightCollect()
   if (fragment < uint(airlightTranslucentCapacity))
   {
     uint word = AIRLIGHT_TRANSLUCENT_WORDS * fragment;
-    translucentFragments[word] = atomicExchange(translucentHeads[airlightTranslucentHead(pixel)], fragment);
+    translucentFragments[word] =
+      atomicExchange(translucentHeads[airlightTranslucentHead(pixel)], fragment);
     translucentFragments[word + 1u] = floatBitsToUint(t);
     for (uint i = 2u; i < AIRLIGHT_TRANSLUCENT_WORDS; i++)
     {
@@ -49,6 +50,7 @@ vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
 {
   uint word = AIRLIGHT_TRANSLUCENT_WORDS * airlightTranslucent;
   return airlightAmbient(airlightMedia, origin, direction, t) +
-    vec3(uintBitsToFloat(translucentFragments[word + 2u]), uintBitsToFloat(translucentFragments[word + 3u]),
+    vec3(uintBitsToFloat(translucentFragments[word + 2u]),
+      uintBitsToFloat(translucentFragments[word + 3u]),
       uintBitsToFloat(translucentFragments[word + 4u]));
 }

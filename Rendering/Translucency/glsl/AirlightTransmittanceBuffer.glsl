@@ -21,5 +21,6 @@ vec3 airlightUnpack(uint low, uint high)
 // The first of the two words; `slot` is the light's place.
 uint airlightTransmittanceWord(int slot, ivec2 pixel)
 {
-  return 2u * uint((slot * airlightTransmittanceSize.y + pixel.y) * airlightTransmittanceSize.x + pixel.x);
+  return 2u *
+    uint((slot * airlightTransmittanceSize.y + pixel.y) * airlightTransmittanceSize.x + pixel.x);
 }

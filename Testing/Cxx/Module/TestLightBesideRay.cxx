@@ -145,11 +145,11 @@ double Expected(const PixelAndLight& place, const Spot& spot, double widened)
   return static_cast<double>(Integrate(integrand, { from, to }, 1e-12));
 }
 
-// In the shaders' precision: by tails, and by AirlightTurn.glsl.
+// In the shaders' precision: by tails, and by AirlightEquiangular.glsl.
 struct Scattered
 {
   float ByTails;
-  float ByTurn;
+  float ByAngle;
 };
 
 Scattered Scatter(const PixelAndLight& place, const Spot& spot)
@@ -176,11 +176,13 @@ Scattered Scatter(const PixelAndLight& place, const Spot& spot)
   scattered.ByTails = f32::airlightInterval3(
     media, light, ray, ray.lit.x, tail(ray.lit.x), ray.lit.y, tail(ray.lit.y))
                         .x;
-  const f32::AirlightTurn turn = f32::airlightTurn(medium, ray, ray.lit.x, ray.lit.y);
-  for (float psi = 0.0f; psi < turn.end;)
+  const f32::AirlightEquiangular arc =
+    f32::airlightEquiangularRange(medium, ray, ray.lit.x, ray.lit.y);
+  for (float psi = 0.0f; psi < arc.end;)
   {
-    const float end = f32::airlightTurnPartEnd(medium, turn, psi);
-    scattered.ByTurn += 2.0f * f32::airlightTurnPart(medium, turn, psi, end).whole.x / turn.h;
+    const float end = f32::airlightEquiangularPanelEnd(medium, arc, psi);
+    scattered.ByAngle +=
+      2.0f * f32::airlightEquiangularPanel(medium, arc, psi, end).whole.x / arc.h;
     psi = end;
   }
   return scattered;
@@ -190,7 +192,7 @@ Scattered Scatter(const PixelAndLight& place, const Spot& spot)
 bool TestSpot()
 {
   Comparison byTails("a spot beside a pixel's ray, single precision, by tails, of its airlight");
-  Comparison byTurn("the same by its turn");
+  Comparison byAngle("the same by its turn");
   Random random(9);
   int grazing = 0;
   constexpr int Count = 4000;
@@ -215,14 +217,14 @@ bool TestSpot()
     const auto describe = [&] {
       return Text(place.Describe(), ", axis ", spot.Axis.x, ", ", spot.Axis.y, ", ", spot.Axis.z,
         ", cone's cosine ", spot.CosCone, ", sigmaT ", spot.SigmaT, ": expected ", expected,
-        ", got ", got.ByTails, " and ", got.ByTurn);
+        ", got ", got.ByTails, " and ", got.ByAngle);
     };
     byTails.Add(std::abs(got.ByTails - expected), limit, describe);
-    byTurn.Add(std::abs(got.ByTurn - expected), limit, describe);
+    byAngle.Add(std::abs(got.ByAngle - expected), limit, describe);
   }
   Comparison few("rays that graze the cone, of all");
   few.Add(static_cast<double>(grazing) / Count, 0.03, [&] { return Text(grazing, " rays"); });
-  return AllOk({ &byTails, &byTurn, &few });
+  return AllOk({ &byTails, &byAngle, &few });
 }
 }
 

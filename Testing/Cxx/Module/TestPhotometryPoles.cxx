@@ -79,9 +79,9 @@ double GetDistance(double value, double exact, const TestFog& fog, const TestGon
   const glm::dvec3 pole = GetPole(lamp.Table.Type, lamp.Axis, lamp.Up);
   double low = exact;
   double high = exact;
-  for (const double turn : { -angle, angle })
+  for (const double arc : { -angle, angle })
   {
-    const auto rotate = [&](const glm::dvec3& v) { return v + turn * glm::cross(pole, v); };
+    const auto rotate = [&](const glm::dvec3& v) { return v + arc * glm::cross(pole, v); };
     TestGoniometricLamp turned = lamp;
     turned.Aim(rotate(lamp.Axis), rotate(lamp.Up));
     const double there = GoniometricAirlight(fog, turned, glm::dvec3(0.0), direction, 0.0, 1e9, 0);

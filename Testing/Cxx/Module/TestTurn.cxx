@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A point light's airlight before every point of a ray by AirlightTurn.glsl, as the shaders' text compiled
+// A point light's airlight before every point of a ray by AirlightEquiangular.glsl, as the shaders' text compiled
 // in double and in single precision, against the closed form in double precision (which TestClosedForm
 // compares with quadrature). The limits are parts of the whole ray's airlight, as in the error
 // contract of the documentation.
@@ -101,30 +101,31 @@ Sums SumDouble(const Setting& s, const f64::AirlightPhase& phase)
   f64::AirlightMedium medium{};
   f64::AirlightRay ray{};
   Prepare(s, phase, medium, ray);
-  const f64::AirlightTurn turn = f64::airlightTurn(medium, ray, 0.0, s.Length);
+  const f64::AirlightEquiangular arc = f64::airlightEquiangularRange(medium, ray, 0.0, s.Length);
   Sums sums;
-  sums.Whole = f64::airlightTurnByAngles(medium, ray, 0.0, s.Length) / s.H;
+  sums.Whole = f64::airlightEquiangularQuadrature(medium, ray, 0.0, s.Length) / s.H;
   sums.Before.resize(s.Places.size(), glm::dvec3(0.0));
-  for (double psi = 0.0; psi < turn.end;)
+  for (double psi = 0.0; psi < arc.end;)
   {
-    const double end = f64::airlightTurnPartEnd(medium, turn, psi);
-    const f64::AirlightTurnPart part = f64::airlightTurnPart(medium, turn, psi, end);
+    const double end = f64::airlightEquiangularPanelEnd(medium, arc, psi);
+    const f64::AirlightEquiangularPanel part = f64::airlightEquiangularPanel(medium, arc, psi, end);
     for (size_t i = 0; i < s.Places.size(); ++i)
     {
       sums.Before[i] +=
-        f64::airlightTurnBefore(part, f64::airlightTurned(turn, ray, s.Places[i])) / s.H;
+        f64::airlightEquiangularPanelTo(part, f64::airlightAngleAt(arc, ray, s.Places[i])) / s.H;
     }
     psi = end;
   }
-  const double least = f64::airlightTurnLeastFading(medium, turn.h);
-  const double reach = f64::airlightTurnReach(turn, ray, s.Length);
+  const double least = f64::airlightLeastDepthPerTangent(medium, arc.h);
+  const double reach = f64::airlightHalfAngleReach(arc, ray, s.Length);
   for (size_t i = 0; i < s.Places.size(); ++i)
   {
-    const double done = f64::airlightTurnReach(turn, ray, s.Places[i]);
-    const bool open = least * (reach - done) > 24.0; // AIRLIGHT_TURN_FADED
-    sums.After.push_back(open ? f64::airlightTurnRest(medium, turn, done) / s.H : glm::dvec3(-1.0));
+    const double done = f64::airlightHalfAngleReach(arc, ray, s.Places[i]);
+    const bool open = least * (reach - done) > 24.0; // AIRLIGHT_NEGLIGIBLE_DEPTH
+    sums.After.push_back(
+      open ? f64::airlightEquiangularRest(medium, arc, done) / s.H : glm::dvec3(-1.0));
     const double from = i > 0 ? s.Places[i - 1] : 0.0;
-    sums.Tangents.push_back(f64::airlightTurnByTangents(medium, ray, from, s.Places[i]) / s.H);
+    sums.Tangents.push_back(f64::airlightHalfAngleQuadrature(medium, ray, from, s.Places[i]) / s.H);
   }
   return sums;
 }
@@ -134,32 +135,34 @@ Sums SumSingle(const Setting& s, const f32::AirlightPhase& phase)
   f32::AirlightMedium medium{};
   f32::AirlightRay ray{};
   Prepare(s, phase, medium, ray);
-  const f32::AirlightTurn turn = f32::airlightTurn(medium, ray, 0.0f, ray.lit.y);
+  const f32::AirlightEquiangular arc = f32::airlightEquiangularRange(medium, ray, 0.0f, ray.lit.y);
   Sums sums;
-  sums.Whole = glm::dvec3(f32::airlightTurnByAngles(medium, ray, 0.0f, ray.lit.y) / ray.foot.h);
+  sums.Whole =
+    glm::dvec3(f32::airlightEquiangularQuadrature(medium, ray, 0.0f, ray.lit.y) / ray.foot.h);
   sums.Before.resize(s.Places.size(), glm::dvec3(0.0));
-  for (float psi = 0.0f; psi < turn.end;)
+  for (float psi = 0.0f; psi < arc.end;)
   {
-    const float end = f32::airlightTurnPartEnd(medium, turn, psi);
-    const f32::AirlightTurnPart part = f32::airlightTurnPart(medium, turn, psi, end);
+    const float end = f32::airlightEquiangularPanelEnd(medium, arc, psi);
+    const f32::AirlightEquiangularPanel part = f32::airlightEquiangularPanel(medium, arc, psi, end);
     for (size_t i = 0; i < s.Places.size(); ++i)
     {
-      const float at = f32::airlightTurned(turn, ray, static_cast<float>(s.Places[i]));
-      sums.Before[i] += glm::dvec3(f32::airlightTurnBefore(part, at) / ray.foot.h);
+      const float at = f32::airlightAngleAt(arc, ray, static_cast<float>(s.Places[i]));
+      sums.Before[i] += glm::dvec3(f32::airlightEquiangularPanelTo(part, at) / ray.foot.h);
     }
     psi = end;
   }
-  const float least = f32::airlightTurnLeastFading(medium, turn.h);
-  const float reach = f32::airlightTurnReach(turn, ray, ray.lit.y);
+  const float least = f32::airlightLeastDepthPerTangent(medium, arc.h);
+  const float reach = f32::airlightHalfAngleReach(arc, ray, ray.lit.y);
   for (size_t i = 0; i < s.Places.size(); ++i)
   {
-    const float done = f32::airlightTurnReach(turn, ray, static_cast<float>(s.Places[i]));
-    const bool open = least * (reach - done) > 14.0f; // AIRLIGHT_TURN_FADED
-    sums.After.push_back(
-      open ? glm::dvec3(f32::airlightTurnRest(medium, turn, done) / ray.foot.h) : glm::dvec3(-1.0));
+    const float done = f32::airlightHalfAngleReach(arc, ray, static_cast<float>(s.Places[i]));
+    const bool open = least * (reach - done) > 14.0f; // AIRLIGHT_NEGLIGIBLE_DEPTH
+    sums.After.push_back(open
+        ? glm::dvec3(f32::airlightEquiangularRest(medium, arc, done) / ray.foot.h)
+        : glm::dvec3(-1.0));
     const float from = i > 0 ? static_cast<float>(s.Places[i - 1]) : 0.0f;
-    sums.Tangents.push_back(
-      glm::dvec3(f32::airlightTurnByTangents(medium, ray, from, static_cast<float>(s.Places[i]))) /
+    sums.Tangents.push_back(glm::dvec3(f32::airlightHalfAngleQuadrature(
+                              medium, ray, from, static_cast<float>(s.Places[i]))) /
       s.H);
   }
   return sums;

@@ -10,7 +10,9 @@
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationKeyLookup.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
@@ -110,6 +112,11 @@ void TestCastsShadow()
   keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
   actor->SetPropertyKeys(keys);
   CompareScene("actor that casts no shadow", scene);
+  Check(vtkInformationKeyLookup::Find("CASTS_SHADOW", "vtkAirlightPass") ==
+        vtkAirlightPass::CASTS_SHADOW() &&
+      vtkInformationKeyLookup::Find("SHADOW_OPACITY", "vtkAirlightPass") ==
+        vtkAirlightPass::SHADOW_OPACITY(),
+    "the keys are found by their names");
 }
 
 void TestSurfaceShadows()

@@ -151,7 +151,7 @@ void TestImageLevel()
   const std::string text = warnings.GetText();
   Check(text.find("vtkLODProp3D casts no shadow") != std::string::npos &&
       text.find("volume or an image") != std::string::npos &&
-      text.find("CASTS_SHADOW") != std::string::npos,
+      text.find("SetCastsShadow(") != std::string::npos,
     "it names class, reason and remedy: " + text);
   scene.Window->Render();
   Check(warnings.Take() == 0, "said once");

@@ -1,14 +1,14 @@
-// What the integral over a surface's hemisphere in AirlightGlow.glsl is made of: directions, and
-// the radiance that arrives from each.
+// What the integral over a surface's hemisphere in AirlightScatteredIrradiance.glsl is made of:
+// directions, and the radiance that arrives from each.
 
 #define AIRLIGHT_PI 3.1415926535897932
 
 // A surface's point and what the directions from it are counted by.
-struct AirlightGlowFrame
+struct AirlightIrradianceFrame
 {
   real3 point;
   real3 normal;
-  real3 axis;   // gamma = 0: to the light, or to the region (see airlightGlowFrame())
+  real3 axis;   // gamma = 0: to the light, or to the region (see airlightIrradianceFrame())
   real3 across; // phi = 0: the side of the axis that the normal is on
   real3 third;
   real cosTilt; // of the normal against the axis
@@ -30,10 +30,10 @@ AIRLIGHT_FN real3 airlightAcross(real3 axis)
   return normalize(cross(axis, other));
 }
 
-AIRLIGHT_FN AirlightGlowFrame airlightGlowFrame(AIRLIGHT_IN(AirlightMedia) media,
+AIRLIGHT_FN AirlightIrradianceFrame airlightIrradianceFrame(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, real3 point, real3 normal)
 {
-  AirlightGlowFrame frame;
+  AirlightIrradianceFrame frame;
   frame.point = point;
   frame.normal = normal;
   bool sun = airlightIsDirectional(light);
@@ -66,18 +66,18 @@ AIRLIGHT_FN AirlightGlowFrame airlightGlowFrame(AIRLIGHT_IN(AirlightMedia) media
   return frame;
 }
 
-// What a light that needs quadrature scatters into one piece of a ray, with few nodes: many rays are
-// summed.
-AIRLIGHT_FN real3 airlightGlowPiece(AIRLIGHT_IN(AirlightMedia) media,
+// What a light that needs quadrature scatters into one piece of a ray, with few nodes: many rays
+// are summed.
+AIRLIGHT_FN real3 airlightIrradiancePiece(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
   AIRLIGHT_IN(AirlightPiece) piece)
 {
   real t0 = piece.from;
-  real t1 = airlightFadedAt(media, piece, ray.origin, ray.direction);
-  real3 doubt;
+  real t1 = airlightNegligibleFrom(media, piece, ray.origin, ray.direction);
+  real3 errorEstimate;
   if (airlightIsDirectional(light))
   {
-    return airlightPanel(media, light, ray, piece, true, t0, t1, doubt);
+    return airlightPanel(media, light, ray, piece, true, t0, t1, errorEstimate);
   }
   // One panel on each side of the light's foot, where the peak is.
   real3 sum = real3(real(0.0));
@@ -86,16 +86,16 @@ AIRLIGHT_FN real3 airlightGlowPiece(AIRLIGHT_IN(AirlightMedia) media,
   real middle = clamp(real(0.0), v0, v1);
   if (middle > v0)
   {
-    sum += airlightPanel(media, light, ray, piece, false, v0, middle, doubt);
+    sum += airlightPanel(media, light, ray, piece, false, v0, middle, errorEstimate);
   }
   if (v1 > middle)
   {
-    sum += airlightPanel(media, light, ray, piece, false, middle, v1, doubt);
+    sum += airlightPanel(media, light, ray, piece, false, middle, v1, errorEstimate);
   }
   return sum;
 }
 
-AIRLIGHT_FN real3 airlightGlowQuadrature(AIRLIGHT_IN(AirlightMedia) media,
+AIRLIGHT_FN real3 airlightIrradianceQuadrature(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray)
 {
   real3 sum = real3(real(0.0));
@@ -105,7 +105,7 @@ AIRLIGHT_FN real3 airlightGlowQuadrature(AIRLIGHT_IN(AirlightMedia) media,
     AirlightPiece piece = airlightPieceAt(media, ray.origin, ray.direction, t0, ray.lit.y);
     if (piece.inside != 0)
     {
-      sum += airlightGlowPiece(media, light, ray, piece);
+      sum += airlightIrradiancePiece(media, light, ray, piece);
     }
     t0 = piece.to;
   }
@@ -124,7 +124,7 @@ AIRLIGHT_FN real3 airlightArriving(AIRLIGHT_IN(AirlightMedia) media,
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_QUADRATURE ||
     AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_QUADRATURE)
   {
-    return airlightGlowQuadrature(media, light, ray);
+    return airlightIrradianceQuadrature(media, light, ray);
   }
   return airlightInterval3(media, light, ray, ray.lit.x,
     airlightTail3(media, light, ray, ray.lit.x), ray.lit.y,

@@ -70,10 +70,10 @@ void ShadowMap::DrawNonPolygonal(vtkOpenGLRenderWindow* window, const DrawActors
   {
     auto camera = vtk::TakeSmartPointer(vtkCamera::New());
     this->SetFaceCamera(camera, face);
-    const glm::ivec2 place = this->GetPlace(face);
-    state->vtkglViewport(place.x, place.y, this->Side, this->Side);
-    state->vtkglScissor(place.x, place.y, this->Side, this->Side);
-    draw(this->NonPolygonal, camera, place.x, place.y, this->Side);
+    const glm::ivec2 tile = this->GetTile(face);
+    state->vtkglViewport(tile.x, tile.y, this->Side, this->Side);
+    state->vtkglScissor(tile.x, tile.y, this->Side, this->Side);
+    draw(this->NonPolygonal, camera, tile.x, tile.y, this->Side);
   }
   this->EndNearest(window);
 }
@@ -81,7 +81,7 @@ void ShadowMap::DrawNonPolygonal(vtkOpenGLRenderWindow* window, const DrawActors
 //------------------------------------------------------------------------------
 bool ShadowMap::MergeNonPolygonal(vtkOpenGLRenderWindow* window, Quad& quad)
 {
-  vtkShaderProgram* program = quad.Ready(window, AirlightMergeCastersFS);
+  vtkShaderProgram* program = quad.GetOrCompile(window, AirlightMergeCastersFS);
   if (!program)
   {
     this->Error = std::string("the shadow map's shader") + ProgramMaker::GetReason();

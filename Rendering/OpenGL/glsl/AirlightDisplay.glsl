@@ -5,8 +5,8 @@ vec3 airlightDecode(vec3 colour)
   return pow(max(colour, vec3(0.0)), vec3(2.2));
 }
 
-// Of a colour, or where it is to be blended of a colour times its opacity. VTK's backgrounds have no
-// opacity, and are not blended.
+// Of a colour, or where it is to be blended of a colour times its opacity. VTK's backgrounds have
+// no opacity, and are not blended.
 vec4 airlightEncode(vec4 colour, bool blended)
 {
   float opacity = blended ? max(colour.a, 1e-6) : 1.0;

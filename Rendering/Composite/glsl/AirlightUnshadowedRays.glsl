@@ -1,19 +1,19 @@
-// The airlight of lights whose shadows are left out of account, along whole rays: the composition then
-// needs no picture of it.
+// The airlight of lights whose shadows are left out of account, along whole rays: the composition
+// then needs no picture of it.
 
-uniform AirlightLight lights[AIRLIGHT_WHOLE_LIGHTS];
+uniform AirlightLight lights[AIRLIGHT_UNSHADOWED_LIGHTS];
 
-#if AIRLIGHT_TURNED
+#if AIRLIGHT_EQUIANGULAR
 
 // Of the k-th light.
-vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, float end)
+vec3 airlightUnshadowedRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, float end)
 {
   AirlightLight light = lights[k];
   airlightTakeLight(k, light);
   AirlightRay ray = airlightRayBeside(media, light, origin, direction, end,
     airlightOwnMoment(k, p, unit, light, origin, direction));
-  return airlightTurnLight(
-    light, ray, airlightTurnAll(media.item[0], ray, ray.lit.x, ray.lit.y));
+  return airlightEquiangularLight(
+    light, ray, airlightEquiangular(media.item[0], ray, ray.lit.x, ray.lit.y));
 }
 
 #else
@@ -28,9 +28,9 @@ struct AirlightOwnPixel
   vec3 PerX;
   vec3 PerY;
 };
-uniform AirlightOwnPixel own[AIRLIGHT_WHOLE_LIGHTS];
+uniform AirlightOwnPixel own[AIRLIGHT_UNSHADOWED_LIGHTS];
 
-vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, float end)
+vec3 airlightUnshadowedRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, float end)
 {
   AirlightLight light = lights[k];
 #ifdef AIRLIGHT_NO_CONE
@@ -54,7 +54,7 @@ vec3 airlightWholeRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, fl
 
 #endif
 
-vec3 airlightWholeRays(vec2 p, vec3 origin, vec3 direction, float unit, float end)
+vec3 airlightUnshadowedRays(vec2 p, vec3 origin, vec3 direction, float unit, float end)
 {
   vec3 sum = vec3(0.0);
   AIRLIGHT_EACH_LIGHT

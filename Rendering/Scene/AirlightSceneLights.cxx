@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/AirlightLamps.h"
+#include "Scene/AirlightSceneLights.h"
 
 #include "Integration/AirlightMatrix.h"
 #include "Phase/AirlightPhaseFit.h"
@@ -23,23 +23,24 @@ namespace
 // What single precision resolves of the distance between a ray and a light.
 constexpr double RelativeRadius = 1e-5;
 
-Lamp MakeLamp(
+SceneLight MakeSceneLight(
   vtkLight* light, const f64::AirlightMedia& media, const CameraUniforms& view, double radius)
 {
-  Lamp lamp;
-  lamp.Light = light;
-  lamp.Support = ConvertLight(media, light, view.GetEye(), lamp.Values);
-  if (lamp.Scatters())
+  SceneLight sceneLight;
+  sceneLight.Light = light;
+  sceneLight.Support = ConvertLight(media, light, view.GetEye(), sceneLight.Values);
+  if (sceneLight.Scatters())
   {
-    const bool directional = f64::airlightIsDirectional(lamp.Values);
-    lamp.World = directional ? glm::dvec4(lamp.Values.position, 0.0)
-                             : glm::dvec4(lamp.Values.position + view.GetEye(), 1.0);
-    const double distance = directional ? 1.0 : glm::length(lamp.Values.position);
-    lamp.Values.radius = std::max(radius, RelativeRadius * std::max(distance, view.GetNear()));
+    const bool directional = f64::airlightIsDirectional(sceneLight.Values);
+    sceneLight.World = directional ? glm::dvec4(sceneLight.Values.position, 0.0)
+                                   : glm::dvec4(sceneLight.Values.position + view.GetEye(), 1.0);
+    const double distance = directional ? 1.0 : glm::length(sceneLight.Values.position);
+    sceneLight.Values.radius =
+      std::max(radius, RelativeRadius * std::max(distance, view.GetNear()));
     // A headlight sees what the camera sees: all its shadows lie behind what casts them.
-    lamp.CastsShadows = !light->LightTypeIsHeadlight();
+    sceneLight.CastsShadows = !light->LightTypeIsHeadlight();
   }
-  return lamp;
+  return sceneLight;
 }
 
 // The camera carries headlights and camera lights along; VTK gives its matrix to the latter only.
@@ -68,44 +69,44 @@ glm::dvec3 MakeAcross(glm::dvec3 up, const glm::dvec3& axis)
 }
 
 // A light without power in the medium still lights surfaces: those have its colour from VTK.
-void Apply(const LightSwitches& switches, Lamp& lamp)
+void Apply(const LightSwitches& switches, SceneLight& sceneLight)
 {
-  if (switches.Scatters(lamp.Light))
+  if (switches.Scatters(sceneLight.Light))
   {
     return;
   }
-  lamp.LeftOut = lamp.Glows() && !switches.IsSet(lamp.Light);
-  lamp.CastsShadows = lamp.CastsShadows && !IsFixedToCamera(lamp.Light);
-  lamp.Values.intensity = glm::dvec3(0.0);
+  sceneLight.LeftOut = sceneLight.HasPower() && !switches.IsSet(sceneLight.Light);
+  sceneLight.CastsShadows = sceneLight.CastsShadows && !IsFixedToCamera(sceneLight.Light);
+  sceneLight.Values.intensity = glm::dvec3(0.0);
 }
 
-void Apply(const LightOptions& options, vtkRenderer* renderer, Lamp& lamp)
+void Apply(const LightOptions& options, vtkRenderer* renderer, SceneLight& sceneLight)
 {
   glm::dvec3 position;
   glm::dvec3 focalPoint;
-  lamp.Light->GetTransformedPosition(&position.x);
-  lamp.Light->GetTransformedFocalPoint(&focalPoint.x);
+  sceneLight.Light->GetTransformedPosition(&position.x);
+  sceneLight.Light->GetTransformedFocalPoint(&focalPoint.x);
   const glm::dvec3 axis = focalPoint - position;
-  if (!options.Table || !lamp.Scatters() || f64::airlightIsDirectional(lamp.Values) ||
+  if (!options.Table || !sceneLight.Scatters() || f64::airlightIsDirectional(sceneLight.Values) ||
     !(glm::length(axis) > 0.0))
   {
     return;
   }
-  lamp.Table = options.Table;
-  lamp.Values.kind = AIRLIGHT_POINT_QUADRATURE;
-  lamp.Values.goniometric = 1;
-  lamp.Values.photometry.axis = glm::normalize(axis);
-  lamp.Values.photometry.up =
-    MakeAcross(TransformDirection(lamp.Light, renderer, options.Up), lamp.Values.photometry.axis);
+  sceneLight.Table = options.Table;
+  sceneLight.Values.kind = AIRLIGHT_POINT_QUADRATURE;
+  sceneLight.Values.goniometric = 1;
+  sceneLight.Values.photometry.axis = glm::normalize(axis);
+  sceneLight.Values.photometry.up = MakeAcross(
+    TransformDirection(sceneLight.Light, renderer, options.Up), sceneLight.Values.photometry.axis);
 }
 }
 
 //------------------------------------------------------------------------------
-std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
+std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
   const CameraUniforms& view, double radius, const LightSwitches& switches,
   const std::vector<LightOptions>& options)
 {
-  std::vector<Lamp> lamps;
+  std::vector<SceneLight> sceneLights;
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator it = nullptr;
   lights->InitTraversal(it);
@@ -113,38 +114,38 @@ std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& 
   {
     if (light->GetSwitch())
     {
-      lamps.push_back(MakeLamp(light, media, view, radius));
-      Apply(switches, lamps.back());
+      sceneLights.push_back(MakeSceneLight(light, media, view, radius));
+      Apply(switches, sceneLights.back());
       const auto own = std::find_if(options.begin(), options.end(),
         [light](const LightOptions& option) { return option.Light == light; });
       if (own != options.end())
       {
-        Apply(*own, renderer, lamps.back());
+        Apply(*own, renderer, sceneLights.back());
       }
     }
   }
-  return lamps;
+  return sceneLights;
 }
 
 //------------------------------------------------------------------------------
-std::string DescribeLeftOut(const std::vector<Lamp>& lamps)
+std::string DescribeLeftOut(const std::vector<SceneLight>& sceneLights)
 {
-  const auto count = std::count_if(lamps.begin(), lamps.end(), IsLeftOut);
-  const bool dark =
-    std::none_of(lamps.begin(), lamps.end(), [](const Lamp& lamp) { return lamp.Glows(); });
+  const auto count = std::count_if(sceneLights.begin(), sceneLights.end(), IsLeftOut);
+  const bool dark = std::none_of(sceneLights.begin(), sceneLights.end(),
+    [](const SceneLight& sceneLight) { return sceneLight.HasPower(); });
   return GetCameraLightsText(static_cast<int>(count), dark);
 }
 
 //------------------------------------------------------------------------------
-int CommonKind(const std::vector<Lamp>& lamps)
+int CommonKind(const std::vector<SceneLight>& sceneLights)
 {
   int kind = AIRLIGHT_POINT_CLOSED;
   bool first = true;
-  for (const Lamp& lamp : lamps)
+  for (const SceneLight& sceneLight : sceneLights)
   {
-    if (lamp.Glows())
+    if (sceneLight.HasPower())
     {
-      kind = first || lamp.Values.kind == kind ? lamp.Values.kind : -1;
+      kind = first || sceneLight.Values.kind == kind ? sceneLight.Values.kind : -1;
       first = false;
     }
   }
@@ -154,7 +155,7 @@ int CommonKind(const std::vector<Lamp>& lamps)
 //------------------------------------------------------------------------------
 bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* window,
   const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
-  std::vector<Lamp>& lamps)
+  std::vector<SceneLight>& sceneLights)
 {
   std::vector<Texels> arrays;
   std::vector<int*> first;
@@ -180,23 +181,23 @@ bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* windo
   {
     f64::AirlightMedium& medium = converted.item[0];
     add(grids->GetSamples(media[0]->GetDensityGrid()), medium.gridFirst);
-    for (Lamp& lamp : lamps)
+    for (SceneLight& sceneLight : sceneLights)
     {
-      if (lamp.Scatters())
+      if (sceneLight.Scatters())
       {
-        const LightGrid& grid = grids->GetLight(medium, lamp.Values, medium.gridOrigin);
-        lamp.Values.gridSize = grid.Cells;
-        lamp.GridError = grid.Error;
-        add(grid.Means, lamp.Values.gridFirst);
+        const LightGrid& grid = grids->GetLight(medium, sceneLight.Values, medium.gridOrigin);
+        sceneLight.Values.gridSize = grid.Cells;
+        sceneLight.GridError = grid.Error;
+        add(grid.Means, sceneLight.Values.gridFirst);
       }
     }
     grids->Forget();
   }
-  for (Lamp& lamp : lamps)
+  for (SceneLight& sceneLight : sceneLights)
   {
-    if (lamp.Table)
+    if (sceneLight.Table)
     {
-      add(lamp.Table, lamp.Values.photometry.first);
+      add(sceneLight.Table, sceneLight.Values.photometry.first);
     }
   }
   const bool ok = data.Update(window, arrays);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MapperShaders/vtkAirlightPolyDataMapperInternals.h"
+#include "MapperShaders/AirlightPolyDataMapperShader.h"
 
 #include "OpenGL/AirlightOpenGL.h"
 
@@ -11,8 +11,8 @@
 
 #include <algorithm>
 
-using namespace airlight;
-
+namespace airlight
+{
 namespace
 {
 // Shaders that are too large do not link, and VTK's mappers do not survive that. Counts, from
@@ -23,12 +23,12 @@ bool HasRoom(const SurfaceShaderOptions& options, int mediaCount)
   GLint vertex = 0;
   glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &fragment);
   glGetIntegerv(GL_MAX_VERTEX_UNIFORM_COMPONENTS, &vertex);
-  return 256 + 128 * mediaCount + 72 * options.LampCount <= std::min(fragment, vertex);
+  return 256 + 128 * mediaCount + 72 * options.SceneLightCount <= std::min(fragment, vertex);
 }
 }
 
 //------------------------------------------------------------------------------
-void vtkAirlightPolyDataMapper::Internals::SetWindow(vtkOpenGLRenderWindow* window)
+void PolyDataMapperShader::SetWindow(vtkOpenGLRenderWindow* window)
 {
   if (this->Window && this->Window != window)
   {
@@ -40,7 +40,7 @@ void vtkAirlightPolyDataMapper::Internals::SetWindow(vtkOpenGLRenderWindow* wind
 }
 
 //------------------------------------------------------------------------------
-bool vtkAirlightPolyDataMapper::Internals::Prepare(vtkRenderer* renderer, double radius)
+bool PolyDataMapperShader::Prepare(vtkRenderer* renderer, double radius)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   // The target may be a texture, in which the viewport begins elsewhere than in the window.
@@ -58,74 +58,76 @@ bool vtkAirlightPolyDataMapper::Internals::Prepare(vtkRenderer* renderer, double
   }
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   this->Converted = ConvertMedia(media, this->Rays->GetEye());
-  this->Lamps = CollectLamps(renderer, this->Converted, *this->Rays, radius, this->Switches, {});
-  if (!UploadData(this->Data, nullptr, window, media, this->Converted, this->Lamps))
+  this->SceneLights =
+    CollectSceneLights(renderer, this->Converted, *this->Rays, radius, this->Switches, {});
+  if (!UploadData(this->Data, nullptr, window, media, this->Converted, this->SceneLights))
   {
     this->Error = this->Data.GetError();
     return false;
   }
-  if (UpdateSurfaceShaderOptions(this->Options, this->Converted, this->Lamps, false, true))
+  if (UpdateSurfaceShaderOptions(this->Options, this->Converted, this->SceneLights, false, true))
   {
     ++this->OptionsVersion;
   }
   if (!HasRoom(this->Options, this->Converted.count))
   {
     this->Error = "the graphics card's shaders have no room for " +
-      std::to_string(this->Lamps.size()) + " lights and " + std::to_string(this->Converted.count) +
-      " media; switch lights off or use a vtkAirlightPass";
+      std::to_string(this->SceneLights.size()) + " lights and " +
+      std::to_string(this->Converted.count) + " media; switch lights off or use a vtkAirlightPass";
     return false;
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkAirlightPolyDataMapper::Internals::Compiles(
+bool PolyDataMapperShader::Compiles(
   vtkActor* actor, const std::string& vertex, std::string& fragment, const std::string& geometry)
 {
   const bool ok = !IsLastToChange(nullptr, actor) ||
-    this->Programs.Ready(this->Window, vertex, fragment, geometry);
+    this->Programs.GetOrCompile(this->Window, vertex, fragment, geometry);
   this->NotCompiled = this->NotCompiled || !ok;
   return ok;
 }
 
 //------------------------------------------------------------------------------
-void vtkAirlightPolyDataMapper::Internals::CheckShaders(vtkAirlightPolyDataMapper* self)
+void PolyDataMapperShader::CheckShaders(vtkObject* mapper)
 {
   if (this->NotCompiled && !this->ReportedShaders)
   {
-    vtkErrorWithObjectMacro(self, << "The surface is drawn without the medium: its shader"
+    vtkErrorWithObjectMacro(mapper, << "The surface is drawn without the medium: its shader"
                                   << ProgramMaker::GetReason() << ".");
   }
   this->ReportedShaders = this->NotCompiled;
 }
 
 //------------------------------------------------------------------------------
-void vtkAirlightPolyDataMapper::Internals::Check(vtkAirlightPolyDataMapper* self)
+void PolyDataMapperShader::Check(vtkObject* mapper)
 {
   const std::string tooMany = this->Media.Check();
   if (!tooMany.empty() && !this->WarnedMedia)
   {
     this->WarnedMedia = true;
-    vtkErrorWithObjectMacro(self, << tooMany);
+    vtkErrorWithObjectMacro(mapper, << tooMany);
   }
   if (!this->Shades && this->ReportedError != this->Error)
   {
     vtkErrorWithObjectMacro(
-      self, << "The surface is drawn without the medium: " << this->Error << ".");
+      mapper, << "The surface is drawn without the medium: " << this->Error << ".");
   }
   this->ReportedError = this->Shades ? "" : this->Error;
   const bool invalid = this->Shades &&
-    std::any_of(this->Lamps.begin(), this->Lamps.end(),
-      [](const Lamp& lamp) { return lamp.Support == LightSupport::Invalid; });
+    std::any_of(this->SceneLights.begin(), this->SceneLights.end(),
+      [](const SceneLight& sceneLight) { return sceneLight.Support == LightSupport::Invalid; });
   if (invalid && !this->WarnedLights)
   {
     this->WarnedLights = true;
-    vtkWarningWithObjectMacro(self, << InvalidLampText);
+    vtkWarningWithObjectMacro(mapper, << InvalidLightText);
   }
   if (this->Shades && HasScattering(this->Converted) && !this->WarnedCameraLights &&
-    std::any_of(this->Lamps.begin(), this->Lamps.end(), IsLeftOut))
+    std::any_of(this->SceneLights.begin(), this->SceneLights.end(), IsLeftOut))
   {
     this->WarnedCameraLights = true;
-    vtkWarningWithObjectMacro(self, << DescribeLeftOut(this->Lamps));
+    vtkWarningWithObjectMacro(mapper, << DescribeLeftOut(this->SceneLights));
   }
+}
 }

@@ -1,13 +1,13 @@
 // Added to the mappers' fragment shaders where the light that the medium scatters lights surfaces,
 // too.
 
-uniform AirlightLight airlightGlowLights[AIRLIGHT_GLOW_LIGHTS];
-uniform int airlightGlowCount;
+uniform AirlightLight airlightScatteringLights[AIRLIGHT_SCATTERING_LIGHTS];
+uniform int airlightScatteringLightCount;
 uniform mat3 airlightNormalToWorld; // from view coordinates
 
 // What a light of VTK would have as its colour if it gave, head on, the irradiance that the medium
 // gives; `normal` in view coordinates, on the viewer's side.
-vec3 airlightGlowColour(vec3 normal)
+vec3 airlightScatteredColour(vec3 normal)
 {
   if (airlightStage != AIRLIGHT_STAGE_COLOUR && airlightStage != AIRLIGHT_STAGE_TRANSLUCENT)
   {
@@ -15,10 +15,10 @@ vec3 airlightGlowColour(vec3 normal)
   }
   vec3 point = airlightFragmentPoint();
   vec3 sum = vec3(0.0);
-  for (int k = 0; k < airlightGlowCount; k++)
+  for (int k = 0; k < airlightScatteringLightCount; k++)
   {
-    sum += airlightGlow(
-      airlightMedia, airlightGlowLights[k], point, normalize(airlightNormalToWorld * normal));
+    sum += airlightScatteredIrradiance(
+      airlightMedia, airlightScatteringLights[k], point, normalize(airlightNormalToWorld * normal));
   }
   return sum / AIRLIGHT_PI;
 }

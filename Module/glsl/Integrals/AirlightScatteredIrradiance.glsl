@@ -9,17 +9,17 @@
 // puts nodes where the phase function and the extinction are steep.
 
 // Nodes of the lattice below: Fibonacci numbers, the step is the one before.
-#define AIRLIGHT_GLOW_FEW 377
-#define AIRLIGHT_GLOW_FEW_STEP 233
-#define AIRLIGHT_GLOW_SOME 987
-#define AIRLIGHT_GLOW_SOME_STEP 610
-#define AIRLIGHT_GLOW_MANY 1597
-#define AIRLIGHT_GLOW_MANY_STEP 987
+#define AIRLIGHT_IRRADIANCE_FEW 377
+#define AIRLIGHT_IRRADIANCE_FEW_STEP 233
+#define AIRLIGHT_IRRADIANCE_SOME 987
+#define AIRLIGHT_IRRADIANCE_SOME_STEP 610
+#define AIRLIGHT_IRRADIANCE_MANY 1597
+#define AIRLIGHT_IRRADIANCE_MANY_STEP 987
 
 // ---- Where radiance depends on gamma alone: one uniform unbounded medium, no cone ---------------
 
 // The integral of max(0, n.w) over phi.
-AIRLIGHT_FN real airlightCosineRing(AIRLIGHT_IN(AirlightGlowFrame) frame, real gamma)
+AIRLIGHT_FN real airlightCosineRing(AIRLIGHT_IN(AirlightIrradianceFrame) frame, real gamma)
 {
   real a = cos(gamma) * frame.cosTilt;
   real b = sin(gamma) * frame.sinTilt;
@@ -35,8 +35,8 @@ AIRLIGHT_FN real airlightCosineRing(AIRLIGHT_IN(AirlightGlowFrame) frame, real g
   return real(2.0) * (a * phi0 + b * sin(phi0));
 }
 
-AIRLIGHT_FN real3 airlightGlowRings(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightGlowFrame) frame, real from, real to,
+AIRLIGHT_FN real3 airlightIrradianceRings(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame, real from, real to,
   int panels)
 {
   real v0 = sqrt(from);
@@ -56,22 +56,23 @@ AIRLIGHT_FN real3 airlightGlowRings(AIRLIGHT_IN(AirlightMedia) media,
 }
 
 // Split where rings begin and end to cross the horizon.
-AIRLIGHT_FN real3 airlightGlowRound(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightGlowFrame) frame)
+AIRLIGHT_FN real3 airlightIrradianceAround(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame)
 {
   real c = airlightAngle(abs(frame.cosTilt), frame.sinTilt);
   // Exponentials are cheap, and a forward phase function is steep.
   int panels = airlightIsDirectional(light) ? 2 : 1;
   real pi = real(AIRLIGHT_PI);
   bool front = frame.cosTilt > real(0.0);
-  return airlightGlowRings(media, light, frame, c, pi - c, panels) +
-    airlightGlowRings(media, light, frame, front ? real(0.0) : pi - c, front ? c : pi, panels);
+  return airlightIrradianceRings(media, light, frame, c, pi - c, panels) +
+    airlightIrradianceRings(
+      media, light, frame, front ? real(0.0) : pi - c, front ? c : pi, panels);
 }
 
 // ---- Elsewhere: a Fibonacci lattice over v and phi ----------------------------------------------
 
 // The gammas (from, to) of azimuth phi above the horizon.
-AIRLIGHT_FN real2 airlightGlowHorizon(AIRLIGHT_IN(AirlightGlowFrame) frame, real cosPhi)
+AIRLIGHT_FN real2 airlightIrradianceHorizon(AIRLIGHT_IN(AirlightIrradianceFrame) frame, real cosPhi)
 {
   bool front = frame.cosTilt > real(0.0);
   real side = frame.sinTilt * cosPhi;
@@ -82,8 +83,8 @@ AIRLIGHT_FN real2 airlightGlowHorizon(AIRLIGHT_IN(AirlightGlowFrame) frame, real
 // The largest gamma of azimuth `ring` at which a ray meets a spot's cone. In the half-plane of one
 // azimuth the ray sees the light's directions at angles theta > gamma from the axis; those in
 // the cone are within delta of theta0.
-AIRLIGHT_FN real airlightGlowCone(
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightGlowFrame) frame, real3 ring)
+AIRLIGHT_FN real airlightIrradianceCone(
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame, real3 ring)
 {
   real along = dot(light.axis, frame.axis);
   real outwards = dot(light.axis, ring);
@@ -106,8 +107,8 @@ AIRLIGHT_FN real airlightGlowCone(
 
 // The largest gamma of azimuth `ring` at which a ray meets the region, by bisection of v: gamma = 0
 // meets it, and the region is convex.
-AIRLIGHT_FN real airlightGlowEdge(
-  AIRLIGHT_IN(AirlightRegion) region, AIRLIGHT_IN(AirlightGlowFrame) frame, real3 ring)
+AIRLIGHT_FN real airlightIrradianceEdge(
+  AIRLIGHT_IN(AirlightRegion) region, AIRLIGHT_IN(AirlightIrradianceFrame) frame, real3 ring)
 {
   real low = real(0.0);
   real high = sqrt(real(AIRLIGHT_PI));
@@ -125,8 +126,8 @@ AIRLIGHT_FN real airlightGlowEdge(
 }
 
 // Middle and half width of the azimuths at which rays meet a spot's cone.
-AIRLIGHT_FN real2 airlightGlowSector(
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightGlowFrame) frame)
+AIRLIGHT_FN real2 airlightIrradianceSector(
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame)
 {
   real along = dot(light.axis, frame.axis);
   real c2 = light.cosCone * light.cosCone - along * along;
@@ -142,27 +143,28 @@ AIRLIGHT_FN real2 airlightGlowSector(
 }
 
 // One node: u in the unit square.
-AIRLIGHT_FN real3 airlightGlowNode(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightGlowFrame) frame, real2 sector, real2 u)
+AIRLIGHT_FN real3 airlightIrradianceNode(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame, real2 sector,
+  real2 u)
 {
-  real turn = real(2.0 * AIRLIGHT_PI) * u.x;
-  real phi = turn;
+  real arc = real(2.0 * AIRLIGHT_PI) * u.x;
+  real phi = arc;
   real weight = real(2.0 * AIRLIGHT_PI);
   if (sector.y < real(AIRLIGHT_PI))
   {
     // Periodic again: fewer nodes towards the sector's ends.
-    phi = sector.x + sector.y * (real(2.0) * u.x - real(1.0) - sin(turn) / real(AIRLIGHT_PI));
-    weight = sector.y * (real(2.0) - real(2.0) * cos(turn));
+    phi = sector.x + sector.y * (real(2.0) * u.x - real(1.0) - sin(arc) / real(AIRLIGHT_PI));
+    weight = sector.y * (real(2.0) - real(2.0) * cos(arc));
   }
   real3 ring = cos(phi) * frame.across + sin(phi) * frame.third;
-  real2 range = airlightGlowHorizon(frame, cos(phi));
+  real2 range = airlightIrradianceHorizon(frame, cos(phi));
   if (frame.cone)
   {
-    range.y = min(range.y, airlightGlowCone(light, frame, ring));
+    range.y = min(range.y, airlightIrradianceCone(light, frame, ring));
   }
   if (frame.outside)
   {
-    range.y = min(range.y, airlightGlowEdge(media.item[0].region, frame, ring));
+    range.y = min(range.y, airlightIrradianceEdge(media.item[0].region, frame, ring));
   }
   if (!(range.y > range.x))
   {
@@ -178,36 +180,36 @@ AIRLIGHT_FN real3 airlightGlowNode(AIRLIGHT_IN(AirlightMedia) media,
   return weight * airlightArriving(media, light, frame.point, direction);
 }
 
-AIRLIGHT_FN real3 airlightGlowLattice(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightGlowFrame) frame)
+AIRLIGHT_FN real3 airlightIrradianceLattice(AIRLIGHT_IN(AirlightMedia) media,
+  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame)
 {
-  int count = AIRLIGHT_GLOW_FEW;
-  int stride = AIRLIGHT_GLOW_FEW_STEP;
+  int count = AIRLIGHT_IRRADIANCE_FEW;
+  int stride = AIRLIGHT_IRRADIANCE_FEW_STEP;
   // Where rays leave a box through an edge, radiance has kinks, which take more nodes.
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED &&
     AIRLIGHT_REGION_KIND(media.item[0].region) == AIRLIGHT_REGION_BOX)
   {
-    count = AIRLIGHT_GLOW_SOME;
-    stride = AIRLIGHT_GLOW_SOME_STEP;
+    count = AIRLIGHT_IRRADIANCE_SOME;
+    stride = AIRLIGHT_IRRADIANCE_SOME_STEP;
   }
   else if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_CLOSED ||
     AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_HEIGHT)
   {
-    count = AIRLIGHT_GLOW_MANY;
-    stride = AIRLIGHT_GLOW_MANY_STEP;
+    count = AIRLIGHT_IRRADIANCE_MANY;
+    stride = AIRLIGHT_IRRADIANCE_MANY_STEP;
   }
-  real2 sector = airlightGlowSector(light, frame);
+  real2 sector = airlightIrradianceSector(light, frame);
   real3 sum = real3(real(0.0));
   for (int k = 0; k < count; k++)
   {
     real2 u = (real2(real(k), real((k * stride) % count)) + real2(real(0.5))) / real(count);
-    sum += airlightGlowNode(media, light, frame, sector, u);
+    sum += airlightIrradianceNode(media, light, frame, sector, u);
   }
   return sum / real(count);
 }
 
 // The irradiance on a surface at `point` with the unit normal `normal`.
-AIRLIGHT_FN real3 airlightGlow(AIRLIGHT_IN(AirlightMedia) media,
+AIRLIGHT_FN real3 airlightScatteredIrradiance(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, real3 point, real3 normal)
 {
   real3 sigmaS = real3(real(0.0));
@@ -219,13 +221,13 @@ AIRLIGHT_FN real3 airlightGlow(AIRLIGHT_IN(AirlightMedia) media,
   {
     return sigmaS;
   }
-  AirlightGlowFrame frame = airlightGlowFrame(media, light, point, normal);
+  AirlightIrradianceFrame frame = airlightIrradianceFrame(media, light, point, normal);
   bool closed = AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED ||
     AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_CLOSED;
   real3 sum = closed && light.cosCone <= real(0.0) &&
       AIRLIGHT_REGION_KIND(media.item[0].region) == AIRLIGHT_REGION_UNBOUNDED
-    ? airlightGlowRound(media, light, frame)
-    : airlightGlowLattice(media, light, frame);
+    ? airlightIrradianceAround(media, light, frame)
+    : airlightIrradianceLattice(media, light, frame);
   // A channel that does not scatter is dark, whatever the limit of its integral.
   return mix(real3(real(0.0)), sum, greaterThan(sigmaS, real3(real(0.0))));
 }

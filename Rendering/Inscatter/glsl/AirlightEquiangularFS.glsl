@@ -1,4 +1,4 @@
-// As AirlightResolveFS.glsl, of a light that AirlightTurn.glsl takes.
+// As AirlightResolveFS.glsl, of a light that AirlightEquiangular.glsl takes.
 
 void main()
 {
@@ -7,8 +7,8 @@ void main()
   light = givenLight;
   airlightTakeLight(0, light);
   vec2 p = airlightPixel();
-  AirlightTurnedPixel pixel;
-  if (!airlightTurnPixel(p, airlightRayUnit(p), texelFetch(distances, ivec2(p), 0).r, pixel))
+  AirlightEquiangularPixel pixel;
+  if (!airlightEquiangularPixel(p, airlightRayUnit(p), texelFetch(distances, ivec2(p), 0).r, pixel))
   {
     discard;
   }

@@ -4,8 +4,8 @@
  * The lights of a renderer as the shaders take them.
  */
 
-#ifndef AirlightLamps_h
-#define AirlightLamps_h
+#ifndef AirlightSceneLights_h
+#define AirlightSceneLights_h
 
 #include "Medium/AirlightConvert.h"
 #include "Photometry/AirlightLightSwitches.h"
@@ -39,7 +39,7 @@ struct LightOptions
   glm::dvec3 Up{ 0.0, 1.0, 0.0 };               // of the goniometry
 };
 
-struct Lamp
+struct SceneLight
 {
   vtkLight* Light;
   LightSupport Support;
@@ -51,27 +51,28 @@ struct Lamp
   double GridError = 0.0; // of the optical depth on the way to it, where an image is the density
 
   bool Scatters() const { return this->Support == LightSupport::Scatters; }
-  bool Glows() const { return this->Scatters() && this->Values.intensity != glm::dvec3(0.0); }
+  bool HasPower() const { return this->Scatters() && this->Values.intensity != glm::dvec3(0.0); }
 };
 
 // The kind of all lights that are scattered, -1 where there are several.
-int CommonKind(const std::vector<Lamp>& lamps);
+int CommonKind(const std::vector<SceneLight>& sceneLights);
 
 // The switched-on lights, in the order in which VTK's mappers number them. `radius` is the light
 // radius asked for, 0 for the smallest that single precision resolves.
-std::vector<Lamp> CollectLamps(vtkRenderer* renderer, const f64::AirlightMedia& media,
+std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
   const CameraUniforms& view, double radius, const LightSwitches& switches,
   const std::vector<LightOptions>& options);
 
 // GetCameraLightsText() of these lamps.
-inline bool IsLeftOut(const Lamp& lamp) { return lamp.LeftOut; }
-std::string DescribeLeftOut(const std::vector<Lamp>& lamps);
+inline bool IsLeftOut(const SceneLight& sceneLight) { return sceneLight.LeftOut; }
+std::string DescribeLeftOut(const std::vector<SceneLight>& sceneLights);
 
-// Puts on the graphics card the surfaces, images and tables of media and lamps, and their places there
-// into `converted` and `lamps`. `grids` may be null where there are no images. False with a reason in data.GetError() where the card has no room.
+// Puts on the graphics card the surfaces, images and tables of media and lamps, and their places
+// there into `converted` and `lamps`. `grids` may be null where there are no images. False with a
+// reason in data.GetError() where the card has no room.
 bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* window,
   const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
-  std::vector<Lamp>& lamps);
+  std::vector<SceneLight>& sceneLights);
 }
 
 #endif

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The uniforms of the text that is added to the shaders of VTK's mappers.
+ */
+
+#ifndef AirlightSurfaceUniforms_h
+#define AirlightSurfaceUniforms_h
+
+#include "MapperShaders/AirlightSurfaceShader.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+class vtkShaderProgram;
+class vtkTextureObject;
+
+namespace airlight
+{
+class CameraUniforms;
+class ShadowTransmittance;
+class TranslucentFragments;
+
+// The state that the added text reads.
+struct SurfaceUniforms
+{
+  SurfaceStage Stage = SurfaceStage::Distance;
+  const CameraUniforms* Rays = nullptr;
+  int ViewportX = 0; // lower left corner of the viewport in the target
+  int ViewportY = 0;
+  glm::vec4 Pixels{ 1.0f, 1.0f, 0.0f, 0.0f }; // of the target (CameraUniforms::SetUniforms())
+  const f64::AirlightMedia* Media = nullptr;
+  const std::vector<SceneLight>* SceneLights = nullptr;
+  vtkTextureObject* Lit = nullptr;     // in the pass, an active texture in any case
+  vtkTextureObject* MoreLit = nullptr; // likewise; the same where there are few lights
+  vtkTextureObject* Data = nullptr;    // an active texture, or null where the shaders read none
+  const TranslucentFragments* Records = nullptr; // null: there are none
+  const ShadowTransmittance* Transmittances =
+    nullptr;                        // what casters leave of lights on opaque surfaces
+  bool EncodedInput = false;        // the mappers' colours are encoded for display
+  bool UseLit = false;              // false: all surfaces are lit
+  bool ScatteredIrradiance = false; // the shaders were rewritten for scattered light
+  bool Hides = false;               // the shader was rewritten to draw nothing on demand
+  bool Hidden = false;              // now it does
+  int Width = 0;                    // of the viewport
+  int Height = 0;
+  int VolumeNodes = 2;   // on the rays through volumes
+  bool Additive = false; // adds to what is behind, and the medium has done so already
+
+  // Those that the shaders read: active while surfaces are drawn.
+  std::vector<vtkTextureObject*> GetTextures() const;
+};
+
+void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values);
+}
+
+#endif
