@@ -133,7 +133,8 @@ check_rooms()
   echo "includes and columns"
   python3 Utilities/check-includes.py || findings=1
   found=$(git ls-files Module Filters Rendering ParaView Wrapping Examples |
-    grep -E '\.(cxx|h|inl|glsl)$' | xargs awk 'length > 100 { print FILENAME ":" FNR ": wider than 100 columns" }')
+    grep -E '\.(cxx|h|inl|glsl)$' |
+    xargs awk 'length > 100 { print FILENAME ":" FNR ": wider than 100 columns" }')
   [[ -z $found ]] || { echo "$found"; findings=1; }
 }
 

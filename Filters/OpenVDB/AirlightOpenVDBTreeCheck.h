@@ -144,14 +144,14 @@ private:
     }
   }
 
-  // Buffers come in the order of places.
+  // Buffers come in the order of the nodes.
   void CheckLeaves()
   {
     using Leaf = typename Root::LeafNodeType;
     constexpr std::uint64_t MaskBytes = Leaf::NUM_VALUES / 8;
-    for (const auto& origin : this->Nodes)
+    for (const auto& node : this->Nodes)
     {
-      for (const std::uint16_t active : origin.second)
+      for (const std::uint16_t active : node.second)
       {
         this->Scanner.Skip(MaskBytes);
         this->SkipValues(Leaf::NUM_VALUES, active, MaskBytes);

@@ -13,7 +13,7 @@ namespace airlight
 {
 namespace
 {
-// Unshadowed. The lamp, which scatters, and the media are relative to the point.
+// Unshadowed. The light, which scatters, and the media are relative to the point.
 glm::dvec3 IrradianceOf(
   const f64::AirlightMedia& media, const f64::AirlightLight& sceneLight, const glm::dvec3* normal)
 {
@@ -22,7 +22,7 @@ glm::dvec3 IrradianceOf(
   const double r = glm::length(sceneLight.position);
   if (!(r > 0.0))
   {
-    return glm::dvec3(0.0); // in the lamp, light has no direction
+    return glm::dvec3(0.0); // in the light's position, light has no direction
   }
   const glm::dvec3 toLight = sceneLight.position / r;
   const double cosine = normal ? std::max(glm::dot(*normal, toLight), 0.0) : 1.0;
@@ -37,7 +37,7 @@ glm::dvec3 IrradianceOf(
   return sceneLight.intensity * (cosine * fall) * glm::exp(-depth);
 }
 
-// Calls use(light, lamp) for the lights that shine, relative to the point.
+// Calls use(light, sceneLight) for the lights that shine, relative to the point.
 template <typename Use>
 void ForEachSceneLight(
   const Probe& probe, const f64::AirlightMedia& media, const glm::dvec3& point, const Use& use)
@@ -120,7 +120,7 @@ glm::dvec3 Probe::FindScattered(const glm::dvec3& point, const glm::dvec3& norma
       f64::airlightScatteredIrradiance(media, sceneLight, glm::dvec3(0.0), normal);
     for (int c = 0; c < 3; ++c)
     {
-      sum[c] += std::isfinite(irradiance[c]) ? irradiance[c] : 0.0; // with the lamp on the point
+      sum[c] += std::isfinite(irradiance[c]) ? irradiance[c] : 0.0; // with the light on the point
     }
   });
   return sum;

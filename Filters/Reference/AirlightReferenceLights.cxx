@@ -21,9 +21,9 @@ namespace
 constexpr double RelativeRadius = 1e-12;
 
 // The least cosine by which VTK's mappers shade what is turned away from a headlight, since 9.2,
-// and the least of a gleam, since 9.3.
+// and the least of a specular reflection, since 9.3.
 constexpr double LeastToHeadlight = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0) ? 1e-6 : 0.0;
-constexpr double LeastGleam = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 1e-5 : 0.0;
+constexpr double LeastReflection = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 1e-5 : 0.0;
 
 ReferenceLight Convert(vtkLight* light, const f64::AirlightMedia& media, const glm::dvec3& eye,
   double radius, const LightSwitches& switches)
@@ -202,8 +202,8 @@ glm::dvec4 ReferenceLights::Shade(const ReferencePart& part, const OccluderTrian
     }
     else if (towards > 0.0)
     {
-      const double gleam = std::max(LeastGleam, glm::dot(glm::reflect(way, normal), toEye));
-      specular += attenuation * std::pow(gleam, material.SpecularPower) * colour;
+      const double cosine = std::max(LeastReflection, glm::dot(glm::reflect(way, normal), toEye));
+      specular += attenuation * std::pow(cosine, material.SpecularPower) * colour;
     }
   }
   return { material.Ambient + diffuse * material.Diffuse + specular * material.Specular,

@@ -36,7 +36,7 @@ struct Panel
   double To;
   glm::dvec3 Value;
   glm::dvec3 ErrorEstimate;
-  double Weight; // of the doubt; the largest is halved first
+  double Weight; // of the error; the largest is halved first
 
   bool operator<(const Panel& other) const { return this->Weight < other.Weight; }
 };

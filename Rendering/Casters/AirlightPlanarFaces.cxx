@@ -65,7 +65,7 @@ public:
 
 private:
   // Where a triangle belongs, and whether it is turned against the group's normal.
-  struct PartToWorld
+  struct Membership
   {
     size_t Group = MostPlanes; // none: it has no area
     bool Flipped = false;
@@ -81,7 +81,7 @@ private:
   const CasterMesh& Mesh;
   double Nearness;
   std::vector<PlaneGroup> Groups;
-  std::vector<PartToWorld> Memberships; // by triangle
+  std::vector<Membership> Memberships; // by triangle
 };
 
 //------------------------------------------------------------------------------
@@ -114,7 +114,7 @@ bool FaceFinder::AddTriangle(size_t triangle)
       [&](int point) { return GetDistance(group, this->Mesh.Points[point]) <= this->Nearness; });
   };
   const auto found = std::find_if(this->Groups.begin(), this->Groups.end(), holds);
-  const auto membership = static_cast<size_t>(found - this->Groups.begin());
+  const auto index = static_cast<size_t>(found - this->Groups.begin());
   if (found == this->Groups.end())
   {
     if (this->Groups.size() == MostPlanes)
@@ -126,9 +126,9 @@ bool FaceFinder::AddTriangle(size_t triangle)
     group.Offset = this->Mesh.Planes[triangle].w / length;
     this->Groups.push_back(group);
   }
-  PlaneGroup& group = this->Groups[membership];
+  PlaneGroup& group = this->Groups[index];
   group.Area += 0.5 * length;
-  this->Memberships[triangle] = { membership, glm::dot(group.Normal, normal) < 0.0 };
+  this->Memberships[triangle] = { index, glm::dot(group.Normal, normal) < 0.0 };
   return true;
 }
 
@@ -140,7 +140,7 @@ void FaceFinder::AddEdge(const CasterMesh::EdgeEnds& ends, const Uses& uses)
   std::array<int, MostPlanes + 1> sums{};
   for (const CasterMesh::EdgeUse use : uses)
   {
-    const PartToWorld& membership = this->Memberships[use / 2];
+    const Membership& membership = this->Memberships[use / 2];
     sums[membership.Group] += (use % 2 == 1) != membership.Flipped ? 1 : -1;
   }
   for (size_t g = 0; g < this->Groups.size(); ++g)

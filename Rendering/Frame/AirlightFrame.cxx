@@ -241,7 +241,7 @@ bool Frame::ScatterLights()
   this->ClearTarget(0.0f);
   this->Buffers.Clear();
   this->Volumes.resize(this->SceneLights.size());
-  // Maps are large: those of lamps, or of a technique, that are no more go.
+  // Maps are large: they go with their light or technique.
   const bool mapped =
     this->Plan.Shadows == ShadowMethod::Map || this->Plan.Shadows == ShadowMethod::March;
   if (this->Maps.size() > this->SceneLights.size() || !mapped)

@@ -63,17 +63,17 @@ std::vector<Active> ListActive(GLuint program, GLenum count, Get get)
   return all;
 }
 
-std::array<GLfloat, 16> GetReals(GLuint program, GLint position)
+std::array<GLfloat, 16> GetReals(GLuint program, GLint location)
 {
   std::array<GLfloat, 16> values{};
-  glGetUniformfv(program, position, values.data());
+  glGetUniformfv(program, location, values.data());
   return values;
 }
 
-std::array<GLint, 4> GetIntegers(GLuint program, GLint position)
+std::array<GLint, 4> GetIntegers(GLuint program, GLint location)
 {
   std::array<GLint, 4> values{};
-  glGetUniformiv(program, position, values.data());
+  glGetUniformiv(program, location, values.data());
   return values;
 }
 
@@ -213,10 +213,10 @@ bool DepthPrePassVariants::Link(Variant& variant)
   const auto to = static_cast<GLuint>(variant.Handle);
   for (const Active& attribute : ListActive(from, GL_ACTIVE_ATTRIBUTES, glGetActiveAttrib))
   {
-    const GLint position = glGetAttribLocation(from, attribute.Name.c_str());
-    if (position >= 0) // not of gl_VertexID and the like
+    const GLint location = glGetAttribLocation(from, attribute.Name.c_str());
+    if (location >= 0) // not of gl_VertexID and the like
     {
-      glBindAttribLocation(to, static_cast<GLuint>(position), attribute.Name.c_str());
+      glBindAttribLocation(to, static_cast<GLuint>(location), attribute.Name.c_str());
     }
   }
   for (GLuint i = 0; i < MostOutputs; ++i)

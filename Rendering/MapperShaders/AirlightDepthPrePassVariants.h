@@ -6,9 +6,9 @@
  * In the stage of distances a mapper's program ends before it shades, by a branch. Renderers that
  * run both sides of every branch (Mesa's on processors) shade all the same, and graphics cards set
  * aside the registers for it. So what is about to be drawn gets a variant: the same shaders without
- * what comes after that branch (AIRLIGHT_DEPTH_PRE_PASS), attributes at the same places, and the
- * same values of uniforms. Making the mapper's shaders anew for each stage, as VTK can, takes
- * longer than it saves.
+ * what comes after that branch (AIRLIGHT_DEPTH_PRE_PASS), attributes at the same locations, and the
+ * same values of uniforms. Making the mapper's shaders again for each stage, as VTK can,
+ * takes longer than it saves.
  */
 
 #ifndef AirlightDepthPrePassVariants_h
@@ -28,7 +28,7 @@ class vtkShaderProgram;
 
 namespace airlight
 {
-// From a place in a program to one in the current program.
+// From a location in a program to one in the current program.
 using CopyUniform = void (*)(unsigned int program, int from, int to);
 
 class DepthPrePassVariants

@@ -37,19 +37,19 @@ std::vector<LightSpecialization> SpecializeLights(const std::vector<SceneLight>&
 
 namespace
 {
-// The light that arrives from a lamp, for AirlightSurface.glsl.
-std::string Share(const LightSpecialization& sceneLight, const std::string& index)
+// The light that a surface receives from a scene light, for AirlightSurface.glsl.
+std::string GetReceivedLight(const LightSpecialization& sceneLight, const std::string& index)
 {
   if (!sceneLight.Scatters)
   {
     return "vec3(1.0)";
   }
-  const std::string passed = sceneLight.Sun
+  const std::string transmittance = sceneLight.Sun
     ? "airlightLightTransmittance(" + index + ", true, point)"
     : sceneLight.Positional && !sceneLight.Goniometric
     ? "AIRLIGHT_TRANSMITTANCE_FROM(" + index + ", lightPositionVC" + index + ", point)"
     : "airlightLightTransmittance(" + index + ", false, point)";
-  return "airlightApplyShadows(" + index + ", " + passed + ")";
+  return "airlightApplyShadows(" + index + ", " + transmittance + ")";
 }
 }
 
@@ -63,7 +63,7 @@ std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int 
     const std::string index = std::to_string(k);
     lines += " airlightReceivedLight[" + index +
       "] = " + (static_cast<int>(k) == shadowingLight ? "airlightShadowingLightFactor * " : "") +
-      Share(lights[k], index) + ";";
+      GetReceivedLight(lights[k], index) + ";";
   }
   return lines.empty() ? "" : "#define AIRLIGHT_EACH_LIGHT(point)" + lines + "\n";
 }

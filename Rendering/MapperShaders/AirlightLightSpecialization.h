@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the mappers' shaders know of lamps when they are made, where these are few: what a software
- * renderer would otherwise run for each kind of light there could be.
+ * What the mappers' shaders know of the scene's lights when they are made, if these are few:
+ * without it, software renderers run the code of every kind of light.
  */
 
 #ifndef AirlightLightSpecialization_h
@@ -16,7 +16,7 @@
 
 namespace airlight
 {
-// So many lamps have lines of their own in the shaders; more share a loop.
+// So many lights have lines of their own in the shaders; more share a loop.
 constexpr size_t MaximumUnrolledLights = 4;
 
 // Of so many the shaders know the types. Of sixteen, Mesa's compiler takes twice as long for what
@@ -35,11 +35,11 @@ struct LightSpecialization
 };
 bool operator==(const LightSpecialization& a, const LightSpecialization& b);
 
-// Each lamp; none where there are too many.
+// Each light; none where there are too many.
 std::vector<LightSpecialization> SpecializeLights(const std::vector<SceneLight>& sceneLights);
 
-// The macro with a line for each lamp, for AirlightSurface.glsl; empty where there is none.
-// `apart`: SurfaceShaderOptions::Apart.
+// The macro with a line for each light, for AirlightSurface.glsl; empty if there is none.
+// `shadowingLight`: SurfaceShaderOptions::ShadowingLight.
 std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int shadowingLight);
 
 // VTK's lines in which uniforms are asked for lights' types, with what is lights in their place.

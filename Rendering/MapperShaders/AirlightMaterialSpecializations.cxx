@@ -104,7 +104,7 @@ void MaterialSpecializations::AddActors(vtkProp** props, int count)
 }
 
 //------------------------------------------------------------------------------
-// All shaders are made anew where they are drawn next, and those of mappers that this frame does
+// All shaders are made again when they are drawn next, and those of mappers that this frame does
 // not draw know nothing until then.
 void MaterialSpecializations::Invalidate()
 {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What the mappers' shaders know of materials when they are made: which parts of VTK's shading come
- * to nothing. A surface has no gleam of its own unless told so, and software renderers take as long
- * for gleams that are multiplied by 0 as for others.
+ * to nothing. A surface has no specular reflection unless its property says so, and software
+ * renderers take as long for reflections that are multiplied by 0 as for others.
  *
- * A mapper's shader serves all actors that share the mapper, and VTK makes it anew where it is
- * drawn with a property that has changed since, but not where an actor gets another one.
+ * A mapper's shader serves all actors that share the mapper, and VTK makes it again if it is
+ * drawn with a property that has changed since, but not if an actor gets another one.
  */
 
 #ifndef AirlightMaterialSpecializations_h
@@ -36,8 +36,8 @@ class MaterialSpecializations
 {
 public:
   // Before a frame: of all that it draws. `known`: whether that is all of it. True where some
-  // mapper's shader says something else and VTK would not make it anew: then all are to be, so that
-  // no frame hangs on those before it.
+  // mapper's shader says something else and VTK would not make it again: then all are to be, so
+  // that no frame depends on those before it.
   bool Update(vtkProp** props, int count, bool known);
 
   // While a mapper's shader is made: puts in what is known of its actors.
@@ -49,7 +49,7 @@ private:
     MaterialSpecialization Current;  // of all actors of this frame
     MaterialSpecialization Compiled; // the shader
     vtkMTimeType CompileTime = 0;    // when that was; 0: there is none that is up to date
-    bool AllNewer = false;           // all of its properties are, so that VTK makes the shader anew
+    bool AllNewer = false;           // all of its properties are, so that VTK makes it again
     bool Drawn = false;              // in this frame
   };
   void AddActor(vtkActor* actor);

@@ -35,7 +35,7 @@ public:
   // The window that Data is for; releases what was there for another one.
   void SetWindow(vtkOpenGLRenderWindow* window);
 
-  // What the next piece is drawn with. False with a reason in Error where it cannot be had.
+  // What the next piece is drawn with. False with a reason in Error if OpenGL refuses.
   bool Prepare(vtkRenderer* renderer, double radius);
 
   // Whether what was added to the actor's shaders compiles, as far as nobody changes them once

@@ -296,7 +296,7 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
     [](const SceneLight& sceneLight) { return sceneLight.Values.goniometric != 0; });
   const std::string source = GetScatteringSource(media, kind, photometry) +
     (scatteredLight ? GetScatteredIrradianceSource() : "");
-  // VTK's own options knows the number of lights, too, and is made anew where another number
+  // VTK's own text knows the number of lights, too, and is made again if another number
   // shines; a mapper without the pass is to stay as it is.
   const std::vector<LightSpecialization> known =
     options.InPass ? SpecializeLights(sceneLights) : std::vector<LightSpecialization>();
@@ -312,7 +312,7 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
   options.Lights = known;
   options.UniformMedia = everywhere;
   options.Translucent = translucent;
-  // Some more, so that another lamp does not make other shaders.
+  // Some more, so that another light does not make other shaders.
   options.SceneLightCount = std::max(options.SceneLightCount, (sceneLightCount + 7) / 8 * 8);
   options.ScatteringLightCount =
     scatteredLight ? std::min(options.SceneLightCount, MaximumScatteringLights) : 0;

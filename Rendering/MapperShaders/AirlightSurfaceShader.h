@@ -37,7 +37,7 @@ constexpr int MaximumScatteringLights = 32;
 struct SurfaceShaderOptions
 {
   int SceneLightCount = 4;                 // at most
-  std::vector<LightSpecialization> Lights; // each lamp; empty where there are many
+  std::vector<LightSpecialization> Lights; // each light; empty where there are many
   int ScatteringLightCount = 0;            // at most; 0: surfaces get no scattered light
   bool Translucent = false;                // fragments may be put behind the medium before them
   bool TranslucentFragments = false;       // and have records (AirlightTranslucentFragments.h)

@@ -159,9 +159,9 @@ bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* windo
 {
   std::vector<Texels> arrays;
   std::vector<int*> first;
-  const auto add = [&](const Texels& array, int& place) {
+  const auto add = [&](const Texels& array, int& position) {
     arrays.push_back(array);
-    first.push_back(&place);
+    first.push_back(&position);
   };
   for (int i = 0; i < converted.count; ++i)
   {

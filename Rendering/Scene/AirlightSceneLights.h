@@ -63,13 +63,13 @@ std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::Air
   const CameraUniforms& view, double radius, const LightSwitches& switches,
   const std::vector<LightOptions>& options);
 
-// GetCameraLightsText() of these lamps.
+// GetCameraLightsText() of these lights.
 inline bool IsLeftOut(const SceneLight& sceneLight) { return sceneLight.LeftOut; }
 std::string DescribeLeftOut(const std::vector<SceneLight>& sceneLights);
 
-// Puts on the graphics card the surfaces, images and tables of media and lamps, and their places
-// there into `converted` and `lamps`. `grids` may be null where there are no images. False with a
-// reason in data.GetError() where the card has no room.
+// Puts on the graphics card the surfaces, images and tables of media and lights, and their
+// positions there into `converted` and `sceneLights`. `grids` may be null where there are no
+// images. False with a reason in data.GetError() where the card has no room.
 bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* window,
   const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
   std::vector<SceneLight>& sceneLights);

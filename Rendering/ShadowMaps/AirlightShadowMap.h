@@ -41,12 +41,12 @@ using DrawActors = std::function<void(
 class ShadowMap
 {
 public:
-  // Takes the lamp and its casters. True where the map has to be drawn anew, into GetTexture().
+  // Takes the light and its casters. True if the map has to be drawn again, into GetTexture().
   bool Update(const std::vector<Caster>& casters,
     const std::vector<NonPolygonalCaster>& nonPolygonal, const SceneLight& sceneLight,
     int resolution);
 
-  // Makes the texture. False with a reason in GetError() where it cannot be had.
+  // Makes the texture. False with a reason in GetError() if OpenGL refuses it.
   bool Prepare(vtkOpenGLRenderWindow* window);
 
   // Draws the casters into the framebuffer that is bound over the texture. False with a reason in

@@ -32,7 +32,7 @@ public:
   // For a frame. `transmitsShadows`: whether boundaries tell how much light their casters let
   // through. `edges`: the most silhouette edges of a light, on which alone the number of slots
   // depends, so that a picture does not depend on those before it. `limit` in bytes. False with a
-  // reason in GetError() where a buffer cannot be had.
+  // reason in GetError() if OpenGL refuses a buffer.
   bool Prepare(int width, int height, bool transmitsShadows, size_t edges, std::uint64_t limit);
   const std::string& GetError() const { return this->Error; }
 

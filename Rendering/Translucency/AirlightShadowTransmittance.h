@@ -22,7 +22,7 @@ class ShadowTransmittance
 {
 public:
   // Room for this viewport and these lights: the place of light k, -1 for one that is not dimmed.
-  // False with a reason in GetError() where the buffer cannot be had.
+  // False with a reason in GetError() if OpenGL refuses the buffer.
   bool Prepare(int width, int height, const std::vector<int>& slots);
   const std::string& GetError() const { return this->Error; }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * airlightScatteredIrradiance() of Module/glsl in double and in single precision against the brute force of
- * AirlightTestGlow.h, over random settings: a light of strength 1 at distance 1, optical distance
- * 0.01 to 10, any normal.
+ * airlightScatteredIrradiance() of Module/glsl in double and in single precision against the brute
+ * force of AirlightTestGlow.h, over random settings: a light of strength 1 at distance 1, optical
+ * distance 0.01 to 10, any normal.
  */
 
 #ifndef AirlightTestGlowCases_h

@@ -131,8 +131,8 @@ AIRLIGHT_FN real4 airlightCellNode(bool narrow, int k)
                     : real4(-node.x, node.y, rough.x, -rough.y);
 }
 
-// What is scattered on one panel inside one cell; `doubt` is how much it may be wrong by. The
-// variable is t where `straight`, else v with t - tL = h sinh v.
+// What is scattered on one panel inside one cell; `errorEstimate` is how much it may be wrong by.
+// The variable is t where `straight`, else v with t - tL = h sinh v.
 AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
   AIRLIGHT_IN(AirlightPiece) piece, AIRLIGHT_IN(AirlightPhotometryCell) cell, bool straight,
@@ -198,7 +198,7 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
   pole = straight ? real2(tL + pole.x, pole.y)
                   : real2(airlightAsinh(pole.x / ray.foot.h), pole.y / beyond);
   real widest = straight ? w1 - w0 : real(1.0);
-  real3 limit = real3(real(AIRLIGHT_FAR)); // of a panel's doubt; none at first
+  real3 limit = real3(real(AIRLIGHT_FAR)); // of a panel's error; none at first
   real3 sum = real3(real(0.0));
   int steps = 0;
   for (int pass = 0; pass < 2; pass++)

@@ -1,10 +1,10 @@
 // Airlight by quadrature, for what has no closed form: other attenuations than the inverse square,
 // spots with an exponent, lights outside the region, varying density, several media.
 
-// What a panel may be in doubt by, relative to the piece's integral. Where the integrand is smooth
-// it is better than that by some orders of magnitude. Kinks that the panels are not cut at
-// (AirlightKinks.glsl) are those of surfaces and tables: there are many, and 1e-3 is what they are
-// allowed together.
+// The estimated error that a panel may have, relative to the piece's integral. Where the integrand
+// is smooth it is better than that by some orders of magnitude. Kinks that the panels are not cut
+// at (AirlightKinks.glsl) are those of surfaces and tables: there are many, and 1e-3 is what they
+// are allowed together.
 #if AIRLIGHT_HAS_SURFACE || AIRLIGHT_HAS_TABLE || AIRLIGHT_HAS_PHOTOMETRY
 #define AIRLIGHT_PANEL_TOLERANCE 1e-4
 #else
@@ -148,9 +148,10 @@ AIRLIGHT_FN real3 airlightPanelValue(AIRLIGHT_IN(AirlightMedia) media,
     airlightPointIntegrand(media, light, ray, piece, x, r);
 }
 
-// One panel by Gauss-Legendre quadrature; `doubt` is how much it may be wrong by. In surfaces,
-// where the way to the light can change at a stroke, it includes what lies between the panel's ends
-// and its outermost nodes, where the integrand at the ends is not the nodes' polynomial.
+// One panel by Gauss-Legendre quadrature; `errorEstimate` is how much it may be wrong by. In
+// surfaces, where the way to the light can change at a stroke, it includes what lies between the
+// panel's ends and its outermost nodes, where the integrand at the ends is not the nodes'
+// polynomial.
 AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light,
   AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1,
   AIRLIGHT_OUT(real3) errorEstimate)

@@ -37,14 +37,14 @@ AIRLIGHT_FN real airlightProductError(real a, real b, real product)
 AIRLIGHT_FN real airlightCross(real2 p, real2 q)
 {
 #ifdef AIRLIGHT_DOUBLE
-  const real errorEstimate = real(1e-6);
+  const real tolerance = real(1e-6);
 #else
-  const real errorEstimate = real(1e-2);
+  const real tolerance = real(1e-2);
 #endif
   AIRLIGHT_PRECISE real a = p.x * q.y;
   AIRLIGHT_PRECISE real b = p.y * q.x;
   AIRLIGHT_PRECISE real side = a - b;
-  if (abs(side) <= errorEstimate * (abs(a) + abs(b)))
+  if (abs(side) <= tolerance * (abs(a) + abs(b)))
   {
     side += airlightProductError(p.x, q.y, a) - airlightProductError(p.y, q.x, b);
   }

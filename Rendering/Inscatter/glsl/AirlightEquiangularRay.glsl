@@ -9,8 +9,8 @@ struct AirlightEquiangularPixel
   bool surfaceLit;
 };
 
-// Below, the boundaries' distances have this unit; what of the pixel hangs on the boundaries alone
-// is there.
+// Below, the boundaries' distances have this unit; all that depends on the pixel's boundaries
+// alone is there.
 #ifdef AIRLIGHT_ISOTROPIC
 
 // From boundary to boundary. One loop, in which each pass ends at a boundary or where the nodes

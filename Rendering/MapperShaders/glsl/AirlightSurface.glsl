@@ -50,7 +50,8 @@ void airlightReadLit()
 
 // The share of each light that arrives; see airlightReceive().
 vec3 airlightReceivedLight[AIRLIGHT_SCENE_LIGHTS];
-float airlightShadowingLightFactor = 1.0; // of one of them; see SurfaceShaderOptions::Apart
+// of one of them; see SurfaceShaderOptions::ShadowingLight
+float airlightShadowingLightFactor = 1.0;
 
 // The share of light k that the medium leaves of it on its way to a point; `sun`: the light is at
 // infinity.

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A point light's airlight before every point of a ray by AirlightEquiangular.glsl, as the shaders' text compiled
-// in double and in single precision, against the closed form in double precision (which TestClosedForm
-// compares with quadrature). The limits are parts of the whole ray's airlight, as in the error
-// contract of the documentation.
+// A point light's airlight before every point of a ray by AirlightEquiangular.glsl, as the shaders'
+// text compiled in double and in single precision, against the closed form in double precision
+// (which TestClosedForm compares with quadrature). The limits are parts of the whole ray's
+// airlight, as in the error contract of the documentation.
 
 #include "AirlightTestTools.h"
 
