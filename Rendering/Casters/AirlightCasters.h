@@ -45,6 +45,12 @@ struct Caster
   std::shared_ptr<const std::vector<PlanarFace>> Faces;
   const vtkProp* Owner = nullptr; // in the renderer; to be compared only
 
+  // A point of the mesh in the world.
+  glm::dvec3 GetPoint(int point) const
+  {
+    return glm::dvec3(this->ToWorld * glm::dvec4(this->Mesh->Points[point], 1.0));
+  }
+
   bool HasSameShape(const Caster& other) const
   {
     return this->Mesh == other.Mesh && this->ToWorld == other.ToWorld &&

@@ -27,10 +27,6 @@ constexpr size_t Batch = 1 << 15;
 constexpr double RelativeNear = 1e-6;
 // What no caster is beyond.
 constexpr float Nothing = 1e30f;
-glm::dvec3 ToWorld(const Caster& caster, int point)
-{
-  return glm::dvec3(caster.ToWorld * glm::dvec4(caster.Mesh->Points[point], 1.0));
-}
 }
 
 //------------------------------------------------------------------------------
@@ -216,8 +212,8 @@ void ShadowMap::DrawCasters(vtkShaderProgram* program)
   {
     for (const std::array<int, 3>& t : caster.Mesh->Triangles)
     {
-      const glm::dvec3 points[3] = { ToWorld(caster, t[0]) - this->Anchor,
-        ToWorld(caster, t[1]) - this->Anchor, ToWorld(caster, t[2]) - this->Anchor };
+      const glm::dvec3 points[3] = { caster.GetPoint(t[0]) - this->Anchor,
+        caster.GetPoint(t[1]) - this->Anchor, caster.GetPoint(t[2]) - this->Anchor };
       this->AddTriangle(points, corners);
       if (corners.size() >= 3 * Batch)
       {

@@ -30,11 +30,6 @@ constexpr double Rounding = 1e-6;
 // A rough bound of what interpolation and the map's own numbers lose, relative to distances.
 constexpr double MapRounding = 1e-5;
 
-glm::dvec3 ToWorld(const Caster& caster, int point)
-{
-  return glm::dvec3(caster.ToWorld * glm::dvec4(caster.Mesh->Points[point], 1.0));
-}
-
 // The corners of the casters' boxes.
 std::vector<glm::dvec3> GetCorners(const std::vector<Caster>& casters)
 {
@@ -156,7 +151,7 @@ void ShadowMap::SetParallelProjection()
   {
     for (int i = 0; i < static_cast<int>(caster.Mesh->Points.size()); ++i)
     {
-      const glm::dvec3 point = toFrame * ToWorld(caster, i);
+      const glm::dvec3 point = toFrame * caster.GetPoint(i);
       low = glm::min(low, point);
       high = glm::max(high, point);
     }

@@ -16,11 +16,6 @@ namespace airlight
 {
 namespace
 {
-glm::dvec3 Transform(const glm::dmat4& matrix, const glm::dvec3& point)
-{
-  return glm::dvec3(matrix * glm::dvec4(point, 1.0));
-}
-
 // The size of the coordinates, in the world's unit, that VTK's mappers round to single precision.
 // Of points farther from their origin than ten thousand times their extent they subtract the middle
 // beforehand.
@@ -64,9 +59,9 @@ void ShadowVolumes::SetRemoteSilhouettes(const RemoteSilhouettes& remotes)
 //------------------------------------------------------------------------------
 // Rounded to single precision vertex by vertex, planes that share a vertex share its position to
 // the last bit and leave no gap.
-glm::dvec3 ShadowVolumes::Place(const Caster& caster, int point) const
+glm::dvec3 ShadowVolumes::GetRelativePoint(const Caster& caster, int point) const
 {
-  return Transform(caster.ToWorld, caster.Mesh->Points[point]) - this->Anchor;
+  return caster.GetPoint(point) - this->Anchor;
 }
 
 //------------------------------------------------------------------------------
@@ -79,8 +74,8 @@ void ShadowVolumes::MakeEdges(Part& part) const
   for (const SilhouetteEdge& edge :
     FindSilhouette(*caster.Mesh, glm::inverse(caster.ToWorld) * this->Light))
   {
-    const glm::dvec3 a = this->Place(caster, mirrored ? edge.B : edge.A);
-    const glm::dvec3 b = this->Place(caster, mirrored ? edge.A : edge.B);
+    const glm::dvec3 a = this->GetRelativePoint(caster, mirrored ? edge.B : edge.A);
+    const glm::dvec3 b = this->GetRelativePoint(caster, mirrored ? edge.A : edge.B);
     const glm::dvec3 away = this->Light.w != 0.0 ? a : -glm::dvec3(this->Light);
     glm::dvec3 normal = glm::cross(away, b - a);
     const double length = glm::length(normal);
@@ -118,9 +113,9 @@ void ShadowVolumes::MakeCaps(Part& part) const
     const double side = glm::dot(mesh.Planes[f], localLight) * (mirrored ? -1.0 : 1.0);
     const float sign = static_cast<float>((side > 0.0) - (side < 0.0));
     const std::array<int, 3>& t = mesh.Triangles[f];
-    part.Caps.push_back({ glm::vec4(glm::vec3(this->Place(caster, t[0])), sign),
-      glm::vec4(glm::vec3(this->Place(caster, t[1])), size),
-      glm::vec4(glm::vec3(this->Place(caster, t[2])), 0.0f) });
+    part.Caps.push_back({ glm::vec4(glm::vec3(this->GetRelativePoint(caster, t[0])), sign),
+      glm::vec4(glm::vec3(this->GetRelativePoint(caster, t[1])), size),
+      glm::vec4(glm::vec3(this->GetRelativePoint(caster, t[2])), 0.0f) });
   }
 }
 

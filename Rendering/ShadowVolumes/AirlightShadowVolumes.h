@@ -92,7 +92,7 @@ private:
   };
 
   void SetAnchor(const std::vector<Caster>& casters);
-  glm::dvec3 Place(const Caster& caster, int point) const;
+  glm::dvec3 GetRelativePoint(const Caster& caster, int point) const;
   void MakeEdges(Part& part) const;
   void MakeCaps(Part& part) const;
   void CollectEdges();
