@@ -77,17 +77,32 @@ update_clone()
   fi
 }
 
-# build_for TESTS: builds only what the tests run. The output goes to the log.
+# target_of TEST: what has to be built for it. Python's tests of the programs need everything.
+target_of()
+{
+  local folder file
+  folder=$(cd "$root/Testing/Cxx" && find . -name "$1.cxx" -printf '%h')
+  file=$root/Testing/Python/${1#AirlightPython-}.py
+  if [[ -n $folder ]]; then
+    echo "vtkAirlight${folder#./}CxxTests"
+  elif [[ $1 == AirlightParaView-* ]]; then
+    echo AirlightParaViewTests
+  elif [[ -e $file ]] && ! grep -qE 'AIRLIGHT_|(program|example)test' "$file"; then
+    echo vtkAirlightPython
+  else
+    echo all
+  fi
+}
+
+# build_for TESTS: builds only what the tests run; `all` stands for all tests. The output goes to the
+# log.
 build_for()
 {
-  local targets=() folder name
-  for name in ${1//|/ }; do
-    folder=$(cd "$root/Testing/Cxx" && find . -name "$name.cxx" -printf '%h')
-    targets+=("${folder:+vtkAirlight${folder#./}CxxTests}")
-  done
-  mapfile -t targets < <(printf '%s\n' "${targets[@]}" | sed 's/^$/all/' | sort -u)
+  local targets name
+  mapfile -t targets < <(for name in ${1//|/ }; do target_of "$name"; done | sort -u)
   cmake --build "$build" --parallel "$jobs" --target "${targets[@]}" > "$log" 2>&1 || return 1
-  if [[ $1 == *ParaView* ]]; then
+  # All tests include those in ParaView: without this, they would run with the last mutant's plugin.
+  if [[ $1 == all || $1 == *ParaView* ]]; then
     "$root/Utilities/paraview-test.sh" --build >> "$log" 2>&1 || (($? == 125)) || return 1
   fi
 }
@@ -137,7 +152,7 @@ try()
   fi
   run_tests -R "$(by_name "$tests")"
   if [[ -z $killer ]] && ((all_tests)); then
-    build_for all
+    build_for all || die "$1 does not build for all tests; see $log."
     run_tests
   fi
   revert
@@ -190,11 +205,10 @@ step "Cloning the last commit"
 update_clone
 trap revert EXIT
 
-step "Building"
+step "Configuring"
 configure -DAIRLIGHT_BUILD_TESTING=ON -DCMAKE_LINK_DEPENDS_NO_SHARED=ON
-compile all
 
-step "Testing without mutants"
+step "Building and testing without mutants"
 wanted=$(for name in "${names[@]}"; do tests_of "$name"; done | tr '|' '\n' | sort -u)
 for test in $wanted; do
   (cd "$build" && ctest -N -R "$(by_name "$test")") | grep -q 'Total Tests: [1-9]' ||

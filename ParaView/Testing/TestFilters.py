@@ -60,6 +60,19 @@ class Filters(unittest.TestCase):
         # The lamp is 1 above the plate of half width 0.5, the bottom 4 below it.
         np.testing.assert_allclose(np.abs(low[:, :2]), 0.5 * 4, rtol=1e-6)
         self.assertEqual(len(low), 8)
+        # Each cap is a part of its own: the plate, and the shadow's end in the bottom of the box.
+        for name, part, height, area in (("LightCap", 1, 0, 1), ("FarCap", 2, -3, 4 * 4)):
+            planes.SetPropertyWithName(name, 1)
+            data = fetch(planes)
+            planes.SetPropertyWithName(name, 0)
+            parts = cell_array(data, "Part")
+            self.assertEqual(set(parts), {0, part}, name)
+            corners = [vtk_to_numpy(data.GetCell(i).GetPoints().GetData()).copy()
+                       for i in np.flatnonzero(parts == part)]
+            np.testing.assert_allclose(np.concatenate(corners)[:, 2], height, atol=1e-6)
+            areas = [abs(x @ np.roll(y, 1) - y @ np.roll(x, 1)) / 2 for x, y, _ in
+                     (points.T for points in corners)]
+            np.testing.assert_allclose(sum(areas), area, rtol=1e-6)
 
     def test_lit_intervals(self):
         """A line under a lamp and a plate: what is lit, and the airlight by the midpoint rule."""
@@ -76,13 +89,21 @@ class Filters(unittest.TestCase):
         np.testing.assert_allclose(cell_array(data, "Start"), [0, 5], atol=1e-9)
         np.testing.assert_allclose(cell_array(data, "End"), [3, 8], atol=1e-9)
         np.testing.assert_allclose(cell_array(data, "Length"), [3, 3], atol=1e-9)
-        for part, start in enumerate((0, 5)):
-            t = start + 3 * (np.arange(20000) + 0.5) / 20000
-            r = np.hypot(t - 4, 2)
-            # I = pi colour intensity, and 1/(4 pi) of it goes each way.
-            sum_ = 0.2 / 4 * (np.exp(-0.25 * (t + r)) / r**2).mean() * 3
-            np.testing.assert_allclose(cell_array(data, "Airlight")[part],
-                                       sum_ * 2 * np.array([1, 0.5, 0.25]), rtol=1e-4)
+        # Times 4 pi, of the cosine mu of the scattering angle. The first two have no anisotropy.
+        k = found.Anisotropy = 0.5
+        phases = {"Isotropic": lambda mu: 1,
+                  "Rayleigh": lambda mu: 0.75 * (1 + mu**2),
+                  "Schlick": lambda mu: (1 - k**2) / (1 - k * mu)**2}
+        for name, phase in phases.items():
+            found.PhaseFunction = name
+            airlight = cell_array(fetch(found), "Airlight")
+            for part, start in enumerate((0, 5)):
+                t = start + 3 * (np.arange(20000) + 0.5) / 20000
+                r = np.hypot(t - 4, 2)
+                # I = pi colour intensity, of which 1/(4 pi) times the phase goes to the eye.
+                sent = phase((4 - t) / r) * np.exp(-0.25 * (t + r)) / r**2
+                expected = 0.2 / 4 * sent.mean() * 3 * 2 * np.array([1, 0.5, 0.25])
+                np.testing.assert_allclose(airlight[part], expected, rtol=1e-4, err_msg=name)
         # Without the occluder all is lit.
         found.Occluders = []
         self.assertEqual(fetch(found).GetNumberOfCells(), 1)

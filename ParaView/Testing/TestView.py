@@ -36,6 +36,7 @@ class View(unittest.TestCase):
         self.view.Scattering = [0.12, 0.12, 0.12]
         self.view.Absorption = [0.03, 0.03, 0.03]
         self.view.PhaseFunction = "Isotropic"
+        self.view.Anisotropy = 0
         test.place_camera(self.view)
 
     def make_clear(self):
@@ -85,7 +86,15 @@ class View(unittest.TestCase):
 
     def test_fog_is_right(self):
         """Against the midpoint rule along each ray, which knows nothing of the library."""
-        fog = test.picture(self.view, "fog")
+        for function, anisotropy in (("Isotropic", 0), ("Schlick", 0.6)):
+            with self.subTest(function):
+                self.view.PhaseFunction = function
+                self.view.Anisotropy = anisotropy
+                self.check_fog(function, anisotropy)
+
+    def check_fog(self, name, k):
+        """k is Schlick's, whose function is isotropic if k = 0."""
+        fog = test.picture(self.view, f"fog-{name}")
         step = 5
         rays = test.pixel_rays(*test.SIZE)[step // 2::step, step // 2::step]
         shown = fog[step // 2::step, step // 2::step] / 255
@@ -107,8 +116,9 @@ class View(unittest.TestCase):
             r = np.linalg.norm(way, axis=-1)
             dark = test.hit_ball(points, way / r[..., None]) < r
             dark |= test.hit_floor(points, way / r[..., None]) < r
-            terms = np.where(dark, 0, np.exp(-extinction * (t[row] + r)) / r**2)
-            # I = pi * radiance, isotropic: 1/(4 pi).
+            phase = (1 - k**2) / (1 - k * (way * rays[row][:, None, :]).sum(axis=-1) / r)**2
+            terms = np.where(dark, 0, phase * np.exp(-extinction * (t[row] + r)) / r**2)
+            # I = pi * radiance, and the function is phase / (4 pi).
             share = scattering / 4 * terms.sum(axis=-1) * length[row] / count
             added[row] = share[..., None] * radiance
 
@@ -124,8 +134,8 @@ class View(unittest.TestCase):
         expected = np.clip(added + sent[..., None] * radiance, 0, 1)
 
         difference = np.abs(shown - expected).max(axis=-1)
-        print(f"fog: median {np.median(difference):.5f}, 90 % {np.quantile(difference, 0.9):.5f}, "
-              f"largest {difference.max():.5f}")
+        print(f"fog, {name}: median {np.median(difference):.5f}, "
+              f"90 % {np.quantile(difference, 0.9):.5f}, largest {difference.max():.5f}")
         # Half a step of 8 bits, and as much for the facets of the ball. Pixels at edges mix nothing
         # here, but the ball's facets move its outline and that of its shadow.
         self.assertLess(np.quantile(difference, 0.9), 1 / 255)
