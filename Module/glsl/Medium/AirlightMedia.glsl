@@ -162,7 +162,8 @@ AIRLIGHT_FN real airlightNextChannelEnd(
   return t1;
 }
 
-// Optical depth before t, which lies in the piece.
+// Optical depth before t, which lies in the piece, but for rounding: dense fog makes a large depth
+// below 0 of a length below 0.
 AIRLIGHT_FN real3 airlightDepthInPiece(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction, real t)
 {
@@ -172,7 +173,7 @@ AIRLIGHT_FN real3 airlightDepthInPiece(AIRLIGHT_IN(AirlightMedia) media,
     if (airlightPieceHolds(piece, i))
     {
       depth += media.item[i].sigmaT *
-        airlightInsideDepth(media.item[i], origin, direction, piece.from, t);
+        airlightInsideDepth(media.item[i], origin, direction, piece.from, max(t, piece.from));
     }
   }
   return depth;

@@ -141,7 +141,8 @@ void main()
     state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)));
 #ifdef AIRLIGHT_RECORD
   single = airlight;
-  vec3 whole = shadowless ? sum : unshadowed(ray);
+  // Not less than with shadows, but where a driver ends loops early (AirlightQuadrature.glsl).
+  vec3 whole = shadowless ? sum : max(unshadowed(ray), sum);
   whole = mix(vec3(0.0), whole, greaterThan(sigmaS, vec3(0.0)));
   // A ray that takes several draws has this error once.
   float bound = phaseError * brightest(airlight.rgb) +
