@@ -16,6 +16,11 @@ namespace
 // Of single precision, after some operations.
 constexpr double Rounding = 1e-5;
 
+// Two roundings to half precision, in which VTK blends translucent surfaces without depth peeling:
+// of normal numbers, relative, and of the least ones.
+constexpr double HalfPrecision = 1.0 / 1024.0;
+constexpr double LeastHalf = 1.0 / 8388608.0;
+
 struct Values
 {
   const float* First = nullptr;
@@ -199,8 +204,8 @@ void CheckFrame(const FrameScene& scene, const FrameRecord& frame, Problems& pro
 }
 
 //------------------------------------------------------------------------------
-void CheckSameFrame(
-  const std::string& what, const FrameRecord& a, const FrameRecord& b, Problems& problems)
+void CheckSameFrame(const std::string& what, const FrameRecord& a, const FrameRecord& b,
+  const FrameRounding& rounding, Problems& problems)
 {
   for (const auto& entry : a.Buffers)
   {
@@ -212,10 +217,14 @@ void CheckSameFrame(
         Text(what, ": ", entry.first, " has ", p.Count, " and ", q.Count, " values"));
       continue;
     }
+    const bool half = rounding.Blends && entry.first == "Radiance";
+    const double relative = half ? HalfPrecision : rounding.Relative;
+    const double absolute = half ? LeastHalf : 0.0;
     CheckPixels(p, what + ": another " + entry.first, problems, [&](size_t i, int c) {
       const double x = p.At(i, c);
       const double y = q.At(i, c);
-      const bool same = x == y || (std::isnan(x) && std::isnan(y));
+      const bool same = (std::isnan(x) && std::isnan(y)) ||
+        std::abs(x - y) <= relative * std::max(std::abs(x), std::abs(y)) + absolute;
       return same ? std::string() : Text(x, " and ", y);
     });
   }
@@ -225,7 +234,7 @@ void CheckSameFrame(
   {
     const int difference =
       std::abs(static_cast<int>(a.Picture[i]) - static_cast<int>(b.Picture[i]));
-    count += difference > 0 ? 1 : 0;
+    count += difference > rounding.Levels ? 1 : 0;
     largest = std::max(largest, difference);
   }
   if (a.Picture.size() != b.Picture.size() || count > 0)

@@ -57,8 +57,15 @@ void FrameStage::Remove(vtkRenderWindow* window, FrameScene& scene)
 }
 
 //------------------------------------------------------------------------------
+void FrameStage::SetPass(vtkRenderer* renderer, FrameScene& scene) const
+{
+  renderer->SetPass(this->UsesPass ? scene.Pass.Get() : nullptr);
+}
+
+//------------------------------------------------------------------------------
 void FrameStage::Enter(FrameScene& scene)
 {
+  this->SetPass(scene.Renderer, scene);
   this->GetWindow(scene)->SetSize(scene.Size);
   Add(this->GetWindow(scene), scene);
 }
@@ -92,7 +99,7 @@ void FrameStage::DrawOther(FrameScene& scene)
   renderer->AddLight(light);
   renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 3.0);
   renderer->GetActiveCamera()->SetClippingRange(0.1, 20.0);
-  renderer->SetPass(scene.Pass);
+  this->SetPass(renderer, scene);
   window->SetSize(20, 20);
   window->AddRenderer(renderer);
   window->Render();
@@ -121,7 +128,7 @@ void FrameStage::Apply(FrameScene& scene, FrameWindowEvent event)
       scene.Renderer->SetPass(nullptr);
       Remove(other, scene);
       Add(window, scene);
-      scene.Renderer->SetPass(scene.Pass);
+      this->SetPass(scene.Renderer, scene);
       break;
     case EVENT_SHARE:
       this->DrawOther(scene);
@@ -129,7 +136,7 @@ void FrameStage::Apply(FrameScene& scene, FrameWindowEvent event)
     case EVENT_PLAIN:
       scene.Renderer->SetPass(nullptr);
       window->Render();
-      scene.Renderer->SetPass(scene.Pass);
+      this->SetPass(scene.Renderer, scene);
       break;
     default:
       break;
@@ -152,7 +159,7 @@ FrameRecord FrameStage::Draw(FrameScene& scene, bool record)
   }
   for (const std::string& name : names)
   {
-    vtkImageData* buffer = record ? scene.Pass->GetBuffer(name.c_str()) : nullptr;
+    vtkImageData* buffer = record && this->UsesPass ? scene.Pass->GetBuffer(name.c_str()) : nullptr;
     if (buffer)
     {
       frame.Buffers[name] = vtkSmartPointer<vtkImageData>::New();

@@ -40,6 +40,9 @@ public:
 
   FrameRecord Draw(FrameScene& scene, bool record);
 
+  // False: scenes that enter from now on are drawn without their pass, by VTK alone.
+  void SetUsesPass(bool uses) { this->UsesPass = uses; }
+
   // Forgets all shaders.
   void Clear();
 
@@ -49,7 +52,10 @@ private:
   static void Add(vtkRenderWindow* window, FrameScene& scene);
   static void Remove(vtkRenderWindow* window, FrameScene& scene);
 
+  void SetPass(vtkRenderer* renderer, FrameScene& scene) const;
+
   vtkSmartPointer<vtkRenderWindow> Windows[2];
+  bool UsesPass = true;
 };
 }
 

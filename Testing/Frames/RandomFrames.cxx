@@ -98,6 +98,8 @@ public:
 private:
   FrameRecord DrawHistory(FrameScene& scene, Problems& problems);
   void DrawFresh(std::uint64_t seed, const FrameRecord& expected, Problems& problems);
+  FrameRecord DrawLastStep(FrameScene& scene);
+  bool DiffersWithoutPass(std::uint64_t seed);
   void AddMessages(const std::string& when, Problems& problems);
 
   const Options& Settings;
@@ -109,6 +111,7 @@ private:
   long Redrawn = 0;
   std::vector<std::uint64_t> Failed;
   std::vector<std::uint64_t> StillOpen;
+  std::vector<std::uint64_t> DifferInVTK;
 };
 
 //------------------------------------------------------------------------------
@@ -147,7 +150,7 @@ FrameRecord Run::DrawHistory(FrameScene& scene, Problems& problems)
       problems.push_back(Text("step ", step, ": ", problem));
     }
   }
-  CheckSameFrame("drawn again", frame, this->Stage.Draw(scene, true), problems);
+  CheckSameFrame("drawn again", frame, this->Stage.Draw(scene, true), FrameRounding(), problems);
   ++this->Redrawn;
   this->Stage.Leave(scene);
   this->AddMessages("afterwards", problems);
@@ -155,18 +158,59 @@ FrameRecord Run::DrawHistory(FrameScene& scene, Problems& problems)
 }
 
 //------------------------------------------------------------------------------
-// The last step alone, with all objects new.
-void Run::DrawFresh(std::uint64_t seed, const FrameRecord& expected, Problems& problems)
+// The last step alone.
+FrameRecord Run::DrawLastStep(FrameScene& scene)
 {
-  FrameScene scene(seed, this->Settings.Photometry);
   for (int step = 1; step < scene.GetNumberOfSteps(); ++step)
   {
     scene.Change(step);
   }
   this->Stage.Enter(scene);
-  const FrameRecord fresh = this->Stage.Draw(scene, true);
   ++this->Redrawn;
-  CheckSameFrame("without history", expected, fresh, problems);
+  return this->Stage.Draw(scene, true);
+}
+
+//------------------------------------------------------------------------------
+// Whether the picture shows its history where VTK draws it without the pass, too. VTK 9.1's glyphs
+// keep colours that their property no longer has, for example; volumes, texts and axes the place
+// where they stood.
+bool Run::DiffersWithoutPass(std::uint64_t seed)
+{
+  this->Stage.SetUsesPass(false);
+  FrameScene scene(seed, this->Settings.Photometry);
+  FrameScene newScene(seed, this->Settings.Photometry);
+  this->Stage.Enter(scene);
+  FrameRecord old = this->Stage.Draw(scene, false);
+  for (int step = 1; step < scene.GetNumberOfSteps(); ++step)
+  {
+    this->Stage.Apply(scene, scene.Change(step));
+    old = this->Stage.Draw(scene, false);
+  }
+  this->Stage.Leave(scene);
+  Problems differences;
+  FrameRounding rounding;
+  rounding.Levels = 1;
+  CheckSameFrame("VTK alone", old, this->DrawLastStep(newScene), rounding, differences);
+  this->Stage.Leave(newScene);
+  this->Stage.SetUsesPass(true);
+  this->Messages->TakeUnexpected(); // they are VTK's own
+  return !differences.empty();
+}
+
+//------------------------------------------------------------------------------
+// The last step alone, with all objects new. Shaders may be those of an earlier step, with more in
+// them than this one needs, and vertex buffers scaled by earlier coordinates: so numbers may be
+// rounded differently.
+void Run::DrawFresh(std::uint64_t seed, const FrameRecord& expected, Problems& problems)
+{
+  FrameScene scene(seed, this->Settings.Photometry);
+  const FrameRecord fresh = this->DrawLastStep(scene);
+  FrameRounding rounding;
+  rounding.Relative = 1e-6;
+  rounding.Blends = scene.MayBlend();
+  rounding.Levels = 1;
+  Problems differences;
+  CheckSameFrame("without history", expected, fresh, rounding, differences);
   const int technique = scene.Pass->GetEffectiveShadowTechnique();
   if (seed % 3 == 0 && technique != vtkAirlightPass::RAY_MARCH)
   {
@@ -179,6 +223,12 @@ void Run::DrawFresh(std::uint64_t seed, const FrameRecord& expected, Problems& p
   }
   this->Stage.Leave(scene);
   this->AddMessages("afresh", problems);
+  if (!differences.empty() && this->DiffersWithoutPass(seed))
+  {
+    this->DifferInVTK.push_back(seed);
+    return;
+  }
+  problems.insert(problems.end(), differences.begin(), differences.end());
 }
 
 //------------------------------------------------------------------------------
@@ -236,8 +286,14 @@ void Run::DrawAll()
 bool Run::Report() const
 {
   std::cout << this->Scenes << " scenes, " << this->Frames << " frames, and " << this->Redrawn
-            << " drawn again; " << this->StillOpen.size() << " scenes are open, "
-            << this->Failed.size() << " fail:";
+            << " drawn again; " << this->DifferInVTK.size()
+            << " scenes show their history in VTK alone, too:";
+  for (std::uint64_t seed : this->DifferInVTK)
+  {
+    std::cout << " " << seed;
+  }
+  std::cout << "; " << this->StillOpen.size() << " scenes are open, " << this->Failed.size()
+            << " fail:";
   for (std::uint64_t seed : this->Failed)
   {
     std::cout << " " << seed;
