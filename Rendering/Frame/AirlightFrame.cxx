@@ -4,8 +4,6 @@
 
 #include "Frame/AirlightSceneDrawer.h"
 
-#include "AirlightCameraShader.h"
-#include "AirlightDistancesFS.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkImageData.h"
@@ -13,7 +11,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -25,6 +22,12 @@ bool IsClear(const f64::AirlightMedia& media)
 {
   return std::all_of(media.item, media.item + media.count,
     [](const f64::AirlightMedium& medium) { return medium.sigmaT == glm::dvec3(0.0); });
+}
+
+//------------------------------------------------------------------------------
+Frame::Frame()
+  : Geometry(this->Textures)
+{
 }
 
 //------------------------------------------------------------------------------
@@ -93,23 +96,47 @@ bool Frame::Draw(SceneDrawer& scene)
 //------------------------------------------------------------------------------
 bool Frame::DrawDistances(SceneDrawer& scene)
 {
-  if (!this->BindDistances())
+  if (!this->Geometry.BindDistances(this->GetScene(), this->Plan))
   {
-    return false;
+    return this->Fail(this->Geometry.GetError());
   }
   scene.DrawDistances();
-  return this->ResolveDistances();
+  return this->Geometry.CompleteDistances(this->GetScene(), this->Plan) ||
+    this->Fail(this->Geometry.GetError());
 }
 
 //------------------------------------------------------------------------------
 bool Frame::DrawColours(SceneDrawer& scene)
 {
-  if (!(this->Plan.SingleGeometryPass ? this->BindSceneAndDistances() : this->BindScene()))
+  if (!this->Geometry.BindColours(this->GetScene(), this->Plan, this->Renderer))
   {
-    return false;
+    return this->Fail(this->Geometry.GetError());
   }
   scene.DrawColours();
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::PrepareCasters()
+{
+  LightShadows::Options options;
+  options.Method = this->Plan.Shadows;
+  options.SurfaceShadows = this->Plan.SurfaceShadows;
+  options.TranslucentShadows = this->Plan.TranslucentShadows;
+  options.LimitPlanes = this->Plan.LimitPlanes;
+  options.MapResolution = this->Plan.MapResolution;
+  options.Steps = this->Plan.Steps;
+  options.MemoryLimit = this->Plan.MemoryLimit;
+  if (!this->Shadows.Prepare(this->GetScene(), options, this->Casters, this->Solids))
+  {
+    return this->Fail(this->Shadows.GetError());
+  }
+  const int words = this->Shadows.TransmitsLight()
+    ? 9 + 2 * this->Shadows.GetSurfaceTransmittance().GetSlotCount()
+    : 8;
+  return !this->Plan.TranslucentFragments ||
+    this->FragmentLists.Prepare(this->Width, this->Height, words) ||
+    this->Fail(this->FragmentLists.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -121,175 +148,15 @@ bool Frame::CollectFragments(SceneDrawer& scene)
     : TranslucentFragments::Outcome::Done;
   while (outcome == TranslucentFragments::Outcome::Again)
   {
-    if (!this->BindDepth())
+    if (!this->Geometry.BindDepth(this->GetScene()))
     {
-      return false;
+      return this->Fail(this->Geometry.GetError());
     }
     scene.CollectFragments();
     outcome = this->FragmentLists.Check();
   }
   return outcome == TranslucentFragments::Outcome::Done ||
     this->Fail(this->FragmentLists.GetError());
-}
-
-//------------------------------------------------------------------------------
-void Frame::ClearTarget(float value)
-{
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglClearColor(value, value, value, value);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT);
-}
-
-//------------------------------------------------------------------------------
-bool Frame::BindDistances()
-{
-  const vtkNew<vtkTextureObject>& target =
-    this->Plan.AllShadersInjectable ? this->Textures.Distances : this->Textures.Drawn;
-  if (!this->Textures.Bind({ target }, this->Textures.Depth))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  this->ClearTarget(-1.0f);
-  this->ClearDepth();
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDisable(GL_BLEND);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void Frame::ClearDepth()
-{
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglClearDepth(1.0);
-  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
-}
-
-//------------------------------------------------------------------------------
-bool Frame::BindDepth()
-{
-  if (!this->Textures.Bind({}, this->Textures.Depth))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDisable(GL_BLEND);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool Frame::ResolveDistances()
-{
-  if (this->Plan.AllShadersInjectable)
-  {
-    return true;
-  }
-  if (!this->Textures.Bind({ this->Textures.Distances }, nullptr))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  vtkShaderProgram* program = this->DistancesQuad.GetOrCompile(
-    this->Window, std::string("#version 330\n") + AirlightCameraShader + AirlightDistancesFS);
-  if (!program)
-  {
-    return this->Fail(std::string("the shader of distances") + ProgramMaker::GetReason());
-  }
-  this->Rays->SetUniforms(program, 0, 0);
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  this->DistancesQuad.Draw(
-    { { "drawn", this->Textures.Drawn }, { "sceneDepth", this->Textures.Depth } });
-  return true;
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkTextureObject*> Frame::GetScatterTargets()
-{
-  std::vector<vtkTextureObject*> targets = { this->Textures.Scattered };
-  if (this->Plan.Record)
-  {
-    targets.push_back(this->Textures.Counts);
-    targets.push_back(this->Textures.Single);
-  }
-  if (this->HasMoreLit())
-  {
-    targets.push_back(this->Textures.Lit);
-  }
-  return targets;
-}
-
-//------------------------------------------------------------------------------
-bool Frame::ScatterLights()
-{
-  if (this->Plan.UnshadowedInComposite)
-  {
-    this->Buffers.Clear();
-    this->ReleaseMaps(this->Window);
-    return true;
-  }
-  if (!this->Textures.Bind(this->GetScatterTargets(), nullptr))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  this->ClearTarget(0.0f);
-  this->Buffers.Clear();
-  this->Volumes.resize(this->SceneLights.size());
-  // Maps are large: they go with their light or technique.
-  const bool mapped =
-    this->Plan.Shadows == ShadowMethod::Map || this->Plan.Shadows == ShadowMethod::March;
-  if (this->Maps.size() > this->SceneLights.size() || !mapped)
-  {
-    this->ReleaseMaps(this->Window);
-  }
-  this->Maps.resize(this->SceneLights.size());
-  if (!this->UpdateShadows())
-  {
-    return false;
-  }
-  for (size_t k = 0; k < this->SceneLights.size(); ++k)
-  {
-    const SceneLight& sceneLight = this->SceneLights[k];
-    if (sceneLight.Scatters() && !this->ScatterLight(static_cast<int>(k)))
-    {
-      return false;
-    }
-    if (this->Plan.Record && !this->RecordSingle(static_cast<int>(k)))
-    {
-      return false;
-    }
-  }
-  // The mappers read what the resolves wrote.
-  if (this->Plan.TranslucentFragments || this->TransmitsShadows)
-  {
-    // No test fails without it, see AirlightOpenGL.h.
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-// Reads one light's airlight and clears its target for the next one.
-bool Frame::RecordSingle(int index)
-{
-  if (!this->Buffers.RecordLight(this->Textures, index))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  this->ClearTarget(0.0f);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool Frame::Record()
-{
-  return this->Buffers.Record(this->Textures) || this->Fail(this->Textures.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -300,11 +167,101 @@ FrameScene Frame::GetScene()
 }
 
 //------------------------------------------------------------------------------
+InscatterTargets Frame::GetInscatterTargets()
+{
+  InscatterTargets targets;
+  targets.Bind = [this](const std::vector<vtkTextureObject*>& colours, vtkTextureObject* depth) {
+    return this->Textures.Bind(colours, depth) ? std::string() : this->Textures.GetError();
+  };
+  targets.Scattered = { this->Textures.Scattered };
+  if (this->Plan.Record)
+  {
+    targets.Scattered.push_back(this->Textures.Counts);
+    targets.Scattered.push_back(this->Textures.Single);
+  }
+  if (this->HasMoreLit())
+  {
+    targets.Scattered.push_back(this->Textures.Lit);
+  }
+  targets.Distances = this->Textures.Distances;
+  targets.Depth = this->Textures.Depth;
+  return targets;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::ScatterLights()
+{
+  this->Buffers.Clear();
+  if (this->Plan.UnshadowedInComposite)
+  {
+    this->Shadows.ReleaseMaps(this->Window);
+    return true;
+  }
+  const InscatterTargets targets = this->GetInscatterTargets();
+  if (!this->Textures.Bind(targets.Scattered, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Textures.Clear(0.0f);
+  if (!this->Shadows.Update(
+        this->GetScene(), targets, this->Casters.GetNonPolygonal(), this->DrawInMap))
+  {
+    return this->Fail(this->Shadows.GetError());
+  }
+  for (size_t k = 0; k < this->SceneLights.size(); ++k)
+  {
+    if (!this->ScatterLight(targets, static_cast<int>(k)))
+    {
+      return false;
+    }
+  }
+  // The mappers read what the inscatter shaders wrote.
+  if (this->Plan.TranslucentFragments || this->Shadows.TransmitsLight())
+  {
+    // No test fails without it, see AirlightOpenGL.h.
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// With its recording, which clears the target of a single light for the next one.
+bool Frame::ScatterLight(const InscatterTargets& targets, int light)
+{
+  InscatterOptions options;
+  options.Record = this->Plan.Record;
+  options.PhaseErrorBound = this->Plan.PhaseErrorBound;
+  options.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
+  options.Marches = this->Plan.Shadows == ShadowMethod::March;
+  if (this->SceneLights[light].Scatters() &&
+    !this->Inscatter.Draw(this->GetScene(), options, targets, this->Shadows, light))
+  {
+    this->OverBudget = this->Shadows.IsOverBudget();
+    return this->Fail(this->Inscatter.GetError());
+  }
+  if (this->Plan.Record)
+  {
+    if (!this->Buffers.RecordLight(this->Textures, light))
+    {
+      return this->Fail(this->Textures.GetError());
+    }
+    this->Textures.Clear(0.0f);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::Record()
+{
+  return this->Buffers.Record(this->Textures) || this->Fail(this->Textures.GetError());
+}
+
+//------------------------------------------------------------------------------
 CompositePass::Options Frame::GetCompositeOptions() const
 {
   CompositePass::Options options;
   options.Unshadowed = this->Plan.UnshadowedInComposite;
-  options.Equiangular = !this->TransmitsShadows;
+  options.Equiangular = !this->Shadows.TransmitsLight();
   options.ShadowingLight = this->Plan.ShadowingLight;
   options.LightsPerChannel = BitsPerChannel;
   options.DebugView = static_cast<int>(this->Plan.View);
@@ -347,13 +304,7 @@ bool Frame::CompositeTranslucent()
   {
     return this->Fail(this->Composition.GetError());
   }
-  if (!this->Textures.Bind({ this->Textures.Radiance }, this->Textures.Depth))
-  {
-    return this->Fail(this->Textures.GetError());
-  }
-  this->BlendColours();
-  this->Window->GetState()->vtkglDepthFunc(GL_LEQUAL);
-  return true;
+  return this->Geometry.BindRadiance(this->GetScene()) || this->Fail(this->Geometry.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -372,47 +323,76 @@ bool Frame::Composite(int x, int y, bool blend)
 //------------------------------------------------------------------------------
 bool Frame::DrawPlanes()
 {
-  const bool planes = this->Plan.Shadows == ShadowMethod::Planes;
-  for (size_t k = 0; k < this->SceneLights.size() && planes; ++k)
-  {
-    const SceneLight& sceneLight = this->SceneLights[k];
-    if (sceneLight.Scatters() && sceneLight.CastsShadows && this->Volumes[k].HasShadows() &&
-      !this->Boundaries.DrawWireframe(this->GetPlanesSource(static_cast<int>(k))))
-    {
-      return this->Fail(this->Boundaries.GetError());
-    }
-  }
-  return true;
+  return this->Shadows.DrawWireframe(this->GetScene(), this->Textures.Distances) ||
+    this->Fail(this->Shadows.GetError());
 }
 
 //------------------------------------------------------------------------------
-void Frame::ReleaseMaps(vtkWindow* window)
+void Frame::SetMapRays(const CameraUniforms* rays, int x, int y)
 {
-  for (const auto& map : this->Maps)
+  this->MapRays = rays;
+  this->MapX = x;
+  this->MapY = y;
+}
+
+//------------------------------------------------------------------------------
+SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
+{
+  SurfaceUniforms values;
+  values.Stage = stage;
+  values.Rays = this->MapRays ? this->MapRays : &*this->Rays;
+  values.ViewportX = this->MapRays ? this->MapX : 0;
+  values.ViewportY = this->MapRays ? this->MapY : 0;
+  values.Width = this->Width;
+  values.Height = this->Height;
+  values.VolumeNodes = this->Plan.VolumeNodes;
+  values.Media = &this->Media;
+  values.SceneLights = &this->SceneLights;
+  values.Lit = this->Textures.Scattered;
+  values.MoreLit = this->HasMoreLit() ? this->Textures.Lit : this->Textures.Scattered;
+  values.Data = this->Data.GetTexture();
+  values.ScatteredIrradiance = this->Plan.ScatteredSurfaceLight;
+  values.EncodedInput = this->Plan.EncodedInput;
+  values.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
+  values.Transmittances = &this->Shadows.GetSurfaceTransmittance();
+  // Without records the bits are those of the opaque surface, which lies behind the layers.
+  values.UseLit = this->Plan.Shadows != ShadowMethod::None && this->Plan.SurfaceShadows &&
+    (stage != SurfaceStage::Translucent ? !this->Plan.SingleGeometryPass
+                                        : values.Records != nullptr);
+  return values;
+}
+
+//------------------------------------------------------------------------------
+void Frame::FitToTarget(SurfaceUniforms& values)
+{
+  for (vtkTextureObject* texture : values.GetTextures())
   {
-    if (map)
-    {
-      map->Release(window);
-    }
+    texture->Activate();
   }
-  this->Maps.clear();
+  int viewport[4];
+  this->Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  if (viewport[0] == 0 && viewport[1] == 0 && viewport[2] == this->Width &&
+    viewport[3] == this->Height)
+  {
+    return;
+  }
+  const CameraUniforms target(this->Renderer, viewport[2], viewport[3]);
+  if (target.IsValid())
+  {
+    values.ViewportX = viewport[0];
+    values.ViewportY = viewport[1];
+    values.Pixels = this->Rays->GetPixelsFrom(target);
+  }
 }
 
 //------------------------------------------------------------------------------
 void Frame::ReleaseObjects(vtkWindow* window)
 {
-  for (Quad& quad : this->ResolveQuads)
-  {
-    quad.Release();
-  }
-  this->DistancesQuad.Release();
+  this->Geometry.Release();
+  this->Inscatter.Release();
   this->Composition.Release();
-  this->MapQuad.Release();
-  this->Boundaries.Release();
   this->FragmentLists.Release();
-  this->SurfaceTransmittance.Release();
-  this->Volumes.clear();
-  this->ReleaseMaps(window);
+  this->Shadows.ReleaseObjects(window);
   this->Textures.Release(window);
   this->Data.Release(window);
 }
@@ -421,8 +401,7 @@ void Frame::ReleaseObjects(vtkWindow* window)
 void Frame::Release(vtkWindow* window)
 {
   this->ReleaseObjects(window);
+  this->Shadows.Release(window);
   this->Casters.Clear();
-  this->FoundCasters = nullptr;
-  this->OpaqueCasters.clear();
 }
 }

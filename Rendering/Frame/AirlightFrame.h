@@ -14,6 +14,9 @@
  * Most scenes are drawn once: steps 1 and 3 are one, in place of the first
  * (AirlightSceneStages.cxx). Where no light's airlight has shadows, step 2 is done with step 4
  * (AirlightUnshadowedLights.cxx).
+ *
+ * Each step is a class: GeometryPass (1, 3), LightShadows and InscatterPass (2), CompositePass (4,
+ * 5), FrameRecorder. The frame knows their order and no more.
  */
 
 #ifndef AirlightFrame_h
@@ -23,27 +26,19 @@
 #include "Composite/AirlightCompositePass.h"
 #include "Frame/AirlightFramePlan.h"
 #include "Frame/AirlightFrameRecorder.h"
+#include "Frame/AirlightGeometryPass.h"
 #include "Frame/AirlightTargets.h"
+#include "Inscatter/AirlightInscatterPass.h"
+#include "Inscatter/AirlightLightShadows.h"
 #include "MapperShaders/AirlightSurfaceUniforms.h"
-#include "OpenGL/AirlightQuad.h"
 #include "Scene/AirlightCameraUniforms.h"
+#include "Scene/AirlightFrameScene.h"
 #include "Scene/AirlightSceneData.h"
 #include "Scene/AirlightSceneLights.h"
-#include "ShadowMaps/AirlightShadowMap.h"
-#include "ShadowVolumes/AirlightPlanarOccluders.h"
-#include "ShadowVolumes/AirlightShadowLists.h"
-#include "ShadowVolumes/AirlightShadowVolumes.h"
-#include "ShadowVolumes/AirlightSilhouetteExchange.h"
-#include "Translucency/AirlightShadowTransmittance.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
-#include <array>
-#include <cstdint>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkImageData;
@@ -51,24 +46,11 @@ class vtkOpenGLRenderWindow;
 class vtkParticipatingMedium;
 class vtkProp;
 class vtkRenderer;
-class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 namespace airlight
 {
 class SceneDrawer;
-
-// Asks the shaders for what is recorded.
-constexpr const char* RecordDefinition = "#define AIRLIGHT_RECORD\n";
-
-// What the pass states of the airlight's relative error, beside the phase function's (see
-// Documentation/accuracy.md).
-constexpr float ClosedFormError = 1e-4f;
-constexpr float QuadratureError = 1e-3f;
-// In an image that its medium's region cuts: where the way to the light begins to leave the region
-// instead of the image there is a kink, at which cells are not cut. 6e-3 measured.
-constexpr float CutImageError = 1e-2f;
 
 // Whether the media neither scatter nor absorb.
 bool IsClear(const f64::AirlightMedia& media);
@@ -76,6 +58,8 @@ bool IsClear(const f64::AirlightMedia& media);
 class Frame
 {
 public:
+  Frame();
+
   // UploadData() for the shaders, before Begin().
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
     f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights);
@@ -96,10 +80,10 @@ public:
   // What the casters of other processes do, for all frames until it is forgotten.
   void AddRemoteSilhouettes(const ProcessSilhouettes& remote)
   {
-    this->RemoteSilhouettes.push_back(remote);
+    this->Shadows.AddRemoteSilhouettes(remote);
   }
-  void RemoveAllRemoteSilhouettes() { this->RemoteSilhouettes.clear(); }
-  bool HasRemoteSilhouettes() const { return !this->RemoteSilhouettes.empty(); }
+  void RemoveAllRemoteSilhouettes() { this->Shadows.RemoveAllRemoteSilhouettes(); }
+  bool HasRemoteSilhouettes() const { return this->Shadows.HasRemoteSilhouettes(); }
 
   // How the frame is drawn; before Begin().
   void SetPlan(const FramePlan& plan) { this->Plan = plan; }
@@ -124,12 +108,12 @@ public:
   bool Draw(SceneDrawer& scene);
 
   // Whether casters let light through; the mappers' shaders then have to know.
-  bool HasShadowTransmittance() const { return this->TransmitsShadows; }
+  bool HasShadowTransmittance() const { return this->Shadows.TransmitsLight(); }
   const CasterCache& GetCasters() const { return this->Casters; }
 
   // Before the opaque surfaces are drawn and after them.
-  void BeginSurfaces();
-  void EndSurfaces();
+  void BeginSurfaces() { this->Geometry.BeginSurfaces(this->GetScene(), this->Plan); }
+  void EndSurfaces() { this->Geometry.EndSurfaces(this->GetScene(), this->Plan); }
 
   // The buffers of vtkAirlightPass::GetBuffer(), after that.
   bool Record();
@@ -168,70 +152,27 @@ private:
   bool Fail(const std::string& reason);
   bool DrawDistances(SceneDrawer& scene);
   bool DrawColours(SceneDrawer& scene);
-  bool CollectFragments(SceneDrawer& scene);
   bool PrepareCasters();
+  bool CollectFragments(SceneDrawer& scene);
   bool ScatterLights();
-  bool BindDistances();
-  bool ResolveDistances();
-  bool BindScene();
-  bool BindSceneAndDistances();
-  bool BindDepth();
+  bool ScatterLight(const InscatterTargets& targets, int light);
   bool CompositeTranslucent();
-  bool UpdateShadows();
-  bool UpdateShadows(int index, const std::vector<Caster>& casters);
-  ShadowVolumes::RemoteSilhouettes GetRemoteSilhouettes(int index) const;
-  bool ScatterLight(int index);
-  ShadowLists::Source GetPlanesSource(int index);
-  bool ScatterWithLists(int index);
-  bool ResolveLong(int index, int row, int rows);
-  bool RecordSingle(int index);
-
-  // Which pixels a draw of the resolve does.
-  enum class Lists
-  {
-    None,     // all, without shadows
-    Short,    // those with lists that it sorts itself
-    Long,     // the others, sorted beforehand
-    LongRest, // what the draw before left of them
-    Map       // all, shadows from a map
-  };
-  bool Resolve(int index, Lists lists, int row, int rows);
-  bool DrawResolve(int index, Lists lists, bool fragmentsOnly, int row, int rows);
-  bool ResolvesEquiangular(int index, Lists lists);
-  std::string GetResolveSource(int index, Lists lists, bool fragmentsOnly);
-  std::string GetEquiangularResolveSource(int index, Lists lists) const;
-  std::string GetResolveHead(int index, bool storage) const;
-  void SetResolveUniforms(vtkShaderProgram* program, int index, Lists lists, bool fragmentsOnly);
-  void SetStartUniforms(vtkShaderProgram* program, int index, bool planes);
-  double GetIntegralError(int index) const;
-  void SetMapUniforms(vtkShaderProgram* program, int index);
-  ShadowMap* GetMap(int index) const;
 
   FrameScene GetScene();
+  InscatterTargets GetInscatterTargets();
   CompositePass::Options GetCompositeOptions() const;
   CompositePass::Inputs GetCompositeInputs();
-  std::vector<vtkTextureObject*> GetScatterTargets();
   bool HasMoreLit() const { return this->SceneLights.size() > BitsPerChannel; }
-  void ClearTarget(float value);
-  void ClearDepth();
-  void BlendColours();
-  void ReleaseMaps(vtkWindow* window);
 
   Targets Textures;
   SceneData Data;
   LightGrids Grids;
-  ShadowLists Boundaries;
-  TranslucentFragments FragmentLists;
   CasterCache Casters;
-  std::vector<ProcessSilhouettes> RemoteSilhouettes; // by process
-  ShadowTransmittance SurfaceTransmittance;
-  std::vector<ShadowVolumes> Volumes;           // by light number
-  std::vector<std::unique_ptr<ShadowMap>> Maps; // likewise
-  std::array<Quad, 5> ResolveQuads;             // none, short, long, map, records only
-  Quad DistancesQuad;
+  TranslucentFragments FragmentLists;
+  GeometryPass Geometry;
+  LightShadows Shadows;
+  InscatterPass Inscatter;
   CompositePass Composition;
-  Quad MapQuad; // of all maps, as are the programs
-  ProgramMaker MapPrograms;
   FrameRecorder Buffers;
   std::string Error;
 
@@ -242,10 +183,6 @@ private:
   std::vector<SceneLight> SceneLights;
   std::optional<CameraUniforms> Rays;
   const CameraUniforms* MapRays = nullptr;
-  const std::vector<Caster>* FoundCasters = nullptr; // null: without shadows
-  std::vector<PlanarOccluder> Faces;                 // behind which no shadow planes are drawn
-  std::vector<Caster> OpaqueCasters;                 // those for maps
-  bool TransmitsShadows = false;
   int MapX = 0;
   int MapY = 0;
   FramePlan Plan;

@@ -10,6 +10,7 @@
 #ifndef AirlightFramePlan_h
 #define AirlightFramePlan_h
 
+#include "Inscatter/AirlightShadowMethod.h"
 #include "vtkAirlightModule.h" // for export macro
 
 #include <cstddef>
@@ -33,15 +34,6 @@ enum class DebugView
   AirlightOnly = 1,
   BoundaryCount = 2,
   Outlines = 3
-};
-
-// How shadows are found.
-enum class ShadowMethod
-{
-  None,
-  Planes,
-  Map,  // boundaries from shadow maps
-  March // shadow maps and a ray march
 };
 
 // The properties of vtkAirlightPass, with its defaults.

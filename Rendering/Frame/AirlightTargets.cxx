@@ -157,6 +157,24 @@ void Targets::DrawInto(int count)
 }
 
 //------------------------------------------------------------------------------
+void Targets::Clear(float value)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglClearColor(value, value, value, value);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+}
+
+//------------------------------------------------------------------------------
+void Targets::ClearDepth()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+}
+
+//------------------------------------------------------------------------------
 vtkOpenGLFramebufferObject* Targets::GetFramebuffer() { return this->Framebuffer; }
 
 //------------------------------------------------------------------------------

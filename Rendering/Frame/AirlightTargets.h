@@ -48,6 +48,10 @@ public:
   // Draws into the first so many of the colours that the last Bind() bound.
   void DrawInto(int count);
 
+  // Clears the colours that are bound, all channels of all of them; and the depth.
+  void Clear(float value);
+  void ClearDepth();
+
   // The framebuffer that the last Bind() made current.
   vtkOpenGLFramebufferObject* GetFramebuffer();
 

@@ -5,12 +5,8 @@ airlight_sources(
     AirlightFrame
     AirlightFramePlan
     AirlightFrameRecorder
+    AirlightGeometryPass
     AirlightTargets
-  SOURCES
-    AirlightFrameCasters.cxx
-    AirlightFrameResolve.cxx
-    AirlightFrameResolveShader.cxx
-    AirlightFrameSurfaces.cxx
   HEADERS
     AirlightSceneDrawer.h
   GLSL

@@ -1,6 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
+  PRIVATE_CLASSES
+    AirlightInscatterPass
+    AirlightInscatterShader
+    AirlightLightShadow
+    AirlightLightShadows
+    AirlightMapShadow
+    AirlightPlanesShadow
+  HEADERS
+    AirlightShadowMethod.h
   GLSL
     glsl/AirlightNoBoundaries.glsl
     glsl/AirlightNoPackedBoundaries.glsl

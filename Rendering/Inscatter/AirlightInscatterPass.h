@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The airlight of one light, with its shadow: adds the light that the medium scatters towards the
+ * eye before the opaque surfaces, and to translucent fragments, into the targets.
+ */
+
+#ifndef AirlightInscatterPass_h
+#define AirlightInscatterPass_h
+
+#include "Inscatter/AirlightInscatterShader.h"
+#include "Inscatter/AirlightLightShadow.h"
+#include "OpenGL/AirlightQuad.h"
+#include "Scene/AirlightFrameScene.h"
+
+#include <array>
+#include <string>
+
+namespace airlight
+{
+class LightShadows;
+
+class InscatterPass
+{
+public:
+  // False with a reason in GetError() where OpenGL refuses.
+  bool Draw(const FrameScene& scene, const InscatterOptions& options,
+    const InscatterTargets& targets, LightShadows& shadows, int light);
+
+  const std::string& GetError() const { return this->Error; }
+  void Release();
+
+private:
+  bool Fail(const std::string& reason);
+  bool DrawPixels(const FrameScene& scene, const InscatterTargets& targets,
+    const InscatterShader& shader, LightShadow& shadow, const InscatterDraw& draw,
+    bool fragmentsOnly);
+  Quad& GetQuad(LightShadow& shadow, const InscatterDraw& draw, bool fragmentsOnly);
+
+  // A program each, as they follow one another within a frame: without shadows, few and many
+  // boundaries, from a map, and records alone.
+  std::array<Quad, 5> Quads;
+  std::string Error;
+};
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Inscatter/AirlightInscatterShader.h"
+
+#include "AirlightCameraShader.h"
+#include "AirlightEquiangularFS.h"
+#include "AirlightEquiangularRay.h"
+#include "AirlightResolveFS.h"
+#include "AirlightResolveOutputs.h"
+#include "AirlightResolveTranslucent.h"
+#include "AirlightShadowCounts.h"
+#include "AirlightTranslucentLists.h"
+#include "AirlightTransmittanceBuffer.h"
+#include "Inscatter/AirlightLightShadows.h"
+#include "Integration/AirlightIntegrate.h"
+#include "MapperShaders/AirlightSurfaceShader.h"
+#include "OpenGL/AirlightOpenGL.h"
+#include "Scene/AirlightEquiangularLights.h"
+#include "Translucency/AirlightTranslucentFragments.h"
+
+#include "vtkShaderProgram.h"
+
+#include <cmath>
+
+namespace airlight
+{
+namespace
+{
+const char* GivenUniforms = "uniform AirlightMedia media;\nuniform AirlightLight light;\n";
+
+bool IsQuadrature(const f64::AirlightLight& light)
+{
+  return light.kind == AIRLIGHT_POINT_QUADRATURE || light.kind == AIRLIGHT_DIRECTIONAL_QUADRATURE;
+}
+}
+
+//------------------------------------------------------------------------------
+InscatterShader::InscatterShader(const FrameScene& scene, const InscatterOptions& options,
+  const LightShadows& shadows, LightShadow& shadow, int light)
+  : Scene(scene)
+  , Options(options)
+  , Shadows(shadows)
+  , Shadow(shadow)
+  , Light(light)
+  , Equiangular(airlight::IsEquiangular(scene, light) && !shadows.TransmitsLight() &&
+      shadow.HasPackedSource())
+{
+}
+
+//------------------------------------------------------------------------------
+// The beginning of all sources.
+std::string InscatterShader::GetHead(bool storage) const
+{
+  const f64::AirlightLight& light = this->Scene.Lights[this->Light].Values;
+  return GetShaderVersion(storage) + BoundaryBuffer::DefineNodes(this->Shadows.TransmitsLight()) +
+    (this->Options.Record ? "#define AIRLIGHT_RECORD\n" : "") + "#define AIRLIGHT_MORE_LIT " +
+    std::to_string(this->Scene.Lights.size() > BitsPerChannel) + "\n" +
+    "#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define AIRLIGHT_PARALLEL " +
+    std::to_string(this->Scene.Rays.IsParallel()) + "\n" +
+    (light.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +
+    GetScatteringSource(this->Scene.Media, light.kind, light.goniometric != 0) +
+    AirlightCameraShader;
+}
+
+//------------------------------------------------------------------------------
+std::string InscatterShader::GetEquiangularSource(const InscatterDraw& draw) const
+{
+  // AirlightConstants.glsl sets a part of the light.
+  return this->GetHead(this->Shadow.UsesStorage()) +
+    "uniform AirlightLight givenLight;\nAirlightLight light;\n" + airlight::GetEquiangularSource() +
+    AirlightShadowCounts + this->Shadow.GetPackedSource(draw) + AirlightEquiangularRay +
+    AirlightResolveOutputs + AirlightEquiangularFS;
+}
+
+//------------------------------------------------------------------------------
+std::string InscatterShader::GetSource(const InscatterDraw& draw, bool fragmentsOnly) const
+{
+  if (this->Equiangular && !fragmentsOnly)
+  {
+    return this->GetEquiangularSource(draw);
+  }
+  const bool records = this->Options.Records != nullptr;
+  const bool transmits = this->Shadows.TransmitsLight();
+  const std::string fragments =
+    records ? std::string(AirlightTranslucentLists) + AirlightResolveTranslucent : std::string();
+  return this->GetHead(this->Shadow.UsesStorage() || records || transmits) +
+    (records ? "#define AIRLIGHT_TRANSLUCENT_FRAGMENTS\n" : "") +
+    (this->Options.Marches ? "#define AIRLIGHT_RAY_MARCH\n" : "") + GivenUniforms +
+    (transmits ? AirlightTransmittanceBuffer : "") + AirlightShadowCounts +
+    this->Shadow.GetBoundarySource(draw, fragments) + AirlightResolveOutputs + AirlightResolveFS;
+}
+
+//------------------------------------------------------------------------------
+// Of a light's airlight, relative to that without shadows.
+double InscatterShader::GetIntegralError() const
+{
+  const SceneLight& light = this->Scene.Lights[this->Light];
+  const f64::AirlightMedia& media = this->Scene.Media;
+  const bool cut = HasGrid(media) && media.item[0].region.kind != AIRLIGHT_REGION_UNBOUNDED;
+  const double integral = cut    ? CutImageError
+    : IsQuadrature(light.Values) ? QuadratureError
+                                 : ClosedFormError;
+  return light.GridError + integral +
+    (this->Shadows.TransmitsLight() ? this->Shadow.GetThicknessError() : 0.0);
+}
+
+//------------------------------------------------------------------------------
+void InscatterShader::SetLight(vtkShaderProgram* program, bool equiangular) const
+{
+  const f64::AirlightLight& light = this->Scene.Lights[this->Light].Values;
+  SetMediaUniforms(program, equiangular ? "givenMedia" : "media", this->Scene.Media);
+  SetLightUniforms(program, equiangular ? "givenLight" : "light", light);
+  if (equiangular)
+  {
+    SetEquiangularConstants(program, this->Scene, { this->Light });
+  }
+  if (f64::airlightIsDirectional(light))
+  {
+    program->SetUniformi("lightHasPixel", 0);
+  }
+  else
+  {
+    this->Scene.Rays.SetFootUniforms(program, light.position);
+  }
+}
+
+//------------------------------------------------------------------------------
+void InscatterShader::SetUniforms(
+  vtkShaderProgram* program, const InscatterDraw& draw, bool fragmentsOnly) const
+{
+  const bool equiangular = this->Equiangular && !fragmentsOnly;
+  this->Scene.Rays.SetUniforms(program, 0, 0);
+  this->SetLight(program, equiangular);
+  this->Shadows.SetStartUniforms(program, this->Shadow, this->Light);
+  glm::vec4 bit(0.0f);
+  if (this->Light < MaximumShadowingLights)
+  {
+    bit[this->Light / BitsPerChannel] = std::ldexp(1.0f, this->Light % BitsPerChannel);
+  }
+  program->SetUniform4f("litBit", &bit.x);
+  if (this->Options.Record)
+  {
+    program->SetUniformf("phaseError", static_cast<float>(this->Options.PhaseErrorBound));
+    program->SetUniformf("error", static_cast<float>(this->GetIntegralError()));
+  }
+  if (this->Options.Records && !equiangular)
+  {
+    this->Options.Records->Use(program);
+    program->SetUniformi("lightBit", this->Light < MaximumShadowingLights ? this->Light : -1);
+    // No test fails without it, see AirlightOpenGL.h.
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  }
+  this->Shadow.Bind(program, this->Scene, draw);
+}
+}

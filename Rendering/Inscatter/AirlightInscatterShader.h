@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The shader of one light's airlight: the source that it is put together from, and its uniforms.
+ */
+
+#ifndef AirlightInscatterShader_h
+#define AirlightInscatterShader_h
+
+#include "Inscatter/AirlightLightShadow.h"
+#include "Scene/AirlightFrameScene.h"
+
+#include <string>
+
+class vtkShaderProgram;
+
+namespace airlight
+{
+class LightShadows;
+class TranslucentFragments;
+
+// What the pass states of the airlight's relative error, beside the phase function's (see
+// Documentation/accuracy.md).
+constexpr float ClosedFormError = 1e-4f;
+constexpr float QuadratureError = 1e-3f;
+// In an image that its medium's region cuts: where the way to the light begins to leave the region
+// instead of the image there is a kink, at which cells are not cut. 6e-3 measured.
+constexpr float CutImageError = 1e-2f;
+
+struct InscatterOptions
+{
+  bool Record = false;                     // of what GetBuffer() gives
+  double PhaseErrorBound = 0.0;            // relative; recorded
+  TranslucentFragments* Records = nullptr; // null: translucent fragments have no records
+  bool Marches = false;                    // shadows by a ray march
+};
+
+class InscatterShader
+{
+public:
+  InscatterShader(const FrameScene& scene, const InscatterOptions& options,
+    const LightShadows& shadows, LightShadow& shadow, int light);
+
+  // Whether rays take equiangular quadrature instead of the closed form.
+  bool IsEquiangular() const { return this->Equiangular; }
+
+  // `fragmentsOnly`: the closed form to the translucent fragments alone.
+  std::string GetSource(const InscatterDraw& draw, bool fragmentsOnly) const;
+  void SetUniforms(vtkShaderProgram* program, const InscatterDraw& draw, bool fragmentsOnly) const;
+
+private:
+  std::string GetHead(bool storage) const;
+  std::string GetEquiangularSource(const InscatterDraw& draw) const;
+  void SetLight(vtkShaderProgram* program, bool equiangular) const;
+  double GetIntegralError() const;
+
+  const FrameScene& Scene;
+  const InscatterOptions& Options;
+  const LightShadows& Shadows;
+  LightShadow& Shadow;
+  int Light;
+  bool Equiangular;
+};
+}
+
+#endif

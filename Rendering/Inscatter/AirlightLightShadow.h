@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * One light's shadow in a frame: it makes the boundaries (t, +-) at which rays enter and leave the
+ * shadow, and gives the inscatter shader a source that reads them. This class is the light without
+ * a shadow; subclasses add shadow volumes and shadow maps.
+ *
+ * A shadow technique is a subclass here and a value of ShadowMethod.
+ */
+
+#ifndef AirlightLightShadow_h
+#define AirlightLightShadow_h
+
+#include "Casters/AirlightCasters.h"
+#include "Scene/AirlightFrameScene.h"
+#include "ShadowMaps/AirlightShadowMap.h"
+#include "ShadowVolumes/AirlightPlanarOccluders.h"
+#include "ShadowVolumes/AirlightShadowVolumes.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace airlight
+{
+// The textures of a frame that the shadows and the airlight are drawn into and read.
+struct InscatterTargets
+{
+  // Binds a framebuffer over the colours and the depth, which may be null. Returns a reason where
+  // that fails, else an empty text.
+  std::function<std::string(const std::vector<vtkTextureObject*>&, vtkTextureObject*)> Bind;
+  std::vector<vtkTextureObject*> Scattered; // the airlight of all lights is added up here
+  vtkTextureObject* Distances = nullptr;    // of the opaque surfaces
+  vtkTextureObject* Depth = nullptr;
+};
+
+// What casts shadows in a frame.
+struct ShadowCasters
+{
+  const std::vector<Caster>& Polygonal;
+  const std::vector<NonPolygonalCaster>& NonPolygonal;
+  const std::vector<PlanarOccluder>& Faces; // behind which no shadow planes are drawn
+  DrawActors DrawNonPolygonal;
+  int MapResolution = 1024;
+};
+
+// Which pixels a draw of the inscatter shader does.
+enum class BoundaryPixels
+{
+  All,
+  Short,   // those with few boundaries, which the shader sorts itself
+  Long,    // the others, sorted beforehand
+  LongRest // what the draw before left of them
+};
+
+struct InscatterDraw
+{
+  BoundaryPixels Pixels = BoundaryPixels::All;
+  int Row = 0;
+  int Rows = 0;
+};
+
+class LightShadow
+{
+public:
+  LightShadow() = default;
+  virtual ~LightShadow() = default;
+  LightShadow(const LightShadow&) = delete;
+  void operator=(const LightShadow&) = delete;
+
+  // Brings the shadow up to date for the frame's light of a number. Here and below false with a
+  // reason in GetError() where OpenGL refuses.
+  virtual bool Update(const FrameScene& scene, int light, const ShadowCasters& casters,
+    const InscatterTargets& targets);
+
+  // Whether the light has a shadow in this frame. Where it has none, it is drawn without.
+  virtual bool HasShadow() const { return false; }
+
+  // Makes the boundaries, row by row as memory allows, and calls `draw` for each draw of the
+  // inscatter shader. `packed`: the draws read packed boundaries.
+  using Draw = std::function<bool(const InscatterDraw&)>;
+  virtual bool ForEachDraw(const FrameScene& scene, int light, const InscatterTargets& targets,
+    bool packed, const Draw& draw);
+
+  // Whether the program needs storage buffers.
+  virtual bool UsesStorage() const { return false; }
+
+  // The source that reads the boundaries one after the other (glsl/AirlightNoBoundaries.glsl).
+  // `fragments`: the source of translucent fragments, which a ray march wants behind its own
+  // boundaries.
+  virtual std::string GetBoundarySource(
+    const InscatterDraw& draw, const std::string& fragments) const;
+
+  // The source that reads packed boundaries (glsl/AirlightNoPackedBoundaries.glsl), for
+  // equiangular quadrature; only where HasPackedSource() holds.
+  virtual bool HasPackedSource() const { return true; }
+  virtual std::string GetPackedSource(const InscatterDraw& draw) const;
+
+  // The number of silhouette edges, by which boundaries get their room.
+  virtual size_t GetEdgeCount() const { return 0; }
+
+  // Sets what these sources read.
+  virtual void Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw& draw);
+
+  // The shadow map, or null.
+  virtual vtkTextureObject* GetMap() { return nullptr; }
+
+  // What stands between the light and the start of the rays: a count, or where casters let light
+  // through their optical thickness.
+  virtual int GetStartCount() const { return 0; }
+  virtual CasterOpticalThickness GetStartThickness() const { return {}; }
+
+  // The relative error of the light that casters let through.
+  virtual double GetThicknessError() const { return 0.0; }
+
+  virtual void Release(vtkWindow*) {}
+
+  const std::string& GetError() const { return this->Error; }
+
+protected:
+  bool Fail(const std::string& reason);
+
+private:
+  std::string Error;
+};
+}
+
+#endif

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Inscatter/AirlightLightShadows.h"
+
+#include "Inscatter/AirlightPlanesShadow.h"
+#include "MapperShaders/AirlightSurfaceShader.h"
+#include "OpenGL/AirlightOpenGL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace airlight
+{
+namespace
+{
+bool Casts(const FrameScene& scene, size_t light)
+{
+  return scene.Lights[light].Scatters() && scene.Lights[light].CastsShadows;
+}
+}
+
+//------------------------------------------------------------------------------
+LightShadows::LightShadows()
+  : NoMap(this->Programs, true)
+{
+}
+
+//------------------------------------------------------------------------------
+LightShadows::~LightShadows() = default;
+
+//------------------------------------------------------------------------------
+bool LightShadows::Fail(const std::string& reason)
+{
+  this->Error = reason;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool LightShadows::HasMaps() const
+{
+  return this->Current.Method == ShadowMethod::Map || this->Current.Method == ShadowMethod::March;
+}
+
+//------------------------------------------------------------------------------
+bool LightShadows::Prepare(const FrameScene& scene, const Options& options,
+  const CasterCache& casters, const std::vector<vtkProp*>& solids)
+{
+  if (options.Method != this->Current.Method)
+  {
+    this->ReleaseMaps(scene.Window);
+  }
+  this->Current = options;
+  const bool planes = options.Method == ShadowMethod::Planes;
+  const std::vector<Caster>& all = casters.GetCasters();
+  this->OpaqueCasters.clear();
+  if (this->HasMaps())
+  {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(this->OpaqueCasters),
+      [](const Caster& caster) { return caster.OpticalThickness.Blocks == glm::ivec3(1); });
+  }
+  this->Casters = planes ? &all : this->HasMaps() ? &this->OpaqueCasters : nullptr;
+  this->Faces =
+    planes ? FindPlanarOccluders(all, solids, scene.Rays) : std::vector<PlanarOccluder>();
+  this->Transmits = planes && options.TranslucentShadows && casters.MetTranslucent();
+  return this->PrepareTransmittance(scene);
+}
+
+//------------------------------------------------------------------------------
+// A slot for each light that casters dim on surfaces.
+bool LightShadows::PrepareTransmittance(const FrameScene& scene)
+{
+  std::vector<int> slots(scene.Lights.size(), -1);
+  int count = 0;
+  for (size_t k = 0; k < slots.size() && k < MaximumShadowingLights; ++k)
+  {
+    if (this->Transmits && this->Current.SurfaceShadows && Casts(scene, k))
+    {
+      slots[k] = count++;
+    }
+  }
+  return this->SurfaceTransmittance.Prepare(scene.Width, scene.Height, slots) ||
+    this->Fail(this->SurfaceTransmittance.GetError());
+}
+
+//------------------------------------------------------------------------------
+void LightShadows::MakeShadows(const FrameScene& scene)
+{
+  const size_t count = scene.Lights.size();
+  if (this->Current.Method == ShadowMethod::Planes)
+  {
+    this->Planes.resize(count);
+  }
+  for (auto& shadow : this->Planes)
+  {
+    if (!shadow)
+    {
+      shadow = std::make_unique<PlanesShadow>(this->Boundaries);
+    }
+    shadow->SetRemoteSilhouettes(this->Remote);
+  }
+  if (!this->HasMaps() || this->Maps.size() > count)
+  {
+    this->ReleaseMaps(scene.Window);
+  }
+  this->Maps.resize(this->HasMaps() ? count : 0);
+  for (size_t k = 0; k < this->Maps.size(); ++k)
+  {
+    if (!this->Maps[k] && Casts(scene, k))
+    {
+      this->Maps[k] =
+        std::make_unique<MapShadow>(this->Programs, this->Current.Method == ShadowMethod::March);
+    }
+    if (this->Maps[k])
+    {
+      this->Maps[k]->SetSteps(this->Current.Steps);
+    }
+  }
+  this->NoMap.SetSteps(this->Current.Steps);
+}
+
+//------------------------------------------------------------------------------
+LightShadow* LightShadows::Find(size_t light)
+{
+  return this->HasMaps() ? static_cast<LightShadow*>(this->Maps[light].get())
+                         : this->Planes[light].get();
+}
+
+//------------------------------------------------------------------------------
+bool LightShadows::Update(const FrameScene& scene, const InscatterTargets& targets,
+  const std::vector<NonPolygonalCaster>& nonPolygonal, const DrawActors& drawNonPolygonal)
+{
+  this->MakeShadows(scene);
+  size_t edges = 0;
+  for (size_t k = 0; k < scene.Lights.size() && this->Casters; ++k)
+  {
+    if (Casts(scene, k))
+    {
+      const ShadowCasters casters{ *this->Casters, nonPolygonal, this->Faces, drawNonPolygonal,
+        this->Current.MapResolution };
+      LightShadow& shadow = *this->Find(k);
+      if (!shadow.Update(scene, static_cast<int>(k), casters, targets))
+      {
+        return this->Fail(shadow.GetError());
+      }
+      edges = std::max(edges, shadow.GetEdgeCount());
+    }
+  }
+  // How much room boundaries get follows from the planes that are to be drawn.
+  return this->Current.Method != ShadowMethod::Planes ||
+    this->Boundaries.Prepare(scene.Window, scene.Width, scene.Height, this->Transmits, edges,
+      this->Current.MemoryLimit, this->Current.LimitPlanes) ||
+    this->Fail(this->Boundaries.GetError());
+}
+
+//------------------------------------------------------------------------------
+LightShadow& LightShadows::Get(const FrameScene& scene, int light)
+{
+  LightShadow* shadow = this->Casters && scene.Lights[light].CastsShadows
+    ? this->Find(static_cast<size_t>(light))
+    : nullptr;
+  if (shadow && shadow->HasShadow())
+  {
+    return *shadow;
+  }
+  const bool march = this->Current.Method == ShadowMethod::March;
+  return march ? static_cast<LightShadow&>(this->NoMap) : this->None;
+}
+
+//------------------------------------------------------------------------------
+bool LightShadows::IsOverBudget() const
+{
+  return this->Current.Method == ShadowMethod::Planes && this->Boundaries.IsOverBudget();
+}
+
+//------------------------------------------------------------------------------
+void LightShadows::SetStartUniforms(
+  vtkShaderProgram* program, const LightShadow& shadow, int light) const
+{
+  if (!this->Transmits)
+  {
+    program->SetUniformi("startCount", shadow.GetStartCount());
+    return;
+  }
+  const CasterOpticalThickness start = shadow.GetStartThickness();
+  // Vectors of integers, which vtkShaderProgram cannot set.
+  const auto set = [program](const char* name, const glm::ivec3& value) {
+    glUniform3iv(glGetUniformLocation(program->GetHandle(), name), 1, &value.x);
+  };
+  set("startBlocks", start.Blocks);
+  set("startThickness", start.Thickness);
+  program->SetUniformi("transmittanceSlot", this->SurfaceTransmittance.GetSlot(light));
+  this->SurfaceTransmittance.Use(program);
+}
+
+//------------------------------------------------------------------------------
+bool LightShadows::DrawWireframe(const FrameScene& scene, vtkTextureObject* distances)
+{
+  const size_t count = this->Current.Method == ShadowMethod::Planes
+    ? std::min(this->Planes.size(), scene.Lights.size())
+    : 0;
+  for (size_t k = 0; k < count; ++k)
+  {
+    PlanesShadow& shadow = *this->Planes[k];
+    if (Casts(scene, k) && shadow.HasShadow() &&
+      !shadow.DrawWireframe(scene, static_cast<int>(k), distances))
+    {
+      return this->Fail(shadow.GetError());
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void LightShadows::ReleaseMaps(vtkWindow* window)
+{
+  for (const auto& map : this->Maps)
+  {
+    if (map)
+    {
+      map->Release(window);
+    }
+  }
+  this->Maps.clear();
+}
+
+//------------------------------------------------------------------------------
+void LightShadows::ReleaseObjects(vtkWindow* window)
+{
+  this->Planes.clear();
+  this->ReleaseMaps(window);
+  this->Programs.Merge.Release();
+  this->Boundaries.Release();
+  this->SurfaceTransmittance.Release();
+}
+
+//------------------------------------------------------------------------------
+void LightShadows::Release(vtkWindow* window)
+{
+  this->ReleaseObjects(window);
+  this->Casters = nullptr;
+  this->OpaqueCasters.clear();
+}
+}

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The shadows of all lights, and what is kept of them from frame to frame.
+ */
+
+#ifndef AirlightLightShadows_h
+#define AirlightLightShadows_h
+
+#include "Inscatter/AirlightLightShadow.h"
+#include "Inscatter/AirlightMapShadow.h"
+#include "Inscatter/AirlightShadowMethod.h"
+#include "ShadowVolumes/AirlightShadowLists.h"
+#include "ShadowVolumes/AirlightSilhouetteExchange.h"
+#include "Translucency/AirlightShadowTransmittance.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkProp;
+class vtkWindow;
+
+namespace airlight
+{
+class PlanesShadow;
+
+class LightShadows
+{
+public:
+  LightShadows();
+  ~LightShadows();
+
+  struct Options
+  {
+    ShadowMethod Method = ShadowMethod::None;
+    bool SurfaceShadows = false;
+    bool TranslucentShadows = false; // casters dim light by their opacity
+    bool LimitPlanes = false;        // too many boundaries are an error
+    int MapResolution = 1024;
+    int Steps = 64;                // of a ray march
+    std::uint64_t MemoryLimit = 0; // bytes
+  };
+
+  // Chooses the casters of a frame. `solids`: props of which each fragment hides what is behind it.
+  // Here and below false with a reason in GetError() where OpenGL refuses.
+  bool Prepare(const FrameScene& scene, const Options& options, const CasterCache& casters,
+    const std::vector<vtkProp*>& solids);
+
+  // Whether casters let light through, and what they leave of it on opaque surfaces.
+  bool TransmitsLight() const { return this->Transmits; }
+  const ShadowTransmittance& GetSurfaceTransmittance() const { return this->SurfaceTransmittance; }
+
+  // Brings all shadows up to date, after Prepare().
+  bool Update(const FrameScene& scene, const InscatterTargets& targets,
+    const std::vector<NonPolygonalCaster>& nonPolygonal, const DrawActors& drawNonPolygonal);
+
+  // A light's shadow; one without a shadow where it casts none.
+  LightShadow& Get(const FrameScene& scene, int light);
+
+  // Whether drawing failed as there are too many boundaries for the memory limit.
+  bool IsOverBudget() const;
+
+  // The casters of other processes, for all frames until they are removed.
+  void AddRemoteSilhouettes(const ProcessSilhouettes& remote) { this->Remote.push_back(remote); }
+  void RemoveAllRemoteSilhouettes() { this->Remote.clear(); }
+  bool HasRemoteSilhouettes() const { return !this->Remote.empty(); }
+
+  // Sets what the inscatter shader reads of the start of the rays and of surfaces.
+  void SetStartUniforms(vtkShaderProgram* program, const LightShadow& shadow, int light) const;
+
+  // Draws the outlines of all shadow planes into the framebuffer that is bound.
+  bool DrawWireframe(const FrameScene& scene, vtkTextureObject* distances);
+
+  // Frees the shadow maps, which are large.
+  void ReleaseMaps(vtkWindow* window);
+
+  // Frees all OpenGL objects, or also what is known of casters.
+  void ReleaseObjects(vtkWindow* window);
+  void Release(vtkWindow* window);
+
+  const std::string& GetError() const { return this->Error; }
+
+private:
+  bool Fail(const std::string& reason);
+  bool PrepareTransmittance(const FrameScene& scene);
+  void MakeShadows(const FrameScene& scene);
+  bool HasMaps() const;
+  LightShadow* Find(size_t light);
+
+  Options Current;
+  ShadowLists Boundaries;
+  MapPrograms Programs;
+  ShadowTransmittance SurfaceTransmittance;
+  std::vector<ProcessSilhouettes> Remote;            // by process
+  std::vector<std::unique_ptr<PlanesShadow>> Planes; // by light
+  std::vector<std::unique_ptr<MapShadow>> Maps;      // likewise
+  LightShadow None;
+  MapShadow NoMap; // a ray march without a caster
+  std::vector<PlanarOccluder> Faces;
+  std::vector<Caster> OpaqueCasters;            // maps have light and dark only
+  const std::vector<Caster>* Casters = nullptr; // null: there are no shadows
+  bool Transmits = false;
+  std::string Error;
+};
+}
+
+#endif

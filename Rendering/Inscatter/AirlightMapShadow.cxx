@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Inscatter/AirlightMapShadow.h"
+
+#include "AirlightMapBoundaries.h"
+#include "AirlightMapMarch.h"
+#include "AirlightNoBoundaries.h"
+#include "AirlightRayMarch.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace airlight
+{
+namespace
+{
+// The longest way on which light of any channel falls to 1/e; 1 where none does.
+double GetFadingLength(const f64::AirlightMedia& media)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3 * media.count; ++i)
+  {
+    const double sigmaT = media.item[i / 3].sigmaT[i % 3];
+    least = sigmaT > 0.0 ? std::min(least, sigmaT) : least;
+  }
+  return std::isinf(least) ? 1.0 : 1.0 / least;
+}
+}
+
+//------------------------------------------------------------------------------
+MapShadow::MapShadow(MapPrograms& programs, bool march)
+  : Programs(programs)
+  , March(march)
+{
+}
+
+//------------------------------------------------------------------------------
+bool MapShadow::Update(
+  const FrameScene& scene, int light, const ShadowCasters& casters, const InscatterTargets& targets)
+{
+  return !this->Map.Update(
+           casters.Polygonal, casters.NonPolygonal, scene.Lights[light], casters.MapResolution) ||
+    this->DrawMap(scene.Window, casters, targets);
+}
+
+//------------------------------------------------------------------------------
+bool MapShadow::BindTarget(const InscatterTargets& targets, vtkTextureObject* texture)
+{
+  const std::string reason = targets.Bind({ texture }, nullptr);
+  return reason.empty() || this->Fail(reason);
+}
+
+//------------------------------------------------------------------------------
+bool MapShadow::DrawMap(
+  vtkOpenGLRenderWindow* window, const ShadowCasters& casters, const InscatterTargets& targets)
+{
+  if (!this->Map.Prepare(window))
+  {
+    return this->Fail(this->Map.GetError());
+  }
+  if (!this->BindTarget(targets, this->Map.GetTexture()))
+  {
+    return false;
+  }
+  if (!this->Map.Draw(window, this->Programs.Casters))
+  {
+    return this->Fail(this->Map.GetError());
+  }
+  if (!this->Map.HasNonPolygonal())
+  {
+    return true;
+  }
+  if (!this->BindTarget(targets, this->Map.GetNonPolygonalTexture()))
+  {
+    return false;
+  }
+  this->Map.DrawNonPolygonal(window, casters.DrawNonPolygonal);
+  if (!this->BindTarget(targets, this->Map.GetTexture()))
+  {
+    return false;
+  }
+  return this->Map.MergeNonPolygonal(window, this->Programs.Merge) ||
+    this->Fail(this->Map.GetError());
+}
+
+//------------------------------------------------------------------------------
+std::string MapShadow::GetBoundarySource(const InscatterDraw&, const std::string& fragments) const
+{
+  return std::string(AirlightMapMarch) +
+    (this->March ? AirlightNoBoundaries + fragments + AirlightRayMarch
+                 : AirlightMapBoundaries + fragments);
+}
+
+//------------------------------------------------------------------------------
+void MapShadow::Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw&)
+{
+  double scale = 0.0;
+  if (this->Map.HasCasters())
+  {
+    this->Map.SetUniforms(program, scene.Rays);
+    scale = this->Map.GetExtent();
+  }
+  else
+  {
+    program->SetUniformi("mapKind", 0);
+  }
+  if (this->March)
+  {
+    scale = GetFadingLength(scene.Media);
+  }
+  program->SetUniformi("marchSteps", this->Steps);
+  program->SetUniformf("marchScale", static_cast<float>(scale));
+}
+}

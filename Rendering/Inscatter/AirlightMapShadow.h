@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A light's shadow from a shadow map: boundaries found in the map, or a ray march that looks into
+ * it at each step.
+ */
+
+#ifndef AirlightMapShadow_h
+#define AirlightMapShadow_h
+
+#include "Inscatter/AirlightLightShadow.h"
+
+namespace airlight
+{
+// The programs that draw maps, shared by all of them.
+struct MapPrograms
+{
+  Quad Merge;
+  ProgramMaker Casters;
+};
+
+class MapShadow : public LightShadow
+{
+public:
+  // `march`: by a ray march of so many steps.
+  MapShadow(MapPrograms& programs, bool march);
+  void SetSteps(int steps) { this->Steps = steps; }
+
+  bool Update(const FrameScene& scene, int light, const ShadowCasters& casters,
+    const InscatterTargets& targets) override;
+  bool HasShadow() const override { return this->March || this->Map.HasCasters(); }
+  std::string GetBoundarySource(
+    const InscatterDraw& draw, const std::string& fragments) const override;
+  bool HasPackedSource() const override { return false; }
+  void Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw& draw) override;
+  vtkTextureObject* GetMap() override
+  {
+    return this->Map.HasCasters() ? this->Map.GetTexture() : nullptr;
+  }
+  void Release(vtkWindow* window) override { this->Map.Release(window); }
+
+private:
+  bool DrawMap(
+    vtkOpenGLRenderWindow* window, const ShadowCasters& casters, const InscatterTargets& targets);
+  bool BindTarget(const InscatterTargets& targets, vtkTextureObject* texture);
+
+  MapPrograms& Programs;
+  ShadowMap Map;
+  bool March;
+  int Steps = 64;
+};
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Inscatter/AirlightPlanesShadow.h"
+
+#include "OpenGL/AirlightOpenGL.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace airlight
+{
+namespace
+{
+// The silhouettes that other processes made for the light as it is, up to rounding.
+ShadowVolumes::RemoteSilhouettes FindSilhouettes(
+  const std::vector<ProcessSilhouettes>& processes, size_t index, const glm::dvec4& light)
+{
+  ShadowVolumes::RemoteSilhouettes found;
+  for (const ProcessSilhouettes& process : processes)
+  {
+    if (index < process.size() &&
+      glm::distance(process[index]->Light, light) <= 1e-9 * glm::length(light))
+    {
+      found.push_back(process[index]);
+    }
+  }
+  return found;
+}
+}
+
+//------------------------------------------------------------------------------
+PlanesShadow::PlanesShadow(ShadowLists& lists)
+  : Lists(lists)
+{
+}
+
+//------------------------------------------------------------------------------
+void PlanesShadow::SetRemoteSilhouettes(const std::vector<ProcessSilhouettes>& remote)
+{
+  this->Remote = &remote;
+}
+
+//------------------------------------------------------------------------------
+bool PlanesShadow::Update(
+  const FrameScene& scene, int light, const ShadowCasters& casters, const InscatterTargets&)
+{
+  const glm::dvec4& position = scene.Lights[light].World;
+  this->Casters = &casters.Polygonal;
+  this->Faces = &casters.Faces;
+  if (this->Remote)
+  {
+    this->Volumes.SetRemoteSilhouettes(
+      FindSilhouettes(*this->Remote, static_cast<size_t>(light), position));
+  }
+  return !this->Volumes.Update(casters.Polygonal, position, scene.Rays) ||
+    this->Lists.SetVolumes(light, this->Volumes) || this->Fail(this->Lists.GetError());
+}
+
+//------------------------------------------------------------------------------
+ShadowLists::Source PlanesShadow::GetSource(
+  const FrameScene& scene, int light, vtkTextureObject* distances)
+{
+  const glm::dvec4& position = scene.Lights[light].World;
+  return { light, this->Volumes, position, scene.Rays, distances,
+    FindTruncationPlanes(*this->Casters, *this->Faces, position, scene.Rays.GetEye()) };
+}
+
+//------------------------------------------------------------------------------
+bool PlanesShadow::ForEachDraw(const FrameScene& scene, int light, const InscatterTargets& targets,
+  bool packed, const Draw& draw)
+{
+  const ShadowLists::Source source = this->GetSource(scene, light, targets.Distances);
+  for (int row = 0; row < scene.Height;)
+  {
+    const std::string reason = targets.Bind({}, targets.Depth);
+    if (!reason.empty())
+    {
+      return this->Fail(reason);
+    }
+    const int rows = this->Lists.Fill(source, row, scene.Height - row);
+    if (rows == 0)
+    {
+      return this->Fail(this->Lists.GetError());
+    }
+    if (!draw({ BoundaryPixels::Short, row, rows }) || !this->DrawLong(packed, row, rows, draw))
+    {
+      return false;
+    }
+    row += rows;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The pixels whose lists are long: packed boundaries in one draw, the closed form in several.
+bool PlanesShadow::DrawLong(bool packed, int row, int rows, const Draw& draw)
+{
+  const int draws = this->Lists.GetLongDraws();
+  if (draws == 0)
+  {
+    return true;
+  }
+  if (!this->Lists.Sort())
+  {
+    return this->Fail(this->Lists.GetError());
+  }
+  bool ok = draw({ BoundaryPixels::Long, row, rows });
+  for (int i = 1; i < draws && ok && !packed; ++i)
+  {
+    ok = draw({ BoundaryPixels::LongRest, row, rows });
+  }
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+std::string PlanesShadow::GetBoundarySource(
+  const InscatterDraw& draw, const std::string& fragments) const
+{
+  return this->Lists.GetBoundariesSource(draw.Pixels != BoundaryPixels::Short) + fragments;
+}
+
+//------------------------------------------------------------------------------
+std::string PlanesShadow::GetPackedSource(const InscatterDraw& draw) const
+{
+  return this->Lists.GetPackedSource(draw.Pixels != BoundaryPixels::Short);
+}
+
+//------------------------------------------------------------------------------
+void PlanesShadow::Bind(vtkShaderProgram* program, const FrameScene&, const InscatterDraw& draw)
+{
+  this->Lists.Use(program);
+  program->SetUniformi("resume", draw.Pixels == BoundaryPixels::LongRest ? 1 : 0);
+  // No test fails without it, see AirlightOpenGL.h.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
+double PlanesShadow::GetThicknessError() const
+{
+  double error = 0.0;
+  for (const CasterOpticalThickness& layer : this->Volumes.GetLayers())
+  {
+    error = std::max(error, airlight::GetThicknessError(layer));
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+bool PlanesShadow::DrawWireframe(const FrameScene& scene, int light, vtkTextureObject* distances)
+{
+  return this->Lists.DrawWireframe(this->GetSource(scene, light, distances)) ||
+    this->Fail(this->Lists.GetError());
+}
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A light's shadow from shadow volumes: their planes make lists of boundaries, a list a pixel
+ * (ShadowVolumes/AirlightShadowLists.h).
+ */
+
+#ifndef AirlightPlanesShadow_h
+#define AirlightPlanesShadow_h
+
+#include "Inscatter/AirlightLightShadow.h"
+#include "ShadowVolumes/AirlightShadowLists.h"
+#include "ShadowVolumes/AirlightSilhouetteExchange.h"
+
+#include <cstddef>
+
+namespace airlight
+{
+class PlanesShadow : public LightShadow
+{
+public:
+  // The lists are those of all lights, which are drawn one after the other.
+  explicit PlanesShadow(ShadowLists& lists);
+
+  // The casters of other processes, by process, for the next Update().
+  void SetRemoteSilhouettes(const std::vector<ProcessSilhouettes>& remote);
+
+  bool Update(const FrameScene& scene, int light, const ShadowCasters& casters,
+    const InscatterTargets& targets) override;
+  bool HasShadow() const override { return this->Volumes.HasShadows(); }
+  bool ForEachDraw(const FrameScene& scene, int light, const InscatterTargets& targets, bool packed,
+    const Draw& draw) override;
+  bool UsesStorage() const override { return true; }
+  std::string GetBoundarySource(
+    const InscatterDraw& draw, const std::string& fragments) const override;
+  bool HasPackedSource() const override { return this->Lists.HasKBuffer(); }
+  std::string GetPackedSource(const InscatterDraw& draw) const override;
+  void Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw& draw) override;
+  int GetStartCount() const override { return this->Volumes.GetStartCount(); }
+  CasterOpticalThickness GetStartThickness() const override
+  {
+    return this->Volumes.GetStartLayers();
+  }
+  double GetThicknessError() const override;
+  size_t GetEdgeCount() const override { return this->Volumes.GetEdges().size(); }
+
+  // Draws the outlines of the planes into the framebuffer that is bound.
+  bool DrawWireframe(const FrameScene& scene, int light, vtkTextureObject* distances);
+
+private:
+  ShadowLists::Source GetSource(const FrameScene& scene, int light, vtkTextureObject* distances);
+  bool DrawLong(bool packed, int row, int rows, const Draw& draw);
+
+  ShadowLists& Lists;
+  ShadowVolumes Volumes;
+  const std::vector<ProcessSilhouettes>* Remote = nullptr;
+  const std::vector<Caster>* Casters = nullptr;       // of the last Update()
+  const std::vector<PlanarOccluder>* Faces = nullptr; // likewise
+};
+}
+
+#endif
