@@ -100,8 +100,8 @@ void MapShadow::Bind(vtkShaderProgram* program, const FrameScene& scene, const I
   double scale = 0.0;
   if (this->Map.HasCasters())
   {
-    this->Map.SetUniforms(program, scene.Rays);
-    scale = this->Map.GetExtent();
+    this->Map.GetProjection().SetUniforms(program, scene.Rays);
+    scale = this->Map.GetProjection().GetExtent();
   }
   else
   {

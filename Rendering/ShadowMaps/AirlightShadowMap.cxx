@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowMaps/AirlightShadowMap.h"
 
+#include "AirlightMergeCastersFS.h"
 #include "AirlightShadowMapFS.h"
 #include "AirlightShadowMapVS.h"
 #include "OpenGL/AirlightOpenGL.h"
 
+#include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
 #include "vtkWindow.h"
 
 #include <algorithm>
@@ -19,8 +22,6 @@ namespace airlight
 {
 namespace
 {
-// Six faces, three in a row.
-constexpr int FacesInRow = 3;
 // Triangles that are sent to the graphics card at a time.
 constexpr size_t Batch = 1 << 15;
 // Of the largest distance: nearer to the light nothing is drawn.
@@ -48,45 +49,23 @@ bool ShadowMap::Update(const std::vector<Caster>& casters,
   this->Axis = sceneLight.Values.axis;
   this->CosCone = sceneLight.Values.cosCone;
   this->Resolution = resolution;
-  this->SetProjection();
-  this->Drawn = this->Kind == Projection::None;
+  this->Projection.Set(casters, nonPolygonal, sceneLight, resolution);
+  this->Drawn = !this->Projection.HasCasters();
   return !this->Drawn;
-}
-
-//------------------------------------------------------------------------------
-// Of six, face 2 k looks along axis k, face 2 k + 1 against it.
-glm::dmat3 ShadowMap::GetFrame(int face) const
-{
-  if (this->Kind != Projection::Cube)
-  {
-    return this->Frame;
-  }
-  const int k = face / 2;
-  glm::dmat3 frame(0.0);
-  frame[0][(k + 1) % 3] = 1.0;
-  frame[1][(k + 2) % 3] = 1.0;
-  frame[2][k] = face % 2 == 0 ? 1.0 : -1.0;
-  return frame;
-}
-
-//------------------------------------------------------------------------------
-glm::ivec2 ShadowMap::GetTile(int face) const
-{
-  return { face % FacesInRow * this->Side, face / FacesInRow * this->Side };
 }
 
 //------------------------------------------------------------------------------
 bool ShadowMap::Prepare(vtkOpenGLRenderWindow* window)
 {
-  const bool cube = this->Kind == Projection::Cube;
-  this->Width = (cube ? FacesInRow : 1) * this->Side;
-  this->Height = (cube ? 6 / FacesInRow : 1) * this->Side;
+  this->Width = this->Projection.GetWidth();
+  this->Height = this->Projection.GetHeight();
   const int most = vtkTextureObject::GetMaximumTextureSize(window);
   if (this->Width > most)
   {
     this->Error = "a shadow map of " + std::to_string(this->Width) +
       " texels exceeds the largest texture of " + std::to_string(most) +
-      ": call SetShadowMapResolution() with at most " + std::to_string(most / FacesInRow);
+      ": call SetShadowMapResolution() with at most " +
+      std::to_string(most / this->Projection.GetFacesInRow());
     return false;
   }
   return this->Allocate(window, this->Texture) &&
@@ -163,11 +142,12 @@ bool ShadowMap::Draw(vtkOpenGLRenderWindow* window, ProgramMaker& programs)
     return false;
   }
   this->BeginNearest(window, true);
-  const glm::vec2 scale(this->Scale);
+  const glm::vec2 scale(this->Projection.GetScale());
   program->SetUniform2f("scale", &scale.x);
-  program->SetUniformi("resolution", this->Side);
-  program->SetUniformi("parallel", this->Kind == Projection::Parallel ? 1 : 0);
-  program->SetUniformf("nearest", static_cast<float>(RelativeNear * this->Farthest));
+  program->SetUniformi("resolution", this->Projection.GetSide());
+  program->SetUniformi("parallel", this->Projection.IsParallel() ? 1 : 0);
+  program->SetUniformf(
+    "nearest", static_cast<float>(RelativeNear * this->Projection.GetFarthest()));
   this->Refused = false;
   glGenVertexArrays(1, &this->VertexArray);
   glGenBuffers(1, &this->Buffer);
@@ -186,16 +166,16 @@ bool ShadowMap::Draw(vtkOpenGLRenderWindow* window, ProgramMaker& programs)
 //------------------------------------------------------------------------------
 void ShadowMap::AddTriangle(const glm::dvec3 (&points)[3], std::vector<Corner>& corners) const
 {
-  const bool parallel = this->Kind == Projection::Parallel;
+  const bool parallel = this->Projection.IsParallel();
+  const glm::dvec3 away = this->Projection.GetFrame(0)[2];
   glm::dvec3 normal = glm::cross(points[1] - points[0], points[2] - points[0]);
   const double length = glm::length(normal);
   normal /= length > 0.0 ? length : 1.0;
-  const double away = glm::dot(normal, parallel ? this->Frame[2] : points[0]);
-  normal *= away < 0.0 ? -1.0 : 1.0;
+  normal *= glm::dot(normal, parallel ? away : points[0]) < 0.0 ? -1.0 : 1.0;
   double limit = -std::numeric_limits<double>::infinity();
   for (const glm::dvec3& point : points)
   {
-    limit = std::max(limit, parallel ? glm::dot(point, this->Frame[2]) : glm::length(point));
+    limit = std::max(limit, parallel ? glm::dot(point, away) : glm::length(point));
   }
   const glm::vec4 plane(glm::vec3(normal), static_cast<float>(glm::dot(normal, points[0])));
   for (const glm::dvec3& point : points)
@@ -207,13 +187,14 @@ void ShadowMap::AddTriangle(const glm::dvec3 (&points)[3], std::vector<Corner>& 
 //------------------------------------------------------------------------------
 void ShadowMap::DrawCasters(vtkShaderProgram* program)
 {
+  const glm::dvec3& anchor = this->Projection.GetAnchor();
   std::vector<Corner> corners;
   for (const Caster& caster : this->Casters)
   {
     for (const std::array<int, 3>& t : caster.Mesh->Triangles)
     {
-      const glm::dvec3 points[3] = { caster.GetPoint(t[0]) - this->Anchor,
-        caster.GetPoint(t[1]) - this->Anchor, caster.GetPoint(t[2]) - this->Anchor };
+      const glm::dvec3 points[3] = { caster.GetPoint(t[0]) - anchor, caster.GetPoint(t[1]) - anchor,
+        caster.GetPoint(t[2]) - anchor };
       this->AddTriangle(points, corners);
       if (corners.size() >= 3 * Batch)
       {
@@ -249,13 +230,14 @@ void ShadowMap::DrawCorners(vtkShaderProgram* program, const std::vector<Corner>
   attribute("position", 3, offsetof(Corner, Position));
   attribute("plane", 4, offsetof(Corner, Plane));
   attribute("limit", 1, offsetof(Corner, Limit));
-  for (int face = 0; face < this->GetFaceCount(); ++face)
+  const int side = this->Projection.GetSide();
+  for (int face = 0; face < this->Projection.GetFaceCount(); ++face)
   {
-    const glm::ivec2 tile = this->GetTile(face);
-    const glm::mat3 frame(this->GetFrame(face));
-    // Not through VTK's record, which is told where it ends.
-    glViewport(tile.x, tile.y, this->Side, this->Side);
-    glScissor(tile.x, tile.y, this->Side, this->Side);
+    const glm::ivec2 tile = this->Projection.GetTile(face);
+    const glm::mat3 frame(this->Projection.GetFrame(face));
+    // Not through VTK's record, which learns where it ends.
+    glViewport(tile.x, tile.y, side, side);
+    glScissor(tile.x, tile.y, side, side);
     program->SetUniform2i("tile", &tile.x);
     program->SetUniform3fv("frame", 3, &frame[0].x);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
@@ -264,6 +246,44 @@ void ShadowMap::DrawCorners(vtkShaderProgram* program, const std::vector<Corner>
   glScissor(0, 0, this->Width, this->Height);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+void ShadowMap::DrawNonPolygonal(vtkOpenGLRenderWindow* window, const DrawActors& draw)
+{
+  this->BeginNearest(window, true);
+  vtkOpenGLState* state = window->GetState();
+  const int side = this->Projection.GetSide();
+  for (int face = 0; face < this->Projection.GetFaceCount(); ++face)
+  {
+    auto camera = vtk::TakeSmartPointer(vtkCamera::New());
+    this->Projection.SetCamera(camera, face);
+    const glm::ivec2 tile = this->Projection.GetTile(face);
+    state->vtkglViewport(tile.x, tile.y, side, side);
+    state->vtkglScissor(tile.x, tile.y, side, side);
+    draw(this->NonPolygonal, camera, tile.x, tile.y, side);
+  }
+  this->EndNearest(window);
+}
+
+//------------------------------------------------------------------------------
+bool ShadowMap::MergeNonPolygonal(vtkOpenGLRenderWindow* window, Quad& quad)
+{
+  vtkShaderProgram* program = quad.GetOrCompile(window, AirlightMergeCastersFS);
+  if (!program)
+  {
+    this->Error = std::string("the shadow map's shader") + ProgramMaker::GetReason();
+    return false;
+  }
+  this->BeginNearest(window, false);
+  const glm::vec2 scale(this->Projection.GetScale());
+  program->SetUniformi("resolution", this->Projection.GetSide());
+  program->SetUniformi("parallel", this->Projection.IsParallel() ? 1 : 0);
+  program->SetUniform2f("scale", &scale.x);
+  program->SetUniformf("offset", static_cast<float>(this->Projection.GetCameraOffset()));
+  quad.Draw({ { "drawn", this->NonPolygonalTexture } });
+  this->EndNearest(window);
+  return true;
 }
 
 //------------------------------------------------------------------------------

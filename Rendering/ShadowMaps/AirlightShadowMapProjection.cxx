@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Where a shadow map's faces are, and how shaders find a point in them.
-
-#include "ShadowMaps/AirlightShadowMap.h"
+#include "ShadowMaps/AirlightShadowMapProjection.h"
 
 #include "Scene/AirlightCameraUniforms.h"
+
 #include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -17,6 +18,10 @@ namespace airlight
 {
 namespace
 {
+// Six faces, three in a row.
+constexpr int FacesInRow = 3;
+// Of the largest distance: what is nearer to the light the camera cuts off.
+constexpr double RelativeNear = 1e-4;
 // Up to 60 degrees one face before a spot is finer than six around it.
 constexpr double NarrowCone = 0.5;
 // The square root of 6: a face on its own has as many texels as six together.
@@ -30,8 +35,18 @@ constexpr double Rounding = 1e-6;
 // A rough bound of what interpolation and the map's own numbers lose, relative to distances.
 constexpr double MapRounding = 1e-5;
 
+void AddCorners(const std::vector<NonPolygonalCaster>& casters, std::vector<glm::dvec3>& corners)
+{
+  for (const NonPolygonalCaster& caster : casters)
+  {
+    const std::vector<glm::dvec3> box = caster.GetCorners();
+    corners.insert(corners.end(), box.begin(), box.end());
+  }
+}
+
 // The corners of the casters' boxes.
-std::vector<glm::dvec3> GetCorners(const std::vector<Caster>& casters)
+std::vector<glm::dvec3> GetCorners(
+  const std::vector<Caster>& casters, const std::vector<NonPolygonalCaster>& nonPolygonal)
 {
   std::vector<glm::dvec3> corners;
   for (const Caster& caster : casters)
@@ -45,6 +60,7 @@ std::vector<glm::dvec3> GetCorners(const std::vector<Caster>& casters)
       corners.emplace_back(caster.ToWorld * glm::dvec4(local, 1.0));
     }
   }
+  AddCorners(nonPolygonal, corners);
   return corners;
 }
 
@@ -56,60 +72,11 @@ glm::dmat3 MakeFrame(const glm::dvec3& axis)
   const glm::dvec3 across = glm::normalize(glm::cross(axis, least));
   return { across, glm::cross(axis, across), axis };
 }
-}
 
-//------------------------------------------------------------------------------
-std::vector<glm::dvec3> ShadowMap::GetBoxCorners() const
-{
-  std::vector<glm::dvec3> corners = GetCorners(this->Casters);
-  for (const NonPolygonalCaster& other : this->NonPolygonal)
-  {
-    const std::vector<glm::dvec3> box = other.GetCorners();
-    corners.insert(corners.end(), box.begin(), box.end());
-  }
-  return corners;
-}
-
-//------------------------------------------------------------------------------
-void ShadowMap::SetProjection()
-{
-  if (this->Casters.empty() && this->NonPolygonal.empty())
-  {
-    this->Kind = Projection::None;
-    return;
-  }
-  if (this->Light.w == 0.0)
-  {
-    this->SetParallelProjection();
-    return;
-  }
-  this->Anchor = glm::dvec3(this->Light);
-  this->Side = this->Resolution;
-  this->Scale = glm::dvec2(1.0);
-  this->Frame = glm::dmat3(1.0);
-  this->Kind = Projection::Cube;
-  if (this->CosCone >= NarrowCone)
-  {
-    this->Kind = Projection::Cone;
-    this->Side = static_cast<int>(SingleFace * this->Resolution);
-    this->Frame = MakeFrame(glm::normalize(this->Axis));
-    const double tangent = std::sqrt(1.0 - this->CosCone * this->CosCone) / this->CosCone;
-    this->Scale = glm::dvec2((1.0 - 2.0 * Margin / this->Side) / tangent);
-  }
-  this->Farthest = 0.0;
-  for (const glm::dvec3& corner : this->GetBoxCorners())
-  {
-    this->Farthest = std::max(this->Farthest, glm::length(corner - this->Anchor));
-  }
-  this->Extent = this->Farthest;
-}
-
-//------------------------------------------------------------------------------
 // Turned so that the casters' boxes fill the map well.
-glm::dmat3 ShadowMap::FindParallelFrame() const
+glm::dmat3 FindParallelFrame(const glm::dvec3& toLight, const std::vector<glm::dvec3>& corners)
 {
-  const glm::dmat3 frame = MakeFrame(-glm::normalize(glm::dvec3(this->Light)));
-  const std::vector<glm::dvec3> corners = this->GetBoxCorners();
+  const glm::dmat3 frame = MakeFrame(-glm::normalize(toLight));
   glm::dmat3 best = frame;
   double least = std::numeric_limits<double>::infinity();
   for (int turn = 0; turn < Turns; ++turn)
@@ -136,18 +103,53 @@ glm::dmat3 ShadowMap::FindParallelFrame() const
   }
   return best;
 }
+}
+
+//------------------------------------------------------------------------------
+void ShadowMapProjection::Set(const std::vector<Caster>& casters,
+  const std::vector<NonPolygonalCaster>& nonPolygonal, const SceneLight& light, int resolution)
+{
+  *this = ShadowMapProjection();
+  if (casters.empty() && nonPolygonal.empty())
+  {
+    return;
+  }
+  if (light.World.w == 0.0)
+  {
+    this->Side = static_cast<int>(SingleFace * resolution);
+    this->SetParallel(casters, nonPolygonal, glm::dvec3(light.World));
+    return;
+  }
+  this->Anchor = glm::dvec3(light.World);
+  this->Side = resolution;
+  this->Kind = Kinds::Cube;
+  const double cosine = light.Values.cosCone;
+  if (cosine >= NarrowCone)
+  {
+    this->Kind = Kinds::Cone;
+    this->Side = static_cast<int>(SingleFace * resolution);
+    this->Frame = MakeFrame(glm::normalize(light.Values.axis));
+    const double tangent = std::sqrt(1.0 - cosine * cosine) / cosine;
+    this->Scale = glm::dvec2((1.0 - 2.0 * Margin / this->Side) / tangent);
+  }
+  for (const glm::dvec3& corner : GetCorners(casters, nonPolygonal))
+  {
+    this->Farthest = std::max(this->Farthest, glm::length(corner - this->Anchor));
+  }
+  this->Extent = this->Farthest;
+}
 
 //------------------------------------------------------------------------------
 // Around all casters.
-void ShadowMap::SetParallelProjection()
+void ShadowMapProjection::SetParallel(const std::vector<Caster>& casters,
+  const std::vector<NonPolygonalCaster>& nonPolygonal, const glm::dvec3& toLight)
 {
-  this->Kind = Projection::Parallel;
-  this->Side = static_cast<int>(SingleFace * this->Resolution);
-  this->Frame = this->FindParallelFrame();
+  this->Kind = Kinds::Parallel;
+  this->Frame = FindParallelFrame(toLight, GetCorners(casters, nonPolygonal));
   const glm::dmat3 toFrame = glm::transpose(this->Frame);
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high = -low;
-  for (const Caster& caster : this->Casters)
+  for (const Caster& caster : casters)
   {
     for (int i = 0; i < static_cast<int>(caster.Mesh->Points.size()); ++i)
     {
@@ -157,11 +159,7 @@ void ShadowMap::SetParallelProjection()
     }
   }
   std::vector<glm::dvec3> corners;
-  for (const NonPolygonalCaster& other : this->NonPolygonal)
-  {
-    const std::vector<glm::dvec3> box = other.GetCorners();
-    corners.insert(corners.end(), box.begin(), box.end());
-  }
+  AddCorners(nonPolygonal, corners);
   for (const glm::dvec3& corner : corners)
   {
     low = glm::min(low, toFrame * corner);
@@ -178,12 +176,84 @@ void ShadowMap::SetParallelProjection()
 }
 
 //------------------------------------------------------------------------------
-void ShadowMap::SetUniforms(vtkShaderProgram* program, const CameraUniforms& view) const
+int ShadowMapProjection::GetFacesInRow() const
+{
+  return this->Kind == Kinds::Cube ? FacesInRow : 1;
+}
+
+//------------------------------------------------------------------------------
+int ShadowMapProjection::GetWidth() const { return this->GetFacesInRow() * this->Side; }
+
+//------------------------------------------------------------------------------
+int ShadowMapProjection::GetHeight() const
+{
+  return this->GetFaceCount() / this->GetFacesInRow() * this->Side;
+}
+
+//------------------------------------------------------------------------------
+glm::ivec2 ShadowMapProjection::GetTile(int face) const
+{
+  return { face % FacesInRow * this->Side, face / FacesInRow * this->Side };
+}
+
+//------------------------------------------------------------------------------
+// Of six, face 2 k looks along axis k, face 2 k + 1 against it.
+glm::dmat3 ShadowMapProjection::GetFrame(int face) const
+{
+  if (this->Kind != Kinds::Cube)
+  {
+    return this->Frame;
+  }
+  const int k = face / 2;
+  glm::dmat3 frame(0.0);
+  frame[0][(k + 1) % 3] = 1.0;
+  frame[1][(k + 2) % 3] = 1.0;
+  frame[2][k] = face % 2 == 0 ? 1.0 : -1.0;
+  return frame;
+}
+
+//------------------------------------------------------------------------------
+double ShadowMapProjection::GetCameraOffset() const
+{
+  return this->IsParallel() ? 2.0 * this->Extent : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void ShadowMapProjection::SetCamera(vtkCamera* camera, int face) const
+{
+  const bool parallel = this->IsParallel();
+  const glm::dmat3 frame = this->GetFrame(face);
+  const double offset = this->GetCameraOffset();
+  const glm::dvec3 position = this->Anchor - offset * frame[2];
+  const glm::dvec3 focus = position + std::max(this->Extent, 1e-30) * frame[2];
+  const double nearest = parallel ? offset - this->Extent : RelativeNear * this->Farthest;
+  const double farthest = parallel ? offset + this->Extent : 2.0 * this->Farthest;
+  camera->SetPosition(position.x, position.y, position.z);
+  camera->SetFocalPoint(focus.x, focus.y, focus.z);
+  camera->SetViewUp(frame[1].x, frame[1].y, frame[1].z);
+  camera->SetParallelProjection(parallel);
+  camera->SetClippingRange(nearest, farthest);
+  // A camera's right hand is where the face's first direction is, or opposite.
+  const double hand = glm::dot(glm::cross(frame[2], frame[1]), frame[0]);
+  vtkNew<vtkMatrix4x4> projection;
+  projection->Zero();
+  projection->SetElement(0, 0, hand * this->Scale.x);
+  projection->SetElement(1, 1, this->Scale.y);
+  projection->SetElement(2, 2, (parallel ? -2.0 : -farthest - nearest) / (farthest - nearest));
+  projection->SetElement(
+    2, 3, (parallel ? -farthest - nearest : -2.0 * farthest * nearest) / (farthest - nearest));
+  projection->SetElement(3, parallel ? 3 : 2, parallel ? 1.0 : -1.0);
+  camera->SetExplicitProjectionTransformMatrix(projection);
+  camera->UseExplicitProjectionTransformMatrixOn();
+}
+
+//------------------------------------------------------------------------------
+void ShadowMapProjection::SetUniforms(vtkShaderProgram* program, const CameraUniforms& view) const
 {
   const glm::vec3 origin(this->Anchor - view.GetEye());
   const glm::mat3 frame(this->Frame);
   const glm::vec2 scale(this->Scale);
-  const bool parallel = this->Kind == Projection::Parallel;
+  const bool parallel = this->IsParallel();
   const double slack =
     Rounding * glm::length(origin) + (parallel ? MapRounding * this->Extent : 0.0);
   program->SetUniformi("mapKind", static_cast<int>(this->Kind));

@@ -3,9 +3,7 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightShadowMap
-  SOURCES
-    AirlightNonPolygonalShadowMap.cxx
-    AirlightShadowMapProjection.cxx
+    AirlightShadowMapProjection
   GLSL
     glsl/AirlightMapBoundaries.glsl
     glsl/AirlightMapMarch.glsl
