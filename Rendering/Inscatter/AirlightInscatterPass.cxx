@@ -20,8 +20,8 @@ bool InscatterPass::Fail(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-// Records of translucent fragments take the closed form. What is behind them does not, so that it is
-// the same to the last bit with and without them.
+// Records of translucent fragments take the closed form. What is behind them does not, so that it
+// is the same to the last bit with and without them.
 bool InscatterPass::Draw(const FrameScene& scene, const InscatterOptions& options,
   const InscatterTargets& targets, LightShadows& shadows, int light)
 {
@@ -43,7 +43,8 @@ bool InscatterPass::Draw(const FrameScene& scene, const InscatterOptions& option
 }
 
 //------------------------------------------------------------------------------
-Quad& InscatterPass::GetQuad(LightShadow& shadow, const InscatterDraw& draw, bool fragmentsOnly)
+Quad& InscatterPass::GetQuad(
+  const LightShadow& shadow, const InscatterDraw& draw, bool fragmentsOnly)
 {
   if (fragmentsOnly)
   {

@@ -35,7 +35,7 @@ private:
   bool DrawPixels(const FrameScene& scene, const InscatterTargets& targets,
     const InscatterShader& shader, LightShadow& shadow, const InscatterDraw& draw,
     bool fragmentsOnly);
-  Quad& GetQuad(LightShadow& shadow, const InscatterDraw& draw, bool fragmentsOnly);
+  Quad& GetQuad(const LightShadow& shadow, const InscatterDraw& draw, bool fragmentsOnly);
 
   // A program each, as they follow one another within a frame: without shadows, few and many
   // boundaries, from a map, and records alone.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A light's shadow map: how far its rays go before they meet a caster. Redrawn when the light or a caster changes. Needs OpenGL 3.2.
+ * A light's shadow map: how far its rays go before they meet a caster. Redrawn when the light or a
+ * caster changes. Needs OpenGL 3.2.
  *
  * Memory: 4 bytes a texel.
  */

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where a shadow map's faces are, and how shaders and cameras find a point in them: six square faces
- * around a light at a place, one before a narrow spot (up to 60 degrees), and one across the casters
- * for a light at infinity.
+ * Where a shadow map's faces are, and how shaders and cameras find a point in them: six square
+ * faces around a light at a place, one before a narrow spot (up to 60 degrees), and one across the
+ * casters for a light at infinity.
  */
 
 #ifndef AirlightShadowMapProjection_h
