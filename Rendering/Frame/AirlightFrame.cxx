@@ -232,7 +232,6 @@ bool Frame::ScatterLight(const InscatterTargets& targets, int light)
   options.Record = this->Plan.Record;
   options.PhaseErrorBound = this->Plan.PhaseErrorBound;
   options.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
-  options.Marches = this->Plan.Shadows == ShadowMethod::March;
   if (this->SceneLights[light].Scatters() &&
     !this->Inscatter.Draw(this->GetScene(), options, targets, this->Shadows, light))
   {

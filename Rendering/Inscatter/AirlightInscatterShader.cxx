@@ -84,8 +84,7 @@ std::string InscatterShader::GetSource(const InscatterDraw& draw, bool fragments
   const std::string fragments =
     records ? std::string(AirlightTranslucentLists) + AirlightResolveTranslucent : std::string();
   return this->GetHead(this->Shadow.UsesStorage() || records || transmits) +
-    (records ? "#define AIRLIGHT_TRANSLUCENT_FRAGMENTS\n" : "") +
-    (this->Options.Marches ? "#define AIRLIGHT_RAY_MARCH\n" : "") + GivenUniforms +
+    (records ? "#define AIRLIGHT_TRANSLUCENT_FRAGMENTS\n" : "") + GivenUniforms +
     (transmits ? AirlightTransmittanceBuffer : "") + AirlightShadowCounts +
     this->Shadow.GetBoundarySource(draw, fragments) + AirlightResolveOutputs + AirlightResolveFS;
 }

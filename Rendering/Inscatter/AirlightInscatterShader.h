@@ -32,7 +32,6 @@ struct InscatterOptions
   bool Record = false;                     // of what GetBuffer() gives
   double PhaseErrorBound = 0.0;            // relative; recorded
   TranslucentFragments* Records = nullptr; // null: translucent fragments have no records
-  bool Marches = false;                    // shadows by a ray march
 };
 
 class InscatterShader

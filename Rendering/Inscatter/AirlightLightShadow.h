@@ -16,6 +16,7 @@
 #include "ShadowMaps/AirlightShadowMap.h"
 #include "ShadowVolumes/AirlightPlanarOccluders.h"
 #include "ShadowVolumes/AirlightShadowVolumes.h"
+#include "ShadowVolumes/AirlightSilhouetteExchange.h"
 
 #include <cstddef>
 #include <functional>
@@ -44,9 +45,10 @@ struct ShadowCasters
 {
   const std::vector<Caster>& Polygonal;
   const std::vector<NonPolygonalCaster>& NonPolygonal;
-  const std::vector<PlanarOccluder>& Faces; // behind which no shadow planes are drawn
-  DrawActors DrawNonPolygonal;
-  int MapResolution = 1024;
+  const std::vector<PlanarOccluder>& Faces;      // behind which no shadow planes are drawn
+  const std::vector<ProcessSilhouettes>& Remote; // of other processes, by process
+  const DrawActors& DrawNonPolygonal;
+  int MapResolution;
 };
 
 // Which pixels a draw of the inscatter shader does.
@@ -117,8 +119,6 @@ public:
 
   // The relative error of the light that casters let through.
   virtual double GetThicknessError() const { return 0.0; }
-
-  virtual void Release(vtkWindow*) {}
 
   const std::string& GetError() const { return this->Error; }
 

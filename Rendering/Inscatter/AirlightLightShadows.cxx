@@ -99,7 +99,6 @@ void LightShadows::MakeShadows(const FrameScene& scene)
     {
       shadow = std::make_unique<PlanesShadow>(this->Boundaries);
     }
-    shadow->SetRemoteSilhouettes(this->Remote);
   }
   if (!this->HasMaps() || this->Maps.size() > count)
   {
@@ -133,13 +132,17 @@ bool LightShadows::Update(const FrameScene& scene, const InscatterTargets& targe
   const std::vector<NonPolygonalCaster>& nonPolygonal, const DrawActors& drawNonPolygonal)
 {
   this->MakeShadows(scene);
+  if (!this->Casters)
+  {
+    return true;
+  }
+  const ShadowCasters casters{ *this->Casters, nonPolygonal, this->Faces, this->Remote,
+    drawNonPolygonal, this->Current.MapResolution };
   size_t edges = 0;
-  for (size_t k = 0; k < scene.Lights.size() && this->Casters; ++k)
+  for (size_t k = 0; k < scene.Lights.size(); ++k)
   {
     if (Casts(scene, k))
     {
-      const ShadowCasters casters{ *this->Casters, nonPolygonal, this->Faces, drawNonPolygonal,
-        this->Current.MapResolution };
       LightShadow& shadow = *this->Find(k);
       if (!shadow.Update(scene, static_cast<int>(k), casters, targets))
       {

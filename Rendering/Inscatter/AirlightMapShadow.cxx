@@ -89,9 +89,9 @@ bool MapShadow::DrawMap(
 //------------------------------------------------------------------------------
 std::string MapShadow::GetBoundarySource(const InscatterDraw&, const std::string& fragments) const
 {
-  return std::string(AirlightMapMarch) +
-    (this->March ? AirlightNoBoundaries + fragments + AirlightRayMarch
-                 : AirlightMapBoundaries + fragments);
+  return this->March ? std::string("#define AIRLIGHT_RAY_MARCH\n") + AirlightMapMarch +
+      AirlightNoBoundaries + fragments + AirlightRayMarch
+                     : std::string(AirlightMapMarch) + AirlightMapBoundaries + fragments;
 }
 
 //------------------------------------------------------------------------------

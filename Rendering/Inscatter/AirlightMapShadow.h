@@ -37,7 +37,7 @@ public:
   {
     return this->Map.HasCasters() ? this->Map.GetTexture() : nullptr;
   }
-  void Release(vtkWindow* window) override { this->Map.Release(window); }
+  void Release(vtkWindow* window) { this->Map.Release(window); }
 
 private:
   bool DrawMap(

@@ -36,23 +36,14 @@ PlanesShadow::PlanesShadow(ShadowLists& lists)
 }
 
 //------------------------------------------------------------------------------
-void PlanesShadow::SetRemoteSilhouettes(const std::vector<ProcessSilhouettes>& remote)
-{
-  this->Remote = &remote;
-}
-
-//------------------------------------------------------------------------------
 bool PlanesShadow::Update(
   const FrameScene& scene, int light, const ShadowCasters& casters, const InscatterTargets&)
 {
   const glm::dvec4& position = scene.Lights[light].World;
   this->Casters = &casters.Polygonal;
   this->Faces = &casters.Faces;
-  if (this->Remote)
-  {
-    this->Volumes.SetRemoteSilhouettes(
-      FindSilhouettes(*this->Remote, static_cast<size_t>(light), position));
-  }
+  this->Volumes.SetRemoteSilhouettes(
+    FindSilhouettes(casters.Remote, static_cast<size_t>(light), position));
   return !this->Volumes.Update(casters.Polygonal, position, scene.Rays) ||
     this->Lists.SetVolumes(light, this->Volumes) || this->Fail(this->Lists.GetError());
 }

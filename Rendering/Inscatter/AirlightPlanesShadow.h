@@ -10,7 +10,6 @@
 
 #include "Inscatter/AirlightLightShadow.h"
 #include "ShadowVolumes/AirlightShadowLists.h"
-#include "ShadowVolumes/AirlightSilhouetteExchange.h"
 
 #include <cstddef>
 
@@ -21,9 +20,6 @@ class PlanesShadow : public LightShadow
 public:
   // The lists are those of all lights, which are drawn one after the other.
   explicit PlanesShadow(ShadowLists& lists);
-
-  // The casters of other processes, by process, for the next Update().
-  void SetRemoteSilhouettes(const std::vector<ProcessSilhouettes>& remote);
 
   bool Update(const FrameScene& scene, int light, const ShadowCasters& casters,
     const InscatterTargets& targets) override;
@@ -53,7 +49,6 @@ private:
 
   ShadowLists& Lists;
   ShadowVolumes Volumes;
-  const std::vector<ProcessSilhouettes>* Remote = nullptr;
   const std::vector<Caster>* Casters = nullptr;       // of the last Update()
   const std::vector<PlanarOccluder>* Faces = nullptr; // likewise
 };
