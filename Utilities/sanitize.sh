@@ -19,7 +19,7 @@ dependencies=(--with-openvdb --with-clang)
 # Tests of other builds, of packages, of style, and of ParaView.
 unfit='Consumer|TestPackage|TestDebianPackages|TestRemoteModule|TestImport|ParaView|Reference$|Fuzz|TestDocumentation'
 # Tests of code that uses vtkSMPTools.
-shared='TestSilhouette|TestClosedSurface[.]cxx|TestClosedSurfaceRays|TestLitIntervals|TestOccluders|TestAirlightProbe|TestAirlightReference|TestShadowPlanes|TestShadowSoup|TestDensityImage|TestRayFilterErrors'
+shared='TestSilhouette|TestClosedSurface[.]cxx|TestClosedSurfaceRays|TestLitIntervals|TestOccluders|TestAirlightProbe|TestAirlightReference|TestShadowPlanes|TestShadowMeshes|TestDensityImage|TestRayFilterErrors'
 
 case ${1-} in
   address)

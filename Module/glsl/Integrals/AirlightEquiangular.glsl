@@ -11,7 +11,7 @@
 // the quadrature's, and every end of a shadow in between takes one arctangent and a polynomial of
 // degree eight, where the closed form takes an exponential integral. The parts are chosen such that
 // the polynomial's integral is off by 1e-6 of the part's, at most a few times that
-// (Testing/Cxx/Module/TestTurn.cxx).
+// (Testing/Cxx/Module/TestEquiangularQuadrature.cxx).
 
 #if defined(AIRLIGHT_GREY) && AIRLIGHT_GREY
 #define AirlightSpectrum real

@@ -140,7 +140,7 @@ void TestUpdates()
 }
 
 //------------------------------------------------------------------------------
-int TestDensityPlace(int, char*[])
+int TestDensityPassUpdates(int, char*[])
 {
   TestPlace();
   TestUpdates();

@@ -109,7 +109,7 @@ void CheckAbove(const Buffers& on, const Buffers& off, const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-int TestGlowOnWall(int argc, char* argv[])
+int TestScatteredSurfaceLightPicture(int argc, char* argv[])
 {
   Scene scene(640, 480);
   Build(scene);

@@ -129,7 +129,7 @@ void TestBudget()
 }
 
 //------------------------------------------------------------------------------
-int TestShadowRule(int, char*[])
+int TestAutomaticShadowTechnique(int, char*[])
 {
   TestCasters();
   TestBudget();

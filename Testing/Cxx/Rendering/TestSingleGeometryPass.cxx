@@ -192,7 +192,7 @@ void TestSurfaces()
 }
 
 //------------------------------------------------------------------------------
-int TestAirlightPassOnce(int, char*[])
+int TestSingleGeometryPass(int, char*[])
 {
   TestTechniques();
   TestLights();

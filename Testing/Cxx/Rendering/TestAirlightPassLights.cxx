@@ -141,7 +141,7 @@ bool TestOtherLights()
 }
 
 //------------------------------------------------------------------------------
-int TestAirlightPassLamp(int, char*[])
+int TestAirlightPassLights(int, char*[])
 {
   const bool ok = TestWhitePlane();
   return TestOtherLights() && ok ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -75,7 +75,7 @@ void Compare(Scene& scene, const std::string& name, double most)
 }
 
 //------------------------------------------------------------------------------
-int TestTranslucentMarch(int, char*[])
+int TestTranslucentRayMarch(int, char*[])
 {
   Scene scene(120, 90);
   scene.Pass->SetShadowMapResolution(512);

@@ -185,7 +185,7 @@ void CheckWarnings(Composition& scene)
 }
 
 //------------------------------------------------------------------------------
-int TestCompositionOutside(int, char*[])
+int TestCompositionOuterPasses(int, char*[])
 {
   Composition scene(120, 120);
   scene.Renderer->GetActiveCamera()->SetFocalDisk(0.02);

@@ -238,7 +238,7 @@ bool ComparePhase(const std::string& name, vtkParticipatingMedium* medium, Rando
 }
 
 //------------------------------------------------------------------------------
-int TestTurn(int, char*[])
+int TestEquiangularQuadrature(int, char*[])
 {
   Random random(11);
   vtkNew<vtkParticipatingMedium> medium;

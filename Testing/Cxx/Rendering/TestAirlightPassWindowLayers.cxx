@@ -243,7 +243,7 @@ void TestOpacity(void (*makeMedium)(Scene&), const std::string& medium)
 }
 
 //------------------------------------------------------------------------------
-int TestAirlightPassLayers(int, char*[])
+int TestAirlightPassWindowLayers(int, char*[])
 {
   TestLayerAbove();
   TestLayerOver(false, MakeGrey, "grey");

@@ -221,7 +221,7 @@ void TestUnfogged()
 }
 
 //------------------------------------------------------------------------------
-int TestVolumeKinds(int, char*[])
+int TestVolumeBlending(int, char*[])
 {
   {
     Stage stage;

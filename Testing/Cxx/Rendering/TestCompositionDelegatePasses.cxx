@@ -135,7 +135,7 @@ void CheckOcclusion(Composition& scene, vtkSSAOPass* occlusion)
 }
 
 //------------------------------------------------------------------------------
-int TestCompositionInside(int, char*[])
+int TestCompositionDelegatePasses(int, char*[])
 {
   Composition scene;
   vtkNew<vtkSSAOPass> occlusion;

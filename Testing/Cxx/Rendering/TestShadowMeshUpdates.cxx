@@ -74,7 +74,7 @@ void TestChange(
 }
 
 //------------------------------------------------------------------------------
-int TestShadowSwappedPoints(int, char*[])
+int TestShadowMeshUpdates(int, char*[])
 {
   for (const bool strips : { false, true })
   {

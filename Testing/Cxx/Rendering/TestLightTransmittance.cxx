@@ -127,7 +127,7 @@ void TestChanges(const std::string& photometry)
 }
 
 //------------------------------------------------------------------------------
-int TestLightThroughMedium(int argc, char* argv[])
+int TestLightTransmittance(int argc, char* argv[])
 {
   TestRegions();
   const std::unique_ptr<char[]> photometry(

@@ -245,7 +245,7 @@ void TestSheetStack()
 }
 
 //------------------------------------------------------------------------------
-int TestShadowSoup(int, char*[])
+int TestShadowMeshes(int, char*[])
 {
   TestOpenCylinder();
   TestFlipped();

@@ -227,7 +227,7 @@ void CheckMedia(bool lamp)
 }
 
 //------------------------------------------------------------------------------
-int TestReferenceScenes(int, char*[])
+int TestAirlightReferenceScenes(int, char*[])
 {
   CheckStrips();
   CheckGrids();

@@ -102,7 +102,7 @@ void TestSharing()
 }
 
 //------------------------------------------------------------------------------
-int TestDistanceProgramsUpdates(int, char*[])
+int TestDepthPrePassUpdates(int, char*[])
 {
   TestShaders();
   TestReleases();
