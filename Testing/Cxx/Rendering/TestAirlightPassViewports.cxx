@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // vtkAirlightPass in several viewports of one window: each shows what a window of its own shows,
-// with a pass for each renderer and with one pass for all of them; and viewports without pixels.
+// with a pass for each renderer and with one pass for all of them; viewports without pixels; and
+// screenshots in tiles.
 
 #include "AirlightWindowScene.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkWindowToImageFilter.h"
 
 #include <functional>
 
@@ -199,6 +201,69 @@ void TestTinyWindows()
   scene.Window->SetSize(Width, Height);
   CheckSame(before, scene.Render(), "the window made large again");
 }
+
+//------------------------------------------------------------------------------
+// Screenshots larger than the window, which VTK puts together from tiles: the picture is that of a
+// window of that size.
+constexpr int Scale = 3;
+constexpr int ShotWidth = 100;
+constexpr int ShotHeight = 75;
+
+Picture Shoot(vtkRenderWindow* window, bool fixBoundary)
+{
+  vtkNew<vtkWindowToImageFilter> filter;
+  filter->SetInput(window);
+  filter->SetScale(Scale, Scale);
+  filter->SetFixBoundary(fixBoundary);
+  filter->ReadFrontBufferOff();
+  filter->Update();
+  vtkImageData* image = filter->GetOutput();
+  const auto* first = static_cast<const unsigned char*>(image->GetScalarPointer());
+  return Picture(first, first + 3 * image->GetNumberOfPoints());
+}
+
+void CheckShot(const std::string& what, const Picture& direct, const Picture& shot)
+{
+  const int steps = Compare(direct, shot);
+  const int different = CountDifferent(direct, shot, 1);
+  std::cout << what << ": differs by " << steps << "/255 at most, " << different << " of "
+            << direct.size() / 3 << " pixels by more than 1/255\n";
+  Check(ShowsScene(direct), what + ": something is seen");
+  Check(direct.size() == size_t(3) * Scale * Scale * ShotWidth * ShotHeight && steps <= 1,
+    what + ": the picture of a large window");
+}
+
+//------------------------------------------------------------------------------
+using Change = std::function<void(WindowScene&)>;
+
+void TestScreenshot(const std::string& what, const Change& change)
+{
+  WindowScene large(Scale * ShotWidth, Scale * ShotHeight, 2);
+  change(large);
+  const Picture direct = Capture(large.Window);
+  WindowScene small(ShotWidth, ShotHeight, 2);
+  change(small);
+  const Picture before = Capture(small.Window);
+  CheckShot(what, direct, Shoot(small.Window, false));
+  CheckShot(what + ", overlapping tiles", direct, Shoot(small.Window, true));
+  Check(Compare(before, Capture(small.Window)) == 0, what + ": the window is as before");
+}
+
+//------------------------------------------------------------------------------
+// Viewports that tiles cut through, miss and touch. (VTK clears nothing beside viewports in tiles.)
+void TestScreenshotOfViewports()
+{
+  const auto make = [](int scale, bool shoot) {
+    WindowScene left(ShotWidth, ShotHeight, 1);
+    WindowScene right(ShotWidth, ShotHeight, 2);
+    right.Cube->GetProperty()->SetOpacity(0.5);
+    const auto window = MakeWindow(scale * ShotWidth, scale * ShotHeight);
+    Place(left, window, 0.0, 0.0, 0.4, 1.0);
+    Place(right, window, 0.4, 0.0, 1.0, 1.0);
+    return shoot ? Shoot(window, false) : Capture(window);
+  };
+  CheckShot("two viewports", make(Scale, false), make(1, true));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -209,5 +274,15 @@ int TestAirlightPassViewports(int, char*[])
   TestSharedActors();
   TestTinyViewports();
   TestTinyWindows();
+  TestScreenshot("perspective", [](WindowScene&) {});
+  TestScreenshot("parallel projection", [](WindowScene& scene) {
+    scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+    scene.Renderer->GetActiveCamera()->SetParallelScale(4.0);
+  });
+  TestScreenshot("translucent", [](WindowScene& scene) {
+    scene.Cube->GetProperty()->SetOpacity(0.5);
+    scene.Medium->SetRegionToUnbounded();
+  });
+  TestScreenshotOfViewports();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -7,12 +7,13 @@
 //   the plane:  Surface = k cos(theta) f(r) exp(-sigmaT (r + t)), f(r) = 1/(a + b r + c r^2), and
 //   the medium: Airlight = sigmaS/(4 pi) pi k integral over [0, t] of f(r(s)) exp(-sigmaT (r(s) + s)) ds,
 //
-// since its radiant intensity is pi k r^2 f(r).
+// since its radiant intensity is pi k r^2 f(r). And the radius of point lights, against the same.
 
 #include "AirlightTestQuadrature.h"
 #include "AirlightTestTools.h"
 #include "AirlightTestWhitePlane.h"
 
+#include "vtkAirlight.h"
 #include "vtkLight.h"
 
 #include <cstdlib>
@@ -107,11 +108,10 @@ void ComparePixels(PixelScene& scene, const std::vector<FadingLight>& lights, Co
     }
   }
 }
-}
 
 //------------------------------------------------------------------------------
 // What kind a light is stands in the mappers' shaders: one scene goes through all kinds.
-int TestLightAttenuation(int, char*[])
+bool TestAttenuation()
 {
   const glm::dvec3 first(0.5, 0.3, 2.0);
   const glm::dvec3 second(-1.5, 1.0, 0.7);
@@ -135,6 +135,108 @@ int TestLightAttenuation(int, char*[])
     plane.Render();
     ComparePixels(plane.Scene, lights, comparisons);
   }
-  return AllOk({ &comparisons.Surface, &comparisons.Square, &comparisons.Other }) ? EXIT_SUCCESS
-                                                                                  : EXIT_FAILURE;
+  return AllOk({ &comparisons.Surface, &comparisons.Square, &comparisons.Other });
+}
+
+//------------------------------------------------------------------------------
+// The radius of point lights, vtkAirlightPass::SetLightRadius(): rays that pass a light more closely are
+// shaded as if they passed at this distance, h = radius, with the same foot.
+const double RadiusScattering[3] = { 0.1, 0.2, 0.05 };
+const double RadiusAbsorption[3] = { 0.0, 0.1, 0.05 };
+const double Intensity[3] = { 10.0, 20.0, 30.0 };
+
+// The camera in the origin of a telescope that looks at the light, beside its middle.
+void Aim(PixelScene& scene, const glm::dvec3& light)
+{
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 0.0);
+  camera->SetFocalPoint(light.x + 0.03, light.y - 0.02, light.z);
+  camera->SetViewAngle(15.0);
+  camera->SetClippingRange(0.1, 100.0);
+}
+
+//------------------------------------------------------------------------------
+enum class Method
+{
+  ClosedForm,
+  Quadrature // where the medium attenuates light on its own way
+};
+
+// Of a unit light per unit of scattering, isotropic. r is what the radius leaves of the distance.
+double GetAirlight(
+  const glm::dvec3& light, const PixelRay& ray, double sigmaT, double radius, Method method)
+{
+  const double foot = glm::dot(light - ray.Origin, ray.Direction);
+  const double h = glm::length(light - ray.Origin - foot * ray.Direction);
+  const double kept = std::max(h, radius);
+  const auto integrand = [&](double x) {
+    const double r = std::hypot(kept, x);
+    const double way = method == Method::ClosedForm ? r : std::hypot(h, x);
+    return 0.25 / Pi / (r * r) * std::exp(-sigmaT * (foot + x + way));
+  };
+  // What is beyond 100 the media leave nothing of.
+  return Integrate(integrand, PeakPanels(-foot, 100.0, std::min(h, 0.1)), 1e-9);
+}
+
+// Every third pixel in either direction.
+bool CompareRadius(PixelScene& scene, const glm::dvec3& light, double radius, Method method)
+{
+  scene.Pass->SetLightRadius(radius);
+  scene.Window->Render();
+  Comparison within(Text("radius ", radius, ", rays within it, relative"));
+  Comparison beyond(Text("radius ", radius, ", other rays, relative"));
+  for (int pixel = 0; pixel < PixelScene::Width * PixelScene::Height / 9; ++pixel)
+  {
+    const int i = 3 * (pixel % (PixelScene::Width / 3)) + 1;
+    const int j = 3 * (pixel / (PixelScene::Width / 3) % (PixelScene::Height / 3)) + 1;
+    const PixelRay ray = scene.GetRay(i, j);
+    const double h = glm::length(glm::cross(light - ray.Origin, ray.Direction));
+    for (int k = 0; k < 3; ++k)
+    {
+      const double expected = RadiusScattering[k] * Intensity[k] *
+        GetAirlight(light, ray, RadiusScattering[k] + RadiusAbsorption[k], radius, method);
+      const double value = scene.GetPixel("Airlight", i, j)[k];
+      const double limit = method == Method::ClosedForm ? 1e-5 : 1e-4;
+      (h < radius ? within : beyond).Add(std::abs(value / expected - 1.0), limit, [&] {
+        return Text(
+          "pixel ", i, " ", j, ", channel ", k, ", h ", h, ": ", value, ", expected ", expected);
+      });
+    }
+  }
+  return AllOk({ &within, &beyond });
+}
+
+bool TestRadius()
+{
+  const glm::dvec3 place(0.5, 0.3, -5.0);
+  PixelScene scene;
+  scene.Medium->SetScattering(RadiusScattering[0], RadiusScattering[1], RadiusScattering[2]);
+  scene.Medium->SetAbsorption(RadiusAbsorption[0], RadiusAbsorption[1], RadiusAbsorption[2]);
+  vtkNew<vtkLight> light;
+  vtkAirlight::SetRadiantIntensity(light, Intensity);
+  light->SetPosition(&place.x);
+  scene.Renderer->AddLight(light);
+  Aim(scene, place);
+  const bool large = CompareRadius(scene, place, 0.4, Method::ClosedForm);
+  const bool small = CompareRadius(scene, place, 0.15, Method::ClosedForm);
+  // Two media, each half as dense: the same by Gauss's rule.
+  vtkNew<vtkParticipatingMedium> half;
+  for (vtkParticipatingMedium* medium : { scene.Medium.Get(), half.Get() })
+  {
+    medium->SetScattering(
+      0.5 * RadiusScattering[0], 0.5 * RadiusScattering[1], 0.5 * RadiusScattering[2]);
+    medium->SetAbsorption(
+      0.5 * RadiusAbsorption[0], 0.5 * RadiusAbsorption[1], 0.5 * RadiusAbsorption[2]);
+  }
+  scene.Pass->AddMedium(half);
+  const bool two = CompareRadius(scene, place, 0.4, Method::Quadrature);
+  return large && small && two;
+}
+}
+
+//------------------------------------------------------------------------------
+int TestLightAttenuation(int, char*[])
+{
+  const bool ok = TestAttenuation();
+  return TestRadius() && ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The sun in two equal unbounded media whose densities fall with height, which take quadrature: from eyes
+// Media whose densities fall with height. The sun in two equal unbounded ones, which take quadrature: from eyes
 // in the fog and up to 60 scale heights above it, where all of a ray's airlight comes from a short part
 // of it. With D(t) the density's integral from the eye to t, h the eye's height over the scale height H,
 // m and mu the rises of ray and sun, the optical depth at t is
@@ -83,10 +83,64 @@ void Compare(double height, const glm::dvec3& toSun)
   CheckClose(1.0 + worst, 1.0, 1e-3,
     airlight_test::Text("eye ", height, " scale heights up, sun's rise ", toSun.y));
 }
+
+//------------------------------------------------------------------------------
+// Height fog that leaves a channel alone, such as an atmosphere in metres. Rays that fall through
+// infinitely much of it are black in the other channels. In the clear one their transmittance is 1 and
+// their airlight 0, whatever the density's integral, which single precision cannot hold.
+void CheckBuffer(vtkImageData* buffer, const std::string& name, const std::string& what)
+{
+  vtkDataArray* values = buffer->GetPointData()->GetScalars();
+  int improper = 0;
+  int wrong = 0;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    for (int k = 0; k < values->GetNumberOfComponents(); ++k)
+    {
+      improper += std::isfinite(values->GetComponent(i, k)) ? 0 : 1;
+    }
+    const double clear = values->GetComponent(i, 0);
+    wrong += (name == "Transmittance" && clear != 1.0) || (name == "Airlight" && clear != 0.0);
+  }
+  std::cout << what << ", " << name << ": " << improper << " improper values, " << wrong
+            << " wrong ones\n";
+  Check(improper == 0, what + ", " + name + ": all values are finite");
+  Check(wrong == 0, what + ", " + name + ": the first channel is clear");
+}
+
+void TestClearChannel(
+  const glm::dvec3& scattering, double scaleHeight, double reference, bool several)
+{
+  const std::string what = "scale height " + std::to_string(scaleHeight) + ", reference " +
+    std::to_string(reference) + (several ? ", two media" : "");
+  Scene scene(60, 45);
+  vtkNew<vtkParticipatingMedium> second;
+  for (vtkParticipatingMedium* medium : { scene.Medium.Get(), second.Get() })
+  {
+    medium->SetScattering(&scattering.x);
+    medium->SetAbsorption(0.0, 0.0, 0.0);
+    medium->SetDensityToExponentialHeight();
+    medium->SetScaleHeight(scaleHeight);
+    medium->SetReferenceHeight(reference);
+    medium->SetAmbientRadiance(0.1, 0.2, 0.3);
+  }
+  if (several)
+  {
+    scene.Pass->AddMedium(second);
+  }
+  scene.AddPointLight({ 0.0, 3.0, -1.0 });
+  scene.AddDirectionalLight({ 0.3, 1.0, 0.2 });
+  scene.Add(MakeSphere(1.0));
+  const Buffers buffers = scene.Render();
+  for (const char* name : { "Radiance", "Airlight", "Surface", "Transmittance", "ErrorBound" })
+  {
+    CheckBuffer(buffers.at(name), name, what);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
-int TestHeightFogLayers(int, char*[])
+int TestHeightFog(int, char*[])
 {
   for (const double height : { -1.0, 1.5, 8.0, 25.0, 60.0 })
   {
@@ -94,6 +148,14 @@ int TestHeightFogLayers(int, char*[])
     {
       Compare(height, glm::normalize(glm::dvec3(-0.6, rise, -0.8)));
     }
+  }
+  for (const bool several : { false, true })
+  {
+    TestClearChannel({ 0.0, 0.1, 0.1 }, 8000.0, 0.0, several);
+    TestClearChannel({ 0.0, 1e-5, 2e-5 }, 8500.0, 0.0, several);
+    TestClearChannel({ 0.0, 1e-5, 2e-5 }, 1000.0, 0.0, several);
+    TestClearChannel({ 0.0, 0.1, 0.1 }, 1.0, 30.0, several);
+    TestClearChannel({ 0.0, 0.0, 0.0 }, 8000.0, 0.0, several);
   }
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
