@@ -12,12 +12,12 @@
 #include "FaultyOpenGL.h"
 
 #include "AirlightTestErrors.h"
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
-namespace airlighttest
+namespace airlight_test
 {
 // VTK's own messages about shaders are long, and they are expected.
 class SilentOutput : public vtkOutputWindow

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <dlfcn.h>
 
-using airlighttest::Function;
+using airlight_test::Function;
 
 extern "C"
 {
@@ -42,7 +42,7 @@ Function Replace(const char* name, Function real)
   {
     return reinterpret_cast<Function>(eglGetProcAddress);
   }
-  return airlighttest::ReplaceFunction(name, real);
+  return airlight_test::ReplaceFunction(name, real);
 }
 
 bool IsOpenGL(const char* library)

@@ -8,8 +8,8 @@
 
 namespace
 {
-using airlighttest::Function;
-using airlighttest::Refusal;
+using airlight_test::Function;
+using airlight_test::Refusal;
 
 // The functions of OpenGL are global, and so is what they are told.
 struct
@@ -135,7 +135,7 @@ extern "C"
   }
 }
 
-namespace airlighttest
+namespace airlight_test
 {
 //------------------------------------------------------------------------------
 Function ReplaceFunction(const char* name, Function real)

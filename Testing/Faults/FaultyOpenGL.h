@@ -12,7 +12,7 @@
 
 #include <string>
 
-namespace airlighttest
+namespace airlight_test
 {
 enum class Refusal
 {

@@ -6,7 +6,7 @@
 
 #include "FaultTrial.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

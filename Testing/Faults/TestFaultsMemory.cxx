@@ -6,9 +6,9 @@
 
 #include "FaultTrial.h"
 
-#include "AirlightTestGlass.h"
+#include "AirlightTestBodies.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

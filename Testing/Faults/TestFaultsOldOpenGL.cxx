@@ -8,7 +8,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 //------------------------------------------------------------------------------
 int TestFaultsOldOpenGL(int, char*[])

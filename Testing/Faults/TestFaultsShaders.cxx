@@ -11,7 +11,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOutputWindow.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

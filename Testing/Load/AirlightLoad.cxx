@@ -51,5 +51,5 @@ int main(int argc, char* argv[])
   })->add_option("--scene", options.Scene, "This one only");
   CLI11_PARSE(app, argc, argv);
   run();
-  return airlighttest::Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return airlight_test::Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

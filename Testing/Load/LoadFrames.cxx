@@ -10,7 +10,7 @@
 
 #include <numeric>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace airlightload
 {

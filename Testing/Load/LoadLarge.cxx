@@ -11,7 +11,7 @@
 
 #include <iomanip>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace airlightload
 {

@@ -6,7 +6,7 @@
 
 #include "LoadTools.h"
 
-#include "AirlightTestGlass.h"
+#include "AirlightTestBodies.h"
 
 #include "vtkActorCollection.h"
 #include "vtkSMPTools.h"
@@ -16,7 +16,7 @@
 #include <map>
 #include <thread>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace airlightload
 {

@@ -10,7 +10,7 @@
 #include "vtkPNGWriter.h"
 #include "vtkWindowToImageFilter.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace airlightload
 {

@@ -72,7 +72,7 @@ void Digest::Add(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-void Digest::Add(const airlighttest::Picture& picture)
+void Digest::Add(const airlight_test::Picture& picture)
 {
   this->Add(picture.data(), picture.size() * sizeof(picture[0]));
 }

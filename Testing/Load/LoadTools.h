@@ -7,7 +7,7 @@
 #ifndef LoadTools_h
 #define LoadTools_h
 
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include <chrono>
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace airlightload
 {
-using airlighttest::Check;
+using airlight_test::Check;
 
 struct Options
 {
@@ -57,7 +57,7 @@ class Digest
 public:
   void Add(const void* bytes, size_t count);
   void Add(vtkImageData* image);
-  void Add(const airlighttest::Picture& picture);
+  void Add(const airlight_test::Picture& picture);
   std::string GetText() const;
 
 private:

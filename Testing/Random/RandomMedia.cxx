@@ -27,13 +27,13 @@ vtkSmartPointer<vtkPolyData> MakeClosedBody(Random& random)
     box->SetXLength(random.Uniform(0.5, 2.0));
     box->SetYLength(2.0);
     box->SetZLength(1.6);
-    return airlighttest::Make(box);
+    return airlight_test::Make(box);
   }
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(1.0);
   sphere->SetThetaResolution(3 + random.Index(8));
   sphere->SetPhiResolution(3 + random.Index(8));
-  vtkSmartPointer<vtkPolyData> body = airlighttest::Make(sphere);
+  vtkSmartPointer<vtkPolyData> body = airlight_test::Make(sphere);
   const double dent = random.Index(2) ? random.Uniform(0.2, 0.9) : 1.0;
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); i += 3)
   {

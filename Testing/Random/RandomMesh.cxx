@@ -8,14 +8,6 @@
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
-glm::dvec3 RandomPoint(Random& random, double reach)
-{
-  const double x = random.Uniform(-reach, reach);
-  const double y = random.Uniform(-reach, reach);
-  return { x, y, random.Uniform(-reach, reach) };
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeMesh(
   const TriangleList& triangles, double normals, bool shared, bool single)
 {

@@ -7,8 +7,8 @@
 #ifndef RandomParts_h
 #define RandomParts_h
 
-#include "AirlightTestDirections.h"
 #include "AirlightTestSoup.h"
+#include "AirlightTestTools.h"
 
 namespace airlight_test
 {
@@ -34,9 +34,6 @@ const char* GetPartName(int kind);
 
 // In [-1, 1]^3 or about there.
 TriangleList MakePart(int kind, Random& random);
-
-// A point in [-reach, reach]^3, and a direction.
-glm::dvec3 RandomPoint(Random& random, double reach);
 
 // With a normal for each triangle, to its front (1) or its back (-1). `shared`: points at one place are one point.
 // `single`: coordinates in single precision.

@@ -9,7 +9,7 @@
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
-RandomScene::RandomScene(std::uint64_t seed, airlighttest::Scene& scene)
+RandomScene::RandomScene(std::uint64_t seed, airlight_test::Scene& scene)
   : Group(seed / GroupSize)
   , Seed(seed)
   , Numbers(Mix(12, seed))
@@ -232,7 +232,7 @@ void RandomScene::AddPart(int kind)
   const glm::dvec3 stretch(random.Index(4) ? 1.0 : -1.0, flat, 1.0);
 
   vtkSmartPointer<vtkActor> actor =
-    airlighttest::Scene::MakeActor(static_cast<vtkMapper*>(nullptr));
+    airlight_test::Scene::MakeActor(static_cast<vtkMapper*>(nullptr));
   actor->SetPosition(this->Unit * centre.x, this->Unit * centre.y, this->Unit * centre.z);
   const glm::dvec3 scale = this->Unit * size * stretch;
   actor->SetScale(scale.x, scale.y, scale.z);
@@ -244,7 +244,7 @@ void RandomScene::AddPart(int kind)
     {
       for (glm::dvec3& corner : triangle)
       {
-        corner = airlighttest::TransformPoint(matrix, &corner.x);
+        corner = airlight_test::TransformPoint(matrix, &corner.x);
       }
     }
     actor->SetPosition(0, 0, 0);

@@ -27,7 +27,7 @@ class RandomScene
 public:
   // Empties the scene and fills it anew. The reference has to be given the same media and the
   // pass's settings.
-  RandomScene(std::uint64_t seed, airlighttest::Scene& scene);
+  RandomScene(std::uint64_t seed, airlight_test::Scene& scene);
 
   const std::vector<vtkSmartPointer<vtkParticipatingMedium>>& GetMedia() const
   {
@@ -51,7 +51,7 @@ private:
   RandomGroup Group;
   std::uint64_t Seed;
   Random Numbers;
-  airlighttest::Scene& Scene;
+  airlight_test::Scene& Scene;
   double Unit = 1.0; // length of what is 1 below
   glm::dvec3 Eye{ 0.0 };
   glm::dvec3 Focus{ 0.0 };

@@ -235,7 +235,7 @@ int main(int argc, char* argv[])
          "[--triangles MASK] [--print BUFFER] [--list FILE] [--open FILE]\n";
     return EXIT_FAILURE;
   }
-  airlighttest::Scene scene(Width, Height);
+  airlight_test::Scene scene(Width, Height);
   scene.Pass->SetShadowTechniqueToShadowPlanes();
   ErrorListener errors(scene.Pass);
   Totals totals;

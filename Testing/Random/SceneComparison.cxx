@@ -46,7 +46,7 @@ bool IsLight(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-SceneComparison::SceneComparison(airlighttest::Scene& scene,
+SceneComparison::SceneComparison(airlight_test::Scene& scene,
   const std::vector<vtkSmartPointer<vtkParticipatingMedium>>& media, bool byBound)
   : Scene(scene)
   , ByBound(byBound)

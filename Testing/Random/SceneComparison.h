@@ -78,7 +78,7 @@ class SceneComparison
 public:
   // The scene has been drawn. `byBound`: where the pass promises less than 1 % by its "ErrorBound", that
   // counts.
-  SceneComparison(airlighttest::Scene& scene,
+  SceneComparison(airlight_test::Scene& scene,
     const std::vector<vtkSmartPointer<vtkParticipatingMedium>>& media, bool byBound);
 
   const SceneFigures& GetFigures() const { return this->Figures; }
@@ -164,7 +164,7 @@ private:
   void MeasureRadiance();
   void Describe(vtkIdType pixel);
 
-  airlighttest::Scene& Scene;
+  airlight_test::Scene& Scene;
   bool ByBound;
   vtkSmartPointer<vtkImageData> Bound; // of all channels
   std::vector<Buffer> Buffers;

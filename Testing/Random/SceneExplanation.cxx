@@ -239,7 +239,7 @@ bool SceneComparison::IsMediumRight(vtkIdType pixel)
 bool SceneComparison::IsShadingPossible(vtkIdType pixel)
 {
   const glm::dvec2 middle = this->GetMiddle(pixel);
-  const airlighttest::Ray ray = this->Scene.GetRay(middle.x, middle.y);
+  const airlight_test::Ray ray = this->Scene.GetRay(middle.x, middle.y);
   const glm::dvec3 point = ray.Origin + this->GetDrawn(DEPTH, pixel) * ray.Direction;
   glm::dvec3 white(0.0);
   vtkCollectionSimpleIterator it = nullptr;

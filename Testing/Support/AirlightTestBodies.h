@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Bodies that several tests cast shadows with.
+ * Bodies that several tests put into a scene, opaque and translucent, for the picture and
+ * for brute force.
  */
 
 #ifndef AirlightTestBodies_h
@@ -11,43 +12,37 @@
 
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
 
-namespace airlighttest
+#include <functional>
+#include <vector>
+
+namespace airlight_test
 {
-inline void AddFloor(Scene& scene)
-{
-  vtkNew<vtkCubeSource> floor;
-  floor->SetBounds(-8, 8, -2.6, -2.5, -8, 6);
-  scene.Add(floor);
-}
+// A floor of a single rectangle.
+void AddFloor(Scene& scene);
+
+void AddBoxFloor(Scene& scene);
 
 // A ball and an open cone above a floor.
-inline void AddOpenBodies(Scene& scene)
-{
-  AddFloor(scene);
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(1.0);
-  sphere->SetThetaResolution(14);
-  sphere->SetPhiResolution(14);
-  scene.Add(sphere, [](vtkActor* actor) { actor->SetPosition(-1.5, 0, 0.3); });
-  vtkNew<vtkConeSource> cone;
-  cone->SetHeight(2.0);
-  cone->CappingOff();
-  scene.Add(cone, [](vtkActor* actor) {
-    actor->SetPosition(1.5, 0.4, 0);
-    actor->RotateZ(50);
-  });
-}
+void AddOpenBodies(Scene& scene);
 
 // The same, closed.
-inline void AddClosedBodies(Scene& scene)
-{
-  AddFloor(scene);
-  scene.Add(MakeSphere(1.0), [](vtkActor* actor) { actor->SetPosition(-1.5, 0, 0.3); });
-  vtkNew<vtkConeSource> cone;
-  cone->SetHeight(2.0);
-  scene.Add(cone, [](vtkActor* actor) { actor->SetPosition(1.5, 0.4, 0); });
-}
+void AddClosedBodies(Scene& scene);
+
+void SetShadowOpacity(vtkProp* prop, const glm::dvec3& opacity);
+
+// An actor that VTK blends at half its opacity, with a shadow of these opacities.
+vtkActor* AddGlass(Scene& scene, vtkPolyData* data, const glm::dvec3& opacity,
+  const std::function<void(vtkActor*)>& place = {});
+
+void AddFloorAndBall(Scene& scene);
+
+// The same window with floor, ball and nothing else: shaders are compiled once.
+void ResetToFloorAndBall(Scene& scene);
 }
 
 #endif

@@ -7,7 +7,7 @@
 #ifndef AirlightTestCasters_h
 #define AirlightTestCasters_h
 
-#include "AirlightTestDirections.h"
+#include "AirlightTestTools.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -17,36 +17,18 @@
 namespace airlight_test
 {
 // Three unit vectors at right angles.
-inline glm::dmat3 RandomAxes(Random& random)
-{
-  const glm::dvec3 x = RandomUnit(random);
-  const glm::dvec3 y = glm::normalize(glm::cross(x, RandomUnit(random)));
-  return glm::dmat3(x, y, glm::cross(x, y));
-}
+glm::dmat3 RandomAxes(Random& random);
 
 // In clip coordinates by VTK's own matrix: in a perspective w is the depth. `aspect`: of the picture, width by
 // height.
-inline glm::dvec4 Project(vtkCamera* camera, double aspect, const glm::dvec3& point)
-{
-  const double in[4] = { point.x, point.y, point.z, 1.0 };
-  glm::dvec4 clip;
-  camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->MultiplyPoint(in, &clip.x);
-  return clip;
-}
+glm::dvec4 Project(vtkCamera* camera, double aspect, const glm::dvec3& point);
 
 // Whether it is in the picture, in or outside of the clipping range. Behind the eye no ray of a perspective
 // comes along.
-inline bool IsInPicture(const glm::dvec4& clip)
-{
-  return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
-}
+bool IsInPicture(const glm::dvec4& clip);
 
 // A replacement that changes nothing in the actor's shader, of which the pass cannot know that.
-inline void MakeUnknown(vtkActor* actor)
-{
-  actor->GetShaderProperty()->AddFragmentShaderReplacement(
-    "//VTK::Color::Impl", true, "//VTK::Color::Impl\n // as it was\n", false);
-}
+void MakeUnknown(vtkActor* actor);
 }
 
 #endif

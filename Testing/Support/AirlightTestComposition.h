@@ -13,7 +13,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkRenderPass.h"
 
-namespace airlighttest
+namespace airlight_test
 {
 //------------------------------------------------------------------------------
 // A ball and a box on a floor, a lamp above them and light from the front. Nothing is overexposed,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A theatre in fog, and what its medium does to a ray by vtkAirlight in double precision.
+ * A scene in fog, and what its medium does to a ray by vtkAirlight in double precision.
  */
 
 #ifndef AirlightTestContentFog_h
@@ -11,23 +11,30 @@
 #include "AirlightTestContentSurfaces.h"
 #include "AirlightTestTools.h"
 
-namespace airlighttest
+namespace airlight_test
 {
-using airlight_test::Comparison;
-using airlight_test::Text;
 
 constexpr double Far = 1e18;                       // where a ray that hits nothing ends
 inline const glm::dvec3 LampPlace(1.0, 3.5, -2.0); // above the picture and behind what is lit
 
 //------------------------------------------------------------------------------
-class Fog : public Theatre
+class Fog : public Scene
 {
 public:
+  static constexpr int PictureWidth = 120;
+  static constexpr int PictureHeight = 90;
+
+  Fog()
+    : Scene(PictureWidth, PictureHeight)
+  {
+    this->Window->SetAlphaBitPlanes(1);
+  }
+
   // Surfaces are lit by a sun, which reaches them unattenuated, from the camera's side; the fog by a
   // lamp that is behind the surfaces that are lit. So what a surface sends is the same in fog.
   void Begin()
   {
-    this->Open();
+    Open(*this);
     this->Pass->RecordBuffersOn();
     this->Pass->SetShadowTechniqueToNone();
     this->Renderer->SetPass(this->Pass);
@@ -36,9 +43,9 @@ public:
     sun->SetPosition(0.2, 0.3, 1.0);
     sun->SetFocalPoint(0.0, 0.0, 0.0);
     sun->SetIntensity(0.8);
-    this->Renderer->AddLight(sun);
+    this->AddLight(sun);
     this->Pass->SetLightScatters(sun, false);
-    this->Lamp = this->AddLamp(LampPlace);
+    this->Lamp = AddLamp(*this, LampPlace);
   }
 
   Buffers Render(bool foggy)
@@ -59,8 +66,8 @@ public:
   static glm::dvec3 GetDirection(int i, int j)
   {
     const double slope = std::tan(glm::radians(15.0));
-    return glm::normalize(glm::dvec3(
-      slope * (2.0 * i + 1.0 - Width) / Height, slope * (2.0 * j + 1.0 - Height) / Height, -1.0));
+    return glm::normalize(glm::dvec3(slope * (2.0 * i + 1.0 - PictureWidth) / PictureHeight,
+      slope * (2.0 * j + 1.0 - PictureHeight) / PictureHeight, -1.0));
   }
 
   struct Part
@@ -84,7 +91,7 @@ public:
 };
 
 // What sends the same whatever light arrives.
-inline void Glow(vtkActor* actor)
+inline void MakeEmissive(vtkActor* actor)
 {
   actor->GetProperty()->SetAmbient(1.0);
   actor->GetProperty()->SetDiffuse(0.0);

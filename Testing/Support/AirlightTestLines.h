@@ -13,28 +13,11 @@
 #include "vtkDataArray.h"
 #include "vtkLitIntervalsFilter.h"
 
-namespace airlighttest
+namespace airlight_test
 {
 using Polyline = std::vector<glm::dvec3>;
 
-inline vtkSmartPointer<vtkPolyData> MakeLines(const std::vector<Polyline>& lines)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (const Polyline& line : lines)
-  {
-    cells->InsertNextCell(static_cast<int>(line.size()));
-    for (const glm::dvec3& p : line)
-    {
-      cells->InsertCellPoint(points->InsertNextPoint(&p.x));
-    }
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetLines(cells);
-  return data;
-}
+vtkSmartPointer<vtkPolyData> MakeLines(const std::vector<Polyline>& lines);
 
 // The filter with what it needs, and its output's arrays.
 struct Run

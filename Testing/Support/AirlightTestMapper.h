@@ -9,7 +9,7 @@
 #ifndef AirlightTestMapper_h
 #define AirlightTestMapper_h
 
-#include "AirlightTestPixels.h"
+#include "AirlightTestPixelScene.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 
@@ -27,7 +27,6 @@
 
 namespace airlight_test
 {
-using airlighttest::Triangle;
 using FloatPicture = std::vector<float>; // RGBA
 
 // A pixel that shows the surface, and how far that is along the pixel's ray.
@@ -75,7 +74,7 @@ public:
     actor->GetProperty()->LightingOff();
     actor->GetProperty()->SetColor(&this->Colour.x);
     this->Renderer->AddActor(actor);
-    this->Triangles = airlighttest::GetTriangles(data, actor->GetMatrix());
+    this->Triangles = GetTriangles(data, actor->GetMatrix());
     this->Mapper = mapper;
     this->Actor = actor;
     return actor;
@@ -112,10 +111,10 @@ public:
   double GetDepth(double i, double j)
   {
     const PixelRay ray = this->GetRay(i, j);
-    double depth = airlighttest::Infinity;
+    double depth = Infinity;
     for (const Triangle& triangle : this->Triangles)
     {
-      const double t = airlighttest::Hit(triangle, { ray.Origin, ray.Direction });
+      const double t = Hit(triangle, { ray.Origin, ray.Direction });
       depth = t > 0.0 ? std::min(depth, t) : depth;
     }
     return depth;
@@ -136,7 +135,7 @@ public:
         covers = std::isfinite(
           this->GetDepth(i + (corner % 2 ? 0.3 : -0.3), j + (corner / 2 ? 0.3 : -0.3)));
       }
-      const double depth = covers ? this->GetDepth(i, j) : airlighttest::Infinity;
+      const double depth = covers ? this->GetDepth(i, j) : Infinity;
       if (std::isfinite(depth))
       {
         samples.push_back({ i, j, this->GetRay(i, j), depth });
@@ -210,8 +209,8 @@ public:
 
 //------------------------------------------------------------------------------
 // A pixel of a window of eight bits a channel; the limit in steps of these.
-inline void CompareWindow(const std::string& what, const airlighttest::Picture& picture, int width,
-  int x, int y, const glm::dvec3& expected, double steps, Comparison& comparison)
+inline void CompareWindow(const std::string& what, const Picture& picture, int width, int x, int y,
+  const glm::dvec3& expected, double steps, Comparison& comparison)
 {
   for (int k = 0; k < 3; ++k)
   {
@@ -231,7 +230,7 @@ inline vtkSmartPointer<vtkPolyData> MakePlane(int resolution, double z = -1.0)
   plane->SetPoint1(4.0, -3.0, z + 0.4);
   plane->SetPoint2(-4.0, 3.0, z - 1.0);
   plane->SetResolution(resolution, resolution);
-  return airlighttest::Make(plane);
+  return Make(plane);
 }
 }
 

@@ -7,7 +7,6 @@
 #ifndef AirlightTestMatrix_h
 #define AirlightTestMatrix_h
 
-#include "AirlightTestDirections.h"
 #include "AirlightTestPhaseTable.h"
 #include "AirlightTestSurfaces.h"
 #include "AirlightTestTools.h"

@@ -183,6 +183,19 @@ double PointLightAirlight(const Phase& phase, double sigmaT, long double tL, lon
   std::sort(ends.begin(), ends.end());
   return Integrate(integrand, ends, 1e-13);
 }
+
+// The same in an isotropic medium for a light that sends `fall`(r, x) instead of 1/r^2, with x counted
+// from the foot.
+template <typename Fall>
+double IsotropicAirlight(const Fall& fall, double sigmaT, double tL, double h, double t0, double t1,
+  double tolerance = 1e-12)
+{
+  const auto integrand = [&](double x) {
+    const double r = std::hypot(h, x);
+    return 0.25 / Pi * fall(r, x) * std::exp(-sigmaT * (tL + x + r));
+  };
+  return Integrate(integrand, PeakPanels(t0 - tL, t1 - tL, h), tolerance);
+}
 }
 
 #endif

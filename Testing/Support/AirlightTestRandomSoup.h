@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Random triangles, as data and for AirlightBruteForce.h, and lights of all kinds among them.
+ * Random triangles, as data and for AirlightTestBruteForce.h, and lights of all kinds among them.
  */
 
 #ifndef AirlightTestRandomSoup_h
 #define AirlightTestRandomSoup_h
 
-#include "AirlightBruteForce.h"
+#include "AirlightTestBruteForce.h"
 #include "AirlightTestTools.h"
 
 #include "vtkCellArray.h"
@@ -20,72 +20,15 @@
 #include <utility>
 #include <vector>
 
-namespace airlighttest
+namespace airlight_test
 {
-using airlight_test::Random;
-
-inline glm::dvec3 RandomPoint(Random& random, double reach)
-{
-  glm::dvec3 p;
-  for (int i = 0; i < 3; ++i)
-  {
-    p[i] = random.Uniform(-reach, reach);
-  }
-  return p;
-}
 
 // Triangles of all sizes in [-1, 1]^3, each with its own points.
-inline vtkSmartPointer<vtkPolyData> MakeRandomSoup(
-  Random& random, int count, std::vector<Triangle>& triangles)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (int i = 0; i < count; ++i)
-  {
-    const double size = random.LogUniform(0.01, 0.5);
-    const glm::dvec3 centre = RandomPoint(random, 1.0);
-    const Triangle t{ centre + RandomPoint(random, size), centre + RandomPoint(random, size),
-      centre + RandomPoint(random, size) };
-    triangles.push_back(t);
-    vtkIdType ids[3];
-    int k = 0;
-    for (const glm::dvec3& p : { t.A, t.B, t.C })
-    {
-      ids[k++] = points->InsertNextPoint(p.x, p.y, p.z);
-    }
-    cells->InsertNextCell(3, ids);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  return data;
-}
+vtkSmartPointer<vtkPolyData> MakeRandomSoup(
+  Random& random, int count, std::vector<Triangle>& triangles);
 
 // A light of each kind, with its name.
-inline std::vector<std::pair<std::string, vtkSmartPointer<vtkLight>>> MakeLights()
-{
-  std::vector<std::pair<std::string, vtkSmartPointer<vtkLight>>> lights;
-  const double power[3] = { 4.0, 3.0, 2.0 };
-  const auto add = [&](const char* name) -> vtkLight* {
-    auto light = vtkSmartPointer<vtkLight>::New();
-    vtkAirlight::SetRadiantIntensity(light, power);
-    light->SetExponent(0.0);
-    light->SetPosition(0.3, 1.7, -0.4);
-    light->SetFocalPoint(-0.2, 0.0, 0.1);
-    lights.emplace_back(name, light);
-    return light;
-  };
-  add("point light");
-  add("point light among the triangles")->SetPosition(0.1, -0.2, 0.05);
-  add("attenuated point light")->SetAttenuationValues(0.5, 0.2, 1.0);
-  add("spot")->SetConeAngle(25.0);
-  vtkLight* soft = add("spot with exponent");
-  soft->SetConeAngle(40.0);
-  soft->SetExponent(3.0);
-  vtkAirlight::SetIrradiance(add("sun"), power);
-  return lights;
-}
+std::vector<std::pair<std::string, vtkSmartPointer<vtkLight>>> MakeLights();
 }
 
 #endif

@@ -26,15 +26,7 @@
 namespace airlight_test
 {
 // Writes all files into a folder of the test's own; its name, with a slash.
-inline std::string WriteFiles(const std::string& test, int argc, char* argv[])
-{
-  const std::unique_ptr<char[]> temporary(
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary"));
-  const std::string folder = std::string(temporary.get()) + "/" + test + "/";
-  vtksys::SystemTools::MakeDirectory(folder);
-  WriteOpenVDBFiles(folder);
-  return folder;
-}
+std::string WriteFiles(const std::string& test, int argc, char* argv[]);
 
 class Reader
 {
@@ -65,40 +57,12 @@ public:
   ErrorListener Warnings;
 };
 
-inline bool HasSize(vtkImageData* image, int x, int y, int z)
-{
-  const int* size = image->GetDimensions();
-  return size[0] == x && size[1] == y && size[2] == z;
-}
+bool HasSize(vtkImageData* image, int x, int y, int z);
 
-inline double GetSum(vtkImageData* image)
-{
-  vtkDataArray* values = image->GetPointData()->GetScalars();
-  double sum = 0.0;
-  for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
-  {
-    sum += values->GetComponent(i, 0);
-  }
-  return sum;
-}
+double GetSum(vtkImageData* image);
 
 // The value at a place that has to be that of a point; NaN where it is not.
-inline double GetValueAt(vtkImageData* image, const double world[3])
-{
-  double index[3];
-  image->TransformPhysicalPointToContinuousIndex(world, index);
-  int point[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    point[axis] = static_cast<int>(std::lround(index[axis]));
-    if (std::abs(index[axis] - point[axis]) > 1e-6 || point[axis] < 0 ||
-      point[axis] >= image->GetDimensions()[axis])
-    {
-      return std::nan("");
-    }
-  }
-  return image->GetScalarComponentAsDouble(point[0], point[1], point[2], 0);
-}
+double GetValueAt(vtkImageData* image, const double world[3]);
 }
 
 #endif

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A small scene in a medium, drawn by vtkAirlightPass and compared with AirlightBruteForce.h.
+ * The fixture for tests of whole pictures: a scene in a medium, drawn by vtkAirlightPass and compared
+ * with AirlightTestBruteForce.h. AirlightTestBodies.h has bodies for it. Tests of single pixels use
+ * AirlightTestPixelScene.h.
  */
 
 #ifndef AirlightTestScene_h
 #define AirlightTestScene_h
 
 #include "AirlightTestBuffers.h"
+#include "AirlightTestMeshes.h"
 
 #include "vtkActor.h"
 #include "vtkAirlightPass.h"
@@ -17,6 +20,7 @@
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkOpenGLFXAAPass.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkPolyDataMapper.h"
@@ -29,247 +33,106 @@
 #include <functional>
 #include <string>
 
-namespace airlighttest
+namespace airlight_test
 {
-//------------------------------------------------------------------------------
-// A copy of what the source makes, changed by nobody else.
-inline vtkSmartPointer<vtkPolyData> Make(vtkPolyDataAlgorithm* source)
-{
-  source->Update();
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->DeepCopy(source->GetOutput());
-  return data;
-}
-
-inline vtkSmartPointer<vtkPolyData> MakeSphere(double radius)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(24);
-  sphere->SetPhiResolution(24);
-  return Make(sphere);
-}
-
-// Triangles that share nothing: each has its own three points.
-inline vtkSmartPointer<vtkPolyData> MakeSoup(const std::vector<Triangle>& triangles)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (const Triangle& t : triangles)
-  {
-    vtkIdType ids[3];
-    const glm::dvec3* corners[3] = { &t.A, &t.B, &t.C };
-    for (int i = 0; i < 3; ++i)
-    {
-      ids[i] = points->InsertNextPoint(corners[i]->x, corners[i]->y, corners[i]->z);
-    }
-    cells->InsertNextCell(3, ids);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  return data;
-}
-
-//------------------------------------------------------------------------------
-inline glm::dvec3 TransformPoint(vtkMatrix4x4* matrix, const double p[3])
-{
-  const double in[4] = { p[0], p[1], p[2], 1.0 };
-  glm::dvec4 out;
-  matrix->MultiplyPoint(in, &out.x);
-  return glm::dvec3(out);
-}
-
-// The triangles of convex polygons and of strips, in world coordinates.
-inline std::vector<Triangle> GetTriangles(vtkPolyData* data, vtkMatrix4x4* matrix)
-{
-  std::vector<Triangle> result;
-  vtkIdType size = 0;
-  const vtkIdType* ids = nullptr;
-  const auto corner = [&](int i) {
-    double p[3];
-    data->GetPoint(ids[i], p);
-    return TransformPoint(matrix, p);
-  };
-  vtkCellArray* polygons = data->GetPolys();
-  for (polygons->InitTraversal(); polygons->GetNextCell(size, ids);)
-  {
-    for (int i = 2; i < size; ++i)
-    {
-      result.push_back({ corner(0), corner(i - 1), corner(i) });
-    }
-  }
-  vtkCellArray* strips = data->GetStrips();
-  for (strips->InitTraversal(); strips->GetNextCell(size, ids);)
-  {
-    for (int i = 2; i < size; ++i)
-    {
-      result.push_back({ corner(i - 2), corner(i - 1), corner(i) });
-    }
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
 class Scene
 {
 public:
-  explicit Scene(int width = 200, int height = 150)
-    : Width(width)
-    , Height(height)
-  {
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(width, height);
-    this->Window->AddRenderer(this->Renderer);
-    this->Renderer->AutomaticLightCreationOff();
-    this->Renderer->SetPass(this->Pass);
-    this->Medium->SetScattering(0.05, 0.07, 0.1);
-    this->Medium->SetAbsorption(0.02, 0.02, 0.01);
-    this->Pass->SetMedium(this->Medium);
-    this->Pass->RecordBuffersOn();
-    this->Look({ 0, 1, 10 }, { 0, 0, 0 });
-  }
+  explicit Scene(int width = 200, int height = 150);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  void operator=(const Scene&) = delete;
 
-  void Look(const glm::dvec3& from, const glm::dvec3& to)
-  {
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(from.x, from.y, from.z);
-    camera->SetFocalPoint(to.x, to.y, to.z);
-    camera->SetViewAngle(50.0);
-    camera->SetClippingRange(0.1, 200.0);
-  }
+  void Look(const glm::dvec3& from, const glm::dvec3& to);
 
+  ///@{
+  /**
+   * Lights. `towards` points to the light.
+   */
   vtkLight* AddPointLight(
-    const glm::dvec3& position, const glm::dvec3& intensity = glm::dvec3(40.0, 30.0, 20.0))
-  {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    vtkAirlight::SetRadiantIntensity(light, &intensity.x);
-    light->SetPosition(position.x, position.y, position.z);
-    return this->AddLight(light);
-  }
-
-  // `towards` points to the light.
+    const glm::dvec3& position, const glm::dvec3& intensity = glm::dvec3(40.0, 30.0, 20.0));
   vtkLight* AddDirectionalLight(
-    const glm::dvec3& towards, const glm::dvec3& irradiance = glm::dvec3(3.0))
-  {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    vtkAirlight::SetIrradiance(light, &irradiance.x);
-    light->SetFocalPoint(0.0, 0.0, 0.0);
-    light->SetPosition(towards.x, towards.y, towards.z);
-    return this->AddLight(light);
-  }
+    const glm::dvec3& towards, const glm::dvec3& irradiance = glm::dvec3(3.0));
+  vtkLight* AddLight(vtkLight* light);
+  ///@}
 
-  vtkLight* AddLight(vtkLight* light)
-  {
-    this->Renderer->AddLight(light);
-    this->Lights.push_back(light);
-    return light;
-  }
+  ///@{
+  /**
+   * Bodies, for the picture and for the reference: white and diffuse, one normal a triangle.
+   * AddTriangles() is for the reference only, MakeActor() for neither.
+   */
+  static vtkSmartPointer<vtkActor> MakeActor(vtkMapper* mapper);
+  static vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data);
+  vtkActor* Add(vtkPolyData* data, const std::function<void(vtkActor*)>& place = {});
+  vtkActor* Add(vtkPolyDataAlgorithm* source, const std::function<void(vtkActor*)>& place = {});
+  void AddTriangles(vtkPolyData* data, vtkMatrix4x4* matrix);
+  ///@}
 
-  // White and diffuse, one normal a triangle.
-  static vtkSmartPointer<vtkActor> MakeActor(vtkMapper* mapper)
-  {
-    auto actor = vtkSmartPointer<vtkActor>::New();
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetInterpolationToFlat();
-    return actor;
-  }
+  ///@{
+  /**
+   * Coloured bodies, which ambient light that no light source sends reaches.
+   */
+  static void Paint(vtkActor* actor, const glm::dvec3& albedo, double ambient);
+  vtkActor* AddBox(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& albedo);
+  vtkActor* AddBall(const glm::dvec3& centre, double radius, const glm::dvec3& albedo);
+  double AmbientLight = 0.0;
+  ///@}
 
-  static vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data)
+  ///@{
+  /**
+   * The ray of a point of the picture, in pixels from the lower left corner, or of a pixel's middle;
+   * what it ought to see; and the pixel that shows a point.
+   */
+  Ray GetRay(double px, double py) const;
+  Ray GetPixelRay(const glm::ivec2& pixel) const
   {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
-    mapper->ScalarVisibilityOff();
-    return MakeActor(mapper);
+    return this->GetRay(pixel.x + 0.5, pixel.y + 0.5);
   }
+  Answer GetAnswer(double px, double py);
+  glm::ivec2 GetPixel(const glm::dvec3& point) const;
+  ///@}
 
-  vtkActor* Add(vtkPolyData* data, const std::function<void(vtkActor*)>& place = {})
-  {
-    vtkSmartPointer<vtkActor> actor = MakeActor(data);
-    if (place)
-    {
-      place(actor);
-    }
-    this->Renderer->AddActor(actor);
-    this->AddTriangles(data, actor->GetMatrix());
-    return actor;
-  }
-
-  vtkActor* Add(vtkPolyDataAlgorithm* source, const std::function<void(vtkActor*)>& place = {})
-  {
-    return this->Add(Make(source), place);
-  }
-
-  // To the reference only.
-  void AddTriangles(vtkPolyData* data, vtkMatrix4x4* matrix)
-  {
-    const std::vector<Triangle> triangles = GetTriangles(data, matrix);
-    this->Triangles.insert(this->Triangles.end(), triangles.begin(), triangles.end());
-  }
-
-  // The ray of a point of the picture, in pixels from the lower left corner.
-  Ray GetRay(double px, double py)
-  {
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    glm::dvec3 eye, focus, up;
-    camera->GetPosition(&eye.x);
-    camera->GetFocalPoint(&focus.x);
-    camera->GetViewUp(&up.x);
-    const glm::dvec3 forward = glm::normalize(focus - eye);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
-    const double x = (2.0 * px - this->Width) / this->Height;
-    const double y = 2.0 * py / this->Height - 1.0;
-    const glm::dvec3 across = x * right + y * glm::cross(right, forward);
-    if (camera->GetParallelProjection())
-    {
-      return { eye + camera->GetParallelScale() * across, forward, camera->GetClippingRange()[0] };
-    }
-    const double slope = std::tan(glm::radians(0.5 * camera->GetViewAngle()));
-    const glm::dvec3 along = forward + slope * across; // one unit deep
-    return { eye, glm::normalize(along), camera->GetClippingRange()[0] * glm::length(along) };
-  }
-
-  Answer GetAnswer(double px, double py)
-  {
-    return Trace(this->Triangles, this->Lights, this->Medium, this->GetRay(px, py));
-  }
-
+  ///@{
+  /**
+   * The last frame's buffers, all of them copied, and the 99th percentile of the largest components
+   * of one. Render() is a frame and its copies.
+   */
   vtkImageData* GetBuffer(const char* name) { return this->Pass->GetBuffer(name); }
+  Buffers CopyBuffers();
+  Buffers Render();
+  double GetPercentile99(const char* name);
+  ///@}
 
-  // The last frame's buffers, kept.
-  Buffers CopyBuffers()
-  {
-    Buffers copies;
-    for (const char* name : { "Radiance", "Airlight", "Surface", "Transmittance", "Depth",
-           "LitLength", "BoundaryCount", "ErrorBound" })
-    {
-      copies[name] = vtkSmartPointer<vtkImageData>::New();
-      if (Check(this->GetBuffer(name) != nullptr, std::string("there is a buffer ") + name))
-      {
-        copies[name]->DeepCopy(this->GetBuffer(name));
-      }
-    }
-    return copies;
-  }
+  // The picture with this as the renderer's pass, which may hold the scene's own.
+  Picture Show(vtkRenderPass* pass);
 
-  Buffers Render()
-  {
-    this->Window->Render();
-    return this->CopyBuffers();
-  }
+  // Lets go of the OpenGL objects of a pass of VTK's, which complains otherwise.
+  Picture ShowOnce(vtkRenderPass* pass);
+
+  // The buffers stay as the pass writes them; the picture's edges are smoothed.
+  void SmoothEdges();
+
+  // A new renderer and a new pass in the same window, which keeps the shaders that it has compiled.
+  // Of what was in the scene only the medium is left.
+  void Restart();
+
+  // A test's exit status, the picture's comparison with its baseline included.
+  int Finish(int argc, char* argv[]);
 
   int Width;
   int Height;
   vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkAirlightPass> Pass;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkAirlightPass> Pass;
   vtkNew<vtkParticipatingMedium> Medium;
   std::vector<vtkLight*> Lights;
   std::vector<Triangle> Triangles;
+
+private:
+  void ReleasePass();
+
+  vtkNew<vtkOpenGLFXAAPass> Antialiased;
+  bool ReleasesPass = false; // at the end, since the renderer may not know the pass any more
 };
 }
 

@@ -31,147 +31,30 @@ using TriangleList = std::vector<std::array<glm::dvec3, 3>>;
 // Ends and weight: the shadow is to the left, seen from the light.
 using EdgeWeights = std::map<std::pair<Position, Position>, int>;
 
-inline Position ToPosition(const glm::dvec3& p) { return { p.x, p.y, p.z }; }
+Position ToPosition(const glm::dvec3& p);
 
 // Each triangle with points of its own.
-inline vtkSmartPointer<vtkPolyData> MakeSoup(const TriangleList& triangles)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (const std::array<glm::dvec3, 3>& t : triangles)
-  {
-    vtkIdType ids[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      ids[k] = points->InsertNextPoint(&t[k].x);
-    }
-    cells->InsertNextCell(3, ids);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  return data;
-}
+vtkSmartPointer<vtkPolyData> MakeSoup(const TriangleList& triangles);
 
 // The polygons fanned out; fine for convex ones.
-inline TriangleList GetFans(vtkPolyData* data, std::vector<vtkIdType>* cellsOf = nullptr)
-{
-  TriangleList triangles;
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    data->GetCellPoints(cell, size, ids);
-    for (vtkIdType k = 2; k < size; ++k)
-    {
-      std::array<glm::dvec3, 3> t;
-      data->GetPoint(ids[0], &t[0].x);
-      data->GetPoint(ids[k - 1], &t[1].x);
-      data->GetPoint(ids[k], &t[2].x);
-      triangles.push_back(t);
-      if (cellsOf)
-      {
-        cellsOf->push_back(cell);
-      }
-    }
-  }
-  return triangles;
-}
+TriangleList GetFans(vtkPolyData* data, std::vector<vtkIdType>* cellsOf = nullptr);
 
 // Triangles between points of a coarse lattice, so that many edges meet in all ways.
-inline TriangleList MakeLatticeSoup(Random& random, int count)
-{
-  const auto coordinate = [&] { return std::floor(random.Uniform(0.0, 3.0)) - 1.0; };
-  const auto point = [&] {
-    const double x = coordinate();
-    const double y = coordinate();
-    return glm::dvec3(x, y, coordinate());
-  };
-  TriangleList triangles;
-  while (static_cast<int>(triangles.size()) < count)
-  {
-    const glm::dvec3 a = point();
-    const glm::dvec3 b = point();
-    const glm::dvec3 c = point();
-    if (glm::length(glm::cross(b - a, c - a)) > 0.0)
-    {
-      triangles.push_back({ a, b, c });
-    }
-  }
-  return triangles;
-}
+TriangleList MakeLatticeSoup(Random& random, int count);
 
 // Above 0 where the light (w = 0: at infinity) sees the triangle's corners anticlockwise.
-inline double Facing(const std::array<glm::dvec3, 3>& t, const glm::dvec4& light)
-{
-  return glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), glm::dvec3(light) - light.w * t[0]);
-}
+double Facing(const std::array<glm::dvec3, 3>& t, const glm::dvec4& light);
 
 // The definition: the sum of the directions of all triangles, each turned to face the light.
-inline EdgeWeights SumDirections(const TriangleList& triangles, const glm::dvec4& light)
-{
-  EdgeWeights sums;
-  for (const std::array<glm::dvec3, 3>& t : triangles)
-  {
-    const double facing = Facing(t, light);
-    for (int k = 0; k < 3; ++k)
-    {
-      const Position a = ToPosition(t[k]);
-      const Position b = ToPosition(t[(k + 1) % 3]);
-      const int direction = (facing > 0.0) - (facing < 0.0);
-      sums[{ a, b }] += direction;
-      sums[{ b, a }] -= direction;
-    }
-  }
-  EdgeWeights weights;
-  for (const auto& [ends, sum] : sums)
-  {
-    if (sum > 0)
-    {
-      weights[ends] = sum;
-    }
-  }
-  return weights;
-}
+EdgeWeights SumDirections(const TriangleList& triangles, const glm::dvec4& light);
 
 // 1 where the way from p to q goes through the triangle from its front to its back, -1 the other
 // way round, 0 where it does not. After T. Moeller and B. Trumbore.
-inline int Crosses(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p, const glm::dvec3& way)
-{
-  const glm::dvec3 e1 = t[1] - t[0];
-  const glm::dvec3 e2 = t[2] - t[0];
-  const glm::dvec3 h = glm::cross(way, e2);
-  const double determinant = glm::dot(e1, h);
-  if (determinant == 0.0)
-  {
-    return 0;
-  }
-  const glm::dvec3 s = p - t[0];
-  const double u = glm::dot(s, h) / determinant;
-  const glm::dvec3 q = glm::cross(s, e1);
-  const double v = glm::dot(way, q) / determinant;
-  const double distance = glm::dot(e2, q) / determinant;
-  if (u < 0.0 || v < 0.0 || u + v > 1.0 || distance <= 0.0 || distance >= 1.0)
-  {
-    return 0;
-  }
-  return glm::dot(glm::cross(e1, e2), way) < 0.0 ? 1 : -1;
-}
+int Crosses(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p, const glm::dvec3& way);
 
 // How many triangles are between the point and the light, which is `far` away if at infinity.
-inline int CountShadows(
-  const TriangleList& triangles, const glm::dvec4& light, const glm::dvec3& point, double far)
-{
-  const glm::dvec3 way =
-    light.w != 0.0 ? glm::dvec3(light) - point : far * glm::normalize(glm::dvec3(light));
-  int count = 0;
-  for (const std::array<glm::dvec3, 3>& t : triangles)
-  {
-    count += Crosses(t, point, way) != 0 ? 1 : 0;
-  }
-  return count;
-}
+int CountShadows(
+  const TriangleList& triangles, const glm::dvec4& light, const glm::dvec3& point, double far);
 }
 
 #endif

@@ -8,6 +8,8 @@
 #ifndef AirlightTestTools_h
 #define AirlightTestTools_h
 
+#include <glm/glm.hpp>
+
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -42,6 +44,23 @@ public:
 private:
   std::mt19937_64 Engine;
 };
+
+inline glm::dvec3 RandomPoint(Random& random, double reach)
+{
+  return { random.Uniform(-reach, reach), random.Uniform(-reach, reach),
+    random.Uniform(-reach, reach) };
+}
+
+// Directions, all alike.
+inline glm::dvec3 RandomUnit(Random& random)
+{
+  glm::dvec3 v;
+  do
+  {
+    v = RandomPoint(random, 1.0);
+  } while (glm::length(v) < 0.1 || glm::length(v) > 1.0);
+  return glm::normalize(v);
+}
 
 // One kind of comparison: counts the failures, remembers the worst case, prints both.
 class Comparison

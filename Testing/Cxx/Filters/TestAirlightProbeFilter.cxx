@@ -8,8 +8,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::Failures;
+using namespace airlight_test;
 
 namespace
 {

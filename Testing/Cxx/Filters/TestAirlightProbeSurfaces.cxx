@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightProbeFilter: scattered light against brute force (see AirlightTestGlow.h), a surface
+// vtkAirlightProbeFilter: scattered light against brute force (see AirlightTestIrradiance.h), a surface
 // that shades itself, kinds of data, the same output in one thread and in many.
 
-#include "AirlightTestGlow.h"
+#include "AirlightTestIrradiance.h"
 #include "AirlightTestProbe.h"
 
 #include "vtkImageData.h"
@@ -13,8 +13,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::Failures;
+using namespace airlight_test;
 
 namespace
 {
@@ -41,8 +40,7 @@ void TestScattered()
       cloud->GetPoint(i, &p.x);
       cloud->GetPointData()->GetNormals()->GetTuple(i, &normal.x);
       const glm::dvec3 expected =
-        airlight_test::Hemisphere(probing.Medium, light.second, p, glm::normalize(normal))
-          .Irradiance(1);
+        Hemisphere(probing.Medium, light.second, p, glm::normalize(normal)).Irradiance(1);
       const glm::dvec3 found = probing.Get("ScatteredIrradiance", i);
       for (int c = 0; c < 3; ++c)
       {

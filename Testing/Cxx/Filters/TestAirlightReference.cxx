@@ -5,6 +5,7 @@
 // be shaded by, culled and clipped faces, assemblies and blocks, translucent layers, headlights,
 // parallel projection. Pixels at edges may differ: there rasterisers decide in single precision.
 
+#include "AirlightTestCompareScene.h"
 #include "AirlightTestScene.h"
 
 #include "vtkAirlightReference.h"
@@ -26,7 +27,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

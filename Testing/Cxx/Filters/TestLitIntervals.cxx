@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // vtkLitIntervalsFilter: lit parts of random lines through random triangles against brute force
-// (see AirlightBruteForce.h), for all kinds of lights and regions.
+// (see AirlightTestBruteForce.h), for all kinds of lights and regions.
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestLines.h"
@@ -10,11 +10,7 @@
 #include <cstdlib>
 #include <functional>
 
-using namespace airlighttest;
-using airlight_test::Check;
-using airlight_test::Comparison;
-using airlight_test::Failures;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {
@@ -81,7 +77,7 @@ std::vector<Interval> Expect(const std::vector<Triangle>& triangles, vtkParticip
   for (const Triangle& t : triangles)
   {
     Interval shadow;
-    if (airlighttest::FindShadow(t, GetPosition(light), ray, shadow))
+    if (FindShadow(t, GetPosition(light), ray, shadow))
     {
       shadows.push_back(shadow);
     }

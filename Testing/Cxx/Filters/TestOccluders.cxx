@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Queries of airlight::Occluders against loops over all triangles (see AirlightBruteForce.h), on
+// Queries of airlight::Occluders against loops over all triangles (see AirlightTestBruteForce.h), on
 // random triangles and on closed meshes, through whose seams nothing may leak.
 
 #include "AirlightTestCheck.h"
@@ -19,12 +19,12 @@
 using airlight::Occluders;
 using airlight_test::Check;
 using airlight_test::Failures;
+using airlight_test::Infinity;
 using airlight_test::Random;
+using airlight_test::RandomPoint;
+using airlight_test::Ray;
 using airlight_test::Text;
-using airlighttest::Infinity;
-using airlighttest::RandomPoint;
-using airlighttest::Ray;
-using airlighttest::Triangle;
+using airlight_test::Triangle;
 
 namespace
 {
@@ -56,7 +56,7 @@ void CheckFirstHit(
     double expected = Infinity;
     for (const Triangle& t : triangles)
     {
-      expected = std::min(expected, airlighttest::Hit(t, ray));
+      expected = std::min(expected, airlight_test::Hit(t, ray));
     }
     Occluders::Hit hit{};
     const bool found = occluders.FirstHit(ray.Origin, ray.Direction, 0.0, Infinity, hit);
@@ -100,8 +100,8 @@ void CheckShadows(
     }
     for (size_t i = 0; i < triangles.size(); ++i)
     {
-      airlighttest::Interval part{ 0.0, 0.0 };
-      airlighttest::FindShadow(triangles[i], light, ray, part);
+      airlight_test::Interval part{ 0.0, 0.0 };
+      airlight_test::FindShadow(triangles[i], light, ray, part);
       part.From = std::max(part.From, t0);
       part.To = std::min(part.To, t1);
       const bool expected = part.To - part.From > 1e-9;
@@ -229,7 +229,7 @@ int TestOccluders(int, char*[])
   {
     std::vector<Triangle> triangles;
     const vtkSmartPointer<vtkPolyData> soup =
-      airlighttest::MakeRandomSoup(random, count, triangles);
+      airlight_test::MakeRandomSoup(random, count, triangles);
     Occluders occluders;
     occluders.Add(soup, nullptr, 0);
     occluders.Build();

@@ -15,11 +15,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::Check;
-using airlight_test::ErrorListener;
-using airlight_test::Failures;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {

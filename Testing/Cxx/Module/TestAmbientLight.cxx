@@ -9,7 +9,6 @@
 // with rho = exp(-height/scaleHeight) or 1. Extinctions of the channels differ by up to 1e5, scale
 // heights and mean free paths by up to 1e8, and eyes are up to 60 scale heights above a fog.
 
-#include "AirlightTestDirections.h"
 #include "AirlightTestQuadrature.h"
 #include "AirlightTestTools.h"
 

@@ -4,7 +4,7 @@
 // vtkAirlightPass in its place in VTK: what becomes of backgrounds, depth, single actors and
 // annotations, and the keeping of media.
 
-#include "AirlightCompareScene.h"
+#include "AirlightTestCompareScene.h"
 
 #include "vtkActorCollection.h"
 #include "vtkCubeSource.h"
@@ -18,7 +18,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

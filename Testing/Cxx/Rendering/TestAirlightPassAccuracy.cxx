@@ -8,9 +8,9 @@
 //   Radiance = I sigmaS/(4 pi) integral over [0, t] of exp(-sigmaT (r(s) + s))/r(s)^2 ds
 //     + I/(pi r(t)^2) cos(theta) exp(-sigmaT (r(t) + t))
 
+#include "AirlightTestPixelScene.h"
 #include "AirlightTestQuadrature.h"
 #include "AirlightTestTools.h"
-#include "AirlightTestWhitePlane.h"
 
 #include "vtkAirlight.h"
 #include "vtkLight.h"
@@ -45,21 +45,21 @@ double GetRadiance(const glm::dvec3& light, const PixelRay& ray, bool plane, int
   return Intensity[k] * radiance;
 }
 
-bool Compare(WhitePlane& plane, const glm::dvec3& light, bool visible)
+bool Compare(PixelScene& scene, const glm::dvec3& light, bool visible)
 {
-  plane.Actor->SetVisibility(visible);
-  plane.Render();
+  scene.Actor->SetVisibility(visible);
+  scene.RenderFitted();
   std::vector<double> errors;
   double sum = 0.0;
   for (int i = 0; i < PixelScene::Width * PixelScene::Height; ++i)
   {
     const int x = i % PixelScene::Width;
     const int y = i / PixelScene::Width;
-    const PixelRay ray = plane.Scene.GetRay(x, y);
+    const PixelRay ray = scene.GetRay(x, y);
     for (int k = 0; k < 3; ++k)
     {
       const double error =
-        plane.Scene.GetPixel("Radiance", x, y)[k] / GetRadiance(light, ray, visible, k) - 1.0;
+        scene.GetPixel("Radiance", x, y)[k] / GetRadiance(light, ray, visible, k) - 1.0;
       sum += error;
       errors.push_back(std::abs(error));
     }
@@ -79,20 +79,21 @@ bool Compare(WhitePlane& plane, const glm::dvec3& light, bool visible)
 //------------------------------------------------------------------------------
 int TestAirlightPassAccuracy(int, char*[])
 {
-  WhitePlane plane;
-  plane.Scene.Medium->SetScattering(Scattering[0], Scattering[1], Scattering[2]);
-  plane.Scene.Medium->SetAbsorption(Absorption[0], Absorption[1], Absorption[2]);
+  PixelScene scene;
+  scene.AddBroadPlane();
+  scene.Medium->SetScattering(Scattering[0], Scattering[1], Scattering[2]);
+  scene.Medium->SetAbsorption(Absorption[0], Absorption[1], Absorption[2]);
   bool ok = true;
   for (const glm::dvec3& place : { glm::dvec3(0.713, 0.457, 1.2), glm::dvec3(-1.5, 1.0, 2.7) })
   {
     vtkNew<vtkLight> light;
     vtkAirlight::SetRadiantIntensity(light, Intensity);
     light->SetPosition(&place.x);
-    plane.Scene.Renderer->RemoveAllLights();
-    plane.Scene.Renderer->AddLight(light);
+    scene.Renderer->RemoveAllLights();
+    scene.Renderer->AddLight(light);
     for (const bool visible : { false, true })
     {
-      ok = Compare(plane, place, visible) && ok;
+      ok = Compare(scene, place, visible) && ok;
     }
   }
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;

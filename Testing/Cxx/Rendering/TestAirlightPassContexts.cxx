@@ -4,9 +4,9 @@
 // vtkAirlightPass in windows that share nothing: a pass for each, one that moves between them, and
 // windows whose OpenGL context goes and comes back.
 
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

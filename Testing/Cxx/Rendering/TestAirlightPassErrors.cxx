@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <limits>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

@@ -5,8 +5,9 @@
 // I/(pi r^2) cos(theta) of a Lambertian surface of albedo 1, attenuated on both ways. And the
 // lights that the pass integrates otherwise: without fall-off, and the renderer's own headlight.
 
+#include "AirlightTestPixelScene.h"
+#include "AirlightTestQuadrature.h"
 #include "AirlightTestTools.h"
-#include "AirlightTestWhitePlane.h"
 
 #include "vtkAirlight.h"
 #include "vtkLight.h"
@@ -18,8 +19,6 @@ using namespace airlight_test;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 //------------------------------------------------------------------------------
 // Surface = I/(pi r^2) cos(theta) exp(-sigmaT (r + t)), r from the light to the point.
 bool TestWhitePlane()
@@ -29,20 +28,19 @@ bool TestWhitePlane()
   Comparison depth("distance of the plane, relative");
   const double extinctions[][3] = { { 0, 0, 0 }, { 0.05, 0.05, 0.05 }, { 0.3, 0.1, 0.0 } };
   const glm::dvec3 lights[] = { { 0.5, 0.3, 2.0 }, { -1.5, 1.0, 0.7 }, { 30.0, 10.0, 40.0 } };
-  WhitePlane plane;
-  PixelScene& scene = plane.Scene;
-  vtkNew<vtkLight> light;
-  scene.Renderer->AddLight(light);
+  PixelScene scene;
+  scene.AddBroadPlane();
+  scene.Renderer->AddLight(scene.Light);
   const double intensity[3] = { 10.0, 20.0, 3.0 };
-  vtkAirlight::SetRadiantIntensity(light, intensity);
+  vtkAirlight::SetRadiantIntensity(scene.Light, intensity);
   for (const auto& sigmaT : extinctions)
   {
     scene.Medium->SetScattering(0.5 * sigmaT[0], 0.5 * sigmaT[1], 0.5 * sigmaT[2]);
     scene.Medium->SetAbsorption(0.5 * sigmaT[0], 0.5 * sigmaT[1], 0.5 * sigmaT[2]);
     for (const glm::dvec3& position : lights)
     {
-      light->SetPosition(position.x, position.y, position.z);
-      plane.Render();
+      scene.Light->SetPosition(position.x, position.y, position.z);
+      scene.RenderFitted();
       for (int pixel = 0; pixel < PixelScene::Width * PixelScene::Height; ++pixel)
       {
         const int i = pixel % PixelScene::Width;
@@ -104,9 +102,9 @@ bool TestOtherLights()
   {
     for (bool visible : { false, true })
     {
-      WhitePlane plane;
-      PixelScene& scene = plane.Scene;
-      plane.Actor->SetVisibility(visible);
+      PixelScene scene;
+      scene.AddBroadPlane();
+      scene.Actor->SetVisibility(visible);
       scene.Pass->SetShadowTechniqueToNone();
       scene.Medium->SetScattering(0.1, 0.3, 0.02);
       scene.Medium->SetAbsorption(0.05, 0.0, 0.2);
@@ -116,22 +114,22 @@ bool TestOtherLights()
       scene.Renderer->CreateLight();
       auto* own = vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
       scene.Pass->SetLightScatters(own, true);
-      plane.Render();
+      scene.RenderFitted();
       CompareAirlight(scene, own, headlight);
 
       scene.Renderer->RemoveAllLights();
-      vtkNew<vtkLight> light;
+      vtkLight* light = scene.Light;
       light->PositionalOn();
       light->SetConeAngle(90.0);
       scene.Renderer->AddLight(light);
       light->SetPosition(scene.Renderer->GetActiveCamera()->GetPosition());
-      plane.Render();
+      scene.RenderFitted();
       CompareAirlight(scene, light, atCamera);
       for (const glm::dvec3& position :
         { glm::dvec3(0.3, 0.2, 1.0), glm::dvec3(-30.0, 5.0, 20.0), glm::dvec3(1.0, -4.0, 8.0) })
       {
         light->SetPosition(position.x, position.y, position.z);
-        plane.Render();
+        scene.RenderFitted();
         CompareAirlight(scene, light, constant);
       }
     }

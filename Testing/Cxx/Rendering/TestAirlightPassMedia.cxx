@@ -6,7 +6,7 @@
 // beyond a face, two lights together or one by one. The expected numbers are the pass' own.
 
 #include "AirlightTestMatrix.h"
-#include "AirlightTestPixels.h"
+#include "AirlightTestPixelScene.h"
 
 #include "vtkActor.h"
 #include "vtkPlaneSource.h"
@@ -52,8 +52,6 @@ public:
     }
     return values;
   }
-
-  vtkNew<vtkLight> Light;
 };
 
 void SetFog(vtkParticipatingMedium* medium, double scale)

@@ -4,7 +4,7 @@
 // vtkAirlightPass where OpenGL is older than 4.3 (CMakeLists.txt asks Mesa for 3.3): shadows from
 // shadow maps, against brute force, and one message that says so.
 
-#include "AirlightCompareScene.h"
+#include "AirlightTestCompareScene.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -13,7 +13,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

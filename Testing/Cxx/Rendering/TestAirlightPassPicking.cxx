@@ -3,7 +3,7 @@
 //
 // Selections, picks and depths through vtkAirlightPass are those without it.
 
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include "vtkCellPicker.h"
 #include "vtkHardwareSelector.h"
@@ -16,7 +16,7 @@
 
 #include <set>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

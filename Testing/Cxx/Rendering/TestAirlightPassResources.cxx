@@ -5,7 +5,7 @@
 // ReleaseGraphicsResources() none is left, whatever made the pass need them.
 
 #include "AirlightTestVolume.h"
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkGlyph3DMapper.h"
@@ -13,7 +13,7 @@
 
 #include <array>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

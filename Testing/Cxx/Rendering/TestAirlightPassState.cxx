@@ -5,7 +5,7 @@
 // of it is true. The pass leaves none of its storage buffers bound.
 
 #include "AirlightTestCheck.h"
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include "OpenGL/AirlightOpenGL.h"
 
@@ -15,7 +15,7 @@
 #include <cstdlib>
 #include <map>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

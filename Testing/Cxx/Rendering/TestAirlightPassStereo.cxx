@@ -9,9 +9,9 @@
 // its frustum moved back: the frustum is d tan(v/2) aspect wide to each side in the focal plane, so
 // that its centre is -e / (d tan(v/2) aspect) of that beside it.
 
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

@@ -5,14 +5,14 @@
 // with a pass for each renderer and with one pass for all of them; viewports without pixels; and
 // screenshots in tiles.
 
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <functional>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

@@ -3,11 +3,11 @@
 //
 // vtkAirlightPass below, in and above other layers of a window, and over all kinds of background.
 
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include "vtkTexture.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

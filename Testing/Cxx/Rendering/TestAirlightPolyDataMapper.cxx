@@ -49,7 +49,7 @@ void TestKinds(Comparison& comparison)
   for (const bool sphere : { false, true })
   {
     scene.Renderer->RemoveAllViewProps();
-    scene.Add(sphere ? airlighttest::MakeSphere(2.0) : MakePlane(1));
+    scene.Add(sphere ? MakeSphere(2.0) : MakePlane(1));
     for (const bool parallel : { false, true })
     {
       scene.Renderer->GetActiveCamera()->SetParallelProjection(parallel);
@@ -139,9 +139,9 @@ void TestTranslucent(Comparison& comparison, Comparison& window)
   const std::vector<MapperSample> samples = scene.GetSamples();
   const FloatPicture picture = scene.Render();
   scene.Renderer->SetPass(nullptr);
-  const airlighttest::Picture weighted = airlighttest::Capture(scene.Window);
+  const Picture weighted = Capture(scene.Window);
   scene.Renderer->UseDepthPeelingOn();
-  const airlighttest::Picture peeled = airlighttest::Capture(scene.Window);
+  const Picture peeled = Capture(scene.Window);
   scene.Triangles = behind;
   for (const MapperSample& sample : samples)
   {
@@ -169,7 +169,7 @@ void TestViewport(Comparison& comparison)
   scene.Renderer->SetPass(nullptr);
   scene.Window->SetSize(2 * PixelScene::Width, 2 * PixelScene::Height);
   scene.Renderer->SetViewport(0.25, 0.5, 0.75, 1.0);
-  const airlighttest::Picture picture = airlighttest::Capture(scene.Window);
+  const Picture picture = Capture(scene.Window);
   for (const MapperSample& sample : scene.GetSamples())
   {
     CompareWindow("viewport", picture, 2 * PixelScene::Width, sample.I + PixelScene::Width / 2,
@@ -190,7 +190,7 @@ void TestLinesAndPoints(Comparison& comparison)
   scene.AddPointLight({ 1.0, 0.5, 2.0 }, { 4.0, 3.0, 2.0 });
   vtkNew<vtkPlaneSource> plane;
   plane->SetResolution(4, 4);
-  scene.Add(airlighttest::Make(plane));
+  scene.Add(Make(plane));
   scene.Actor->SetScale(4.0);
   vtkProperty* property = scene.Actor->GetProperty();
   for (const int representation : { VTK_POINTS, VTK_WIREFRAME })

@@ -142,7 +142,7 @@ void TestValues()
       "the error names the value");
   }
   Check(mapper->GetEvaluation() == vtkAirlightPolyDataMapper::FRAGMENT, "the evaluation stays");
-  for (const double radius : { -1.0, nan, airlighttest::Infinity })
+  for (const double radius : { -1.0, nan, Infinity })
   {
     mapper->SetLightRadius(radius);
     Check(errors.Take() == 1, "a bad radius is an error");

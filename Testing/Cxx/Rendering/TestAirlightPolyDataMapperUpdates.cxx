@@ -66,8 +66,8 @@ void TestRebuilds(Comparison& comparison)
     { "actor", false,
       [](MapperScene& s) {
         s.Actor->SetPosition(0.1, 0.2, 0.3);
-        s.Triangles = airlighttest::GetTriangles(
-          vtkPolyData::SafeDownCast(s.Mapper->GetInput()), s.Actor->GetMatrix());
+        s.Triangles =
+          GetTriangles(vtkPolyData::SafeDownCast(s.Mapper->GetInput()), s.Actor->GetMatrix());
       } },
     { "second light", false,
       [](MapperScene& s) {
@@ -166,7 +166,7 @@ void TestPass(Comparison& comparison)
   ball->SetRegionToSphere();
   ball->SetCenter(1.0, 0.0, 2.0);
   ball->SetRadius(1.5);
-  scene.Add(airlighttest::MakeSphere(2.0))->GetProperty()->LightingOn();
+  scene.Add(MakeSphere(2.0))->GetProperty()->LightingOn();
   scene.Mapper->AddMedium(ball);
   scene.Pass->AddMedium(ball);
   scene.Pass->SetShadowTechniqueToNone();
@@ -181,12 +181,12 @@ void TestPass(Comparison& comparison)
     MapperScene::CompareColour(
       "pass and mapper", sample, own, glm::dvec3(rgb[0], rgb[1], rgb[2]), 1e-3, comparison);
   }
-  const airlighttest::Picture both = airlighttest::Capture(scene.Window);
+  const Picture both = Capture(scene.Window);
   vtkSmartPointer<vtkMapper> mapper = scene.Mapper;
   vtkNew<vtkPolyDataMapper> plain;
   plain->SetInputData(vtkPolyData::SafeDownCast(scene.Mapper->GetInput()));
   scene.Actor->SetMapper(plain);
-  Check(airlighttest::Capture(scene.Window) == both, "under a pass nothing is fogged twice");
+  Check(Capture(scene.Window) == both, "under a pass nothing is fogged twice");
   scene.Actor->SetMapper(mapper);
   scene.Renderer->SetPass(scene.Framebuffer);
   Check(scene.Render() == own, "without the pass the mapper does it again");

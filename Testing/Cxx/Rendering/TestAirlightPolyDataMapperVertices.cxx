@@ -38,7 +38,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(MapperScene& scene, int step, const glm::d
     triangles.push_back({ corner(a, b), corner(a + 1, b), corner(a + 1, b + 1) });
     triangles.push_back({ corner(a, b), corner(a + 1, b + 1), corner(a, b + 1) });
   }
-  return airlighttest::MakeSoup(triangles);
+  return MakeSoup(triangles);
 }
 
 struct Fog
@@ -82,7 +82,7 @@ const Triangle& FindTriangle(MapperScene& scene, const PixelRay& ray)
   const Triangle* nearest = &scene.Triangles[0];
   for (const Triangle& triangle : scene.Triangles)
   {
-    if (std::isfinite(airlighttest::Hit(triangle, { ray.Origin, ray.Direction })))
+    if (std::isfinite(Hit(triangle, { ray.Origin, ray.Direction })))
     {
       nearest = &triangle;
     }

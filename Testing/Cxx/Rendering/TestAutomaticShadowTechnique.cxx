@@ -14,10 +14,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::ErrorListener;
-using airlight_test::Random;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {

@@ -6,7 +6,7 @@
 
 #include "AirlightTestErrors.h"
 #include "AirlightTestMapper.h"
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include "vtkAirlightReference.h"
 #include "vtkDoubleArray.h"
@@ -19,9 +19,7 @@
 #include <functional>
 #include <numeric>
 
-using namespace airlighttest;
-using airlight_test::ErrorListener;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {
@@ -229,7 +227,7 @@ void TestMessages()
 // An unlit surface of a known colour: it shows C T and ambient light.
 void TestMapper()
 {
-  airlight_test::MapperScene scene;
+  MapperScene scene;
   vtkNew<vtkPlaneSource> plane;
   plane->SetOrigin(-6.0, -6.0, 0.0);
   plane->SetPoint1(6.0, -6.0, 0.0);
@@ -240,9 +238,9 @@ void TestMapper()
   scene.Renderer->AddLight(light);
   ErrorListener warnings(scene.Mapper, vtkCommand::WarningEvent);
   const auto getError = [&](bool scatters) {
-    const airlight_test::FloatPicture picture = scene.Render();
+    const FloatPicture picture = scene.Render();
     double worst = 0.0;
-    for (const airlight_test::MapperSample& sample : scene.GetSamples())
+    for (const MapperSample& sample : scene.GetSamples())
     {
       glm::dvec3 ambient;
       glm::dvec3 transmittance;
@@ -259,8 +257,7 @@ void TestMapper()
       const glm::dvec3 expected = scene.Colour * transmittance + ambient + airlight;
       for (int c = 0; c < 3; ++c)
       {
-        const float value =
-          picture[4 * (sample.J * airlight_test::MapperScene::Width + sample.I) + c];
+        const float value = picture[4 * (sample.J * MapperScene::Width + sample.I) + c];
         worst = std::max(worst, std::abs(value - expected[c]) / expected[c]);
       }
     }

@@ -17,7 +17,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
@@ -57,7 +57,7 @@ struct Fogs : Scene
     {
       ends.push_back(t);
     }
-    return 3.0 * 0.25 / airlight_test::Pi * airlight_test::Integrate(integrand, ends, 1e-12);
+    return 3.0 * 0.25 / Pi * Integrate(integrand, ends, 1e-12);
   }
 
   vtkSmartPointer<vtkDataArray> Compute()

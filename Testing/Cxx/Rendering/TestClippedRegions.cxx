@@ -17,7 +17,6 @@
 #include <cstdlib>
 
 using namespace airlight_test;
-using namespace airlighttest;
 
 namespace
 {

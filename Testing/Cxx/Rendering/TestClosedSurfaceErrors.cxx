@@ -6,7 +6,7 @@
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestErrors.h"
-#include "AirlightTestPixels.h"
+#include "AirlightTestPixelScene.h"
 #include "AirlightTestSurfaces.h"
 
 #include "vtkAirlight.h"

@@ -6,7 +6,7 @@
 // cavities, in perspective and parallel projection, with a wall behind, in the middle or none.
 
 #include "AirlightTestMatrix.h"
-#include "AirlightTestPlaneScene.h"
+#include "AirlightTestPixelScene.h"
 #include "AirlightTestSurfaces.h"
 
 #include "vtkAirlight.h"
@@ -52,6 +52,7 @@ class Experiment
 public:
   Experiment()
   {
+    this->Scene.AddTiltedPlane();
     this->Scene.Medium->SetScattering(0.3, 0.2, 0.1);
     this->Scene.Medium->SetAbsorption(0.0, 0.2, 0.05);
   }
@@ -64,7 +65,7 @@ private:
   Values Compute(const PixelRay& ray, double end);
   bool Grazes(const Sample& sample);
 
-  PlaneScene Scene;
+  PixelScene Scene;
   Comparison Airlight{ "Airlight" };
   Comparison Transmittance{ "Transmittance, absolute" };
   Comparison Finite{ "values, finite (0) or not (1)" };

@@ -7,22 +7,7 @@
 
 #include "AirlightTestDensity.h"
 
-#include "vtkCubeSource.h"
-#include "vtkRegressionTestImage.h"
-
-#include <cstdlib>
-
-using namespace airlighttest;
-
-namespace
-{
-void AddBox(DensityScene& scene, const glm::dvec3& low, const glm::dvec3& high, double albedo)
-{
-  vtkNew<vtkCubeSource> cube;
-  cube->SetBounds(low.x, high.x, low.y, high.y, low.z, high.z);
-  scene.Add(cube)->GetProperty()->SetColor(albedo, albedo, albedo);
-}
-}
+using namespace airlight_test;
 
 //------------------------------------------------------------------------------
 int TestCloudShafts(int argc, char* argv[])
@@ -37,11 +22,11 @@ int TestCloudShafts(int argc, char* argv[])
   scene.Medium->SetPhaseFunctionToHenyeyGreenstein();
   scene.Medium->SetAnisotropy(0.4);
   scene.AddPointLight({ 1.5, 9.5, -3.0 }, { 1100, 1050, 1000 });
-  AddBox(scene, { -14, -3.2, -9 }, { 14, -3, 9 }, 0.35);
+  scene.AddBox({ -14, -3.2, -9 }, { 14, -3, 9 }, glm::dvec3(0.35));
   for (int i = 0; i < 3; ++i)
   {
     const double x = -0.9 + 1.3 * i;
-    AddBox(scene, { x, 5.4, -3.4 }, { x + 0.35, 5.45, 0.6 }, 0.1);
+    scene.AddBox({ x, 5.4, -3.4 }, { x + 0.35, 5.45, 0.6 }, glm::dvec3(0.1));
   }
   scene.Look({ 0, 2.5, 15 }, { 0, 0.9, 0 });
   scene.Renderer->GetActiveCamera()->SetViewAngle(42.0);
@@ -51,6 +36,5 @@ int TestCloudShafts(int argc, char* argv[])
   scene.Height = 480;
   scene.Window->SetSize(640, 480);
   scene.Window->Render();
-  const int result = vtkRegressionTestImage(scene.Window);
-  return result != vtkTesting::FAILED && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return scene.Finish(argc, argv);
 }

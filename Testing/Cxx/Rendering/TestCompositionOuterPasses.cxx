@@ -22,8 +22,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::ErrorListener;
+using namespace airlight_test;
 
 namespace
 {

@@ -8,7 +8,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
@@ -20,70 +20,70 @@ struct Content
   double Plane = Far; // z of all that is seen, where it has one
 };
 
-void AddGlowing(Fog& fog, const std::function<void(Theatre&)>& add)
+void AddEmissive(Fog& fog, const std::function<void(Scene&)>& add)
 {
   add(fog);
   vtkActorCollection* actors = fog.Renderer->GetActors();
   actors->InitTraversal();
   while (vtkActor* actor = actors->GetNextActor())
   {
-    Glow(actor);
+    MakeEmissive(actor);
   }
 }
 
 const std::vector<Content> Contents = {
-  { "lit", [](Fog& f) { f.Add(MakeSquare(1.0, -0.5)); }, -0.5 },
+  { "lit", [](Fog& f) { AddActor(f, MakeSquare(1.0, -0.5)); }, -0.5 },
   { "physically based",
     [](Fog& f) {
-      vtkProperty* property = f.Add(MakeSquare(1.0, 0.5))->GetProperty();
+      vtkProperty* property = AddActor(f, MakeSquare(1.0, 0.5))->GetProperty();
       property->SetInterpolationToPBR();
       property->SetRoughness(0.4);
     },
     0.5 },
-  { "unlit", [](Fog& f) { f.Add(MakeSquare(1.0, 1.0))->GetProperty()->LightingOff(); }, 1.0 },
+  { "unlit", [](Fog& f) { AddActor(f, MakeSquare(1.0, 1.0))->GetProperty()->LightingOff(); }, 1.0 },
   { "texture",
     [](Fog& f) {
-      vtkActor* actor = f.Add(MakeSquare(1.0));
+      vtkActor* actor = AddActor(f, MakeSquare(1.0));
       actor->SetTexture(MakeTexture(3));
-      Glow(actor);
+      MakeEmissive(actor);
     },
     0.0 },
   { "lines and points",
     [](Fog& f) {
       for (int i = 0; i < 3; ++i)
       {
-        vtkActor* actor = f.Add(MakeSquare(1.2 - 0.3 * i, 0.7));
-        Glow(actor);
+        vtkActor* actor = AddActor(f, MakeSquare(1.2 - 0.3 * i, 0.7));
+        MakeEmissive(actor);
         actor->GetProperty()->SetRepresentation(i == 0 ? VTK_POINTS : VTK_WIREFRAME);
         actor->GetProperty()->SetPointSize(7.0f);
         actor->GetProperty()->SetLineWidth(1.0f + 3.0f * static_cast<float>(i));
       }
     },
     0.7 },
-  { "lines and tubes", [](Fog& f) { AddGlowing(f, AddLines); } },
+  { "lines and tubes", [](Fog& f) { AddEmissive(f, AddLines); } },
   { "composite",
     [](Fog& f) {
-      AddGlowing(f, [](Theatre& t) {
+      AddEmissive(f, [](Scene& t) {
         AddComposite(t);
         auto* mapper = vtkCompositePolyDataMapper2::SafeDownCast(
           t.Renderer->GetActors()->GetLastActor()->GetMapper());
         mapper->GetCompositeDataDisplayAttributes()->RemoveBlockOpacities();
       });
     } },
-  { "glyphs", [](Fog& f) { AddGlowing(f, [](Theatre& t) { AddGlyphs(t, 1.0); }); } },
-  { "scalars", [](Fog& f) { AddGlowing(f, AddScalars); } },
+  { "glyphs", [](Fog& f) { AddEmissive(f, [](Scene& t) { AddGlyphs(t, 1.0); }); } },
+  { "scalars", [](Fog& f) { AddEmissive(f, AddScalars); } },
   { "skybox",
     [](Fog& f) {
       vtkNew<vtkSkybox> box;
       box->SetTexture(MakeCubeMap());
       f.Renderer->AddActor(box);
-      f.Add(MakeSphere(1.0))->GetProperty()->LightingOff();
+      AddActor(f, MakeSphere(1.0))->GetProperty()->LightingOff();
     } },
   { "axes, followers",
     [](Fog& f) {
       f.Renderer->AddActor(vtkNew<vtkAxesActor>());
       AddFollower(f);
-      Glow(vtkActor::SafeDownCast(f.Renderer->GetActors()->GetLastActor()));
+      MakeEmissive(vtkActor::SafeDownCast(f.Renderer->GetActors()->GetLastActor()));
     } },
 };
 
@@ -142,15 +142,15 @@ void CheckContent(Fog& fog, const Content& content)
   Check(AreSame(clear.at("Depth"), foggy.at("Depth")),
     std::string(content.Name) + ": the medium moves nothing");
   Comparisons comparisons(content.Name);
-  for (int j = 0; j < Theatre::Height; j += 2)
+  for (int j = 0; j < Fog::PictureHeight; j += 2)
   {
-    for (int i = 0; i < Theatre::Width; ++i)
+    for (int i = 0; i < Fog::PictureWidth; ++i)
     {
       ComparePixel(fog, content, clear, foggy, i, j, comparisons);
     }
   }
-  Check(airlight_test::AllOk({ &comparisons.Radiance, &comparisons.Airlight,
-          &comparisons.Transmittance, &comparisons.Range }),
+  Check(AllOk({ &comparisons.Radiance, &comparisons.Airlight, &comparisons.Transmittance,
+          &comparisons.Range }),
     std::string(content.Name) + ": as the formula says");
   if (content.Plane < Far)
   {

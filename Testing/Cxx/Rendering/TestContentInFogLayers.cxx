@@ -8,7 +8,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
@@ -48,16 +48,16 @@ void CheckLayers(Fog& fog, const std::string& name, double limit, const std::vec
 {
   for (const Layer& layer : layers)
   {
-    vtkProperty* property = fog.Add(MakeSquare(3.0, layer.Point.z))->GetProperty();
+    vtkProperty* property = AddActor(fog, MakeSquare(3.0, layer.Point.z))->GetProperty();
     property->SetColor(layer.Colour.x, layer.Colour.y, layer.Colour.z);
     property->SetOpacity(layer.Opacity);
     property->LightingOff();
   }
   const Buffers foggy = fog.Render(true);
   Comparison comparison(name + ", absolute");
-  for (int j = 20; j < Theatre::Height - 20; j += 3)
+  for (int j = 20; j < Fog::PictureHeight - 20; j += 3)
   {
-    for (int i = 20; i < Theatre::Width - 20; ++i)
+    for (int i = 20; i < Fog::PictureWidth - 20; ++i)
     {
       const glm::dvec3 expected = Blend(fog, Fog::GetDirection(i, j), layers);
       for (int k = 0; k < 3; ++k)
@@ -98,17 +98,17 @@ void CheckSplat(Fog& fog, bool emissive)
   mapper->SetInputData(data);
   mapper->SetScaleFactor(0.4);
   mapper->SetEmissive(emissive);
-  vtkActor* actor = fog.Add(mapper);
-  Glow(actor);
+  vtkActor* actor = AddActor(fog, mapper);
+  MakeEmissive(actor);
   glm::dvec3 colour;
   actor->GetProperty()->GetColor(&colour.x);
   const Buffers clear = fog.Render(false);
   const Buffers foggy = fog.Render(true);
   Comparison comparison(name + ", relative");
   double most = 0.0;
-  for (int j = 0; j < Theatre::Height; j += 2)
+  for (int j = 0; j < Fog::PictureHeight; j += 2)
   {
-    for (int i = 0; i < Theatre::Width; ++i)
+    for (int i = 0; i < Fog::PictureWidth; ++i)
     {
       const glm::dvec3 direction = Fog::GetDirection(i, j);
       const glm::dvec3 added = GetColour(clear.at("Radiance"), i, j) - Background;

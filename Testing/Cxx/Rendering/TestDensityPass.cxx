@@ -11,7 +11,7 @@
 #include <chrono>
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

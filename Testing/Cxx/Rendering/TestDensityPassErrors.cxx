@@ -12,8 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::ErrorListener;
+using namespace airlight_test;
 
 namespace
 {

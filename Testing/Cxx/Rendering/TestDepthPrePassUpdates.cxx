@@ -11,7 +11,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

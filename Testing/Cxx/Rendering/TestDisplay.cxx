@@ -14,7 +14,7 @@
 #include <cstdlib>
 #include <functional>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
@@ -95,7 +95,7 @@ void TestViews()
 
   scene.Pass->SetDebugViewToShaded();
   Check(Compare(shaded, Capture(scene.Window)) == 0, "back to the picture");
-  airlight_test::ErrorListener errors(scene.Pass);
+  ErrorListener errors(scene.Pass);
   scene.Pass->SetDebugView(17);
   Check(errors.Take() == 1 && errors.GetText().find("17") != std::string::npos,
     "a debug view that is none: " + errors.GetText());

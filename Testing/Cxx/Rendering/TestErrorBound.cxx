@@ -5,17 +5,13 @@
 // is no further than that from brute force with the phase function itself (a fit 10 000 times as
 // close); and that it is not idly large.
 
-#include "AirlightCompareScene.h"
 #include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
 #include "AirlightTestTools.h"
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::AllOk;
-using airlight_test::Comparison;
-using airlight_test::Random;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {

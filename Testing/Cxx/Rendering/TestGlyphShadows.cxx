@@ -10,7 +10,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
@@ -18,15 +18,15 @@ namespace
 double CountDifferent(vtkImageData* a, vtkImageData* b, double limit)
 {
   int count = 0;
-  for (int j = 0; j < Theatre::Height; ++j)
+  for (int j = 0; j < Fog::PictureHeight; ++j)
   {
-    for (int i = 0; i < Theatre::Width; ++i)
+    for (int i = 0; i < Fog::PictureWidth; ++i)
     {
       const double value = GetValue(a, i, j);
       count += std::abs(value - GetValue(b, i, j)) > limit * std::abs(value) ? 1 : 0;
     }
   }
-  return count / double(Theatre::Width * Theatre::Height);
+  return count / double(Fog::PictureWidth * Fog::PictureHeight);
 }
 
 struct Frame
@@ -39,7 +39,7 @@ void BeginWithLamp(Fog& fog, const glm::dvec3& place)
 {
   fog.Begin();
   fog.Renderer->RemoveAllLights(); // LitLength is that of all lights
-  fog.Lamp = fog.AddLamp(place);
+  fog.Lamp = AddLamp(fog, place);
 }
 
 void Render(Fog& fog, Frame& frame)
@@ -55,9 +55,9 @@ void TestSameAsFilter(Fog& fog)
 {
   Frame mapped, filtered, unshadowed;
   BeginWithLamp(fog, { 1.5, 3.0, 4.0 });
-  fog.Add(MakeSquare(5.0, -1.0));
+  AddActor(fog, MakeSquare(5.0, -1.0));
   const auto mapper = MakeGlyphs();
-  vtkActor* actor = fog.Add(mapper);
+  vtkActor* actor = AddActor(fog, mapper);
   actor->RotateX(20.0);
   Render(fog, mapped);
   fog.Pass->SetShadowTechniqueToNone();
@@ -72,8 +72,8 @@ void TestSameAsFilter(Fog& fog)
   filter->SetVectorModeToUseVector();
   filter->SetScaleModeToScaleByScalar();
   BeginWithLamp(fog, { 1.5, 3.0, 4.0 });
-  fog.Add(MakeSquare(5.0, -1.0));
-  fog.Add(Make(filter))->RotateX(20.0);
+  AddActor(fog, MakeSquare(5.0, -1.0));
+  AddActor(fog, Make(filter))->RotateX(20.0);
   Render(fog, filtered);
   const double depths = CountDifferent(mapped.Depth, filtered.Depth, 1e-5);
   const double lit = CountDifferent(mapped.LitLength, filtered.LitLength, 1e-4);
@@ -94,17 +94,17 @@ void CheckSameAsActors(Fog& fog, const std::string& name,
 {
   Frame mapped, actors;
   BeginWithLamp(fog, { 1.5, 3.0, 4.0 });
-  fog.Add(MakeSquare(5.0, -1.0));
+  AddActor(fog, MakeSquare(5.0, -1.0));
   const auto mapper = MakeGlyphs();
   auto* points = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
   set(mapper, points->GetPointData());
-  fog.Add(mapper);
+  AddActor(fog, mapper);
   Render(fog, mapped);
   BeginWithLamp(fog, { 1.5, 3.0, 4.0 });
-  fog.Add(MakeSquare(5.0, -1.0));
+  AddActor(fog, MakeSquare(5.0, -1.0));
   for (int i = 0; i < 9; ++i)
   {
-    vtkActor* actor = fog.Add(mapper->GetSource());
+    vtkActor* actor = AddActor(fog, mapper->GetSource());
     actor->SetPosition(points->GetPoint(i));
     place(i, actor);
   }

@@ -4,18 +4,14 @@
 // The low beams of a car on a road at night, by a photometric file, in fog: seen from beside, sharp
 // cut-offs above the beams, and shadows behind a pedestrian, a post and a box.
 
-#include "AirlightFeatureRays.h"
 #include "AirlightTestGoniometry.h"
+#include "AirlightTestSceneRays.h"
 
 #include "vtkTestUtilities.h"
 
 #include <memory>
 
-using namespace airlighttest;
-using airlight_test::Comparison;
-using airlight_test::GoniometricAirlight;
-using airlight_test::GoniometricSurface;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {
@@ -24,9 +20,9 @@ const glm::dvec3 RoadAlbedo(0.09, 0.09, 0.095);
 constexpr double LampHeight = 0.65;
 constexpr double LampPlace = 0.62; // to the left and right of the car's middle
 
-airlight_test::TestFog MakeFog()
+TestFog MakeFog()
 {
-  airlight_test::TestFog fog;
+  TestFog fog;
   fog.SigmaS = glm::dvec3(0.055, 0.055, 0.056);
   fog.SigmaT = fog.SigmaS + glm::dvec3(0.002);
   fog.G = 0.6;
@@ -35,14 +31,13 @@ airlight_test::TestFog MakeFog()
 
 //------------------------------------------------------------------------------
 // The car drives towards -z.
-std::vector<airlight_test::TestGoniometricLamp> AddLamps(
-  FeatureScene& scene, const std::string& file)
+std::vector<TestGoniometricLamp> AddLamps(Scene& scene, const std::string& file)
 {
-  std::vector<airlight_test::TestGoniometricLamp> lamps;
+  std::vector<TestGoniometricLamp> lamps;
   for (const double x : { -LampPlace, LampPlace })
   {
-    airlight_test::TestGoniometricLamp lamp;
-    lamp.Table = airlight_test::ReadTable(file);
+    TestGoniometricLamp lamp;
+    lamp.Table = ReadTable(file);
     lamp.Position = { x, LampHeight, 0.0 };
     lamp.Intensity = Intensity;
     lamp.Aim({ 0.0, 0.0, -1.0 }, { 0.0, 1.0, 0.0 });
@@ -54,9 +49,9 @@ std::vector<airlight_test::TestGoniometricLamp> AddLamps(
   return lamps;
 }
 
-void Build(FeatureScene& scene)
+void Build(Scene& scene)
 {
-  const airlight_test::TestFog fog = MakeFog();
+  const TestFog fog = MakeFog();
   const glm::dvec3 sigmaA = fog.SigmaT - fog.SigmaS;
   scene.Medium->SetScattering(&fog.SigmaS.x);
   scene.Medium->SetAbsorption(&sigmaA.x);
@@ -82,7 +77,7 @@ void Build(FeatureScene& scene)
 
 //------------------------------------------------------------------------------
 // What a ray sees of one lamp.
-std::vector<Interval> GetLit(const FeatureScene& scene, const Ray& ray, size_t lamp, double end)
+std::vector<Interval> GetLit(const Scene& scene, const Ray& ray, size_t lamp, double end)
 {
   std::vector<Interval> shadows;
   for (const Triangle& t : scene.Triangles)
@@ -97,7 +92,7 @@ std::vector<Interval> GetLit(const FeatureScene& scene, const Ray& ray, size_t l
 }
 
 // Whether the ray grazes an edge: 0.02 pixels beside it more than 1 % is different.
-bool Grazes(FeatureScene& scene, int x, int y, double end, const std::vector<double>& lengths)
+bool Grazes(Scene& scene, int x, int y, double end, const std::vector<double>& lengths)
 {
   for (int i = 0; i < 4; ++i)
   {
@@ -116,7 +111,7 @@ bool Grazes(FeatureScene& scene, int x, int y, double end, const std::vector<dou
   return false;
 }
 
-glm::dvec3 GetNormal(const FeatureScene& scene, const Ray& ray, double end)
+glm::dvec3 GetNormal(const Scene& scene, const Ray& ray, double end)
 {
   for (const Triangle& t : scene.Triangles)
   {
@@ -140,10 +135,10 @@ struct Comparisons
 };
 
 // Airlight and surfaces to 1e-3 of themselves or of a hundredth of the picture's 99th percentile.
-void CheckRay(FeatureScene& scene, const std::vector<airlight_test::TestGoniometricLamp>& lamps,
-  int x, int y, const glm::dvec2& floors, Comparisons& found)
+void CheckRay(Scene& scene, const std::vector<TestGoniometricLamp>& lamps, int x, int y,
+  const glm::dvec2& floors, Comparisons& found)
 {
-  const airlight_test::TestFog fog = MakeFog();
+  const TestFog fog = MakeFog();
   const int k = (x + y) % 3;
   const Ray ray = scene.GetPixelRay({ x, y });
   const double end = GetEnd(scene, ray);
@@ -194,7 +189,7 @@ void CheckRay(FeatureScene& scene, const std::vector<airlight_test::TestGoniomet
   }
 }
 
-void CheckRays(FeatureScene& scene, const std::vector<airlight_test::TestGoniometricLamp>& lamps)
+void CheckRays(Scene& scene, const std::vector<TestGoniometricLamp>& lamps)
 {
   Comparisons found;
   const glm::dvec2 floors(
@@ -219,7 +214,8 @@ int TestHeadlampsInFog(int argc, char* argv[])
 {
   const std::unique_ptr<char[]> file(
     vtkTestUtilities::ExpandDataFileName(argc, argv, "Photometry/lowbeam.ies"));
-  FeatureScene scene(320, 180);
+  Scene scene(320, 180);
+  scene.SmoothEdges();
   const auto lamps = AddLamps(scene, file.get());
   Build(scene);
   scene.Window->Render();

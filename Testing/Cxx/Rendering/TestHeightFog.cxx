@@ -9,11 +9,9 @@
 //
 //   sigmaS E p exp(-sigmaT exp(-h) H/mu) (1 - exp(-s D(end)))/s, s = sigmaT (1 - m/mu)
 
-#include "AirlightFeatureRays.h"
+#include "AirlightTestSceneRays.h"
 
-#include "AirlightTestTools.h"
-
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
@@ -29,13 +27,14 @@ double GetExpected(const Ray& ray, const glm::dvec3& toSun, int k)
   const double s = sigmaT * (1.0 - ray.Direction.y / toSun.y);
   const double sight = ray.Direction.y > 0.0 ? -std::expm1(-s * above / ray.Direction.y) / s
                                              : 1.0 / s; // downwards there is infinitely much
-  const double phase = 0.25 / airlight_test::Pi;
+  const double phase = 0.25 / Pi;
   return SigmaS[k] * Irradiance[k] * phase * std::exp(-sigmaT * above / toSun.y) * sight;
 }
 
 void Compare(double height, const glm::dvec3& toSun)
 {
-  FeatureScene scene;
+  Scene scene(640, 480);
+  scene.SmoothEdges();
   vtkNew<vtkParticipatingMedium> second;
   for (vtkParticipatingMedium* medium : { scene.Medium.Get(), second.Get() })
   {
@@ -80,8 +79,8 @@ void Compare(double height, const glm::dvec3& toSun)
       worst = std::isnan(error) ? error : std::max(worst, error);
     }
   });
-  CheckClose(1.0 + worst, 1.0, 1e-3,
-    airlight_test::Text("eye ", height, " scale heights up, sun's rise ", toSun.y));
+  CheckClose(
+    1.0 + worst, 1.0, 1e-3, Text("eye ", height, " scale heights up, sun's rise ", toSun.y));
 }
 
 //------------------------------------------------------------------------------

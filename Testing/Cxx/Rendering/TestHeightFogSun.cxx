@@ -4,11 +4,11 @@
 // A low sun behind towers in ground fog that thins out exponentially with height, without bounds:
 // the towers' shadows run through the fog towards the eye, which stands in one of them.
 
-#include "AirlightFeatureRays.h"
+#include "AirlightTestSceneRays.h"
 
 #include "vtkConeSource.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
@@ -31,7 +31,7 @@ constexpr double TowerZ = -6.0;
 constexpr double TowerWidth = 2.0;
 
 //------------------------------------------------------------------------------
-void AddTower(FeatureScene& scene, double x, double z, double width, double height, double roof)
+void AddTower(Scene& scene, double x, double z, double width, double height, double roof)
 {
   const glm::dvec3 stone(0.32, 0.3, 0.28);
   const double half = 0.5 * width;
@@ -46,11 +46,11 @@ void AddTower(FeatureScene& scene, double x, double z, double width, double heig
     cone->SetHeight(roof);
     cone->SetRadius(half + 0.25);
     cone->SetResolution(8);
-    FeatureScene::Paint(scene.Add(cone), { 0.3, 0.16, 0.12 }, scene.AmbientLight);
+    Scene::Paint(scene.Add(cone), { 0.3, 0.16, 0.12 }, scene.AmbientLight);
   }
 }
 
-void AddCastle(FeatureScene& scene)
+void AddCastle(Scene& scene)
 {
   const glm::dvec3 stone(0.32, 0.3, 0.28);
   AddTower(scene, TowerX, TowerZ, TowerWidth, 5.6, 2.4);
@@ -80,7 +80,7 @@ Physics GetPhysics()
   physics.Reach = [](const Ray&, double end) { return std::vector<Interval>{ { 0.0, end } }; };
   physics.Scattered = [](const Ray& ray, double t, int k) {
     const double cosine = glm::dot(ToSun, ray.Direction);
-    const airlight_test::HenyeyGreensteinPhase phase{ Anisotropy };
+    const HenyeyGreensteinPhase phase{ Anisotropy };
     const glm::dvec3 point = ray.Origin + t * ray.Direction;
     const double density = std::exp(-point.y / ScaleHeight);
     const double depth = Depth(ray.Origin, point) + density * ScaleHeight / ToSun.y;
@@ -96,7 +96,7 @@ Physics GetPhysics()
   return physics;
 }
 
-void Build(FeatureScene& scene)
+void Build(Scene& scene)
 {
   scene.AmbientLight = AmbientLight;
   scene.Renderer->SetBackground(0.03, 0.05, 0.09);
@@ -121,7 +121,7 @@ void Build(FeatureScene& scene)
 // far right edge; the ray is below the shadow of the tower's cornice and above that of the wall.
 // On the lit part, with D(t) the depth from the eye to t and on to the sun,
 // dD/dt = sigmaT exp(-y/H) (1 - m/mu), m and mu the rises of ray and sun: the integral is closed.
-void CheckLitGround(FeatureScene& scene)
+void CheckLitGround(Scene& scene)
 {
   const double a = ToSun.x / ToSun.z;
   const glm::ivec2 pixel = scene.GetPixel({ 2.6, 0.0, 3.5 });
@@ -132,7 +132,7 @@ void CheckLitGround(FeatureScene& scene)
     (side - ray.Origin.x + a * ray.Origin.z) / (ray.Direction.x - a * ray.Direction.z);
   CheckClose(GetValue(scene.GetBuffer("LitLength"), pixel.x, pixel.y), end - from, 1e-4,
     "length beside the tower's shadow");
-  const airlight_test::HenyeyGreensteinPhase phase{ Anisotropy };
+  const HenyeyGreensteinPhase phase{ Anisotropy };
   const double cosine = glm::dot(ToSun, ray.Direction);
   glm::dvec3 expected;
   for (int k = 0; k < 3; ++k)
@@ -155,7 +155,7 @@ void CheckLitGround(FeatureScene& scene)
 }
 
 // The ground in the sun and in the tower's shadow.
-void CheckGround(FeatureScene& scene)
+void CheckGround(Scene& scene)
 {
   glm::dvec3 seen[2];
   glm::dvec3 expected[2];
@@ -169,7 +169,7 @@ void CheckGround(FeatureScene& scene)
     {
       const double sigmaT = SigmaS[k] + SigmaA[k];
       const double direct =
-        Irradiance[k] / airlight_test::Pi * ToSun.y * std::exp(-sigmaT * ScaleHeight / ToSun.y);
+        Irradiance[k] / Pi * ToSun.y * std::exp(-sigmaT * ScaleHeight / ToSun.y);
       expected[lit][k] = GroundAlbedo[k] * (AmbientLight + (lit ? direct : 0.0)) *
         std::exp(-sigmaT * Depth(ray.Origin, point));
     }
@@ -183,7 +183,8 @@ void CheckGround(FeatureScene& scene)
 //------------------------------------------------------------------------------
 int TestHeightFogSun(int argc, char* argv[])
 {
-  FeatureScene scene;
+  Scene scene(640, 480);
+  scene.SmoothEdges();
   Build(scene);
   scene.Window->Render();
   const double limit = 1e-4 + scene.Medium->GetPhaseErrorBound();

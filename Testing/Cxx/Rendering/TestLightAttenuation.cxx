@@ -9,9 +9,9 @@
 //
 // since its radiant intensity is pi k r^2 f(r). And the radius of point lights, against the same.
 
+#include "AirlightTestPixelScene.h"
 #include "AirlightTestQuadrature.h"
 #include "AirlightTestTools.h"
-#include "AirlightTestWhitePlane.h"
 
 #include "vtkAirlight.h"
 #include "vtkLight.h"
@@ -49,12 +49,9 @@ double GetAirlight(const FadingLight& light, int k, const PixelRay& ray, double 
 {
   const double foot = glm::dot(light.Place - ray.Origin, ray.Direction);
   const double h = glm::length(light.Place - ray.Origin - foot * ray.Direction);
-  const auto integrand = [&](double x) {
-    const double r = std::hypot(h, x);
-    return light.Fade(r) * std::exp(-(Scattering[k] + Absorption[k]) * (r + foot + x));
-  };
-  return 0.25 * Scattering[k] * Colour[k] *
-    Integrate(integrand, PeakPanels(-foot, t - foot, h), 1e-10);
+  return Pi * Scattering[k] * Colour[k] *
+    IsotropicAirlight([&](double r, double) { return light.Fade(r); },
+      Scattering[k] + Absorption[k], foot, h, 0.0, t, 1e-10);
 }
 
 void AddLight(PixelScene& scene, const FadingLight& item)
@@ -121,19 +118,20 @@ bool TestAttenuation()
     { { first, { 0.2, 0.1, 0.7 } } },
     { { first, { 0.0, 0.0, 3.0 } }, { second, { 0.0, 0.0, 1.0 } } },
     { { first, { 0.0, 0.0, 0.2 } }, { second, { 0.0, 2.0, 0.5 } } } };
-  WhitePlane plane;
-  plane.Scene.Medium->SetScattering(Scattering[0], Scattering[1], Scattering[2]);
-  plane.Scene.Medium->SetAbsorption(Absorption[0], Absorption[1], Absorption[2]);
+  PixelScene scene;
+  scene.AddBroadPlane();
+  scene.Medium->SetScattering(Scattering[0], Scattering[1], Scattering[2]);
+  scene.Medium->SetAbsorption(Absorption[0], Absorption[1], Absorption[2]);
   Comparisons comparisons;
   for (const std::vector<FadingLight>& lights : settings)
   {
-    plane.Scene.Renderer->RemoveAllLights();
+    scene.Renderer->RemoveAllLights();
     for (const FadingLight& light : lights)
     {
-      AddLight(plane.Scene, light);
+      AddLight(scene, light);
     }
-    plane.Render();
-    ComparePixels(plane.Scene, lights, comparisons);
+    scene.RenderFitted();
+    ComparePixels(scene, lights, comparisons);
   }
   return AllOk({ &comparisons.Surface, &comparisons.Square, &comparisons.Other });
 }
@@ -162,20 +160,15 @@ enum class Method
   Quadrature // where the medium attenuates light on its own way
 };
 
-// Of a unit light per unit of scattering, isotropic. r is what the radius leaves of the distance.
+// Of a unit light per unit of scattering, isotropic. What is beyond 100 the media leave nothing of.
 double GetAirlight(
   const glm::dvec3& light, const PixelRay& ray, double sigmaT, double radius, Method method)
 {
   const double foot = glm::dot(light - ray.Origin, ray.Direction);
   const double h = glm::length(light - ray.Origin - foot * ray.Direction);
-  const double kept = std::max(h, radius);
-  const auto integrand = [&](double x) {
-    const double r = std::hypot(kept, x);
-    const double way = method == Method::ClosedForm ? r : std::hypot(h, x);
-    return 0.25 / Pi / (r * r) * std::exp(-sigmaT * (foot + x + way));
-  };
-  // What is beyond 100 the media leave nothing of.
-  return Integrate(integrand, PeakPanels(-foot, 100.0, std::min(h, 0.1)), 1e-9);
+  const double kept = std::max(h, radius); // what the radius leaves of the distance
+  return IsotropicAirlight([&](double, double x) { return 1.0 / (kept * kept + x * x); }, sigmaT,
+    foot, method == Method::ClosedForm ? kept : h, 0.0, 100.0, 1e-9);
 }
 
 // Every third pixel in either direction.
@@ -212,10 +205,9 @@ bool TestRadius()
   PixelScene scene;
   scene.Medium->SetScattering(RadiusScattering[0], RadiusScattering[1], RadiusScattering[2]);
   scene.Medium->SetAbsorption(RadiusAbsorption[0], RadiusAbsorption[1], RadiusAbsorption[2]);
-  vtkNew<vtkLight> light;
-  vtkAirlight::SetRadiantIntensity(light, Intensity);
-  light->SetPosition(&place.x);
-  scene.Renderer->AddLight(light);
+  vtkAirlight::SetRadiantIntensity(scene.Light, Intensity);
+  scene.Light->SetPosition(&place.x);
+  scene.Renderer->AddLight(scene.Light);
   Aim(scene, place);
   const bool large = CompareRadius(scene, place, 0.4, Method::ClosedForm);
   const bool small = CompareRadius(scene, place, 0.15, Method::ClosedForm);

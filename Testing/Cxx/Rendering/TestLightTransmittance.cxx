@@ -6,7 +6,7 @@
 // outside of all there is to be seen both must be the same. And whatever calls for the one or the other
 // from frame to frame, surfaces are those of a fresh scene.
 
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include "vtkLightCollection.h"
 #include "vtkTestUtilities.h"
@@ -15,7 +15,7 @@
 #include <memory>
 #include <string>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

@@ -13,12 +13,12 @@
 // And shadows in fog around everything, so opaque that light is gone long before most of their edges: where
 // they are hangs on no medium.
 
-#include "AirlightFeatureRays.h"
+#include "AirlightTestSceneRays.h"
 
 #include "AirlightTestTools.h"
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
@@ -34,12 +34,13 @@ double GetExpected(const glm::dvec3& point, const glm::dvec3& direction, double 
   const double r = glm::length(toLamp);
   const double a = -direction.z;
   const double b = toLamp.z / r;
-  return albedo * Intensity / (4.0 * airlight_test::Pi * r * r) / (1.0 + a / b);
+  return albedo * Intensity / (4.0 * Pi * r * r) / (1.0 + a / b);
 }
 
 void Compare(double extinction, bool parallel)
 {
-  FeatureScene scene(160, 120);
+  Scene scene(160, 120);
+  scene.SmoothEdges();
   scene.Medium->SetScattering(0.8 * extinction, 0.5 * extinction, 0.1 * extinction);
   scene.Medium->SetAbsorption(0.2 * extinction, 0.5 * extinction, 0.9 * extinction);
   scene.Medium->SetRegionToBox();
@@ -76,7 +77,7 @@ void Compare(double extinction, bool parallel)
     }
   }
   CheckClose(1.0 + worst, 1.0, 1e-3 + std::expm1(extinction * Rounding),
-    airlight_test::Text("extinction ", extinction, parallel ? ", parallel" : ", perspective"));
+    Text("extinction ", extinction, parallel ? ", parallel" : ", perspective"));
   Check(count > 1000, "pixels on the fog");
 }
 
@@ -94,7 +95,7 @@ void CompareShadows(bool coloured)
   const Buffers thin = RenderShadows(1e-3, coloured);
   for (const double extinction : { 10.0, 1e3, 1e5 })
   {
-    const std::string name = airlight_test::Text("shadows in fog of ", extinction);
+    const std::string name = Text("shadows in fog of ", extinction);
     const Buffers opaque = RenderShadows(extinction, coloured);
     Check(AreSame(thin.at("LitLength"), opaque.at("LitLength")), name + ": the same lit lengths");
     CheckFinite(opaque, name);

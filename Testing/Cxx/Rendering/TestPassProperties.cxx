@@ -17,8 +17,7 @@
 #include <cstdlib>
 #include <limits>
 
-using namespace airlighttest;
-using airlight_test::ErrorListener;
+using namespace airlight_test;
 
 namespace
 {

@@ -5,9 +5,9 @@
 // the formula, with the intensity looked up by hand; random tables of every type and symmetry and
 // the files of Testing/Data/Photometry, fog everywhere, in a box and in a sphere.
 
-#include "AirlightTestDirections.h"
 #include "AirlightTestGoniometry.h"
-#include "AirlightTestPlaneScene.h"
+#include "AirlightTestPixelScene.h"
+#include "AirlightTestTools.h"
 
 #include "vtkAirlight.h"
 #include "vtkTestUtilities.h"
@@ -33,6 +33,8 @@ struct Comparisons
 class Experiment
 {
 public:
+  Experiment() { this->Scene.AddTiltedPlane(); }
+
   // False where the pass refuses the file.
   bool Run(const LampTable& table, const std::string& file, double multiplier, Comparisons& found);
 
@@ -47,7 +49,7 @@ private:
   TestFog Fog;
   TestGoniometricLamp Lamp;
   glm::dvec3 Normal{ 0.0 };
-  PlaneScene Scene;
+  PixelScene Scene;
 };
 
 //------------------------------------------------------------------------------

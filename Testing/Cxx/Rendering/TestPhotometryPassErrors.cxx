@@ -15,8 +15,7 @@
 #include <limits>
 #include <memory>
 
-using namespace airlighttest;
-using airlight_test::ErrorListener;
+using namespace airlight_test;
 
 namespace
 {

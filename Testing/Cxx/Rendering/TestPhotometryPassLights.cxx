@@ -15,9 +15,7 @@
 #include <cstdlib>
 #include <memory>
 
-using namespace airlighttest;
-using airlight_test::Comparison;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {
@@ -75,9 +73,9 @@ void CheckLike(const Buffers& a, const Buffers& b, const char* name, double limi
   Check(difference <= limit, name);
 }
 
-std::string Write(const std::string& file, const airlight_test::LampTable& table)
+std::string Write(const std::string& file, const LampTable& table)
 {
-  std::ofstream(file) << airlight_test::TableText(table);
+  std::ofstream(file) << TableText(table);
   return file;
 }
 
@@ -151,11 +149,11 @@ void TestFiles(const std::string& data)
 
 //------------------------------------------------------------------------------
 // A lamp that aims along -z and shines to its `up` side alone, less and less towards its sides.
-const airlight_test::LampTable HalfLit{ 1, { 0, 90 }, { 0, 90, 180 }, { 9, 6, 6, 3, 3, 0 } };
+const LampTable HalfLit{ 1, { 0, 90 }, { 0, 90, 180 }, { 9, 6, 6, 3, 3, 0 } };
 
-airlight_test::TestGoniometricLamp MakeLamp(vtkLight* light, const glm::dvec3& up)
+TestGoniometricLamp MakeLamp(vtkLight* light, const glm::dvec3& up)
 {
-  airlight_test::TestGoniometricLamp lamp;
+  TestGoniometricLamp lamp;
   lamp.Table = HalfLit;
   glm::dvec3 focus;
   light->GetTransformedPosition(&lamp.Position.x);
@@ -169,7 +167,7 @@ airlight_test::TestGoniometricLamp MakeLamp(vtkLight* light, const glm::dvec3& u
 // The airlight of lamp `index` on some rays; `up` in the world.
 void CheckLamp(Stage& stage, int index, const glm::dvec3& up, Comparison& comparison)
 {
-  airlight_test::TestFog fog;
+  TestFog fog;
   fog.SigmaS = { 0.05, 0.07, 0.1 };
   fog.SigmaT = { 0.07, 0.09, 0.11 };
   const auto lamp = MakeLamp(stage.Lights[index], up);
@@ -180,8 +178,8 @@ void CheckLamp(Stage& stage, int index, const glm::dvec3& up, Comparison& compar
     const int y = pixel / 64;
     const Ray ray = stage.GetRay(x + 0.5, y + 0.5);
     const double end = GetValue(stage.GetBuffer("Depth"), x, y);
-    const double expected = airlight_test::GoniometricAirlight(
-      fog, lamp, ray.Origin, ray.Direction, 0.0, end >= 0.0 ? end : 1e9, 1);
+    const double expected =
+      GoniometricAirlight(fog, lamp, ray.Origin, ray.Direction, 0.0, end >= 0.0 ? end : 1e9, 1);
     const double value = GetValue(buffer, x, y, 1);
     comparison.Add(std::abs(value - expected) / std::max(expected, 1e-5), 1e-3,
       [&] { return Text("pixel ", x, " ", y, ": ", value, ", expected ", expected); });

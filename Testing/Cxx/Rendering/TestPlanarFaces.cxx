@@ -20,7 +20,6 @@
 #include <cstdlib>
 
 using namespace airlight_test;
-using namespace airlighttest;
 using airlight::CasterMesh;
 using airlight::FindPlanarFaces;
 using airlight::PlanarFace;

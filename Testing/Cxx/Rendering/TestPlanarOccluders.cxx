@@ -21,7 +21,6 @@
 #include <cstdlib>
 
 using namespace airlight_test;
-using namespace airlighttest;
 
 namespace
 {

@@ -15,8 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 
-using namespace airlighttest;
-using airlight_test::ErrorListener;
+using namespace airlight_test;
 
 namespace
 {

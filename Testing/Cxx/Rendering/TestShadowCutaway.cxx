@@ -3,9 +3,9 @@
 //
 // Rays that go on through a caster, because the camera does not show the side that they meet: the
 // ray then crosses the caster's own surface, not only the planes from its silhouette; or because it
-// lies before or beyond the clipping range. Against brute force (see AirlightBruteForce.h).
+// lies before or beyond the clipping range. Against brute force (see AirlightTestBruteForce.h).
 
-#include "AirlightCompareScene.h"
+#include "AirlightTestCompareScene.h"
 
 #include "vtkCubeSource.h"
 #include "vtkPlaneSource.h"
@@ -13,7 +13,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Shadows for parallel projection, directional lights, several lights and bounded media, and for
-// cameras on a shadow's very edge, against brute force (see AirlightBruteForce.h).
+// cameras on a shadow's very edge, against brute force (see AirlightTestBruteForce.h).
 
-#include "AirlightCompareScene.h"
 #include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
 
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
@@ -13,7 +13,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

@@ -5,16 +5,16 @@
 // they are given, and the same bits each time. Memory that they just fill, and pictures with more rows
 // than there is memory for: all boundaries are kept.
 
-#include "AirlightCompareScene.h"
-#include "AirlightTestGlass.h"
-#include "AirlightWindowScene.h"
+#include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

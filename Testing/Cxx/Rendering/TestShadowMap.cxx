@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Shadows from shadow maps, against brute force (see AirlightBruteForce.h), for all kinds of lights,
+// Shadows from shadow maps, against brute force (see AirlightTestBruteForce.h), for all kinds of lights,
 // cameras and casters. The contract: half a percent in the median, five percent in the 99th
 // percentile.
 
-#include "AirlightCompareScene.h"
 #include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
 #include "AirlightTestErrors.h"
 
 #include "vtkConeSource.h"
@@ -16,7 +16,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
@@ -259,7 +259,7 @@ void TestRayMarch()
 void TestBadValues()
 {
   vtkNew<vtkAirlightPass> pass;
-  airlight_test::ErrorListener errors(pass);
+  ErrorListener errors(pass);
   for (const int resolution : { -1, 0, 15, 8193 })
   {
     pass->SetShadowMapResolution(resolution);

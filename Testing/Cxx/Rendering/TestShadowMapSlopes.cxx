@@ -6,7 +6,7 @@
 // coarse that each texel covers many pixels. The plate as polygons, and as a glyph of which the mapper alone
 // knows the place, since its points are blocks.
 
-#include "AirlightTestGlass.h"
+#include "AirlightTestBodies.h"
 #include "AirlightTestTools.h"
 
 #include "vtkGlyph3DMapper.h"
@@ -14,10 +14,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::AllOk;
-using airlight_test::Comparison;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {

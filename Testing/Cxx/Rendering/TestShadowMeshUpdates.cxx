@@ -4,13 +4,13 @@
 // Meshes whose geometry is swapped, as animations do: each frame is that of a pass that knows nothing of
 // the frames before, also where the new points, polygons or strips are older than what they replace.
 
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include "vtkStripper.h"
 
 #include <functional>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

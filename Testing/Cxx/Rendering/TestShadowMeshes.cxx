@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Shadows of meshes of all kinds, above all of those that are not closed and tidy, against brute
-// force (see AirlightBruteForce.h).
+// force (see AirlightTestBruteForce.h).
 
-#include "AirlightCompareScene.h"
+#include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
 
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
@@ -19,21 +20,11 @@
 #include <cstdlib>
 #include <random>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// A floor that receives the shadows.
-void AddFloor(Scene& scene)
-{
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-8, -2.5, 6);
-  plane->SetPoint1(8, -2.5, 6);
-  plane->SetPoint2(-8, -2.5, -8);
-  scene.Add(plane);
-}
 
 vtkSmartPointer<vtkPolyData> MakeSphere(const glm::dvec3& centre, double radius, int resolution)
 {

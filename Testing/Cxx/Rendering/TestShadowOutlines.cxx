@@ -10,11 +10,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::AllOk;
-using airlight_test::Comparison;
-using airlight_test::Random;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Shadows of what props draw inside them: levels of detail, and parts of assemblies whose mappers draw
-// something else than their input's polygons. Against brute force (see AirlightBruteForce.h), and against
+// something else than their input's polygons. Against brute force (see AirlightTestBruteForce.h), and against
 // the same content outside of them.
 
-#include "AirlightCompareScene.h"
+#include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
 #include "AirlightTestErrors.h"
-#include "AirlightTestShadowBodies.h"
 #include "AirlightTestTools.h"
-#include "AirlightWindowScene.h"
+#include "AirlightTestWindowScene.h"
 
 #include "vtkAirlightReference.h"
 #include "vtkAssembly.h"
@@ -28,9 +28,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::ErrorListener;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Shadows of props of all kinds, however they are transformed, against brute force (see
-// AirlightBruteForce.h).
+// AirlightTestBruteForce.h).
 
-#include "AirlightCompareScene.h"
-#include "AirlightTestShadowBodies.h"
+#include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
 
 #include "vtkAssembly.h"
 #include "vtkCellType.h"
@@ -20,7 +20,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

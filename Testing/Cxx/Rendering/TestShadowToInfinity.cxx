@@ -7,16 +7,10 @@
 // of the pyramid's four planes, and dark from there to infinity:
 //
 //   L = sigmaS I/(4 pi) integral from 0 to there of exp(-sigmaT (t + r))/r^2 dt,   r = |o + t d|
-//
-// by Simpson's rule. The lamp stays 4 away from all of that, so that 2000 panels give 1e-9.
 
 #include "AirlightTestCheck.h"
-#include "AirlightTestPixels.h"
-
-#include "vtkActor.h"
-#include "vtkLight.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
+#include "AirlightTestPixelScene.h"
+#include "AirlightTestQuadrature.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,32 +19,18 @@ using namespace airlight_test;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Intensity = 5.0;
 
-void AddSquare(vtkRenderer* renderer)
-{
-  vtkNew<vtkPlaneSource> square;
-  square->SetOrigin(-1.0, -1.0, -1.0);
-  square->SetPoint1(1.0, -1.0, -1.0);
-  square->SetPoint2(-1.0, 1.0, -1.0);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(square->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
-}
-
 // With the attenuation 1/r^2 the radiant intensity is pi times VTK's.
-void AddLamp(vtkRenderer* renderer)
+void AddLamp(PixelScene& scene)
 {
-  vtkNew<vtkLight> lamp;
+  vtkLight* lamp = scene.Light;
   lamp->PositionalOn();
   lamp->SetConeAngle(180.0);
   lamp->SetPosition(0.0, 0.0, 0.0);
   lamp->SetAttenuationValues(0.0, 0.0, 1.0);
   lamp->SetIntensity(Intensity / Pi);
-  renderer->AddLight(lamp);
+  scene.Renderer->AddLight(lamp);
 }
 
 // Where the ray has crossed all planes ±x + z = 0 and ±y + z = 0.
@@ -67,19 +47,11 @@ double GetShadowStart(const PixelRay& ray)
 
 double GetExpected(const PixelRay& ray, double scattering, double extinction)
 {
-  const auto integrand = [&](double t) {
-    const double r = glm::length(ray.Origin + t * ray.Direction);
-    return std::exp(-extinction * (t + r)) / (r * r);
-  };
-  constexpr int Panels = 2000;
-  const double width = GetShadowStart(ray) / Panels;
-  double sum = 0.0;
-  for (int i = 0; i < Panels; ++i)
-  {
-    sum += width / 6.0 *
-      (integrand(i * width) + 4.0 * integrand((i + 0.5) * width) + integrand((i + 1.0) * width));
-  }
-  return scattering * Intensity / (4.0 * Pi) * sum;
+  const double foot = -glm::dot(ray.Origin, ray.Direction); // of the lamp in the origin
+  const double h = glm::length(ray.Origin + foot * ray.Direction);
+  return scattering * Intensity *
+    IsotropicAirlight([](double r, double) { return 1.0 / (r * r); }, extinction, foot, h, 0.0,
+      GetShadowStart(ray));
 }
 
 void TestFog(bool coloured)
@@ -87,8 +59,8 @@ void TestFog(bool coloured)
   PixelScene scene;
   const double extinction[3] = { 0.05, coloured ? 0.1 : 0.05, coloured ? 0.02 : 0.05 };
   scene.Medium->SetScattering(extinction);
-  AddSquare(scene.Renderer);
-  AddLamp(scene.Renderer);
+  scene.AddPlane({ -1.0, -1.0, -1.0 }, { 1.0, -1.0, -1.0 }, { -1.0, 1.0, -1.0 });
+  AddLamp(scene);
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
   camera->SetPosition(5.0, 0.0, 5.0);
   camera->SetFocalPoint(5.0, 0.0, 0.0);

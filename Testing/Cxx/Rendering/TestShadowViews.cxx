@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Shadows for all ways to place camera, lights and casters, against brute force (see
-// AirlightBruteForce.h).
+// AirlightTestBruteForce.h).
 
-#include "AirlightCompareScene.h"
-#include "AirlightTestShadowBodies.h"
+#include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
 
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

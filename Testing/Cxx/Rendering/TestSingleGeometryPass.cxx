@@ -17,7 +17,7 @@
 #include <cmath>
 #include <cstdlib>
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {

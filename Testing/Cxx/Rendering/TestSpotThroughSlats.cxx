@@ -4,15 +4,14 @@
 // A spot shines through the slats of a hanging louvre in thin fog: separate shafts, and stripes on
 // the floor.
 
-#include "AirlightFeatureRays.h"
+#include "AirlightTestSceneRays.h"
 
 #include "vtkConeSource.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
-constexpr double Pi = airlight_test::Pi;
 const glm::dvec3 Lamp(-1.05, 5.3, 0.0);
 const glm::dvec3 Aim(-0.3, 3.4, 0.0);
 const glm::dvec3 Intensity(680.0, 600.0, 480.0);
@@ -35,7 +34,7 @@ constexpr double AmbientLight = 0.9;
 const glm::dvec3 FloorAlbedo(0.27, 0.26, 0.25);
 
 //------------------------------------------------------------------------------
-void AddLouvre(FeatureScene& scene)
+void AddLouvre(Scene& scene)
 {
   const glm::dvec3 wood(0.5, 0.33, 0.2);
   for (int i = 0; i < Slats; ++i)
@@ -104,7 +103,7 @@ Physics GetPhysics()
 }
 
 //------------------------------------------------------------------------------
-void Build(FeatureScene& scene)
+void Build(Scene& scene)
 {
   scene.AmbientLight = AmbientLight;
   scene.Medium->SetScattering(&SigmaS.x);
@@ -127,7 +126,7 @@ void Build(FeatureScene& scene)
   const glm::dvec3 centre = Lamp + 0.145 * axis;
   shade->SetCenter(centre.x, centre.y, centre.z);
   shade->SetDirection(-axis.x, -axis.y, -axis.z);
-  FeatureScene::Paint(scene.Add(shade), { 0.25, 0.25, 0.28 }, 0.6);
+  Scene::Paint(scene.Add(shade), { 0.25, 0.25, 0.28 }, 0.6);
   scene.Look({ 1.1, 3.3, 12.0 }, { 0.45, 2.35, 0.0 });
   scene.Renderer->GetActiveCamera()->SetViewAngle(33.0);
 }
@@ -150,7 +149,7 @@ Gap GetGap(int i)
 }
 
 // Rays below the louvre and beside the ball, by the slats' shadow planes and the cone alone.
-void CheckShafts(FeatureScene& scene)
+void CheckShafts(Scene& scene)
 {
   for (const glm::dvec3& point :
     { glm::dvec3(-0.8, 1.7, 0.0), glm::dvec3(0.1, 1.5, 0.0), glm::dvec3(1.15, 2.0, 0.0) })
@@ -178,7 +177,7 @@ void CheckShafts(FeatureScene& scene)
 }
 
 // The floor on a stripe and beside it: diffuse reflection of I cos(theta)/r^2, and ambient light.
-void CheckStripes(FeatureScene& scene)
+void CheckStripes(Scene& scene)
 {
   glm::dvec3 seen[2];
   glm::dvec3 expected[2];
@@ -208,7 +207,8 @@ void CheckStripes(FeatureScene& scene)
 //------------------------------------------------------------------------------
 int TestSpotThroughSlats(int argc, char* argv[])
 {
-  FeatureScene scene;
+  Scene scene(640, 480);
+  scene.SmoothEdges();
   Build(scene);
   scene.Window->Render();
   // The closed form in single precision; where little of a ray is lit, that part's ends show.

@@ -4,13 +4,12 @@
 // The sun slants through the windows of a dark, dusty room: the dust fills the room as a box, the
 // camera stands in the room's own shadow.
 
-#include "AirlightFeatureRays.h"
+#include "AirlightTestSceneRays.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
-constexpr double Pi = airlight_test::Pi;
 const glm::dvec3 ToSun = glm::normalize(glm::dvec3(-1.0, 0.72, -0.28));
 const glm::dvec3 Irradiance(30.0, 26.0, 20.5);
 
@@ -36,7 +35,7 @@ constexpr double AmbientLight = 0.5;
 const glm::dvec3 FloorAlbedo(0.26, 0.21, 0.165);
 
 //------------------------------------------------------------------------------
-void AddWindowWall(FeatureScene& scene)
+void AddWindowWall(Scene& scene)
 {
   const glm::dvec3 plaster(0.5, 0.48, 0.44);
   const double out = Low.x - Thickness;
@@ -60,7 +59,7 @@ void AddWindowWall(FeatureScene& scene)
   add(Sill - 0.1, Lintel + 0.1, from, High.z + Thickness);
 }
 
-void AddRoom(FeatureScene& scene)
+void AddRoom(Scene& scene)
 {
   const glm::dvec3 t(Thickness);
   const glm::dvec3 plaster(0.5, 0.48, 0.44);
@@ -74,7 +73,7 @@ void AddRoom(FeatureScene& scene)
   AddWindowWall(scene);
 }
 
-void AddTable(FeatureScene& scene)
+void AddTable(Scene& scene)
 {
   const glm::dvec3 wood(0.42, 0.24, 0.13);
   scene.AddBox({ -3.4, 0.86, -3.6 }, { -2.0, 0.92, -1.4 }, wood);
@@ -104,7 +103,7 @@ Physics GetPhysics()
   physics.Scattered = [](const Ray& ray, double t, int k) {
     // Light travels along -ToSun, and the eye sees what goes along -Direction.
     const double cosine = glm::dot(ToSun, ray.Direction);
-    const airlight_test::HenyeyGreensteinPhase phase{ Anisotropy };
+    const HenyeyGreensteinPhase phase{ Anisotropy };
     const double depth = t + ToWindows(ray.Origin + t * ray.Direction);
     return SigmaS[k] * Irradiance[k] * phase(1.0 - cosine, 1.0 + cosine) *
       std::exp(-(SigmaS[k] + SigmaA[k]) * depth);
@@ -117,7 +116,7 @@ Physics GetPhysics()
   return physics;
 }
 
-void Build(FeatureScene& scene)
+void Build(Scene& scene)
 {
   scene.AmbientLight = AmbientLight;
   scene.Medium->SetScattering(&SigmaS.x);
@@ -177,7 +176,7 @@ double LengthInShafts(const Ray& ray, double end)
 }
 
 // Rays that meet the floor or the wall this side of the table.
-void CheckShafts(FeatureScene& scene)
+void CheckShafts(Scene& scene)
 {
   for (const glm::dvec3& point :
     { glm::dvec3(-1.7, 0.0, 2.0), glm::dvec3(-1.8, 0.0, 0.9), glm::dvec3(Low.x, 1.3, 0.9) })
@@ -194,7 +193,7 @@ void CheckShafts(FeatureScene& scene)
 }
 
 // The floor in a patch of light and behind the wall beside it.
-void CheckPatch(FeatureScene& scene)
+void CheckPatch(Scene& scene)
 {
   glm::dvec3 seen[2];
   glm::dvec3 expected[2];
@@ -222,7 +221,8 @@ void CheckPatch(FeatureScene& scene)
 //------------------------------------------------------------------------------
 int TestSunThroughWindows(int argc, char* argv[])
 {
-  FeatureScene scene;
+  Scene scene(640, 480);
+  scene.SmoothEdges();
   Build(scene);
   scene.Window->Render();
   const double limit = 1e-4 + scene.Medium->GetPhaseErrorBound();

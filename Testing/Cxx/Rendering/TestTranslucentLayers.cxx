@@ -3,10 +3,10 @@
 //
 // Translucent surfaces in fog: each fragment's colour becomes C T(t) + L(0, t) before it is blended,
 // with the shadows in the air before it and on it. Against the picture without them and brute force
-// (AirlightBruteForce.h) up to the surface. VTK's order-independent translucency is exact for one
+// (AirlightTestBruteForce.h) up to the surface. VTK's order-independent translucency is exact for one
 // layer; its depth peeling keeps 8 bits a layer.
 
-#include "AirlightCompareScene.h"
+#include "AirlightTestCompareScene.h"
 #include "AirlightTestTools.h"
 
 #include "vtkConeSource.h"
@@ -14,11 +14,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::AllOk;
-using airlight_test::Comparison;
-using airlight_test::Random;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {

@@ -13,8 +13,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {

@@ -3,14 +3,13 @@
 //
 // Shadows of translucent casters asked for in vain: bad keys, and techniques that have none.
 
+#include "AirlightTestBodies.h"
 #include "AirlightTestErrors.h"
-#include "AirlightTestGlass.h"
 
 #include <cstdlib>
 #include <limits>
 
-using namespace airlighttest;
-using airlight_test::ErrorListener;
+using namespace airlight_test;
 
 namespace
 {

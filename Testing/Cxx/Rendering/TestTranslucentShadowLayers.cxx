@@ -5,16 +5,15 @@
 // before them, none of their own on their lit side, their own on the far side. Against brute force.
 // And what switches their shadows on and off.
 
-#include "AirlightTestGlass.h"
+#include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
 #include "AirlightTestTools.h"
 
 #include "vtkInformationIntegerKey.h"
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::Random;
-using airlight_test::Text;
+using namespace airlight_test;
 
 namespace
 {
@@ -100,7 +99,7 @@ void TestPane(Scene& scene)
 {
   for (const double z : { 6.0, -4.0 })
   {
-    Restart(scene);
+    ResetToFloorAndBall(scene);
     scene.AddPointLight({ 1.5, 3, z }, { 8.0, 6.0, 4.0 });
     const glm::dvec3 pane(0.5, 0.5, 0.5);
     const size_t first = scene.Triangles.size();
@@ -121,7 +120,7 @@ void TestPane(Scene& scene)
 // Drivers take their time over shaders with many lights.
 void TestManyLights(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   const glm::dvec3 places[] = { { 1.5, 3, 6 }, { -2.5, 4, 5 } };
   for (int k = 0; k < 34; ++k)
   {
@@ -144,7 +143,7 @@ void TestManyLights(Scene& scene)
 // A triangle strip seen at all angles, down to the grazing ones: no acne.
 void TestSlopes(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 3, 5, 4 }, { 8.0, 6.0, 4.0 });
   const size_t first = scene.Triangles.size();
   AddGlass(scene, MakeSheet({ -6, 0.4, -30 }, { 12, 0, 0 }, { 0, 0.1, 38 }), Red);
@@ -162,7 +161,7 @@ void TestSlopes(Scene& scene)
 // Each way to have no shadow gives the same bits; each change shows at once.
 void TestSwitches(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 1, 4.5, 1 }, { 8.0, 6.0, 4.0 });
   vtkNew<vtkLight> head;
   head->SetLightTypeToHeadlight();
@@ -220,7 +219,7 @@ void TestSwitches(Scene& scene)
 // Peeled, to 8 bits rounded twice, and order-independent translucency show the same single layer.
 void TestPeeling(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 1, 4.5, 1 }, { 8.0, 6.0, 4.0 });
   AddGlass(scene, MakeSheet({ -2.5, 1.5, -1 }, { 3, 0, 0 }, { 0, 0, 3 }), Red);
   const Buffers independent = scene.Render();

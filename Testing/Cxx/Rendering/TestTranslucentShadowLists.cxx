@@ -4,7 +4,8 @@
 // Translucent casters in lists of boundaries that take several draws, in the light of the sun, as
 // blocks and in assemblies, and the power law of layers.
 
-#include "AirlightTestGlass.h"
+#include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
 #include "AirlightTestTools.h"
 
 #include "vtkAssembly.h"
@@ -14,8 +15,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::Random;
+using namespace airlight_test;
 
 namespace
 {
@@ -165,7 +165,7 @@ void AddShadow(
 // An opaque block beside a translucent one.
 void TestBlocks(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 1, 4.5, 2 });
   const auto ball = MakeSphere(0.5);
   const auto sheet = MakeSheet({ -1, 1.5, 0 }, { 2.5, 0, 0 }, { 0, 0.2, 2.5 });
@@ -187,7 +187,7 @@ void TestBlocks(Scene& scene)
 // The key of an assembly is that of its parts; VTK hands it to them, in place of their own.
 void TestAssembly(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 1, 4.5, 2 });
   const auto ball = MakeSphere(0.5);
   const glm::dvec3 places[2] = { { 0.8, 0.5, 1 }, { 0, 1.4, 1.5 } };

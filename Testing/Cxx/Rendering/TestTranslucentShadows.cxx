@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Translucent casters dim the light in the air and on opaque surfaces behind them, by 1 - opacity a
-// layer and colour. Against brute force (AirlightBruteForce.h), and against the power law itself.
+// layer and colour. Against brute force (AirlightTestBruteForce.h), and against the power law itself.
 
-#include "AirlightTestGlass.h"
+#include "AirlightTestBodies.h"
+#include "AirlightTestCompareScene.h"
 #include "AirlightTestTools.h"
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::Random;
+using namespace airlight_test;
 
 namespace
 {
@@ -22,7 +22,7 @@ const glm::dvec3 Grey(0.4);
 // Two sheets of different colours that overlap, before a floor and a ball.
 void TestSheets(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 1, 4.5, 1 });
   scene.AddPointLight({ -4, 3, 4 }, { 10.0, 20.0, 30.0 });
   AddGlass(scene, MakeSheet({ -2.5, 1.5, -1 }, { 3, 0.3, 0 }, { 0, 0, 3 }), Red);
@@ -33,7 +33,7 @@ void TestSheets(Scene& scene)
 // A closed body: what lies behind it is dimmed by both its walls, what is inside by one.
 void TestBody(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 2, 4, 2.5 });
   AddGlass(scene, MakeSphere(1.2), Grey, [](vtkActor* a) { a->SetPosition(1.2, 0.2, 1); });
   CompareScene("closed body", scene);
@@ -42,7 +42,7 @@ void TestBody(Scene& scene)
 // A lamp in a coloured globe, which hangs in another one.
 void TestGlobes(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 0.3, 1, 2 });
   AddGlass(scene, MakeSphere(0.5), Red, [](vtkActor* a) { a->SetPosition(0.3, 0.9, 2); });
   AddGlass(scene, MakeSphere(0.9), Blue, [](vtkActor* a) { a->SetPosition(0.5, 1, 2); });
@@ -53,7 +53,7 @@ void TestGlobes(Scene& scene)
 // The camera in a body, in its shadow, and exactly on a shadow plane.
 void TestCameraInside(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 3, 5, 2 });
   AddGlass(scene, MakeSphere(2.0), Red, [](vtkActor* a) { a->SetPosition(0, 1, 8); });
   scene.Look({ 0.4, 1.3, 8.7 }, { 0, 0, 0 });
@@ -61,7 +61,7 @@ void TestCameraInside(Scene& scene)
   scene.Look({ -1.3, -0.7, 7.6 }, { 0, 0, 0 });
   CompareScene("camera in a shadow", scene);
 
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 0, 8, 0 });
   AddGlass(scene, MakeSheet({ 0, 4, -6 }, { 3, 0, 0 }, { 0, 0, 18 }), Blue);
   scene.Look({ 0, 1, 10 }, { 0, 0, 0 });
@@ -83,7 +83,7 @@ Triangle MakeLeaf(Random& random, double size)
 // or show only their shadow.
 void TestSoup(Scene& scene)
 {
-  Restart(scene);
+  ResetToFloorAndBall(scene);
   scene.AddPointLight({ 2, 4, 3 });
   Random random(5);
   for (int i = 0; i < 12; ++i)

@@ -5,13 +5,12 @@
 // shadows of a frame run through both, and onto the floor: its boards point to the camera, so that
 // their shadows are seen edge-on.
 
-#include "AirlightFeatureRays.h"
+#include "AirlightTestSceneRays.h"
 
-using namespace airlighttest;
+using namespace airlight_test;
 
 namespace
 {
-constexpr double Pi = airlight_test::Pi;
 const glm::dvec3 Lamp(-0.2, 5.4, 0.0);
 const glm::dvec3 Intensity(330.0, 320.0, 310.0);
 
@@ -110,7 +109,7 @@ Physics GetPhysics()
 
 //------------------------------------------------------------------------------
 // Lies flat below the lamp: two boards that point to the camera and two thin bars.
-void AddFrame(FeatureScene& scene)
+void AddFrame(Scene& scene)
 {
   const glm::dvec3 metal(0.05);
   for (const double x : Boards)
@@ -123,7 +122,7 @@ void AddFrame(FeatureScene& scene)
   }
 }
 
-void Build(FeatureScene& scene)
+void Build(Scene& scene)
 {
   scene.AmbientLight = 0.3;
   scene.Medium->SetScattering(&Amber.SigmaS.x);
@@ -147,7 +146,7 @@ void Build(FeatureScene& scene)
 
 //------------------------------------------------------------------------------
 // Through the overlap both media's transmittances multiply.
-void CheckTransmittance(FeatureScene& scene)
+void CheckTransmittance(Scene& scene)
 {
   for (const glm::dvec3& point : { glm::dvec3(0.2, 1.9, 0.0), glm::dvec3(0.4, 1.3, 0.0) })
   {
@@ -178,7 +177,7 @@ double GetSlope(double x, bool largest)
 
 // A ray in the box of which a board's shadow takes a part. The boards are so long that their ends'
 // shadows lie outside of the box.
-void CheckBoardShadow(FeatureScene& scene)
+void CheckBoardShadow(Scene& scene)
 {
   const glm::ivec2 pixel = scene.GetPixel({ -1.15, 1.5, 0.0 });
   const Ray ray = scene.GetPixelRay(pixel);
@@ -193,7 +192,7 @@ void CheckBoardShadow(FeatureScene& scene)
 }
 
 // A ray whose whole way through the sphere is in a board's shadow.
-void CheckFullShadow(FeatureScene& scene)
+void CheckFullShadow(Scene& scene)
 {
   const double s = 0.5 * (GetSlope(Boards[1], false) + GetSlope(Boards[1] + BoardWidth, true));
   const glm::ivec2 pixel = scene.GetPixel({ Lamp.x + s * (Lamp.y - Centre.y), Centre.y, 0.0 });
@@ -212,7 +211,8 @@ void CheckFullShadow(FeatureScene& scene)
 //------------------------------------------------------------------------------
 int TestTwoMedia(int argc, char* argv[])
 {
-  FeatureScene scene;
+  Scene scene(640, 480);
+  scene.SmoothEdges();
   Build(scene);
   scene.Window->Render();
   // The pass states 1e-3 for lights outside of bounded media, and some 1e-3 where the way to the

@@ -16,8 +16,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::ErrorListener;
+using namespace airlight_test;
 
 namespace
 {

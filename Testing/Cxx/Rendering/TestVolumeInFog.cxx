@@ -11,9 +11,7 @@
 
 #include <cstdlib>
 
-using namespace airlighttest;
-using airlight_test::AllOk;
-using airlight_test::Random;
+using namespace airlight_test;
 
 namespace
 {

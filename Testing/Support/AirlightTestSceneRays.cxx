@@ -1,44 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * The expected numbers of a ray of a FeatureScene. Its lit parts are cut out by the planes through
- * the light and the bodies' edges (AirlightBruteForce.h); its airlight is the quadrature over them
- * of what each test says is scattered, so that no expected number comes from the library.
- */
+#include "AirlightTestSceneRays.h"
 
-#ifndef AirlightFeatureRays_h
-#define AirlightFeatureRays_h
-
-#include "AirlightFeatureScene.h"
-#include "AirlightTestQuadrature.h"
-#include "AirlightTestTools.h"
-
-namespace airlighttest
+namespace airlight_test
 {
-// What a test knows of its own light and medium.
-struct Physics
-{
-  // The parts of the ray, as far as `end`, that the light would reach if nothing stood in its way.
-  std::function<std::vector<Interval>(const Ray&, double end)> Reach;
-
-  // Light scattered towards the eye at t, per unit length, attenuated up to the eye.
-  std::function<double(const Ray&, double t, int channel)> Scattered;
-
-  // What the ambient radiance adds as far as `end`.
-  std::function<double(const Ray&, double end, int channel)> Ambient;
-};
-
-struct Expected
-{
-  double Depth = Infinity;
-  double LitLength = 0.0;
-  glm::dvec3 Airlight{ 0.0 };
-};
-
 //------------------------------------------------------------------------------
-// Keeps the part of the ray in a box; From >= To where there is none.
-inline Interval ClipToBox(
-  Interval part, const Ray& ray, const glm::dvec3& low, const glm::dvec3& high)
+Interval ClipToBox(Interval part, const Ray& ray, const glm::dvec3& low, const glm::dvec3& high)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -50,16 +17,15 @@ inline Interval ClipToBox(
   return part;
 }
 
-// Where the ray crosses the plane through the lamp and along z on which
-// (x - lamp.x)/(lamp.y - y) = slope.
-inline double CrossPlane(const Ray& ray, const glm::dvec3& lamp, double slope)
+//------------------------------------------------------------------------------
+double CrossPlane(const Ray& ray, const glm::dvec3& lamp, double slope)
 {
   return (lamp.x - ray.Origin.x + slope * (lamp.y - ray.Origin.y)) /
     (ray.Direction.x + slope * ray.Direction.y);
 }
 
 //------------------------------------------------------------------------------
-inline double GetEnd(const FeatureScene& scene, const Ray& ray)
+double GetEnd(const Scene& scene, const Ray& ray)
 {
   double end = Infinity;
   for (const Triangle& t : scene.Triangles)
@@ -69,8 +35,9 @@ inline double GetEnd(const FeatureScene& scene, const Ray& ray)
   return end;
 }
 
-inline std::vector<Interval> GetLitParts(
-  const FeatureScene& scene, const Physics& physics, const Ray& ray, double end)
+//------------------------------------------------------------------------------
+std::vector<Interval> GetLitParts(
+  const Scene& scene, const Physics& physics, const Ray& ray, double end)
 {
   std::vector<Interval> shadows;
   for (const Triangle& t : scene.Triangles)
@@ -96,7 +63,8 @@ inline std::vector<Interval> GetLitParts(
   return result;
 }
 
-inline double Sum(const std::vector<Interval>& parts)
+//------------------------------------------------------------------------------
+double Sum(const std::vector<Interval>& parts)
 {
   double sum = 0.0;
   for (const Interval& part : parts)
@@ -106,7 +74,8 @@ inline double Sum(const std::vector<Interval>& parts)
   return sum;
 }
 
-inline Expected GetExpected(const FeatureScene& scene, const Physics& physics, const Ray& ray)
+//------------------------------------------------------------------------------
+Expected GetExpected(const Scene& scene, const Physics& physics, const Ray& ray)
 {
   Expected expected;
   expected.Depth = GetEnd(scene, ray);
@@ -125,17 +94,15 @@ inline Expected GetExpected(const FeatureScene& scene, const Physics& physics, c
         ends.push_back(part.From + step);
       }
       ends.push_back(to);
-      expected.Airlight[k] += airlight_test::Integrate(
-        [&](double t) { return physics.Scattered(ray, t, k); }, ends, 1e-10);
+      expected.Airlight[k] +=
+        Integrate([&](double t) { return physics.Scattered(ray, t, k); }, ends, 1e-10);
     }
   }
   return expected;
 }
 
-// Whether 0.02 pixels to either side the ray's lit length or depth is another by more than 1 %:
-// the ray grazes an edge, and no rasteriser need decide as double precision does.
-inline bool IsUnstable(
-  FeatureScene& scene, const Physics& physics, int x, int y, const Expected& expected)
+//------------------------------------------------------------------------------
+bool IsUnstable(Scene& scene, const Physics& physics, int x, int y, const Expected& expected)
 {
   for (int i = 0; i < 4; ++i)
   {
@@ -150,15 +117,12 @@ inline bool IsUnstable(
   return false;
 }
 
-// All rays of a grid over the picture, but those that graze edges, against the expected numbers:
-// lit length to 1e-3 of itself or of 0.1; airlight, of itself or of a hundredth of the picture's
-// 99th percentile, to `limit` on 99 % of the rays and to `outer` on all; light that leaks into
-// full shadow to 1e-4 of the 99th percentile.
-inline void CompareRays(FeatureScene& scene, const Physics& physics, double limit, double outer)
+//------------------------------------------------------------------------------
+void CompareRays(Scene& scene, const Physics& physics, double limit, double outer)
 {
-  airlight_test::Comparison lengths("lit length, relative");
-  airlight_test::Comparison airlight("airlight, relative");
-  airlight_test::Comparison leak("light that leaks into full shadow, of the 99th percentile");
+  Comparison lengths("lit length, relative");
+  Comparison airlight("airlight, relative");
+  Comparison leak("light that leaks into full shadow, of the 99th percentile");
   const double percentile99 = scene.GetPercentile99("Airlight");
   constexpr int step = 16;
   int used = 0;
@@ -176,8 +140,8 @@ inline void CompareRays(FeatureScene& scene, const Physics& physics, double limi
         continue;
       }
       const auto describe = [&] {
-        return airlight_test::Text("pixel ", x, " ", y, ": expected lit length ",
-          expected.LitLength, ", airlight ", airlight_test::Text3(&expected.Airlight.x));
+        return Text("pixel ", x, " ", y, ": expected lit length ", expected.LitLength,
+          ", airlight ", Text3(&expected.Airlight.x));
       };
       if (expected.LitLength < Infinity)
       {
@@ -212,14 +176,14 @@ inline void CompareRays(FeatureScene& scene, const Physics& physics, double limi
 }
 
 //------------------------------------------------------------------------------
-// To `limit` of what is expected.
-inline void CheckClose(double value, double expected, double limit, const std::string& what)
+void CheckClose(double value, double expected, double limit, const std::string& what)
 {
   std::cout << what << ": " << value << ", expected " << expected << "\n";
   Check(std::abs(value - expected) <= limit * std::abs(expected), what);
 }
 
-inline void CheckClose(
+//------------------------------------------------------------------------------
+void CheckClose(
   const glm::dvec3& value, const glm::dvec3& expected, double limit, const std::string& what)
 {
   for (int k = 0; k < 3; ++k)
@@ -228,5 +192,3 @@ inline void CheckClose(
   }
 }
 }
-
-#endif

@@ -7,8 +7,8 @@
  * of a point light peaks as 1/sin(gamma), and phi around it from the normal.
  */
 
-#ifndef AirlightTestGlow_h
-#define AirlightTestGlow_h
+#ifndef AirlightTestIrradiance_h
+#define AirlightTestIrradiance_h
 
 #include "AirlightTestQuadrature.h"
 

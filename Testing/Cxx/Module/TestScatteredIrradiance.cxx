@@ -1,42 +1,41 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * airlightScatteredIrradiance() of Module/glsl in double and in single precision against the brute
- * force of AirlightTestGlow.h, over random settings: a light of strength 1 at distance 1, optical
- * distance 0.01 to 10, any normal.
- */
+//
+// airlightScatteredIrradiance() of Module/glsl in double and in single precision against the brute
+// force of AirlightTestIrradiance.h, over random settings: a light of strength 1 at distance 1,
+// optical distance 0.01 to 10, any normal. The pass with it is in TestScatteredSurfaceLight.
 
-#ifndef AirlightTestGlowCases_h
-#define AirlightTestGlowCases_h
-
-#include "AirlightTestGlow.h"
-#include "AirlightTestMatrix.h"
+#include "AirlightTestIrradiance.h"
 #include "AirlightTestTools.h"
+#include "Integration/AirlightMath.h"
 #include "Medium/AirlightConvert.h"
 
 #include "vtkNew.h"
 
+#include <cstdlib>
 #include <vector>
 
-namespace airlight_test
+using namespace airlight_test;
+
+namespace
 {
-enum GlowKind
+enum Kind
 {
-  GLOW_POINT,
-  GLOW_SUN,
-  GLOW_SPOT,
-  GLOW_BOX_INSIDE,
-  GLOW_BOX_FACE, // a wall of the region
-  GLOW_BOX_OUTSIDE,
-  GLOW_SPHERE_INSIDE,
-  GLOW_SPHERE_OUTSIDE,
-  GLOW_SUN_BOX,
-  GLOW_FALLOFF,   // by quadrature
-  GLOW_LIGHT_OUT, // light outside the box that holds the surface: by quadrature
-  GLOW_KINDS
+  IRRADIANCE_POINT,
+  IRRADIANCE_SUN,
+  IRRADIANCE_SPOT,
+  IRRADIANCE_BOX_INSIDE,
+  IRRADIANCE_BOX_FACE, // a wall of the region
+  IRRADIANCE_BOX_OUTSIDE,
+  IRRADIANCE_SPHERE_INSIDE,
+  IRRADIANCE_SPHERE_OUTSIDE,
+  IRRADIANCE_SUN_BOX,
+  IRRADIANCE_FALLOFF,   // by quadrature
+  IRRADIANCE_LIGHT_OUT, // light outside the box that holds the surface: by quadrature
+  IRRADIANCE_KINDS
 };
 
-struct GlowFamily
+struct Family
 {
   const char* Name;
   int Count;    // settings
@@ -44,9 +43,9 @@ struct GlowFamily
   double Limit; // relative, as the header of vtkAirlightPass states it
 };
 
-inline const GlowFamily& GetGlowFamily(int kind)
+const Family& GetFamily(int kind)
 {
-  static const GlowFamily families[GLOW_KINDS] = {
+  static const Family families[IRRADIANCE_KINDS] = {
     { "point light, unbounded", 40, 1, 0.003 },
     { "directional light, unbounded", 40, 1, 0.003 },
     { "spot, unbounded", 40, 1, 0.01 },
@@ -63,7 +62,7 @@ inline const GlowFamily& GetGlowFamily(int kind)
 }
 
 // The same numbers in single precision.
-inline airlight::f32::AirlightMedia ToSingle(const airlight::f64::AirlightMedia& media)
+airlight::f32::AirlightMedia ToSingle(const airlight::f64::AirlightMedia& media)
 {
   airlight::f32::AirlightMedia result{};
   result.count = media.count;
@@ -88,7 +87,7 @@ inline airlight::f32::AirlightMedia ToSingle(const airlight::f64::AirlightMedia&
   return result;
 }
 
-inline airlight::f32::AirlightLight ToSingle(const airlight::f64::AirlightLight& light)
+airlight::f32::AirlightLight ToSingle(const airlight::f64::AirlightLight& light)
 {
   airlight::f32::AirlightLight result{};
   result.kind = light.kind;
@@ -104,10 +103,10 @@ inline airlight::f32::AirlightLight ToSingle(const airlight::f64::AirlightLight&
 
 //------------------------------------------------------------------------------
 // A setting with the surface's point at the origin.
-class GlowSetting
+class Setting
 {
 public:
-  GlowSetting(int kind, int index, Random& random)
+  Setting(int kind, int index, Random& random)
   {
     const double anisotropies[] = { 0.0, 0.9, -0.6, 0.5 };
     const double sigma = random.LogUniform(0.01, 10.0);
@@ -119,11 +118,11 @@ public:
     this->Position = RandomUnit(random);
     const double one[3] = { 1.0, 1.0, 1.0 };
     vtkAirlight::SetRadiantIntensity(this->Light, one);
-    if (kind == GLOW_SUN || kind == GLOW_SUN_BOX)
+    if (kind == IRRADIANCE_SUN || kind == IRRADIANCE_SUN_BOX)
     {
       vtkAirlight::SetIrradiance(this->Light, one);
     }
-    if (kind == GLOW_BOX_OUTSIDE || kind == GLOW_SPHERE_OUTSIDE)
+    if (kind == IRRADIANCE_BOX_OUTSIDE || kind == IRRADIANCE_SPHERE_OUTSIDE)
     {
       // The surface sees some of the region.
       this->Normal *= glm::dot(this->Normal, this->Position) < 0.0 ? -1.0 : 1.0;
@@ -131,13 +130,13 @@ public:
     this->PlaceRegion(kind, random);
     this->Light->SetPosition(&this->Position.x);
     this->Light->SetExponent(0.0);
-    if (kind == GLOW_SPOT)
+    if (kind == IRRADIANCE_SPOT)
     {
       const glm::dvec3 aim = this->Position + RandomUnit(random);
       this->Light->SetFocalPoint(&aim.x);
       this->Light->SetConeAngle(random.Uniform(10.0, 80.0));
     }
-    if (kind == GLOW_FALLOFF)
+    if (kind == IRRADIANCE_FALLOFF)
     {
       this->Light->SetAttenuationValues(1.0, 0.1, 0.02);
     }
@@ -178,11 +177,11 @@ private:
     double bounds[6];
     switch (kind)
     {
-      case GLOW_BOX_INSIDE:
-      case GLOW_SUN_BOX:
+      case IRRADIANCE_BOX_INSIDE:
+      case IRRADIANCE_SUN_BOX:
         this->SetBox(origin, this->Position, random);
         break;
-      case GLOW_BOX_FACE:
+      case IRRADIANCE_BOX_FACE:
         this->Position.z = std::abs(this->Position.z);
         this->SetBox(origin, this->Position, random);
         this->Medium->GetBounds(bounds);
@@ -190,20 +189,20 @@ private:
         this->Medium->SetBounds(bounds);
         this->Normal = { 0.0, 0.0, 1.0 };
         break;
-      case GLOW_BOX_OUTSIDE:
-      case GLOW_LIGHT_OUT:
+      case IRRADIANCE_BOX_OUTSIDE:
+      case IRRADIANCE_LIGHT_OUT:
         for (int i = 0; i < 6; ++i)
         {
           // No face reaches as far as the other of the two.
-          const double centre = kind == GLOW_LIGHT_OUT ? 0.0 : this->Position[i / 2];
+          const double centre = kind == IRRADIANCE_LIGHT_OUT ? 0.0 : this->Position[i / 2];
           bounds[i] = centre + (i % 2 ? 1.0 : -1.0) * random.Uniform(0.05, 0.5);
         }
         this->Medium->SetBounds(bounds);
         this->Medium->SetRegionToBox();
         break;
-      case GLOW_SPHERE_INSIDE:
-      case GLOW_SPHERE_OUTSIDE:
-        this->PlaceSphere(kind == GLOW_SPHERE_INSIDE, random);
+      case IRRADIANCE_SPHERE_INSIDE:
+      case IRRADIANCE_SPHERE_OUTSIDE:
+        this->PlaceSphere(kind == IRRADIANCE_SPHERE_INSIDE, random);
         break;
       default:
         break;
@@ -227,7 +226,7 @@ private:
 
 //------------------------------------------------------------------------------
 // Errors relative to the irradiance, or to 1e-7 of the light's strength where it is less.
-inline double GlowError(const glm::dvec3& value, const glm::dvec3& expected)
+double GetError(const glm::dvec3& value, const glm::dvec3& expected)
 {
   double worst = 0.0;
   for (int i = 0; i < 3; ++i)
@@ -240,9 +239,9 @@ inline double GlowError(const glm::dvec3& value, const glm::dvec3& expected)
 
 // One family. The brute force is known to have converged because twice as many panels change every
 // fourth setting by a fifth of the limit at most.
-inline bool CompareGlow(int kind)
+bool CompareFamily(int kind)
 {
-  const GlowFamily& family = GetGlowFamily(kind);
+  const Family& family = GetFamily(kind);
   Comparison doubles(Text(family.Name, ", double precision, relative"));
   Comparison singles(Text(family.Name, ", single precision, relative"));
   Comparison brute(Text(family.Name, ", brute force against twice the panels, relative"));
@@ -250,14 +249,14 @@ inline bool CompareGlow(int kind)
   Random random(100 + kind);
   for (int i = 0; i < family.Count; ++i)
   {
-    const GlowSetting setting(kind, i, random);
+    const Setting setting(kind, i, random);
     const Hemisphere hemisphere(setting.Medium, setting.Light, glm::dvec3(0.0), setting.Normal);
     glm::dvec3 expected = hemisphere.Irradiance(family.Fineness);
     const auto describe = [&] { return Text("setting ", i, ": ", setting.Describe()); };
     if (i % 4 == i / 4 % 4)
     {
       const glm::dvec3 finer = hemisphere.Irradiance(2 * family.Fineness);
-      brute.Add(GlowError(expected, finer), 0.2 * family.Limit, describe);
+      brute.Add(GetError(expected, finer), 0.2 * family.Limit, describe);
       expected = finer;
     }
     const airlight::f64::AirlightMedia media =
@@ -265,12 +264,12 @@ inline bool CompareGlow(int kind)
     airlight::f64::AirlightLight light;
     airlight::ConvertLight(media, setting.Light, glm::dvec3(0.0), light);
     light.radius = 1e-5; // as the pass has it
-    const double error = GlowError(
+    const double error = GetError(
       airlight::f64::airlightScatteredIrradiance(media, light, glm::dvec3(0.0), setting.Normal),
       expected);
     doubles.Add(error, family.Limit, describe);
-    errors.push_back(GlowError(airlight::f32::airlightScatteredIrradiance(ToSingle(media),
-                                 ToSingle(light), glm::vec3(0.0f), glm::vec3(setting.Normal)),
+    errors.push_back(GetError(airlight::f32::airlightScatteredIrradiance(ToSingle(media),
+                                ToSingle(light), glm::vec3(0.0f), glm::vec3(setting.Normal)),
       expected));
     singles.Add(errors.back(), family.Limit, describe);
   }
@@ -280,4 +279,13 @@ inline bool CompareGlow(int kind)
 }
 }
 
-#endif
+//------------------------------------------------------------------------------
+int TestScatteredIrradiance(int, char*[])
+{
+  bool ok = true;
+  for (int kind = 0; kind < IRRADIANCE_KINDS; ++kind)
+  {
+    ok = CompareFamily(kind) && ok;
+  }
+  return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}

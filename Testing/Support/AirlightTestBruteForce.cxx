@@ -1,59 +1,64 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * What a ray ought to see, by brute force and in double precision: each triangle's shadow is cut
- * out of the ray by four planes, the lit intervals are the complement of the union, and each lit
- * interval's airlight comes from vtkAirlight::Inscatter(), which its own tests verify. Triangles that
- * let light through cut lit intervals in parts, and dim each part that lies in their shadow. Nothing
- * here knows of silhouettes, edges or lists.
- */
+#include "AirlightTestBruteForce.h"
 
-#ifndef AirlightBruteForce_h
-#define AirlightBruteForce_h
-
-#include "AirlightTestIntervals.h"
-
-#include "vtkAirlight.h"
-#include "vtkLight.h"
-#include "vtkParticipatingMedium.h"
-
-#include <glm/glm.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
-
-namespace airlighttest
+namespace airlight_test
 {
-struct Triangle
+//------------------------------------------------------------------------------
+std::vector<Interval> Complement(std::vector<Interval> parts, double end)
 {
-  glm::dvec3 A, B, C;
-  bool FrontCulled = false; // drawn only where seen from behind
-  bool Casts = true;
-  glm::dvec3 Opacity{ 1.0 }; // of its shadow
-  bool Stops = true;         // rays end at it
-};
-
-struct Ray
-{
-  glm::dvec3 Origin;
-  glm::dvec3 Direction; // of unit length
-  double Nearest = 0.0; // where the camera's near plane lets surfaces be seen
-};
-
-struct Answer
-{
-  glm::dvec3 Airlight{ 0.0 };
-  glm::dvec3 Unshadowed{ 0.0 };
-  glm::dvec3 Surface{ 0.0 };
-  double LitLength = 0.0;
-  double Depth = -1.0; // without surface
-};
+  std::sort(parts.begin(), parts.end(),
+    [](const Interval& a, const Interval& b) { return a.From < b.From; });
+  std::vector<Interval> result;
+  double from = 0.0;
+  for (const Interval& part : parts)
+  {
+    if (part.From > from && from < end)
+    {
+      result.push_back({ from, std::min(part.From, end) });
+    }
+    from = std::max(from, part.To);
+  }
+  if (from < end)
+  {
+    result.push_back({ from, end });
+  }
+  return result;
+}
 
 //------------------------------------------------------------------------------
-// Keeps the part of the ray where dot(normal, x - point) >= 0.
-inline void Clip(Interval& part, const Ray& ray, const glm::dvec3& normal, const glm::dvec3& point)
+std::vector<LitPart> Dim(const std::vector<Interval>& lit, const std::vector<LitPart>& shadows)
+{
+  std::vector<LitPart> result;
+  for (const Interval& whole : lit)
+  {
+    std::vector<double> ends = { whole.From, whole.To };
+    for (const LitPart& shadow : shadows)
+    {
+      ends.push_back(std::clamp(shadow.Where.From, whole.From, whole.To));
+      ends.push_back(std::clamp(shadow.Where.To, whole.From, whole.To));
+    }
+    std::sort(ends.begin(), ends.end());
+    for (size_t i = 1; i < ends.size(); ++i)
+    {
+      LitPart part = { { ends[i - 1], ends[i] }, glm::dvec3(1.0) };
+      for (const LitPart& shadow : shadows)
+      {
+        const bool inside =
+          shadow.Where.From <= part.Where.From && shadow.Where.To >= part.Where.To;
+        part.Passes *= inside ? shadow.Passes : glm::dvec3(1.0);
+      }
+      if (part.Where.From < part.Where.To)
+      {
+        result.push_back(part);
+      }
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void Clip(Interval& part, const Ray& ray, const glm::dvec3& normal, const glm::dvec3& point)
 {
   const double slope = glm::dot(normal, ray.Direction);
   const double offset = glm::dot(normal, ray.Origin - point);
@@ -68,9 +73,7 @@ inline void Clip(Interval& part, const Ray& ray, const glm::dvec3& normal, const
 }
 
 //------------------------------------------------------------------------------
-// The part of the ray from which the triangle hides the light (w = 0: at infinity): behind the
-// triangle's plane and inside the cone of the three planes through the light and an edge.
-inline bool FindShadow(const Triangle& t, const glm::dvec4& light, const Ray& ray, Interval& shadow)
+bool FindShadow(const Triangle& t, const glm::dvec4& light, const Ray& ray, Interval& shadow)
 {
   const glm::dvec3 corners[3] = { t.A, t.B, t.C };
   const glm::dvec3 normal = glm::cross(t.B - t.A, t.C - t.A);
@@ -94,8 +97,7 @@ inline bool FindShadow(const Triangle& t, const glm::dvec4& light, const Ray& ra
 }
 
 //------------------------------------------------------------------------------
-// Distance to the triangle; infinite where the ray does not see it.
-inline double Hit(const Triangle& t, const Ray& ray)
+double Hit(const Triangle& t, const Ray& ray)
 {
   const glm::dvec3 e1 = t.B - t.A;
   const glm::dvec3 e2 = t.C - t.A;
@@ -113,8 +115,7 @@ inline double Hit(const Triangle& t, const Ray& ray)
 }
 
 //------------------------------------------------------------------------------
-// The parts of [0, end] that light reaches.
-inline std::vector<LitPart> FindLitParts(
+std::vector<LitPart> FindLitParts(
   const std::vector<Triangle>& triangles, const glm::dvec4& light, const Ray& ray, double end)
 {
   std::vector<Interval> dark;
@@ -139,8 +140,7 @@ inline std::vector<LitPart> FindLitParts(
 }
 
 //------------------------------------------------------------------------------
-// Length of a part of the ray inside the medium.
-inline double LengthInside(vtkParticipatingMedium* medium, const Ray& ray, Interval part)
+double LengthInside(vtkParticipatingMedium* medium, const Ray& ray, Interval part)
 {
   const double* b = medium->GetBounds();
   for (int i = 0; i < 3 && medium->GetRegion() == vtkParticipatingMedium::BOX; ++i)
@@ -154,8 +154,7 @@ inline double LengthInside(vtkParticipatingMedium* medium, const Ray& ray, Inter
 }
 
 //------------------------------------------------------------------------------
-// Homogeneous position; w = 0 where the light is directional.
-inline glm::dvec4 GetPosition(vtkLight* light)
+glm::dvec4 GetPosition(vtkLight* light)
 {
   glm::dvec3 position;
   glm::dvec3 focus;
@@ -166,10 +165,7 @@ inline glm::dvec4 GetPosition(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
-// What a white diffuse surface at x sends, before it is attenuated: c cos(theta)/r^2 with VTK's
-// c = I/pi, times the transmittance from the lamp; a light at infinity comes through an unbounded
-// medium as if it were not there.
-inline glm::dvec3 Shade(vtkParticipatingMedium* medium, vtkLight* light, const glm::dvec3& x,
+glm::dvec3 Shade(vtkParticipatingMedium* medium, vtkLight* light, const glm::dvec3& x,
   const glm::dvec3& normalToEye)
 {
   const glm::dvec4 position = GetPosition(light);
@@ -194,7 +190,7 @@ inline glm::dvec3 Shade(vtkParticipatingMedium* medium, vtkLight* light, const g
 }
 
 //------------------------------------------------------------------------------
-inline Answer Trace(const std::vector<Triangle>& triangles, const std::vector<vtkLight*>& lights,
+Answer Trace(const std::vector<Triangle>& triangles, const std::vector<vtkLight*>& lights,
   vtkParticipatingMedium* medium, const Ray& ray)
 {
   Answer answer;
@@ -245,5 +241,3 @@ inline Answer Trace(const std::vector<Triangle>& triangles, const std::vector<vt
   return answer;
 }
 }
-
-#endif
