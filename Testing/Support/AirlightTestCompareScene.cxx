@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestCompareScene.h"
 
+#include "vtkAirlightReference.h"
+#include "vtkDoubleArray.h"
+
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
@@ -102,5 +105,22 @@ void CompareScene(const std::string& name, Scene& scene, int rays, const Limits&
   depth.Report(name, "Depth", 2.5e-7 + 2.0 * limits.Rounding, 5e-6 + 4.0 * limits.Rounding);
   surface.Report(name, "Surface", limits.SurfaceMedian + 4.0 * limits.Rounding,
     limits.SurfaceP99 + 40.0 * limits.Rounding);
+}
+
+//------------------------------------------------------------------------------
+double CompareWithReference(Scene& scene, vtkAirlightReference* reference, const char* name)
+{
+  auto* expected =
+    vtkDoubleArray::SafeDownCast(reference->GetOutput()->GetPointData()->GetArray(name));
+  auto* values = static_cast<float*>(scene.GetBuffer(name)->GetScalarPointer());
+  std::vector<double> errors;
+  double largest = 1e-30;
+  for (vtkIdType i = 0; i < expected->GetNumberOfValues(); ++i)
+  {
+    largest = std::max(largest, expected->GetValue(i));
+    errors.push_back(std::abs(values[i] - expected->GetValue(i)));
+  }
+  std::sort(errors.begin(), errors.end());
+  return errors[static_cast<size_t>(0.98 * static_cast<double>(errors.size()))] / largest;
 }
 }

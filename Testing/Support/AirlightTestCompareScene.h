@@ -11,6 +11,8 @@
 
 #include <random>
 
+class vtkAirlightReference;
+
 namespace airlight_test
 {
 // The largest share of rays that may fail to be decided by brute force itself.
@@ -97,6 +99,10 @@ bool IsAtEdge(Scene& scene, double px, double py, const Answer& answer, double p
 // Draws the scene and checks random pixels.
 void CompareScene(
   const std::string& name, Scene& scene, int rays = 2000, const Limits& limits = {});
+
+// The error that 98 % of the reference's values are below, over the largest value of the picture: edges,
+// which rasterisation rounds, are left out.
+double CompareWithReference(Scene& scene, vtkAirlightReference* reference, const char* name);
 }
 
 #endif

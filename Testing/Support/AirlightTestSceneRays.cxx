@@ -191,4 +191,27 @@ void CheckClose(
     CheckClose(value[k], expected[k], limit, what + ", channel " + std::to_string(k));
   }
 }
+
+//------------------------------------------------------------------------------
+void CheckFloor(Scene& scene, const Floor& floor, const glm::dvec3& lit, const glm::dvec3& dark,
+  const std::string& what, const std::string& whatOfBoth)
+{
+  glm::dvec3 seen[2];
+  glm::dvec3 expected[2];
+  for (const bool isLit : { false, true })
+  {
+    const glm::ivec2 pixel = scene.GetPixel(isLit ? lit : dark);
+    const Ray ray = scene.GetPixelRay(pixel);
+    const double t = -ray.Origin.y / ray.Direction.y;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double direct = floor.Direct(ray.Origin + t * ray.Direction, k);
+      expected[isLit][k] =
+        floor.Albedo[k] * (floor.Ambient + (isLit ? direct : 0.0)) * floor.Passes(ray, t, k);
+    }
+    seen[isLit] = GetColour(scene.GetBuffer("Surface"), pixel.x, pixel.y);
+  }
+  CheckClose(seen[1], expected[1], 1e-4, what);
+  CheckClose(seen[1] / seen[0], expected[1] / expected[0], 1e-4, whatOfBoth);
+}
 }

@@ -66,6 +66,22 @@ void CheckClose(double value, double expected, double limit, const std::string& 
 
 void CheckClose(
   const glm::dvec3& value, const glm::dvec3& expected, double limit, const std::string& what);
+
+// A diffuse floor y = 0.
+struct Floor
+{
+  glm::dvec3 Albedo;
+  double Ambient;
+  // What reaches a point of it that is in the light, over pi.
+  std::function<double(const glm::dvec3& point, int channel)> Direct;
+  // The transmittance from there to the eye.
+  std::function<double(const Ray&, double t, int channel)> Passes;
+};
+
+// What the floor sends from a point in the light, and how much more than from one in the shadow: both
+// to 1e-4.
+void CheckFloor(Scene& scene, const Floor& floor, const glm::dvec3& lit, const glm::dvec3& dark,
+  const std::string& what, const std::string& whatOfBoth);
 }
 
 #endif

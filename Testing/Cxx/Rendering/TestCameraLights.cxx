@@ -4,6 +4,7 @@
 // Lights that are fixed to the camera light surfaces only, until they are switched on: in the pass, in
 // vtkAirlightReference and in vtkAirlightPolyDataMapper.
 
+#include "AirlightTestCompareScene.h"
 #include "AirlightTestErrors.h"
 #include "AirlightTestMapper.h"
 #include "AirlightTestWindowScene.h"
@@ -70,18 +71,7 @@ public:
   {
     this->Reference->Modified();
     this->Reference->Update();
-    auto* expected =
-      vtkDoubleArray::SafeDownCast(this->Reference->GetOutput()->GetPointData()->GetArray(name));
-    auto* values = static_cast<float*>(this->GetBuffer(name)->GetScalarPointer());
-    std::vector<double> errors;
-    double largest = 1e-30;
-    for (vtkIdType i = 0; i < expected->GetNumberOfValues(); ++i)
-    {
-      largest = std::max(largest, expected->GetValue(i));
-      errors.push_back(std::abs(values[i] - expected->GetValue(i)));
-    }
-    std::sort(errors.begin(), errors.end());
-    return errors[static_cast<size_t>(0.98 * static_cast<double>(errors.size()))] / largest;
+    return CompareWithReference(*this, this->Reference, name);
   }
 
   vtkNew<vtkAirlightReference> Reference;

@@ -157,26 +157,16 @@ void CheckLitGround(Scene& scene)
 // The ground in the sun and in the tower's shadow.
 void CheckGround(Scene& scene)
 {
-  glm::dvec3 seen[2];
-  glm::dvec3 expected[2];
-  for (const bool lit : { false, true })
-  {
-    const glm::ivec2 pixel =
-      scene.GetPixel(lit ? glm::dvec3(2.6, 0.0, 3.5) : glm::dvec3(0.3, 0.0, 3.0));
-    const Ray ray = scene.GetPixelRay(pixel);
-    const glm::dvec3 point = ray.Origin - ray.Origin.y / ray.Direction.y * ray.Direction;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double sigmaT = SigmaS[k] + SigmaA[k];
-      const double direct =
-        Irradiance[k] / Pi * ToSun.y * std::exp(-sigmaT * ScaleHeight / ToSun.y);
-      expected[lit][k] = GroundAlbedo[k] * (AmbientLight + (lit ? direct : 0.0)) *
-        std::exp(-sigmaT * Depth(ray.Origin, point));
-    }
-    seen[lit] = GetColour(scene.GetBuffer("Surface"), pixel.x, pixel.y);
-  }
-  CheckClose(seen[1], expected[1], 1e-4, "ground in the sun");
-  CheckClose(seen[1] / seen[0], expected[1] / expected[0], 1e-4, "ground in the sun and in shadow");
+  const auto direct = [](const glm::dvec3&, int k) {
+    return Irradiance[k] / Pi * ToSun.y *
+      std::exp(-(SigmaS[k] + SigmaA[k]) * ScaleHeight / ToSun.y);
+  };
+  const auto passes = [](const Ray& ray, double t, int k) {
+    const glm::dvec3 point = ray.Origin + t * ray.Direction;
+    return std::exp(-(SigmaS[k] + SigmaA[k]) * Depth(ray.Origin, point));
+  };
+  CheckFloor(scene, { GroundAlbedo, AmbientLight, direct, passes }, { 2.6, 0.0, 3.5 },
+    { 0.3, 0.0, 3.0 }, "ground in the sun", "ground in the sun and in shadow");
 }
 }
 

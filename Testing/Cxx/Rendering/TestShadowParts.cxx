@@ -70,24 +70,6 @@ public:
   int Ids[2];
 };
 
-// Of the reference's picture from the pass's, over the largest value; edges, which rasterisation
-// rounds, apart.
-double CompareReference(Scene& scene, vtkAirlightReference* reference, const char* name)
-{
-  auto* expected =
-    vtkDoubleArray::SafeDownCast(reference->GetOutput()->GetPointData()->GetArray(name));
-  auto* values = static_cast<float*>(scene.GetBuffer(name)->GetScalarPointer());
-  std::vector<double> errors;
-  double largest = 1e-30;
-  for (vtkIdType i = 0; i < expected->GetNumberOfValues(); ++i)
-  {
-    largest = std::max(largest, expected->GetValue(i));
-    errors.push_back(std::abs(values[i] - expected->GetValue(i)));
-  }
-  std::sort(errors.begin(), errors.end());
-  return errors[static_cast<size_t>(0.98 * static_cast<double>(errors.size()))] / largest;
-}
-
 void TestLevels(int level, bool automatic, bool seen)
 {
   const std::string name =
@@ -115,14 +97,14 @@ void TestLevels(int level, bool automatic, bool seen)
   CompareScene(name, scene);
   for (const char* buffer : { "Airlight", "Depth", "Surface" })
   {
-    Check(!knows || CompareReference(scene, reference, buffer) < 1e-3,
+    Check(!knows || CompareWithReference(scene, reference, buffer) < 1e-3,
       name + ": the reference before the first frame: " + buffer);
   }
   reference->Modified();
   reference->Update();
   for (const char* buffer : { "Airlight", "Depth", "Surface" })
   {
-    Check(CompareReference(scene, reference, buffer) < 1e-3,
+    Check(CompareWithReference(scene, reference, buffer) < 1e-3,
       name + ": the reference: " + std::string(buffer));
   }
   Check(warnings.Take() == 0, name + ": the reference knows it all");

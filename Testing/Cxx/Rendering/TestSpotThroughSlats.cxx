@@ -179,28 +179,19 @@ void CheckShafts(Scene& scene)
 // The floor on a stripe and beside it: diffuse reflection of I cos(theta)/r^2, and ambient light.
 void CheckStripes(Scene& scene)
 {
-  glm::dvec3 seen[2];
-  glm::dvec3 expected[2];
-  for (const bool lit : { false, true })
-  {
-    // Gap 3, or the slat to its left.
-    const double s =
-      lit ? 0.5 * (GetGap(3).From + GetGap(3).To) : 0.5 * (GetGap(2).To + GetGap(3).From);
-    const glm::ivec2 pixel = scene.GetPixel({ Lamp.x + s * Lamp.y, 0.0, 0.0 });
-    const Ray ray = scene.GetPixelRay(pixel);
-    const double t = -ray.Origin.y / ray.Direction.y;
-    const double r = glm::length(Lamp - ray.Origin - t * ray.Direction);
-    for (int k = 0; k < 3; ++k)
-    {
-      const double sigmaT = SigmaS[k] + SigmaA[k];
-      const double direct = Intensity[k] / (Pi * r * r) * (Lamp.y / r) * std::exp(-sigmaT * r);
-      expected[lit][k] =
-        FloorAlbedo[k] * (AmbientLight + (lit ? direct : 0.0)) * std::exp(-sigmaT * t);
-    }
-    seen[lit] = GetColour(scene.GetBuffer("Surface"), pixel.x, pixel.y);
-  }
-  CheckClose(seen[1], expected[1], 1e-4, "floor on a stripe");
-  CheckClose(seen[1] / seen[0], expected[1] / expected[0], 1e-4, "floor on a stripe and beside it");
+  const auto at = [](double from, double to) {
+    return glm::dvec3(Lamp.x + 0.5 * (from + to) * Lamp.y, 0.0, 0.0);
+  };
+  const auto direct = [](const glm::dvec3& point, int k) {
+    const double r = glm::length(Lamp - point);
+    return Intensity[k] / (Pi * r * r) * (Lamp.y / r) * std::exp(-(SigmaS[k] + SigmaA[k]) * r);
+  };
+  const auto passes = [](const Ray&, double t, int k) {
+    return std::exp(-(SigmaS[k] + SigmaA[k]) * t);
+  };
+  // Gap 3, and the slat to its left.
+  CheckFloor(scene, { FloorAlbedo, AmbientLight, direct, passes }, at(GetGap(3).From, GetGap(3).To),
+    at(GetGap(2).To, GetGap(3).From), "floor on a stripe", "floor on a stripe and beside it");
 }
 }
 

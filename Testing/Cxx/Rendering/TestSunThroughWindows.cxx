@@ -195,26 +195,18 @@ void CheckShafts(Scene& scene)
 // The floor in a patch of light and behind the wall beside it.
 void CheckPatch(Scene& scene)
 {
-  glm::dvec3 seen[2];
-  glm::dvec3 expected[2];
-  for (const bool lit : { false, true })
-  {
-    const glm::dvec3 onWall(Low.x, 1.7, WindowStart[2] + (lit ? 0.35 : WindowWidth + 0.6));
-    const glm::ivec2 pixel = scene.GetPixel(onWall - onWall.y / ToSun.y * ToSun);
-    const Ray ray = scene.GetPixelRay(pixel);
-    const double t = -ray.Origin.y / ray.Direction.y;
-    const double toWindows = ToWindows(ray.Origin + t * ray.Direction);
-    for (int k = 0; k < 3; ++k)
-    {
-      const double sigmaT = SigmaS[k] + SigmaA[k];
-      const double direct = Irradiance[k] / Pi * ToSun.y * std::exp(-sigmaT * toWindows);
-      expected[lit][k] =
-        FloorAlbedo[k] * (AmbientLight + (lit ? direct : 0.0)) * std::exp(-sigmaT * t);
-    }
-    seen[lit] = GetColour(scene.GetBuffer("Surface"), pixel.x, pixel.y);
-  }
-  CheckClose(seen[1], expected[1], 1e-4, "floor in a patch");
-  CheckClose(seen[1] / seen[0], expected[1] / expected[0], 1e-4, "floor in a patch and beside it");
+  const auto at = [](double along) {
+    const glm::dvec3 onWall(Low.x, 1.7, WindowStart[2] + along);
+    return onWall - onWall.y / ToSun.y * ToSun;
+  };
+  const auto direct = [](const glm::dvec3& point, int k) {
+    return Irradiance[k] / Pi * ToSun.y * std::exp(-(SigmaS[k] + SigmaA[k]) * ToWindows(point));
+  };
+  const auto passes = [](const Ray&, double t, int k) {
+    return std::exp(-(SigmaS[k] + SigmaA[k]) * t);
+  };
+  CheckFloor(scene, { FloorAlbedo, AmbientLight, direct, passes }, at(0.35), at(WindowWidth + 0.6),
+    "floor in a patch", "floor in a patch and beside it");
 }
 }
 
