@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Thousands of frames in which everything moves: memory stays what it was, and the first picture comes
-// back to the last bit.
+// Thousands of frames in which everything moves: memory stays what it was, and the first picture
+// comes back to the last bit.
 
 #include "LoadTools.h"
 
 #include "vtkProperty.h"
+#include "vtkSphereSource.h"
 
 #include <numeric>
 

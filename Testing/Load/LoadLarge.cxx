@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Many lights, many actors, many triangles: time, memory, and pictures that have to be those of fewer.
+// Many lights, many actors, many triangles: time, memory, and pictures that have to be those of
+// fewer.
 
 #include "LoadTools.h"
 
-#include "AirlightTestCasters.h"
-
 #include "vtkAppendPolyData.h"
+#include "vtkSphereSource.h"
 
 #include <iomanip>
 
@@ -23,7 +23,8 @@ void SetDefaultSize(const Options& options, int width, int height, int size[2])
   size[1] = options.Size.empty() ? height : options.Size[1];
 }
 
-// A first frame, in which shaders are compiled and casters prepared, and others with a moving camera.
+// A first frame, in which shaders are compiled and casters prepared, and others with a moving
+// camera.
 void TimeFrames(Scene& scene, const std::string& what, int frames)
 {
   const double before = GetResident();
@@ -69,8 +70,8 @@ double CompareShare(vtkImageData* a, vtkImageData* b, double most)
 }
 
 //------------------------------------------------------------------------------
-// As many lamps in one place, of one part of the power each, are one lamp. Sums of that many numbers in
-// single precision are off by some 64 roundings of 6e-8.
+// As many lamps in one place, of one part of the power each, are one lamp. Sums of that many
+// numbers in single precision are off by some 64 roundings of 6e-8.
 void RunLights(const Options& options)
 {
   int size[2];
@@ -98,8 +99,8 @@ void RunLights(const Options& options)
 //------------------------------------------------------------------------------
 namespace
 {
-// `known`: that nothing is seen through the floor, behind which casters' planes may then end, all of one
-// caster together.
+// `known`: that nothing is seen through the floor, behind which casters' planes may then end, all
+// of one caster together.
 void FillActors(Scene& scene, int count, bool merged, bool known)
 {
   scene.AddPointLight({ 5, 9, 4 }, { 200, 180, 160 });
@@ -149,8 +150,9 @@ Buffers DrawActors(const int size[2], int count, bool merged, bool known)
 }
 }
 
-// Each caster of its own, or all in one mesh: the same shadows, to the last bit where all planes have the
-// same ends. Where they have not, their sides are rounded otherwise, which some pixels on them see.
+// Each caster of its own, or all in one mesh: the same shadows, to the last bit where all planes
+// have the same ends. Where they have not, their sides are rounded otherwise, which some pixels on
+// them see.
 void RunActors(const Options& options)
 {
   int size[2];
@@ -190,9 +192,9 @@ void AddBall(Scene& scene, double triangles)
 }
 }
 
-// A ball of triangles is smaller than the true one by an eighth of the square of the angle between its
-// corners: with 25 000 triangles 2e-4 of the radius. Less than a hundredth of the pixels sees a difference
-// of 1e-3 from that.
+// A ball of triangles is smaller than the true one by an eighth of the square of the angle between
+// its corners: with 25 000 triangles 2e-4 of the radius. Less than a hundredth of the pixels sees a
+// difference of 1e-3 from that.
 void RunTriangles(const Options& options)
 {
   int size[2];

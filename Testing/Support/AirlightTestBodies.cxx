@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestBodies.h"
 
+#include "vtkConeSource.h"
+#include "vtkCubeSource.h"
+#include "vtkInformation.h"
+#include "vtkSphereSource.h"
+
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
 void AddFloor(Scene& scene) { scene.Add(MakePlate({ 0, -2.5, -1 }, 8, 7)); }
 
 //------------------------------------------------------------------------------
-void AddBoxFloor(Scene& scene)
+static void AddBoxFloor(Scene& scene)
 {
   vtkNew<vtkCubeSource> floor;
   floor->SetBounds(-8, 8, -2.6, -2.5, -8, 6);

@@ -10,22 +10,14 @@
 
 #include "AirlightTestScene.h"
 
-#include "vtkConeSource.h"
-#include "vtkCubeSource.h"
-#include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
-#include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
 
 #include <functional>
-#include <vector>
 
 namespace airlight_test
 {
 // A floor of a single rectangle.
 void AddFloor(Scene& scene);
-
-void AddBoxFloor(Scene& scene);
 
 // A ball and an open cone above a floor.
 void AddOpenBodies(Scene& scene);

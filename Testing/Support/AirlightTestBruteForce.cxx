@@ -27,7 +27,9 @@ std::vector<Interval> Complement(std::vector<Interval> parts, double end)
 }
 
 //------------------------------------------------------------------------------
-std::vector<LitPart> Dim(const std::vector<Interval>& lit, const std::vector<LitPart>& shadows)
+// Lit intervals, cut where the shadows of translucent triangles begin and end.
+static std::vector<LitPart> Dim(
+  const std::vector<Interval>& lit, const std::vector<LitPart>& shadows)
 {
   std::vector<LitPart> result;
   for (const Interval& whole : lit)
@@ -70,6 +72,19 @@ void Clip(Interval& part, const Ray& ray, const glm::dvec3& normal, const glm::d
   double& end = slope > 0.0 ? part.From : part.To;
   const double t = -offset / slope;
   end = slope > 0.0 ? std::max(end, t) : std::min(end, t);
+}
+
+//------------------------------------------------------------------------------
+Interval ClipToBox(Interval part, const Ray& ray, const glm::dvec3& low, const glm::dvec3& high)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    glm::dvec3 normal(0.0);
+    normal[i] = 1.0;
+    Clip(part, ray, normal, low);
+    Clip(part, ray, -normal, high);
+  }
+  return part;
 }
 
 //------------------------------------------------------------------------------
@@ -142,13 +157,10 @@ std::vector<LitPart> FindLitParts(
 //------------------------------------------------------------------------------
 double LengthInside(vtkParticipatingMedium* medium, const Ray& ray, Interval part)
 {
-  const double* b = medium->GetBounds();
-  for (int i = 0; i < 3 && medium->GetRegion() == vtkParticipatingMedium::BOX; ++i)
+  if (medium->GetRegion() == vtkParticipatingMedium::BOX)
   {
-    glm::dvec3 normal(0.0);
-    normal[i] = 1.0;
-    Clip(part, ray, normal, glm::dvec3(b[0], b[2], b[4]));
-    Clip(part, ray, -normal, glm::dvec3(b[1], b[3], b[5]));
+    const double* b = medium->GetBounds();
+    part = ClipToBox(part, ray, { b[0], b[2], b[4] }, { b[1], b[3], b[5] });
   }
   return std::max(part.To - part.From, 0.0);
 }

@@ -3,9 +3,9 @@
 /**
  * What a ray ought to see, by brute force and in double precision: each triangle's shadow is cut
  * out of the ray by four planes, the lit intervals are the complement of the union, and each lit
- * interval's airlight comes from vtkAirlight::Inscatter(), which its own tests verify. Triangles that
- * let light through cut lit intervals in parts, and dim each part that lies in their shadow. Nothing
- * here knows of silhouettes, edges or lists.
+ * interval's airlight comes from vtkAirlight::Inscatter(), which its own tests verify. Triangles
+ * that let light through cut lit intervals in parts, and dim each part that lies in their shadow.
+ * Nothing here knows of silhouettes, edges or lists.
  */
 
 #ifndef AirlightTestBruteForce_h
@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace airlight_test
@@ -41,9 +40,6 @@ struct LitPart
 
 // The complement of the union of intervals on [0, end].
 std::vector<Interval> Complement(std::vector<Interval> parts, double end);
-
-// Lit intervals, cut where the shadows of translucent triangles begin and end.
-std::vector<LitPart> Dim(const std::vector<Interval>& lit, const std::vector<LitPart>& shadows);
 
 //------------------------------------------------------------------------------
 struct Triangle
@@ -74,6 +70,9 @@ struct Answer
 // Keeps the part of the ray where dot(normal, x - point) >= 0.
 void Clip(Interval& part, const Ray& ray, const glm::dvec3& normal, const glm::dvec3& point);
 
+// Keeps the part of the ray in a box; From >= To where there is none.
+Interval ClipToBox(Interval part, const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);
+
 // The part of the ray from which the triangle hides the light (w = 0: at infinity): behind the
 // triangle's plane and inside the cone of the three planes through the light and an edge.
 bool FindShadow(const Triangle& t, const glm::dvec4& light, const Ray& ray, Interval& shadow);
@@ -92,7 +91,7 @@ double LengthInside(vtkParticipatingMedium* medium, const Ray& ray, Interval par
 glm::dvec4 GetPosition(vtkLight* light);
 
 // What a white diffuse surface at x sends, before it is attenuated: c cos(theta)/r^2 with VTK's
-// c = I/pi, times the transmittance from the lamp; a light at infinity comes through an unbounded
+// c = I/pi, times the transmittance from the light; a light at infinity comes through an unbounded
 // medium as if it were not there.
 glm::dvec3 Shade(vtkParticipatingMedium* medium, vtkLight* light, const glm::dvec3& x,
   const glm::dvec3& normalToEye);

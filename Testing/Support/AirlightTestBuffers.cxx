@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestBuffers.h"
 
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cstdlib>
+
 namespace airlight_test
 {
 //------------------------------------------------------------------------------

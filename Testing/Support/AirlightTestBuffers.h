@@ -10,17 +10,13 @@
 #include "AirlightTestBruteForce.h"
 #include "AirlightTestCheck.h"
 
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <string>
@@ -28,7 +24,6 @@
 
 namespace airlight_test
 {
-
 // A value of one of the pass's buffers.
 double GetValue(vtkImageData* buffer, int x, int y, int component = 0);
 

@@ -5,6 +5,8 @@
 #include "vtkAirlightReference.h"
 #include "vtkDoubleArray.h"
 
+#include <random>
+
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
@@ -37,7 +39,8 @@ bool IsUnstable(Scene& scene, double px, double py, const Answer& answer, double
 }
 
 //------------------------------------------------------------------------------
-bool IsAtEdge(Scene& scene, double px, double py, const Answer& answer, double pixels)
+// Whether light on the surface changes, by more than half, at most so many pixels away.
+static bool IsAtEdge(Scene& scene, double px, double py, const Answer& answer, double pixels)
 {
   for (int i = 0; i < 4 && pixels > 0.0; ++i)
   {

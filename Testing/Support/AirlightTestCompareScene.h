@@ -9,8 +9,6 @@
 
 #include "AirlightTestScene.h"
 
-#include <random>
-
 class vtkAirlightReference;
 
 namespace airlight_test
@@ -18,7 +16,7 @@ namespace airlight_test
 // The largest share of rays that may fail to be decided by brute force itself.
 constexpr double MostExcluded = 0.05;
 
-// The largest share of the others that may be wrong by more than 1 %, besides one.
+// The largest share of the others that may be wrong by more than 1 %, in addition to one.
 constexpr double MostWrong = 1e-3;
 
 // What a technique promises: the 99th percentile and the median of relative errors. Those of shadow
@@ -92,16 +90,13 @@ bool Differ(double a, double b, double floor);
 // below which differences do not matter.
 bool IsUnstable(Scene& scene, double px, double py, const Answer& answer, double floor);
 
-// Whether light on the surface changes, by more than half, at most so many pixels away.
-bool IsAtEdge(Scene& scene, double px, double py, const Answer& answer, double pixels);
-
 //------------------------------------------------------------------------------
 // Draws the scene and checks random pixels.
 void CompareScene(
   const std::string& name, Scene& scene, int rays = 2000, const Limits& limits = {});
 
-// The error that 98 % of the reference's values are below, over the largest value of the picture: edges,
-// which rasterisation rounds, are left out.
+// The error that 98 % of the reference's values are below, over the largest value of the picture:
+// edges, which rasterisation rounds, are left out.
 double CompareWithReference(Scene& scene, vtkAirlightReference* reference, const char* name);
 }
 

@@ -11,7 +11,6 @@
 
 #include "vtkCubeSource.h"
 #include "vtkPlaneSource.h"
-#include "vtkRenderPass.h"
 
 namespace airlight_test
 {
@@ -27,6 +26,7 @@ public:
     this->Renderer->SetBackground(0.05, 0.08, 0.12);
     this->Renderer->SetBackgroundAlpha(1.0);
     this->Renderer->SetPass(nullptr);
+    this->ReleasesPass = true;
     vtkNew<vtkPlaneSource> floor;
     floor->SetOrigin(-8.0, -1.0, 6.0);
     floor->SetPoint1(8.0, -1.0, 6.0);
@@ -45,15 +45,6 @@ public:
     this->Renderer->GetActiveCamera()->SetClippingRange(1.0, 40.0);
   }
 
-  // OpenGL objects go while there is a context.
-  ~Composition()
-  {
-    this->Pass->ReleaseGraphicsResources(this->Window);
-    this->Renderer->SetPass(nullptr);
-  }
-  Composition(const Composition&) = delete;
-  void operator=(const Composition&) = delete;
-
   void SetClear()
   {
     this->Medium->SetScattering(0.0, 0.0, 0.0);
@@ -66,22 +57,6 @@ public:
     this->Medium->SetScattering(0.05, 0.07, 0.1);
     this->Medium->SetAbsorption(0.02, 0.02, 0.01);
     this->Pass->SurfaceShadowsOn();
-  }
-
-  // The picture with this as the renderer's pass, which may hold the scene's own.
-  Picture Show(vtkRenderPass* pass)
-  {
-    this->Renderer->SetPass(pass);
-    return Capture(this->Window);
-  }
-
-  // Lets go of the OpenGL objects of a pass of VTK's, which complains otherwise.
-  Picture ShowOnce(vtkRenderPass* pass)
-  {
-    const Picture picture = this->Show(pass);
-    pass->ReleaseGraphicsResources(this->Window);
-    this->Renderer->SetPass(nullptr);
-    return picture;
   }
 
   vtkActor* AddTranslucentBall()
@@ -98,17 +73,6 @@ public:
   vtkLight* Lamp;
   vtkLight* Sun;
 };
-
-// Values of two pictures that differ by more than `limit` steps of 1/255.
-inline int CountApart(const Picture& a, const Picture& b, int limit)
-{
-  int count = a.size() == b.size() ? 0 : static_cast<int>(a.size());
-  for (size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-  {
-    count += std::abs(a[i] - b[i]) > limit ? 1 : 0;
-  }
-  return count;
-}
 }
 
 #endif

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestContent.h"
 
+#include "vtkElevationFilter.h"
+#include "vtkPlaneSource.h"
+
 namespace airlight_test
 {
 //------------------------------------------------------------------------------

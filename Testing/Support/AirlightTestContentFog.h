@@ -7,13 +7,11 @@
 #ifndef AirlightTestContentFog_h
 #define AirlightTestContentFog_h
 
-#include "AirlightTestContentOthers.h"
-#include "AirlightTestContentSurfaces.h"
+#include "AirlightTestContent.h"
 #include "AirlightTestTools.h"
 
 namespace airlight_test
 {
-
 constexpr double Far = 1e18;                       // where a ray that hits nothing ends
 inline const glm::dvec3 LampPlace(1.0, 3.5, -2.0); // above the picture and behind what is lit
 
@@ -30,8 +28,8 @@ public:
     this->Window->SetAlphaBitPlanes(1);
   }
 
-  // Surfaces are lit by a sun, which reaches them unattenuated, from the camera's side; the fog by a
-  // lamp that is behind the surfaces that are lit. So what a surface sends is the same in fog.
+  // Surfaces are lit by a sun, which reaches them unattenuated, from the camera's side; the fog by
+  // a lamp that is behind the surfaces that are lit. So what a surface sends is the same in fog.
   void Begin()
   {
     Open(*this);
@@ -52,14 +50,7 @@ public:
   {
     this->Medium->SetScattering(foggy ? 0.08 : 0.0, foggy ? 0.1 : 0.0, foggy ? 0.13 : 0.0);
     this->Medium->SetAbsorption(foggy ? 0.02 : 0.0, foggy ? 0.01 : 0.0, foggy ? 0.03 : 0.0);
-    this->Window->Render();
-    Buffers copies;
-    for (const char* name : { "Radiance", "Airlight", "Transmittance", "Depth" })
-    {
-      copies[name] = vtkSmartPointer<vtkImageData>::New();
-      copies[name]->DeepCopy(this->Pass->GetBuffer(name));
-    }
-    return copies;
+    return this->Scene::Render();
   }
 
   // The unit ray of a pixel, from the camera as Open() placed it.

@@ -1,11 +1,31 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AirlightTestContentOthers.h"
+#include "AirlightTestContent.h"
+
+#include "vtkActor2D.h"
+#include "vtkAssembly.h"
+#include "vtkAxesActor.h"
+#include "vtkBillboardTextActor3D.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCubeAxesActor.h"
+#include "vtkFollower.h"
+#include "vtkLookupTable.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkPropAssembly.h"
+#include "vtkProperty2D.h"
+#include "vtkScalarBarActor.h"
+#include "vtkSkybox.h"
+#include "vtkTextActor.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeDensities()
+// A ball of density in a cube of half width 1.5.
+static vtkSmartPointer<vtkImageData> MakeDensities()
 {
   const int n = 24;
   auto image = vtkSmartPointer<vtkImageData>::New();

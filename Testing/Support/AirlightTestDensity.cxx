@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestDensity.h"
 
+#include "vtkMatrix3x3.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
@@ -19,7 +25,7 @@ vtkSmartPointer<vtkImageData> MakeDensity(
 }
 
 //------------------------------------------------------------------------------
-void Turn(vtkImageData* image, double aboutY, double aboutX)
+void Rotate(vtkImageData* image, double aboutY, double aboutX)
 {
   const double c = std::cos(aboutY);
   const double s = std::sin(aboutY);
@@ -87,7 +93,9 @@ void FillCloud(vtkImageData* image, std::uint64_t seed)
 }
 
 //------------------------------------------------------------------------------
-Quantiles GetErrors(vtkImageData* drawn, vtkDataArray* expected)
+// Relative errors of a buffer's pixels, those of less than a thousandth of the brightest against
+// that. Where nothing is expected there must be nothing, and that does not count.
+static Quantiles GetErrors(vtkImageData* drawn, vtkDataArray* expected)
 {
   Quantiles result{ Infinity, Infinity };
   if (!Check(drawn && expected && drawn->GetNumberOfPoints() == expected->GetNumberOfTuples(),

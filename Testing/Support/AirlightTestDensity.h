@@ -13,14 +13,10 @@
 
 #include "vtkAirlightReference.h"
 #include "vtkDataArray.h"
-#include "vtkMatrix3x3.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
-#include <vector>
 
 namespace airlight_test
 {
@@ -28,8 +24,8 @@ namespace airlight_test
 vtkSmartPointer<vtkImageData> MakeDensity(
   const glm::ivec3& size, const glm::dvec3& low, const glm::dvec3& high);
 
-// Turned about y, then about x, about the middle of its box.
-void Turn(vtkImageData* image, double aboutY, double aboutX);
+// Rotates it about y, then about x, about the middle of its box.
+void Rotate(vtkImageData* image, double aboutY, double aboutX);
 
 // Puffs: random Gaussians, so that the image is smooth and falls to nothing at its rim.
 void FillCloud(vtkImageData* image, std::uint64_t seed);
@@ -40,10 +36,6 @@ struct Quantiles
   double Median;
   double P99;
 };
-
-// Relative errors of a buffer's pixels, those of less than a thousandth of the brightest against
-// that. Where nothing is expected there must be nothing, and that does not count.
-Quantiles GetErrors(vtkImageData* drawn, vtkDataArray* expected);
 
 void CheckErrors(
   const std::string& name, vtkImageData* drawn, vtkDataArray* expected, double median, double p99);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestGoniometry.h"
 
+#include <fstream>
+
 namespace airlight_test
 {
 //------------------------------------------------------------------------------

@@ -7,17 +7,33 @@
 #ifndef AirlightTestLines_h
 #define AirlightTestLines_h
 
-#include "AirlightTestRandomSoup.h"
+#include "AirlightTestSoup.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkLitIntervalsFilter.h"
 
 namespace airlight_test
 {
 using Polyline = std::vector<glm::dvec3>;
 
-vtkSmartPointer<vtkPolyData> MakeLines(const std::vector<Polyline>& lines);
+inline vtkSmartPointer<vtkPolyData> MakeLines(const std::vector<Polyline>& lines)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (const Polyline& line : lines)
+  {
+    cells->InsertNextCell(static_cast<int>(line.size()));
+    for (const glm::dvec3& p : line)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(&p.x));
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetLines(cells);
+  return data;
+}
 
 // The filter with what it needs, and its output's arrays.
 struct Run

@@ -21,7 +21,6 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkTextureObject.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 

@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestMeshes.h"
 
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPoints.h"
+#include "vtkSphereSource.h"
+
 namespace airlight_test
 {
 //------------------------------------------------------------------------------

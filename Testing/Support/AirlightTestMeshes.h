@@ -9,15 +9,10 @@
 
 #include "AirlightTestBruteForce.h"
 
-#include "vtkCellArray.h"
 #include "vtkMatrix4x4.h"
-#include "vtkNew.h"
-#include "vtkPlaneSource.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
 
 #include <vector>
 

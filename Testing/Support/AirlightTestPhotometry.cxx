@@ -2,8 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestPhotometry.h"
 
+#include "vtkTestUtilities.h"
+
+#include <fstream>
+
 namespace airlight_test
 {
+//------------------------------------------------------------------------------
+std::string GetPhotometricFile(int argc, char* argv[], const std::string& name)
+{
+  const std::unique_ptr<char[]> path(
+    vtkTestUtilities::ExpandDataFileName(argc, argv, ("Photometry/" + name).c_str()));
+  return path.get();
+}
+
+//------------------------------------------------------------------------------
+std::string GetTemporaryFile(int argc, char* argv[], const std::string& name)
+{
+  const std::unique_ptr<char[]> folder(
+    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary"));
+  return std::string(folder.get()) + "/" + name;
+}
+
 //------------------------------------------------------------------------------
 std::string Join(const std::vector<double>& numbers, const std::string& separator)
 {

@@ -13,8 +13,6 @@
 #include "Integration/AirlightMath.h"
 #include "Photometry/AirlightPhotometry.h"
 
-#include <algorithm>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +20,11 @@
 namespace airlight_test
 {
 constexpr double Degree = 3.14159265358979323846 / 180.0;
+
+// A file of Testing/Data/Photometry, without a name the folder with a slash; and a file to write
+// to.
+std::string GetPhotometricFile(int argc, char* argv[], const std::string& name = "");
+std::string GetTemporaryFile(int argc, char* argv[], const std::string& name);
 
 struct LampTable
 {

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Points for vtkAirlightProbeFilter, and what it ought to say of them.
+ * Points for vtkAirlightProbeFilter, and the filter with what it needs.
  */
 
 #ifndef AirlightTestProbe_h
 #define AirlightTestProbe_h
 
 #include "AirlightTestCheck.h"
-#include "AirlightTestRandomSoup.h"
+#include "AirlightTestSoup.h"
 
 #include "vtkAirlightProbeFilter.h"
 #include "vtkDoubleArray.h"
@@ -16,10 +16,26 @@
 
 namespace airlight_test
 {
-
 const glm::dvec3 Eye(0.4, 1.9, 1.2);
 
-vtkSmartPointer<vtkPolyData> MakeCloud(Random& random, int count, bool normals);
+inline vtkSmartPointer<vtkPolyData> MakeCloud(Random& random, int count, bool normals)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> n;
+  n->SetNumberOfComponents(3);
+  for (int i = 0; i < count; ++i)
+  {
+    const glm::dvec3 p = RandomPoint(random, 1.5);
+    const glm::dvec3 normal = RandomPoint(random, 1.0); // of any length
+    points->InsertNextPoint(&p.x);
+    n->InsertNextTuple(&normal.x);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->SetNormals(normals ? n.Get() : nullptr);
+  return data;
+}
 
 struct Probing
 {
@@ -44,19 +60,6 @@ struct Probing
   vtkNew<vtkAirlightProbeFilter> Filter;
   vtkNew<vtkParticipatingMedium> Medium;
 };
-
-// exp(-sigma_t l), with l the length inside the region.
-glm::dvec3 Transmit(vtkParticipatingMedium* medium, const glm::dvec3& a, const glm::dvec3& b);
-
-glm::dvec3 ExpectRadiance(const std::vector<Triangle>& triangles, vtkParticipatingMedium* medium,
-  vtkLight* light, const glm::dvec3& point);
-
-// I cos(theta)/(a + b r + c r^2) T, times cos(angle)^exponent of a spot. `normal` may be 0: none.
-glm::dvec3 ExpectDirect(const std::vector<Triangle>& triangles, vtkParticipatingMedium* medium,
-  vtkLight* light, const glm::dvec3& point, const glm::dvec3& normal);
-
-void AddComparison(Comparison& comparison, const glm::dvec3& found, const glm::dvec3& expected,
-  double limit, const std::string& where);
 }
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestReader.h"
 
+#include <memory>
+
 namespace airlight_test
 {
 //------------------------------------------------------------------------------

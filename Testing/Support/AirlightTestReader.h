@@ -20,7 +20,6 @@
 
 #include <vtksys/SystemTools.hxx>
 
-#include <memory>
 #include <string>
 
 namespace airlight_test
@@ -58,6 +57,11 @@ public:
 };
 
 bool HasSize(vtkImageData* image, int x, int y, int z);
+
+inline bool IsNear(double value, double expected, double tolerance)
+{
+  return std::abs(value - expected) <= tolerance; // false for NaN
+}
 
 double GetSum(vtkImageData* image);
 

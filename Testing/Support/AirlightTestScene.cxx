@@ -4,9 +4,12 @@
 
 #include "vtkCubeSource.h"
 #include "vtkRegressionTestImage.h"
+#include "vtkShaderProperty.h"
+#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
 
 namespace airlight_test
 {
@@ -267,5 +270,27 @@ int Scene::Finish(int argc, char* argv[])
 {
   const int result = vtkRegressionTestImage(this->Window);
   return result != vtkTesting::FAILED && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 Project(vtkCamera* camera, double aspect, const glm::dvec3& point)
+{
+  const double in[4] = { point.x, point.y, point.z, 1.0 };
+  glm::dvec4 clip;
+  camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->MultiplyPoint(in, &clip.x);
+  return clip;
+}
+
+//------------------------------------------------------------------------------
+bool IsInPicture(const glm::dvec4& clip)
+{
+  return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
+}
+
+//------------------------------------------------------------------------------
+void MakeUnknown(vtkActor* actor)
+{
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::Color::Impl", true, "//VTK::Color::Impl\n // as it was\n", false);
 }
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The fixture for tests of whole pictures: a scene in a medium, drawn by vtkAirlightPass and compared
- * with AirlightTestBruteForce.h. AirlightTestBodies.h has bodies for it. Tests of single pixels use
- * AirlightTestPixelScene.h.
+ * The fixture for tests of whole pictures: a scene in a medium, drawn by vtkAirlightPass and
+ * compared with AirlightTestBruteForce.h. AirlightTestBodies.h has bodies for it. Tests of single
+ * pixels use AirlightTestPixelScene.h.
  */
 
 #ifndef AirlightTestScene_h
@@ -15,7 +15,6 @@
 #include "vtkActor.h"
 #include "vtkAirlightPass.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
@@ -28,10 +27,8 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
 
 #include <functional>
-#include <string>
 
 namespace airlight_test
 {
@@ -80,8 +77,8 @@ public:
 
   ///@{
   /**
-   * The ray of a point of the picture, in pixels from the lower left corner, or of a pixel's middle;
-   * what it ought to see; and the pixel that shows a point.
+   * The ray of a point of the picture, in pixels from the lower left corner, or of a pixel's
+   * middle; what it ought to see; and the pixel that shows a point.
    */
   Ray GetRay(double px, double py) const;
   Ray GetPixelRay(const glm::ivec2& pixel) const
@@ -128,12 +125,25 @@ public:
   std::vector<vtkLight*> Lights;
   std::vector<Triangle> Triangles;
 
+protected:
+  bool ReleasesPass = false; // at the end, since the renderer may not know the pass any more
+
 private:
   void ReleasePass();
 
   vtkNew<vtkOpenGLFXAAPass> Antialiased;
-  bool ReleasesPass = false; // at the end, since the renderer may not know the pass any more
 };
+
+// In clip coordinates by VTK's own matrix: in a perspective w is the depth. `aspect`: of the
+// picture, width by height.
+glm::dvec4 Project(vtkCamera* camera, double aspect, const glm::dvec3& point);
+
+// Whether it is in the picture, in or outside of the clipping range. Behind the eye no ray of a
+// perspective comes along.
+bool IsInPicture(const glm::dvec4& clip);
+
+// A replacement that changes nothing in the actor's shader, of which the pass cannot know that.
+void MakeUnknown(vtkActor* actor);
 }
 
 #endif

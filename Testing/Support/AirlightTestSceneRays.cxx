@@ -5,22 +5,9 @@
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
-Interval ClipToBox(Interval part, const Ray& ray, const glm::dvec3& low, const glm::dvec3& high)
+double CrossPlane(const Ray& ray, const glm::dvec3& light, double slope)
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    glm::dvec3 normal(0.0);
-    normal[i] = 1.0;
-    Clip(part, ray, normal, low);
-    Clip(part, ray, -normal, high);
-  }
-  return part;
-}
-
-//------------------------------------------------------------------------------
-double CrossPlane(const Ray& ray, const glm::dvec3& lamp, double slope)
-{
-  return (lamp.x - ray.Origin.x + slope * (lamp.y - ray.Origin.y)) /
+  return (light.x - ray.Origin.x + slope * (light.y - ray.Origin.y)) /
     (ray.Direction.x + slope * ray.Direction.y);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The expected numbers of a ray of a scene. Its lit parts are cut out by the planes through
- * the light and the bodies' edges (AirlightTestBruteForce.h); its airlight is the quadrature over them
+ * The expected numbers of a ray of a scene. Its lit parts are cut out by the planes through the
+ * light and the bodies' edges (AirlightTestBruteForce.h); its airlight is the quadrature over them
  * of what each test says is scattered, so that no expected number comes from the library.
  */
 
@@ -35,12 +35,9 @@ struct Expected
   glm::dvec3 Airlight{ 0.0 };
 };
 
-// Keeps the part of the ray in a box; From >= To where there is none.
-Interval ClipToBox(Interval part, const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);
-
-// Where the ray crosses the plane through the lamp and along z on which
-// (x - lamp.x)/(lamp.y - y) = slope.
-double CrossPlane(const Ray& ray, const glm::dvec3& lamp, double slope);
+// Where the ray crosses the plane through the light and along z on which
+// (x - light.x)/(light.y - y) = slope.
+double CrossPlane(const Ray& ray, const glm::dvec3& light, double slope);
 
 double GetEnd(const Scene& scene, const Ray& ray);
 
@@ -78,8 +75,8 @@ struct Floor
   std::function<double(const Ray&, double t, int channel)> Passes;
 };
 
-// What the floor sends from a point in the light, and how much more than from one in the shadow: both
-// to 1e-4.
+// What the floor sends from a point in the light, and how much more than from one in the shadow:
+// both to 1e-4.
 void CheckFloor(Scene& scene, const Floor& floor, const glm::dvec3& lit, const glm::dvec3& dark,
   const std::string& what, const std::string& whatOfBoth);
 }

@@ -2,25 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Triangle soups and what follows for their shadows straight from the definitions, triangle by
- * triangle and point by point.
+ * triangle and point by point; random triangles for AirlightTestBruteForce.h, and lights among
+ * them.
  */
 
 #ifndef AirlightTestSoup_h
 #define AirlightTestSoup_h
 
+#include "AirlightTestBruteForce.h"
 #include "AirlightTestTools.h"
 
-#include "vtkCellArray.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
-#include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -55,6 +54,13 @@ int Crosses(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p, const glm::
 // How many triangles are between the point and the light, which is `far` away if at infinity.
 int CountShadows(
   const TriangleList& triangles, const glm::dvec4& light, const glm::dvec3& point, double far);
+
+// Triangles of all sizes in [-1, 1]^3, each with its own points.
+vtkSmartPointer<vtkPolyData> MakeRandomSoup(
+  Random& random, int count, std::vector<Triangle>& triangles);
+
+// A light of each kind, with its name.
+std::vector<std::pair<std::string, vtkSmartPointer<vtkLight>>> MakeLights();
 }
 
 #endif

@@ -69,7 +69,9 @@ glm::dvec2 InsideRange(vtkParticipatingMedium* medium, const PointCase& c)
 }
 
 //------------------------------------------------------------------------------
-double PointLightInSpace(vtkParticipatingMedium* medium, const PointCase& c, int channel)
+// Airlight per unit intensity in one channel: the integral over the ray's part in the medium of
+// sigmaS p(cosTheta)/(a + b r + c r^2) exp(-sigmaT (lengths inside the medium)).
+static double PointLightInSpace(vtkParticipatingMedium* medium, const PointCase& c, int channel)
 {
   const double sigmaT = medium->GetExtinction()[channel];
   const HenyeyGreensteinPhase phase{ medium->GetAnisotropy() };

@@ -47,10 +47,6 @@ struct PointCase
 // The range of [T0, T1] inside the medium: from the closest to the farthest cut that holds it.
 glm::dvec2 InsideRange(vtkParticipatingMedium* medium, const PointCase& c);
 
-// Airlight per unit intensity in one channel: the integral over the ray's part in the medium of
-// sigmaS p(cosTheta)/(a + b r + c r^2) exp(-sigmaT (lengths inside the medium)).
-double PointLightInSpace(vtkParticipatingMedium* medium, const PointCase& c, int channel);
-
 void ComparePoint(vtkParticipatingMedium* medium, const PointCase& c, const double rgb[3],
   const double intensity[3], double limit, Comparison& comparison);
 }

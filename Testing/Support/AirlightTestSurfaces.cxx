@@ -2,6 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestSurfaces.h"
 
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCubeSource.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+
 namespace airlight_test
 {
 //------------------------------------------------------------------------------
@@ -49,7 +57,8 @@ Mesh MakeMesh(
 }
 
 //------------------------------------------------------------------------------
-Mesh MakePrism(const std::vector<glm::dvec2>& outline, double z0, double z1)
+// An outline in x and y, from z0 to z1; its two ends are one polygon each, convex or not.
+static Mesh MakePrism(const std::vector<glm::dvec2>& outline, double z0, double z1)
 {
   const vtkIdType count = static_cast<vtkIdType>(outline.size());
   std::vector<glm::dvec3> corners;

@@ -9,21 +9,13 @@
 
 #include "AirlightTestTools.h"
 
-#include "vtkAppendPolyData.h"
-#include "vtkCellArray.h"
-#include "vtkCubeSource.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace airlight_test
@@ -46,9 +38,6 @@ Mesh Join(const std::vector<Mesh>& meshes);
 // Polygons of any number of corners.
 Mesh MakeMesh(
   const std::vector<glm::dvec3>& corners, const std::vector<std::vector<vtkIdType>>& polygons);
-
-// An outline in x and y, from z0 to z1; its two ends are one polygon each, convex or not.
-Mesh MakePrism(const std::vector<glm::dvec2>& outline, double z0, double z1);
 
 // About z, of ring radius 1, each circle of `resolution` corners.
 Mesh MakeTorus(double tube, int resolution);

@@ -62,6 +62,14 @@ inline glm::dvec3 RandomUnit(Random& random)
   return glm::normalize(v);
 }
 
+// Three unit vectors at right angles.
+inline glm::dmat3 RandomAxes(Random& random)
+{
+  const glm::dvec3 x = RandomUnit(random);
+  const glm::dvec3 y = glm::normalize(glm::cross(x, RandomUnit(random)));
+  return glm::dmat3(x, y, glm::cross(x, y));
+}
+
 // One kind of comparison: counts the failures, remembers the worst case, prints both.
 class Comparison
 {

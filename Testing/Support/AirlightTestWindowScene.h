@@ -12,12 +12,10 @@
 
 #include "vtkCubeSource.h"
 
-#include <cstdlib>
-
 namespace airlight_test
 {
-// Two bodies over a floor in the light of up to two lamps, in fog that leaves the background visible
-// beside it.
+// Two bodies over a floor in the light of up to two lamps, in fog that leaves the background
+// visible beside it.
 class WindowScene : public Scene
 {
 public:
@@ -44,10 +42,22 @@ public:
   vtkActor* Cube;
 };
 
-vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height);
+inline vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height)
+{
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(width, height);
+  return window;
+}
 
 // Takes the scene's renderer into a part of another window.
-void Place(Scene& scene, vtkRenderWindow* window, double x0, double y0, double x1, double y1);
+inline void Place(Scene& scene, vtkRenderWindow* window, double x0, double y0, double x1, double y1)
+{
+  scene.Window->RemoveRenderer(scene.Renderer);
+  window->AddRenderer(scene.Renderer);
+  scene.Renderer->SetViewport(x0, y0, x1, y1);
+}
 }
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkAirlightReference takes from a renderer: strips and data sets that are no polygons as VTK draws
-// them, warnings of what it leaves out, and several media of which one is an image.
+// What vtkAirlightReference takes from a renderer: strips and data sets that are no polygons as VTK
+// draws them, warnings of what it leaves out, and several media of which one is an image.
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestErrors.h"
@@ -14,7 +14,6 @@
 #include "vtkCubeSource.h"
 #include "vtkDataSetMapper.h"
 #include "vtkElevationFilter.h"
-#include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -188,7 +187,8 @@ void CheckActorsWithoutData()
 }
 
 //------------------------------------------------------------------------------
-// Ambient light, with and without a lamp, in fog everywhere and in a box; once the box is an image of ones.
+// Ambient light, with and without a lamp, in fog everywhere and in a box; once the box is an image
+// of ones.
 void CheckMedia(bool lamp)
 {
   std::vector<double> values[2];

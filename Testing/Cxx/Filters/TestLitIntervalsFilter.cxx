@@ -23,7 +23,7 @@ namespace
 //------------------------------------------------------------------------------
 // An isotropic medium without borders: exp(-sigma_t (s + r)) sigma_s/(4 pi) I/r^2, with s counted
 // along the line.
-double GetAirlight(vtkParticipatingMedium* medium, const Polyline& line, const glm::dvec3& lamp,
+double GetAirlight(vtkParticipatingMedium* medium, const Polyline& line, const glm::dvec3& position,
   double intensity, int channel)
 {
   const double extinction = medium->GetExtinction()[channel];
@@ -35,8 +35,8 @@ double GetAirlight(vtkParticipatingMedium* medium, const Polyline& line, const g
     if (length > 0.0)
     {
       const glm::dvec3 direction = (line[i] - line[i - 1]) / length;
-      const double foot = glm::dot(lamp - line[i - 1], direction);
-      const double h = glm::length(lamp - line[i - 1] - foot * direction);
+      const double foot = glm::dot(position - line[i - 1], direction);
+      const double h = glm::length(position - line[i - 1] - foot * direction);
       sum += std::exp(-extinction * before) *
         IsotropicAirlight(
           [](double r, double) { return 1.0 / (r * r); }, extinction, foot, h, 0.0, length);
@@ -57,11 +57,11 @@ void TestBends()
   {
     return;
   }
-  const glm::dvec3 lamp(GetPosition(lights[0].second));
+  const glm::dvec3 position(GetPosition(lights[0].second));
   glm::dvec3 expected(4.0, 3.0, 2.0);
   for (int c = 0; c < 3; ++c)
   {
-    expected[c] = GetAirlight(run.Medium, line, lamp, expected[c], c);
+    expected[c] = GetAirlight(run.Medium, line, position, expected[c], c);
   }
   Comparison comparison("airlight of a polyline, relative");
   const double length = 3.0 + std::sqrt(2.0);

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Queries of airlight::Occluders against loops over all triangles (see AirlightTestBruteForce.h), on
-// random triangles and on closed meshes, through whose seams nothing may leak.
+// Queries of airlight::Occluders against loops over all triangles (see AirlightTestBruteForce.h),
+// on random triangles and on closed meshes, through whose seams nothing may leak.
 
 #include "AirlightTestCheck.h"
-#include "AirlightTestRandomSoup.h"
+#include "AirlightTestSoup.h"
 #include "Occlusion/AirlightOccluders.h"
 
 #include "vtkCellArray.h"

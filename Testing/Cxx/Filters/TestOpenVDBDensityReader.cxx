@@ -21,11 +21,6 @@ namespace
 {
 std::string Folder;
 
-bool IsNear(double value, double expected, double tolerance)
-{
-  return std::abs(value - expected) <= tolerance; // false for NaN
-}
-
 //------------------------------------------------------------------------------
 // All values of noise.vdb are exact, also in half precision; around them is one point of 0.
 void CheckNoise(vtkImageData* image, const std::string& name)

@@ -22,11 +22,6 @@ namespace
 {
 std::string Folder;
 
-bool IsNear(double value, double expected, double tolerance)
-{
-  return std::abs(value - expected) <= tolerance; // false for NaN
-}
-
 //------------------------------------------------------------------------------
 // Scaled, turned about x, turned about z, moved by (10, -20, 30).
 void Place(const int voxel[3], const double scale[3], double x, double z, double world[3])

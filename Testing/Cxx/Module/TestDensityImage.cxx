@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Media whose density comes from an image, in double precision: transmittance, airlight and ambient
-// light against quadrature of the trilinear function in its own eight-term form, and an image of ones
-// against the uniform box.
+// light against quadrature of the trilinear function in its own eight-term form, and an image of
+// ones against the uniform box.
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestQuadrature.h"
@@ -30,7 +30,7 @@ using namespace airlight_test;
 namespace
 {
 //------------------------------------------------------------------------------
-// A turned image of random samples, and its density by the definition.
+// A rotated image of random samples, and its density by the definition.
 class Cloud
 {
 public:
@@ -39,17 +39,17 @@ public:
     this->Image->SetExtent(this->Extent);
     this->Image->SetOrigin(&this->Origin.x);
     this->Image->SetSpacing(&this->Spacing.x);
-    // Turned about z, then about x.
+    // Rotated about z, then about x.
     const double a = 0.4;
     const double b = -0.7;
-    this->Turn = glm::transpose(glm::dmat3(std::cos(a), -std::sin(a), 0.0, //
-      std::cos(b) * std::sin(a), std::cos(b) * std::cos(a), -std::sin(b),  //
+    this->Rotation = glm::transpose(glm::dmat3(std::cos(a), -std::sin(a), 0.0, //
+      std::cos(b) * std::sin(a), std::cos(b) * std::cos(a), -std::sin(b),      //
       std::sin(b) * std::sin(a), std::sin(b) * std::cos(a), std::cos(b)));
     for (int row = 0; row < 3; ++row)
     {
       for (int column = 0; column < 3; ++column)
       {
-        this->Image->GetDirectionMatrix()->SetElement(row, column, this->Turn[column][row]);
+        this->Image->GetDirectionMatrix()->SetElement(row, column, this->Rotation[column][row]);
       }
     }
     this->Image->AllocateScalars(VTK_DOUBLE, 1);
@@ -63,14 +63,14 @@ public:
   // Position in samples, counted from the extent's first one.
   glm::dvec3 ToSamples(const glm::dvec3& p) const
   {
-    return glm::transpose(this->Turn) * (p - this->Origin) / this->Spacing -
+    return glm::transpose(this->Rotation) * (p - this->Origin) / this->Spacing -
       glm::dvec3(this->Extent[0], this->Extent[2], this->Extent[4]);
   }
 
   glm::dvec3 ToWorld(const glm::dvec3& samples) const
   {
     return this->Origin +
-      this->Turn *
+      this->Rotation *
       (this->Spacing * (samples + glm::dvec3(this->Extent[0], this->Extent[2], this->Extent[4])));
   }
 
@@ -153,7 +153,7 @@ private:
   int Extent[6] = { 2, 6, -1, 2, 0, 3 };
   glm::dvec3 Origin{ 10.0, -3.0, 0.5 };
   glm::dvec3 Spacing{ 0.5, 0.8, 0.6 };
-  glm::dmat3 Turn{ 1.0 };
+  glm::dmat3 Rotation{ 1.0 };
 };
 
 //------------------------------------------------------------------------------

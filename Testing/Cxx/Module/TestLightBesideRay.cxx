@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pixels' rays that pass a light closely, in the single precision of shaders: the light's moment about
-// the ray, and what a spot scatters between the ends that its cone cuts off.
+// Pixels' rays that pass a light closely, in the single precision of shaders: the light's moment
+// about the ray, and what a spot scatters between the ends that its cone cuts off.
 
 #include "AirlightTestQuadrature.h"
 #include "AirlightTestTools.h"
@@ -67,8 +67,8 @@ struct PixelAndLight
 };
 
 //------------------------------------------------------------------------------
-// Against the cross product with 64 bits of mantissa. In single precision the light's place within its
-// pixel is rounded to 3e-8 of a pixel.
+// Against the cross product with 64 bits of mantissa. In single precision the light's place within
+// its pixel is rounded to 3e-8 of a pixel.
 bool TestMoment()
 {
   Comparison inDouble("a light's moment about a pixel's ray in double precision, relative");
@@ -115,9 +115,10 @@ struct Spot
   double SigmaT;
 };
 
-// The integral of 1/(4 pi) exp(-sigmaT (t + r))/r^2 over the ray's part inside the cone. In the angle phi
-// at the light, t = tL + h tan phi, the axis' components a across and b along the ray are those of
-// a direction at phi0 = atan2(b, a) of length R, and inside means R cos(phi - phi0) >= cos(cone).
+// The integral of 1/(4 pi) exp(-sigmaT (t + r))/r^2 over the ray's part inside the cone. In the
+// angle phi at the light, t = tL + h tan phi, the axis' components a across and b along the ray are
+// those of a direction at phi0 = atan2(b, a) of length R, and inside means R cos(phi - phi0) >=
+// cos(cone).
 double Expected(const PixelAndLight& place, const Spot& spot, double widened)
 {
   const long double tL = glm::dot(Vector(place.Light), place.Ray);
@@ -188,11 +189,12 @@ Scattered Scatter(const PixelAndLight& place, const Spot& spot)
   return scattered;
 }
 
-// Within 1e-4 (physics.md, 7), but where a cone narrower or wider by 1e-6 makes half as much of a difference.
+// Within 1e-4 (physics.md, 7), but where a cone narrower or wider by 1e-6 makes half as much of a
+// difference.
 bool TestSpot()
 {
   Comparison byTails("a spot beside a pixel's ray, single precision, by tails, of its airlight");
-  Comparison byAngle("the same by its turn");
+  Comparison byAngle("the same by the angle");
   Random random(9);
   int grazing = 0;
   constexpr int Count = 4000;

@@ -7,8 +7,6 @@
 #include "AirlightTestPhotometry.h"
 #include "AirlightTestQuadrature.h"
 
-#include "vtkTestUtilities.h"
-
 #include <cstdlib>
 
 using namespace airlight;
@@ -154,8 +152,8 @@ bool TestFrame()
       comparison.Add(std::abs(lamp.Look(glm::normalize(direction)) - expected), 1e-12,
         [&] { return Text("type ", table.Type, ", expected ", expected); });
     };
-    // Type C counts counter-clockwise for who looks along the axis with `up` upwards: 90 degrees are
-    // on the left. At 45 degrees every table has fallen to a half of its value there.
+    // Type C counts counter-clockwise for who looks along the axis with `up` upwards: 90 degrees
+    // are on the left. At 45 degrees every table has fallen to a half of its value there.
     const glm::dvec3 side = table.Type == 1 ? -right : right;
     add(side + axis, 0.5);
     add(0.999 * side + 0.001 * axis, 1.0 - std::atan(0.001 / 0.999) / (90.0 * Degree));
@@ -221,15 +219,9 @@ bool TestLumens()
 //------------------------------------------------------------------------------
 int TestPhotometry(int argc, char* argv[])
 {
-  char* temporary =
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  char* data = vtkTestUtilities::ExpandDataFileName(argc, argv, "Photometry/");
-  const std::string file = std::string(temporary) + "/TestPhotometry.ies";
-  bool ok = TestFiles(data);
-  ok = TestTables(file) && ok;
+  bool ok = TestFiles(GetPhotometricFile(argc, argv));
+  ok = TestTables(GetTemporaryFile(argc, argv, "TestPhotometry.ies")) && ok;
   ok = TestFrame() && ok;
   ok = TestLumens() && ok;
-  delete[] temporary;
-  delete[] data;
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -7,11 +7,8 @@
 #include "AirlightTestCheck.h"
 #include "AirlightTestPhotometry.h"
 
-#include "vtkTestUtilities.h"
-
 #include <cstdlib>
 #include <fstream>
-#include <iostream>
 
 using namespace airlight;
 using namespace airlight_test;
@@ -173,7 +170,7 @@ void TestAngles(const std::string& file)
 // What is no file, no text or no end.
 void TestUnreadable(const std::string& file, const std::string& folder)
 {
-  CheckRefused(folder + "/no-such-file.ies", folder + "/no-such-file.ies", "cannot be read");
+  CheckRefused(folder + "no-such-file.ies", folder + "no-such-file.ies", "cannot be read");
   CheckRefused(folder, folder, "cannot be read");
   const auto write = [&](
                        const std::string& text) { std::ofstream(file, std::ios::binary) << text; };
@@ -201,11 +198,7 @@ void TestUnreadable(const std::string& file, const std::string& folder)
 //------------------------------------------------------------------------------
 int TestPhotometryErrors(int argc, char* argv[])
 {
-  char* temporary =
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  const std::string folder = temporary;
-  delete[] temporary;
-  const std::string file = folder + "/TestPhotometryErrors.ies";
+  const std::string file = GetTemporaryFile(argc, argv, "TestPhotometryErrors.ies");
   for (const Lines& good : { TypeC, TypeB, Old })
   {
     std::string error;
@@ -214,6 +207,6 @@ int TestPhotometryErrors(int argc, char* argv[])
   TestStructure(file);
   TestNumbers(file);
   TestAngles(file);
-  TestUnreadable(file, folder);
+  TestUnreadable(file, GetTemporaryFile(argc, argv, ""));
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -7,10 +7,10 @@
 #include "AirlightTestCheck.h"
 #include "AirlightTestPhotometry.h"
 
-#include "vtkTestUtilities.h"
-
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 
 using namespace airlight;
@@ -169,10 +169,7 @@ void TestMutations(const std::string& file)
 //------------------------------------------------------------------------------
 int TestPhotometryFormat(int argc, char* argv[])
 {
-  char* temporary =
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  const std::string file = std::string(temporary) + "/TestPhotometryFormat.ies";
-  delete[] temporary;
+  const std::string file = GetTemporaryFile(argc, argv, "TestPhotometryFormat.ies");
   Check(TestStyles(file), "styles");
   TestMutations(file);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The pass for every kind of light in every kind of region, density and phase function: its Airlight and
-// Transmittance in all cells of AirlightTestMatrix.h, against vtkAirlight on the pixels' rays (which
-// TestAirlightMatrix compares with quadrature). The argument says which quarter of the phase functions.
+// The pass for every kind of light in every kind of region, density and phase function: its
+// Airlight and Transmittance in all cells of AirlightTestMatrix.h, against vtkAirlight on the
+// pixels' rays (which TestAirlightMatrix compares with quadrature). The argument says which quarter
+// of the phase functions.
 
 #include "AirlightTestErrors.h"
 #include "AirlightTestMatrix.h"
@@ -273,11 +274,12 @@ void PassMatrix::Run(const MatrixCell& cell, bool parallel, bool plane, bool lig
 }
 
 //------------------------------------------------------------------------------
-// Every fourth phase function from the `part`-th on, from 0: shaders of all of them take compilers long.
-// For every kind of light in every kind of region and density, with and without a plane that ends
-// rays; in uniform media of boxes, spheres and everywhere both in perspective and in parallel
-// projection, in others in one of them by turns. Then lights outside of boxes, spheres and surfaces,
-// with phase functions and projections by turns, and the other tables, whose fits have other poles.
+// Every fourth phase function from the `part`-th on, from 0: shaders of all of them take compilers
+// long. For every kind of light in every kind of region and density, with and without a plane that
+// ends rays; in uniform media of boxes, spheres and everywhere both in perspective and in parallel
+// projection, in others in one of them alternately. Then lights outside of boxes, spheres and
+// surfaces, with alternating phase functions and projections, and the other tables, whose fits have
+// other poles.
 int RunPart(int part)
 {
   constexpr int parts = 4;
@@ -286,12 +288,12 @@ int RunPart(int part)
   ForEachCell([&](const MatrixCell& cell) {
     const bool both = cell.Density == vtkParticipatingMedium::UNIFORM &&
       cell.Region != vtkParticipatingMedium::SURFACE;
-    const int turn = cell.Phase + cell.Light + cell.Region;
+    const int order = cell.Phase + cell.Light + cell.Region;
     for (int parallel = 0; parallel < 2; ++parallel)
     {
-      if (cell.Phase % parts == part && (both || parallel == turn % 2))
+      if (cell.Phase % parts == part && (both || parallel == order % 2))
       {
-        experiment.Run(cell, parallel == 1, (turn / 2 + parallel) % 2 == 1, true, comparisons);
+        experiment.Run(cell, parallel == 1, (order / 2 + parallel) % 2 == 1, true, comparisons);
       }
     }
   });

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// OpenGL's state after a frame of the pass is that after a frame without it, and what VTK keeps in mind
-// of it is true. The pass leaves none of its storage buffers bound.
+// OpenGL's state after a frame of the pass is that after a frame without it, and what VTK keeps in
+// mind of it is true. The pass leaves none of its storage buffers bound.
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestWindowScene.h"
@@ -131,8 +131,8 @@ int TestAirlightPassState(int, char*[])
   WindowScene wires;
   wires.Pass->SetDebugViewToShadowPlanes();
   Compare("view of shadow planes", wires);
-  WindowScene glow;
-  glow.Pass->SetScatteredSurfaceLight(true);
-  Compare("scattered light on surfaces", glow);
+  WindowScene scattered;
+  scattered.Pass->SetScatteredSurfaceLight(true);
+  Compare("scattered light on surfaces", scattered);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -6,6 +6,7 @@
 #include "AirlightTestWindowScene.h"
 
 #include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
 
 using namespace airlight_test;
 
@@ -28,7 +29,8 @@ void MakeColoured(Scene& scene)
   scene.Medium->SetAbsorption(0.01, 0.02, 0.2);
 }
 
-// What is left of what lies behind the medium, in each channel: on average, since a picture has one opacity.
+// What is left of what lies behind the medium, in each channel: on average, since a picture has one
+// opacity.
 double GetClarity(Scene& scene, int x, int y)
 {
   const Ray ray = scene.GetRay(x + 0.5, y + 0.5);
@@ -82,8 +84,8 @@ void TestLayerAbove()
 }
 
 //------------------------------------------------------------------------------
-// What the pass adds over a picture `under`: radiance + (1 - opacity) under, with opacity 1 on surfaces
-// and 1 - T beside them, T from vtkAirlight, the mean of the channels.
+// What the pass adds over a picture `under`: radiance + (1 - opacity) under, with opacity 1 on
+// surfaces and 1 - T beside them, T from vtkAirlight, the mean of the channels.
 double CompareOver(WindowScene& scene, const Picture& under, const Picture& picture)
 {
   double largest = 0.0;

@@ -8,8 +8,6 @@
 #include "AirlightTestMapper.h"
 #include "AirlightTestMatrix.h"
 
-#include "vtkLightCollection.h"
-
 #include "vtkMath.h"
 
 #include <cstdlib>
@@ -126,8 +124,9 @@ void TestLitSurface(Comparison& comparison)
 
 //------------------------------------------------------------------------------
 // Before an opaque plane: alpha (C1 T1 + L1) + (1 - alpha) (C2 T2 + L2), blended in single
-// precision; then in the window's own ways, weighted and by depth peeling. There eight bits keep the
-// plane behind, half a step times 1 - alpha, and both products of the sum, half a step each: 1.3.
+// precision; then in the window's own ways, weighted and by depth peeling. There eight bits keep
+// the plane behind, half a step times 1 - alpha, and both products of the sum, half a step each:
+// 1.3.
 void TestTranslucent(Comparison& comparison, Comparison& window)
 {
   MapperScene scene;

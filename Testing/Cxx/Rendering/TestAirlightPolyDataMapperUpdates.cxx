@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightPolyDataMapper from frame to frame: what changes shows, shaders are made anew only
+// vtkAirlightPolyDataMapper from frame to frame: what changes shows, shaders are rebuilt only
 // where their text changes, a vtkAirlightPass wins and shows the same, and windows and picking do
 // no harm.
 
@@ -40,7 +40,7 @@ vtkStandardNewMacro(CountingMapper);
 struct Step
 {
   std::string What;
-  bool Builds; // makes shaders anew
+  bool Builds; // rebuilds shaders
   std::function<void(MapperScene&)> Do;
 };
 
@@ -115,7 +115,7 @@ void TestRebuilds(Comparison& comparison)
     scene.Compare(step.What, scene.GetSamples(), 1e-3, comparison);
     std::cout << step.What << ": " << mapper->Builds - before << " builds\n";
     Check((mapper->Builds > before) == step.Builds,
-      step.What + (step.Builds ? ": shaders are made anew" : ": shaders stay"));
+      step.What + (step.Builds ? ": shaders are rebuilt" : ": shaders stay"));
   }
 }
 

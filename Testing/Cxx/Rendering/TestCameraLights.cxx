@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lights that are fixed to the camera light surfaces only, until they are switched on: in the pass, in
-// vtkAirlightReference and in vtkAirlightPolyDataMapper.
+// Lights that are fixed to the camera light surfaces only, until they are switched on: in the pass,
+// in vtkAirlightReference and in vtkAirlightPolyDataMapper.
 
 #include "AirlightTestCompareScene.h"
 #include "AirlightTestErrors.h"
@@ -10,10 +10,8 @@
 #include "AirlightTestWindowScene.h"
 
 #include "vtkAirlightReference.h"
-#include "vtkDoubleArray.h"
 #include "vtkLightCollection.h"
 #include "vtkLightKit.h"
-#include "vtkPointData.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -65,8 +63,8 @@ public:
       values, values + image->GetNumberOfPoints() * image->GetNumberOfScalarComponents(), 0.0);
   }
 
-  // Of the reference's array from that of the pass, over the largest value; edges of surfaces, which
-  // rasterisation rounds, apart.
+  // Of the reference's array from that of the pass, over the largest value; edges of surfaces,
+  // which rasterisation rounds, apart.
   double CompareReference(const char* name)
   {
     this->Reference->Modified();

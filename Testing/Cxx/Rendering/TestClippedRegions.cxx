@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Casters that clipping planes cut off: of random boxes and cameras, each that has a point in the view and
-// outside the clipping range is found, and those are let alone that typical scenes have.
+// Casters that clipping planes cut off: of random boxes and cameras, each that has a point in the
+// view and outside the clipping range is found, and those are let alone that typical scenes have.
 
-#include "AirlightTestCasters.h"
 #include "AirlightTestCheck.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"

@@ -14,7 +14,7 @@ int TestCloudShafts(int argc, char* argv[])
 {
   const vtkSmartPointer<vtkImageData> image =
     MakeDensity({ 40, 30, 40 }, { -4, -2, -4 }, { 4, 4, 4 });
-  Turn(image, 0.5, 0.1);
+  Rotate(image, 0.5, 0.1);
   FillCloud(image, 11);
   DensityScene scene(image);
   scene.Medium->SetScattering(0.25, 0.32, 0.42);

@@ -6,10 +6,8 @@
 
 #include "AirlightTestComposition.h"
 
-#include "vtkAssembly.h"
 #include "vtkCameraPass.h"
 #include "vtkDualDepthPeelingPass.h"
-#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
@@ -103,8 +101,8 @@ int TestCompositionDelegate(int, char*[])
   vtkNew<vtkRenderStepsPass> steps;
   CheckSame(scene, steps, 0, "annotations");
 
-  // One convex surface is two layers. In 8 bits VTK rounds each and what is behind, the pass in single
-  // precision once: 1.5 and 0.5 steps.
+  // One convex surface is two layers. In 8 bits VTK rounds each and what is behind, the pass in
+  // single precision once: 1.5 and 0.5 steps.
   scene.AddTranslucentBall();
   CheckShows(scene, scene.Renderer->GetActors()->GetLastActor());
   vtkNew<vtkTranslucentPass> translucent;

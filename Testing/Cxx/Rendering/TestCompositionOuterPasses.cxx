@@ -13,7 +13,6 @@
 #include "vtkOverlayPass.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
-#include "vtkSSAAPass.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
 #include "vtkTextActor.h"

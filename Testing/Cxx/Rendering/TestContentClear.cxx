@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Contents through vtkAirlightPass with a clear medium: VTK's own picture. Opaque contents, volumes,
-// annotations and backgrounds, and the renderer's options; or, with the argument "translucent", what
-// is blended with what lies behind.
+// Contents through vtkAirlightPass with a clear medium: VTK's own picture. Opaque contents,
+// volumes, annotations and backgrounds, and the renderer's options; or, with the argument
+// "translucent", what is blended with what lies behind.
 
-#include "AirlightTestContentOthers.h"
-#include "AirlightTestContentSurfaces.h"
+#include "AirlightTestContent.h"
+
+#include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkSmartVolumeMapper.h"
 
 #include <cstdlib>
 #include <string>
@@ -23,9 +26,9 @@ struct Content
 };
 
 // VTK blends splats and volumes into 8 bits: each of the layers, or the one colour and opacity that
-// they add up to, is rounded, and so is what it is blended with. The pass blends in single precision
-// and rounds once, where it does not leave the picture to VTK altogether. Measured: 3 for splats
-// that lie over each other, 2 for the others.
+// they add up to, is rounded, and so is what it is blended with. The pass blends in single
+// precision and rounds once, where it does not leave the picture to VTK altogether. Measured: 3 for
+// splats that lie over each other, 2 for the others.
 constexpr int ManyLayers = 3;
 constexpr int OneLayer = 2;
 

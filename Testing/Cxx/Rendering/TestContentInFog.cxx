@@ -6,6 +6,11 @@
 
 #include "AirlightTestContentFog.h"
 
+#include "vtkAxesActor.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper2.h"
+#include "vtkSkybox.h"
+
 #include <cstdlib>
 
 using namespace airlight_test;

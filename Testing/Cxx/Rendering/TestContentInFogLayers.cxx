@@ -6,6 +6,8 @@
 
 #include "AirlightTestContentFog.h"
 
+#include "vtkPointGaussianMapper.h"
+
 #include <cstdlib>
 
 using namespace airlight_test;

@@ -6,8 +6,6 @@
 
 #include "AirlightTestDensity.h"
 
-#include "vtkAirlight.h"
-
 #include <chrono>
 #include <cstdlib>
 
@@ -80,7 +78,7 @@ void TestClouds()
 {
   const vtkSmartPointer<vtkImageData> image =
     MakeDensity({ 24, 24, 24 }, glm::dvec3(-4), glm::dvec3(4));
-  Turn(image, 0.4, 0.7);
+  Rotate(image, 0.4, 0.7);
   FillCloud(image, 3);
   DensityScene scene(image);
   scene.Medium->SetScattering(0.3, 0.4, 0.5);

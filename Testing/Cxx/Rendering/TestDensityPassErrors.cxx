@@ -100,7 +100,7 @@ void CheckValues(DensityScene& scene)
   }
   values->SetComponent(4, 0, 1.0);
   scene.Image->Modified();
-  Check(GetTransmittance(scene) < 0.9, "a mended image is drawn");
+  Check(GetTransmittance(scene) < 0.9, "a corrected image is drawn");
   scene.Medium->SetDensityImage(nullptr);
   Check(GetTransmittance(scene) == 1.0, "no image: the medium is nowhere");
   CheckText(errors, "call SetDensityImage()", "no image");

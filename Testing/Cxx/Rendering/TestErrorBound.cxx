@@ -25,8 +25,8 @@ void SetPhase(vtkParticipatingMedium* medium, double anisotropy, double toleranc
 double Brightest(const glm::dvec3& colour) { return std::max({ colour.x, colour.y, colour.z }); }
 
 //------------------------------------------------------------------------------
-// |airlight - exact| against the bound. A bound that all errors stay a thousand times below would say
-// nothing.
+// |airlight - exact| against the bound. A bound that all errors stay a thousand times below would
+// say nothing.
 bool CompareHonesty(const std::string& name, Scene& scene)
 {
   scene.Window->Render();
@@ -64,7 +64,7 @@ bool CompareHonesty(const std::string& name, Scene& scene)
   return AllOk({ &honesty });
 }
 
-bool TestHonesty()
+bool TestBound()
 {
   bool ok = true;
   for (const double anisotropy : { -0.6, 0.76, 0.9 })
@@ -106,8 +106,8 @@ void AddLeaves(Scene& scene)
   scene.Add(MakeSoup(leaves));
 }
 
-// From the parts: the lights' own airlight, with shadows and without, of which the integration has the
-// relative error `integral`. Long lists take several draws, which must not count it twice.
+// From the parts: the lights' own airlight, with shadows and without, of which the integration has
+// the relative error `integral`. Long lists take several draws, which must not count it twice.
 bool CompareParts(
   const std::string& name, Scene& scene, const std::vector<double>& integral, double boundaries)
 {
@@ -161,8 +161,8 @@ bool TestParts()
   return CompareParts("two lights", scene, { 1e-4, 1e-3 }, 200.0);
 }
 
-// More boundaries than two draws read, of one light whose airlight is that of quadrature, the only kind
-// that pauses between draws.
+// More boundaries than two draws read, of one light whose airlight is that of quadrature, the only
+// kind that pauses between draws.
 bool TestPauses()
 {
   Scene scene;
@@ -177,7 +177,7 @@ bool TestPauses()
 //------------------------------------------------------------------------------
 int TestErrorBound(int, char*[])
 {
-  const bool honest = TestHonesty();
+  const bool honest = TestBound();
   const bool parts = TestParts();
   const bool pauses = TestPauses();
   return honest && parts && pauses && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

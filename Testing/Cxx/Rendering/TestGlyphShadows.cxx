@@ -6,6 +6,7 @@
 #include "AirlightTestContentFog.h"
 
 #include "vtkBitArray.h"
+#include "vtkFloatArray.h"
 #include "vtkGlyph3D.h"
 
 #include <cstdlib>

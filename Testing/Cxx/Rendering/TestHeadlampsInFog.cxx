@@ -7,10 +7,6 @@
 #include "AirlightTestGoniometry.h"
 #include "AirlightTestSceneRays.h"
 
-#include "vtkTestUtilities.h"
-
-#include <memory>
-
 using namespace airlight_test;
 
 namespace
@@ -212,11 +208,9 @@ void CheckRays(Scene& scene, const std::vector<TestGoniometricLamp>& lamps)
 //------------------------------------------------------------------------------
 int TestHeadlampsInFog(int argc, char* argv[])
 {
-  const std::unique_ptr<char[]> file(
-    vtkTestUtilities::ExpandDataFileName(argc, argv, "Photometry/lowbeam.ies"));
   Scene scene(320, 180);
   scene.SmoothEdges();
-  const auto lamps = AddLamps(scene, file.get());
+  const auto lamps = AddLamps(scene, GetPhotometricFile(argc, argv, "lowbeam.ies"));
   Build(scene);
   scene.Window->Render();
   CheckRays(scene, lamps);

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the medium leaves of light on its way to surfaces. Where it is everywhere the same the mappers'
-// shaders take their own distance to the lamp for it, else the pixel's ray: in a medium that ends far
-// outside of all there is to be seen both must be the same. And whatever calls for the one or the other
-// from frame to frame, surfaces are those of a fresh scene.
+// What the medium leaves of light on its way to surfaces. Where it is everywhere the same the
+// mappers' shaders take their own distance to the lamp for it, else the pixel's ray: in a medium
+// that ends far outside of all there is to be seen both must be the same. And whatever calls for
+// the one or the other from frame to frame, surfaces are those of a fresh scene.
 
+#include "AirlightTestPhotometry.h"
 #include "AirlightTestWindowScene.h"
 
 #include "vtkLightCollection.h"
-#include "vtkTestUtilities.h"
 
 #include <functional>
-#include <memory>
 #include <string>
 
 using namespace airlight_test;
@@ -130,8 +129,6 @@ void TestChanges(const std::string& photometry)
 int TestLightTransmittance(int argc, char* argv[])
 {
   TestRegions();
-  const std::unique_ptr<char[]> photometry(
-    vtkTestUtilities::ExpandDataFileName(argc, argv, "Photometry/lowbeam.ies"));
-  TestChanges(photometry.get());
+  TestChanges(GetPhotometricFile(argc, argv, "lowbeam.ies"));
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

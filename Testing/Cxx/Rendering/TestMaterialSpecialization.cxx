@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What mappers' shaders know of materials when they are made (AirlightMaterialSpecializations.h) changes no picture,
-// whatever becomes of the materials: it is that of shaders that ask for all numbers, or of a fresh scene.
+// What mappers' shaders know of materials when they are made (AirlightMaterialSpecializations.h)
+// changes no picture, whatever becomes of the materials: it is that of shaders that ask for all
+// numbers, or of a fresh scene.
 
 #include "AirlightTestScene.h"
 
@@ -193,13 +194,13 @@ void TestChanges()
   compare("dull", 4);
   // Properties that are older than the shaders.
   left->SetProperty(gleaming);
-  compare("gleams", 1);
+  compare("specular", 1);
   left->SetProperty(dull);
   compare("dull again", 4);
   left->SetProperty(changing);
   compare("another dull one", 4);
   changing->SetSpecular(0.5);
-  compare("the same with gleams", 3);
+  compare("the same, specular", 3);
   changing->SetSpecular(0.0);
   changing->SetAmbient(0.2);
   compare("without, and with ambient light", 3);
@@ -209,7 +210,7 @@ void TestChanges()
   compare("one alone", 4);
   right->SetProperty(gleaming);
   left->SetProperty(gleaming);
-  compare("one alone gleams", 1);
+  compare("one alone is specular", 1);
   right->VisibilityOn();
   compare("the other comes back", 1);
   left->SetProperty(dull);

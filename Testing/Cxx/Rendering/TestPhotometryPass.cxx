@@ -10,10 +10,9 @@
 #include "AirlightTestTools.h"
 
 #include "vtkAirlight.h"
-#include "vtkTestUtilities.h"
 
 #include <cstdlib>
-#include <memory>
+#include <fstream>
 
 using namespace airlight_test;
 
@@ -200,10 +199,6 @@ bool RunAll(const std::string& data, const std::string& temporary)
 //------------------------------------------------------------------------------
 int TestPhotometryPass(int argc, char* argv[])
 {
-  const std::unique_ptr<char[]> data(
-    vtkTestUtilities::ExpandDataFileName(argc, argv, "Photometry/"));
-  const std::unique_ptr<char[]> folder(
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary"));
-  const std::string temporary = std::string(folder.get()) + "/TestPhotometryPass.ies";
-  return RunAll(data.get(), temporary) ? EXIT_SUCCESS : EXIT_FAILURE;
+  const std::string temporary = GetTemporaryFile(argc, argv, "TestPhotometryPass.ies");
+  return RunAll(GetPhotometricFile(argc, argv), temporary) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -5,15 +5,14 @@
 // what was said before stays, and the picture is as the header says and finite.
 
 #include "AirlightTestErrors.h"
+#include "AirlightTestPhotometry.h"
 #include "AirlightTestScene.h"
 
 #include "vtkPlaneSource.h"
-#include "vtkTestUtilities.h"
 
 #include <cstdlib>
 #include <fstream>
 #include <limits>
-#include <memory>
 
 using namespace airlight_test;
 
@@ -248,16 +247,12 @@ void TestCone(const std::string& good)
 //------------------------------------------------------------------------------
 int TestPhotometryPassErrors(int argc, char* argv[])
 {
-  const std::unique_ptr<char[]> data(
-    vtkTestUtilities::ExpandDataFileName(argc, argv, "Photometry/"));
-  const std::unique_ptr<char[]> temporary(
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary"));
-  const std::string good = std::string(data.get()) + "downlight.ies";
-  TestBadFiles(good, std::string(temporary.get()) + "/TestPhotometryPassErrors.ies");
+  const std::string good = GetPhotometricFile(argc, argv, "downlight.ies");
+  TestBadFiles(good, GetTemporaryFile(argc, argv, "TestPhotometryPassErrors.ies"));
   TestBadUps(good);
   TestLampsWithoutDirections(good);
   TestAbsentLights(good);
-  TestPlaces(data.get());
+  TestPlaces(GetPhotometricFile(argc, argv));
   TestCone(good);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -10,10 +10,9 @@
 #include "AirlightTestScene.h"
 
 #include "vtkPlaneSource.h"
-#include "vtkTestUtilities.h"
 
 #include <cstdlib>
-#include <memory>
+#include <fstream>
 
 using namespace airlight_test;
 
@@ -186,7 +185,7 @@ void CheckLamp(Stage& stage, int index, const glm::dvec3& up, Comparison& compar
   }
 }
 
-void TestTurning(const std::string& folder)
+void TestRotation(const std::string& folder)
 {
   Stage stage;
   vtkAirlightPass* pass = stage.Pass;
@@ -262,14 +261,10 @@ void TestCameraLights(const std::string& folder)
 //------------------------------------------------------------------------------
 int TestPhotometryPassLights(int argc, char* argv[])
 {
-  const std::unique_ptr<char[]> data(
-    vtkTestUtilities::ExpandDataFileName(argc, argv, "Photometry/"));
-  const std::unique_ptr<char[]> temporary(
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary"));
-  const std::string folder = std::string(temporary.get()) + "/TestPhotometryPassLights-";
+  const std::string folder = GetTemporaryFile(argc, argv, "TestPhotometryPassLights-");
   TestUniform(folder);
-  TestFiles(data.get());
-  TestTurning(folder);
+  TestFiles(GetPhotometricFile(argc, argv));
+  TestRotation(folder);
   TestCameraLights(folder);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

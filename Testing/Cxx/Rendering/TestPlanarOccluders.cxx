@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where shadow planes end behind a floor or a wall, nothing that is seen is lost: all places beyond are
-// hidden, and the airlight is the same as where the floor may be looked through as far as is known.
+// Where shadow planes end behind a floor or a wall, nothing that is seen is lost: all places beyond
+// are hidden, and the airlight is the same as where the floor may be looked through as far as is
+// known.
 
-#include "AirlightTestCasters.h"
 #include "AirlightTestCheck.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
@@ -63,8 +63,8 @@ void PlaceCamera(Random& random, vtkCamera* camera)
   camera->SetClippingRange(random.LogUniform(0.1, 4.0), random.LogUniform(20.0, 200.0));
 }
 
-// Whether the ray from the eye to a point meets one of the triangles before it, in the clipping range; true
-// for what is not in the picture.
+// Whether the ray from the eye to a point meets one of the triangles before it, in the clipping
+// range; true for what is not in the picture.
 bool IsHidden(vtkCamera* camera, const std::vector<Triangle>& triangles, const glm::dvec3& point)
 {
   if (!IsInPicture(Project(camera, Width / double(Height), point)))
@@ -187,8 +187,8 @@ enum class Look
   Glass
 };
 
-// A room's corner, and a box and a ball that throw their shadows on it. `replaced`: the corner's shaders have
-// a replacement.
+// A room's corner, and a box and a ball that throw their shadows on it. `replaced`: the corner's
+// shaders have a replacement.
 vtkSmartPointer<vtkImageData> Draw(Look look, bool replaced, bool sun)
 {
   Scene scene;
@@ -255,7 +255,8 @@ void CheckPictures()
       const int different = CountDifferent(Draw(look, false, sun), Draw(look, true, sun));
       const std::string what = std::string(name) + (sun ? ", sun" : ", lamp");
       std::cout << what << ": " << different << " pixels differ\n";
-      // Planes that end elsewhere have other roundings of their sides, by less than a hundredth of a pixel.
+      // Planes that end elsewhere have other roundings of their sides, by less than a hundredth of
+      // a pixel.
       Check(different <= 3, what + ": the airlight is the same whether planes may end or not");
     }
   }

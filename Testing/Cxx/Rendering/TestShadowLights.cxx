@@ -7,7 +7,6 @@
 #include "AirlightTestBodies.h"
 #include "AirlightTestCompareScene.h"
 
-#include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkSphereSource.h"
 

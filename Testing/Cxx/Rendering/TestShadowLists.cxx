@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Long lists of shadow boundaries: exact against brute force, the same bits whatever the memory
-// they are given, and the same bits each time. Memory that they just fill, and pictures with more rows
-// than there is memory for: all boundaries are kept.
+// they are given, and the same bits each time. Memory that they just fill, and pictures with more
+// rows than there is memory for: all boundaries are kept.
 
 #include "AirlightTestBodies.h"
 #include "AirlightTestCompareScene.h"
@@ -108,7 +108,7 @@ vtkActor* AddEdgesElsewhere(Scene& scene, int count)
 }
 
 // With more than 8192 silhouette edges a pixel has 32 slots instead of 16: the same bits.
-void TestSlots()
+void TestKBufferSize()
 {
   Scene scene(160, 120);
   AddStrips(scene, 30);
@@ -159,8 +159,9 @@ void TestRows()
   Check(difference == 0.0, "a picture in bands is the same");
 }
 
-// Four sheets of glass on the far left, whose shadows reach across the view: each ray crosses two planes of
-// each. The lists have room for 2^18 boundaries, one of which is not used, so that all but one fit.
+// Four sheets of glass on the far left, whose shadows reach across the view: each ray crosses two
+// planes of each. The lists have room for 2^18 boundaries, one of which is not used, so that all
+// but one fit.
 void TestFullList()
 {
   constexpr int sheets = 4;
@@ -191,7 +192,7 @@ int TestShadowLists(int, char*[])
 {
   TestLongLists();
   TestGrowth();
-  TestSlots();
+  TestKBufferSize();
   TestTwoWindows();
   TestRows();
   TestFullList();

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Shadows from shadow maps, against brute force (see AirlightTestBruteForce.h), for all kinds of lights,
-// cameras and casters. The contract: half a percent in the median, five percent in the 99th
+// Shadows from shadow maps, against brute force (see AirlightTestBruteForce.h), for all kinds of
+// lights, cameras and casters. The contract: half a percent in the median, five percent in the 99th
 // percentile.
 
 #include "AirlightTestBodies.h"
 #include "AirlightTestCompareScene.h"
 #include "AirlightTestErrors.h"
 
-#include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkPlaneSource.h"
+#include "vtkSphereSource.h"
 
 #include <cstdlib>
 
@@ -27,7 +27,8 @@ Limits MapLimits()
   limits.Median = 3e-3;
   limits.P99 = 1.5e-2;
   limits.Wrong = 1.0; // the percentiles say it
-  // A texel is 2/1024 of the distance to the light, a pixel of these scenes 1/160 of that to the eye.
+  // A texel is 2/1024 of the distance to the light, a pixel of these scenes 1/160 of that to the
+  // eye.
   limits.EdgePixels = 0.7;
   return limits;
 }

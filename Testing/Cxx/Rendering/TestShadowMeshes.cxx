@@ -13,8 +13,6 @@
 #include "vtkRegularPolygonSource.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
 #include "vtkTriangleFilter.h"
 
 #include <cstdlib>
@@ -235,9 +233,9 @@ void TestSheetStack()
 }
 
 //------------------------------------------------------------------------------
-// Edges of many triangles: a triangle that is there five times, and a single one beside it on a common
-// edge. Rays that leave the fivefold shadow through the common edge are still in the single one. There
-// shadow planes have to count as many shadows as they did where the rays entered.
+// Edges of many triangles: a triangle that is there five times, and a single one beside it on a
+// common edge. Rays that leave the fivefold shadow through the common edge are still in the single
+// one. There shadow planes have to count as many shadows as they did where the rays entered.
 void TestHeavyEdges()
 {
   const glm::dvec3 a(-3.0, 1.0, 0.0);

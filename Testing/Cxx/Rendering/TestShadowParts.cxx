@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Shadows of what props draw inside them: levels of detail, and parts of assemblies whose mappers draw
-// something else than their input's polygons. Against brute force (see AirlightTestBruteForce.h), and against
-// the same content outside of them.
+// Shadows of what props draw inside them: levels of detail, and parts of assemblies whose mappers
+// draw something else than their input's polygons. Against brute force (see
+// AirlightTestBruteForce.h), and against the same content outside of them.
 
 #include "AirlightTestBodies.h"
 #include "AirlightTestCompareScene.h"
@@ -14,7 +14,6 @@
 #include "vtkAirlightReference.h"
 #include "vtkAssembly.h"
 #include "vtkCubeSource.h"
-#include "vtkDoubleArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkImageSliceMapper.h"
@@ -22,7 +21,6 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkLODProp3D.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 
 #include <algorithm>
@@ -253,8 +251,8 @@ Buffers DrawPointGaussians(Frame frame, bool seen, bool casts = true)
   return scene.Render();
 }
 
-// The largest difference beside the splats themselves, which end rays inside of other props only; over the
-// largest value.
+// The largest difference beside the splats themselves, which end rays inside of other props only;
+// over the largest value.
 double CompareBeside(const Buffers& a, const Buffers& b, const char* name)
 {
   const auto get = [](const Buffers& buffers, const char* buffer) {

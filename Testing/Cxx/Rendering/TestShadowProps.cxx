@@ -13,7 +13,6 @@
 #include "vtkCompositePolyDataMapper.h"
 #include "vtkCompositePolyDataMapper2.h"
 #include "vtkConeSource.h"
-#include "vtkCubeSource.h"
 #include "vtkDataSetMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkUnstructuredGrid.h"

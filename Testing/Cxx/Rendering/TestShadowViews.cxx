@@ -8,7 +8,7 @@
 #include "AirlightTestCompareScene.h"
 
 #include "vtkConeSource.h"
-#include "vtkCubeSource.h"
+#include "vtkSphereSource.h"
 
 #include <cstdlib>
 

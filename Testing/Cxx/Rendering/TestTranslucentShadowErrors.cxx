@@ -6,6 +6,8 @@
 #include "AirlightTestBodies.h"
 #include "AirlightTestErrors.h"
 
+#include "vtkInformation.h"
+
 #include <cstdlib>
 #include <limits>
 

@@ -9,6 +9,7 @@
 #include "AirlightTestCompareScene.h"
 #include "AirlightTestTools.h"
 
+#include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 
 #include <cstdlib>
@@ -56,8 +57,8 @@ bool IsUnsure(Scene& scene, size_t first, size_t last, double px, double py, con
   return false;
 }
 
-// The picture where a single translucent surface is seen, of opacity 1/2. `first` and `last` tell its
-// triangles.
+// The picture where a single translucent surface is seen, of opacity 1/2. `first` and `last` tell
+// its triangles.
 void CompareLayer(const std::string& name, Scene& scene, size_t first, size_t last)
 {
   const Buffers buffers = scene.Render();
@@ -116,8 +117,8 @@ void TestPane(Scene& scene)
   }
 }
 
-// Whether lights reach a layer is kept in words of 32 lights each: of the first two, one light each shines.
-// Drivers take their time over shaders with many lights.
+// Whether lights reach a layer is kept in words of 32 lights each: of the first two, one light each
+// shines. Drivers take their time over shaders with many lights.
 void TestManyLights(Scene& scene)
 {
   ResetToFloorAndBall(scene);

@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // All ways in which VTK blends the samples of volumes: in fog so thick that nothing is seen through
-// it, a volume must not be seen either, since each sample then shows the fog that is before it. What
-// cannot be put behind the medium is drawn as it is, and one warning says so.
+// it, a volume must not be seen either, since each sample then shows the fog that is before it.
+// What cannot be put behind the medium is drawn as it is, and one warning says so.
 
 #include "AirlightTestErrors.h"
 #include "AirlightTestVolume.h"
 
 #include "vtkContourValues.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkMultiVolume.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkSmartVolumeMapper.h"
 
