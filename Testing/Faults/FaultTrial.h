@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * A scene whose pictures with and without the medium are known, and what has to become of it when
- * OpenGL refuses something: the scene without the medium and one error, and with the next good frame
- * the same picture as before, to the last bit.
+ * OpenGL refuses something: the scene without the medium and one error, and with the next good
+ * frame the same picture as before, to the last bit.
  */
 
 #ifndef FaultTrial_h

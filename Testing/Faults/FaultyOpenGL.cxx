@@ -36,7 +36,8 @@ constexpr unsigned int MinorVersion = 0x821C;
 constexpr unsigned int MaxTextureBufferSize = 0x8C2B;
 constexpr unsigned int FramebufferUnsupported = 0x8CDD;
 
-// OpenGL's own function: the one that the loader has got, or that of the libraries behind this program.
+// OpenGL's own function: the one that the loader has got, or that of the libraries behind this
+// program.
 template <typename Type>
 struct Real
 {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * An OpenGL that refuses what a test asks it to refuse, as a graphics card does that is old or whose
- * memory is full. This program's functions stand before OpenGL's, for VTK and the pass, too: those
- * that VTK is linked with by name, the others where its loader (GLEW, glad) asks for their addresses
- * (FaultyLoader.cxx).
+ * An OpenGL that refuses what a test asks it to refuse, as a graphics card does that is old or
+ * whose memory is full. This program's functions stand before OpenGL's, for VTK and the pass, too:
+ * those that VTK is linked with by name, the others where its loader (GLEW, glad) asks for their
+ * addresses (FaultyLoader.cxx).
  */
 
 #ifndef FaultyOpenGL_h
@@ -22,12 +22,13 @@ enum class Refusal
   Framebuffers // glCheckFramebufferStatus() says no
 };
 
-// This program's function of that name, which calls OpenGL's own, `real`; `real` for any other name.
+// This program's function of that name, which calls OpenGL's own, `real`; `real` for any other
+// name.
 using Function = void (*)();
 Function ReplaceFunction(const char* name, Function real);
 
-// From now on the call of this number, counted from 1, is refused; with 0 none is, and they are only
-// counted.
+// From now on the call of this number, counted from 1, is refused; with 0 none is, and they are
+// only counted.
 void Refuse(Refusal what, int number);
 int CountCalls();
 
@@ -35,8 +36,8 @@ int CountCalls();
 // since the last call.
 int RefuseShaders(const std::string& word);
 
-// What OpenGL says of itself; 0: the truth. VTK asks for the version and the size of textures once for
-// each window.
+// What OpenGL says of itself; 0: the truth. VTK asks for the version and the size of textures once
+// for each window.
 void ClaimVersion(int major, int minor);
 void ClaimTextureSize(int most);
 void ClaimTextureBufferSize(int most);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightPass where OpenGL is too old for it, has smaller textures than the picture needs, or has
-// lost its context.
+// vtkAirlightPass where OpenGL is too old for it, has smaller textures than the picture needs, or
+// has lost its context.
 
 #include "FaultTrial.h"
 
@@ -87,8 +87,8 @@ void TestVersion(const Expected& small)
 }
 
 //------------------------------------------------------------------------------
-// Every answer is an error, for ever; the pass must not wait for the last one. (VTK does where it reads
-// pixels: the picture is read when the context is back.)
+// Every answer is an error, for ever; the pass must not wait for the last one. (VTK does where it
+// reads pixels: the picture is read when the context is back.)
 void TestLostContext(const Expected& small)
 {
   WindowScene scene(80, 60, 1);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightPass where OpenGL refuses memory for buffers and textures, and framebuffers: every single
-// one that a frame of a new pass asks for.
+// vtkAirlightPass where OpenGL refuses memory for buffers and textures, and framebuffers: every
+// single one that a frame of a new pass asks for.
 
 #include "FaultTrial.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightPass on an OpenGL 3.2, which CMakeLists.txt asks Mesa for: it is the oldest that VTK draws
-// with, and too old for the pass.
+// vtkAirlightPass on an OpenGL 3.2, which CMakeLists.txt asks Mesa for: it is the oldest that VTK
+// draws with, and too old for the pass.
 
 #include "FaultTrial.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightPass where one of its shaders does not compile: its own, and what it adds to those of VTK's
-// mappers, which would not survive that.
+// vtkAirlightPass where one of its shaders does not compile: its own, and what it adds to those of
+// VTK's mappers, which would not survive that.
 
 #include "FaultTrial.h"
 
@@ -96,8 +96,8 @@ void TestDistances()
   trial.CheckGood("programs for distances again");
 }
 
-// VTK alone blends translucent surfaces otherwise in a window's second context than in its first, by
-// 1/255. So the trial begins with a second one.
+// VTK alone blends translucent surfaces otherwise in a window's second context than in its first,
+// by 1/255. So the trial begins with a second one.
 void TestLayers()
 {
   WindowScene scene(48, 36, 1);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The same scene gives the same bytes: drawn again, with its actors in another order, on more threads,
-// in another process.
+// The same scene gives the same bytes: drawn again, with its actors in another order, on more
+// threads, in another process.
 
 #include "LoadTools.h"
 
@@ -106,7 +106,8 @@ void Fill(WindowScene& scene, const std::string& name)
   }
 }
 
-// Of all buffers and of the picture, with buffers and without: the latter is drawn by other shaders.
+// Of all buffers and of the picture, with buffers and without: the latter is drawn by other
+// shaders.
 std::string TakeDigest(WindowScene& scene)
 {
   Digest digest;
@@ -220,8 +221,8 @@ Digests Call(const std::string& program, const std::string& variables, const std
 }
 
 //------------------------------------------------------------------------------
-// LP_NUM_THREADS is that of Mesa's software renderer, VTK_SMP_MAX_THREADS that of VTK's filters, which
-// takes no more than there are processors.
+// LP_NUM_THREADS is that of Mesa's software renderer, VTK_SMP_MAX_THREADS that of VTK's filters,
+// which takes no more than there are processors.
 void RunProcesses(const Options& options, const std::string& program)
 {
   const char* const runs[] = { "LP_NUM_THREADS=0 VTK_SMP_BACKEND_IN_USE=Sequential",

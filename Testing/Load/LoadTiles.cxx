@@ -45,8 +45,9 @@ int CompareSeams(
   return largest;
 }
 
-// Roundings of the projection move edges by less than a pixel: each pixel of the tiles has a colour that
-// lies between those around it in the direct picture. Returns how many values do not, by more than 1/255.
+// Roundings of the projection move edges by less than a pixel: each pixel of the tiles has a colour
+// that lies between those around it in the direct picture. Returns how many values do not, by more
+// than 1/255.
 int CountForeign(const Picture& direct, const Picture& tiles, int width, int height)
 {
   int count = 0;
@@ -210,8 +211,8 @@ void RunTiles(const Options& options)
     different < static_cast<int>(direct.size() / 1500), "tiles make the picture of a large window");
   const int foreign = CountForeign(direct, tiles, scale * width, scale * height);
   std::cout << foreign << " values lie between none around them\n";
-  // An outline's pixel can be covered by a triangle that its middle is beside, where the surface shadows
-  // itself, in one of the pictures: one in ten millions.
+  // An outline's pixel can be covered by a triangle that its middle is beside, where the surface
+  // shadows itself, in one of the pictures: one in ten millions.
   Check(foreign <= static_cast<int>(direct.size() / 10000000), "and differ at edges only");
   Check(seams <= 1, "no seams");
 }

@@ -148,7 +148,8 @@ void RandomScene::AddMedia()
   for (int region : this->Group.Regions)
   {
     auto medium = vtkSmartPointer<vtkParticipatingMedium>::New();
-    // From air of which little is seen to soup in which one sees the next part hardly; clear at times.
+    // From air of which little is seen to soup in which one sees the next part hardly; clear at
+    // times.
     const double density = (random.Index(20) ? random.LogUniform(1e-3, 3.0) : 0.0) / this->Unit;
     const double other = this->Group.Grey ? 1.0 : random.LogUniform(0.1, 3.0);
     const double last = this->Group.Grey ? 1.0 : random.LogUniform(0.1, 3.0);

@@ -35,8 +35,8 @@ const char* GetPartName(int kind);
 // In [-1, 1]^3 or about there.
 TriangleList MakePart(int kind, Random& random);
 
-// With a normal for each triangle, to its front (1) or its back (-1). `shared`: points at one place are one point.
-// `single`: coordinates in single precision.
+// With a normal for each triangle, to its front (1) or its back (-1). `shared`: points at one place
+// are one point. `single`: coordinates in single precision.
 vtkSmartPointer<vtkPolyData> MakeMesh(
   const TriangleList& triangles, double normals, bool shared, bool single);
 }

@@ -44,8 +44,8 @@ std::string RandomScene::Describe() const
 }
 
 //------------------------------------------------------------------------------
-// In turn: before the scene, in it, or on whole numbers and along an axis, where much is degenerate.
-// Usual, narrow and wide.
+// In turn: before the scene, in it, or on whole numbers and along an axis, where much is
+// degenerate. Usual, narrow and wide.
 void RandomScene::PlaceCamera()
 {
   Random& random = this->Numbers;

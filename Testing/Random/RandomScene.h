@@ -3,8 +3,8 @@
 /**
  * A scene that a seed makes: camera, lights, media, regions and surfaces.
  *
- * No two numbers are drawn in an order that C++ leaves open, so that a seed makes the same scene by any
- * compiler.
+ * No two numbers are drawn in an order that C++ leaves open, so that a seed makes the same scene by
+ * any compiler.
  *
  * The kept seeds mean the scenes of this generator: whoever changes it makes tests of their own of
  * what they show first.

@@ -3,40 +3,42 @@
 /**
  * The pass's picture of a scene and vtkAirlightReference's, buffer by buffer and pixel by pixel.
  *
- * The error of a pixel in a buffer is |a - b|/max(|b|, floor), the largest of the channels; a is the
- * pass's, b the reference's value, and floor 1e-3 of the 99th percentile of b, as in
+ * The error of a pixel in a buffer is |a - b|/max(|b|, floor), the largest of the channels; a is
+ * the pass's, b the reference's value, and floor 1e-3 of the 99th percentile of b, as in
  * vtkAirlightComparison. A pixel is right where that is at most 1 % in all buffers. Of radiance,
- * airlight and lit length 1e-5 of what the ray's airlight or lit length is without shadows is right, too,
- * a tenth of what the pass promises: there is nothing else to measure a wholly dark picture by.
+ * airlight and lit length 1e-5 of what the ray's airlight or lit length is without shadows is
+ * right, too, a tenth of what the pass promises: there is nothing else to measure a wholly dark
+ * picture by.
  *
- * A pixel that is not right is explained by an edge where each channel of each buffer lies between the
- * least and the largest of what the reference says within 0.02 pixels of the pixel's middle, or within
- * 1 % of these: rasterisers place corners to 1/256 of a pixel. Among the places are a ring and two in
- * each triangle that comes so near. It is explained by rounding, and counted
- * apart, where that is so for rays that besides are moved by d = 5e-7 of the farthest corner of any part,
- * and a clipping range that is wider or narrower by d over twice its beginning: surfaces are drawn and
- * clipped in single precision, which shows where parts are large; or for the surface behind the first one,
- * if a depth buffer of 24 bits cannot tell which is the first. It is explained by an outline, and
- * counted apart, where the pixel's middle is beside a triangle that a rasteriser may draw there, and the
- * surface is as it is without shadows: where a shadow ends with the surface that it is on, as it does where
- * two faces meet, what is drawn beyond that edge is beyond the shadow, too. It is explained by a border, and
- * counted apart, where a triangle's border is within those 0.02 pixels and VTK has drawn another surface
- * than the reference sees: a rasteriser that draws the triangle beside itself follows its plane, normals
- * and colours beyond the border, far beyond, if it is a sliver, and in another order of depth, where two
- * triangles meet in a fold; one that leaves it out shows what is behind. Then the surface is VTK's, no
- * brighter than a white one that faces all lights there, and
- * the medium before it has to be right, for the depth that was drawn: airlight, transmittance and lit
- * length, and the radiance with the surface as it was drawn. The same holds where d is more than a
- * thousandth of the depth: VTK places such surfaces by chance. All others are
- * unexplained; there may be none.
+ * A pixel that is not right is explained by an edge where each channel of each buffer lies between
+ * the least and the largest of what the reference says within 0.02 pixels of the pixel's middle, or
+ * within 1 % of these: rasterisers place corners to 1/256 of a pixel. Among the places are a ring
+ * and two in each triangle that comes so near. It is explained by rounding, and counted apart,
+ * where that is so for rays that besides are moved by d = 5e-7 of the farthest corner of any part,
+ * and a clipping range that is wider or narrower by d over twice its beginning: surfaces are drawn
+ * and clipped in single precision, which shows where parts are large; or for the surface behind the
+ * first one, if a depth buffer of 24 bits cannot tell which is the first. It is explained by an
+ * outline, and counted apart, where the pixel's middle is beside a triangle that a rasteriser may
+ * draw there, and the surface is as it is without shadows: where a shadow ends with the surface
+ * that it is on, as it does where two faces meet, what is drawn beyond that edge is beyond the
+ * shadow, too. It is explained by a border, and counted apart, where a triangle's border is within
+ * those 0.02 pixels and VTK has drawn another surface than the reference sees: a rasteriser that
+ * draws the triangle beside itself follows its plane, normals and colours beyond the border, far
+ * beyond, if it is a sliver, and in another order of depth, where two triangles meet in a fold; one
+ * that leaves it out shows what is behind. Then the surface is VTK's, no brighter than a white one
+ * that faces all lights there, and the medium before it has to be right, for the depth that was
+ * drawn: airlight, transmittance and lit length, and the radiance with the surface as it was drawn.
+ * The same holds where d is more than a thousandth of the depth: VTK places such surfaces by
+ * chance. All others are unexplained; there may be none.
  *
- * No radiance is measured by less than 1e-6 W/(m^2 sr), where lamps give surfaces some 1 to 100: the
- * pass leaves out what is behind an optical depth of 20.
+ * No radiance is measured by less than 1e-6 W/(m^2 sr), where lamps give surfaces some 1 to 100:
+ * the pass leaves out what is behind an optical depth of 20.
  *
- * A scene passes where no pixel is unexplained, and no value of the pass is negative, infinite or not a
- * number; of all scenes' pixels together at least 99 % have to be right. (In one small picture an edge
- * that runs through the middles of a column of pixels makes more than 1 %.) Pixels that the reference has dark are measured against
- * the floor: what leaks there is at most 1e-5 of the 99th percentile.
+ * A scene passes where no pixel is unexplained, and no value of the pass is negative, infinite or
+ * not a number; of all scenes' pixels together at least 99 % have to be right. (In one small
+ * picture an edge that runs through the middles of a column of pixels makes more than 1 %.) Pixels
+ * that the reference has dark are measured against the floor: what leaks there is at most 1e-5 of
+ * the 99th percentile.
  */
 
 #ifndef SceneComparison_h
@@ -76,23 +78,23 @@ struct SceneFigures
 class SceneComparison
 {
 public:
-  // The scene has been drawn. `byBound`: where the pass promises less than 1 % by its "ErrorBound", that
-  // counts.
+  // The scene has been drawn. `byBound`: where the pass promises less than 1 % by its "ErrorBound",
+  // that counts.
   SceneComparison(airlight_test::Scene& scene,
     const std::vector<vtkSmartPointer<vtkParticipatingMedium>>& media, bool byBound);
 
   const SceneFigures& GetFigures() const { return this->Figures; }
 
-  // For FaultInjection: what was drawn at a pixel, what the reference finds there, and whether the pixel would
-  // be reported as wrong with other values.
+  // For FaultInjection: what was drawn at a pixel, what the reference finds there, and whether the
+  // pixel would be reported as wrong with other values.
   airlight::ReferencePixel GetDrawnPixel(vtkIdType pixel) const;
   airlight::ReferencePixel Trace(vtkIdType pixel, const airlight::ReferenceChange& change);
   airlight::ReferencePixel TraceTo(vtkIdType pixel, double depth);
   airlight::ReferencePixel TraceUnshadowed(vtkIdType pixel);
   bool Reports(vtkIdType pixel, const airlight::ReferencePixel& drawn);
 
-  // The values of a pixel, channel by channel in the order of the buffers, and the largest of each in the
-  // picture, but for what is without end, and no less than what a thousandth of is measured.
+  // The values of a pixel, channel by channel in the order of the buffers, and the largest of each
+  // in the picture, but for what is without end, and no less than what a thousandth of is measured.
   static std::vector<double> Flatten(const airlight::ReferencePixel& pixel);
   const std::vector<double>& GetLargest() const { return this->Largest; }
 

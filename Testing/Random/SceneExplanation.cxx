@@ -174,7 +174,8 @@ bool SceneComparison::IsExplained(vtkIdType pixel)
 }
 
 //------------------------------------------------------------------------------
-// Whether roundings of single precision can move surfaces by more than a thousandth of their distance.
+// Whether roundings of single precision can move surfaces by more than a thousandth of their
+// distance.
 bool SceneComparison::AreSurfacesCoarse(vtkIdType pixel)
 {
   return LastPlace * this->GetReach() > 1e-3 * this->GetDrawn(DEPTH, pixel);
@@ -234,8 +235,9 @@ bool SceneComparison::IsMediumRight(vtkIdType pixel)
 }
 
 //------------------------------------------------------------------------------
-// Whether the surface that VTK has drawn is no brighter than a white one that faces all lights there, through
-// what the medium leaves of it. More cannot be said of slivers: single precision turns their normals.
+// Whether the surface that VTK has drawn is no brighter than a white one that faces all lights
+// there, through what the medium leaves of it. More cannot be said of slivers: single precision
+// turns their normals.
 bool SceneComparison::IsShadingPossible(vtkIdType pixel)
 {
   const glm::dvec2 middle = this->GetMiddle(pixel);

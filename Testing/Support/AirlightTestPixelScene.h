@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The fixture for tests of single pixels: a small window with a pass that records its buffers, one
- * plane and one light, if the test adds them, and the ray of each pixel, computed in double precision
- * from what the user set on the camera. Tests of whole pictures use AirlightTestScene.h.
+ * plane and one light, if the test adds them, and the ray of each pixel, computed in double
+ * precision from what the user set on the camera. Tests of whole pictures use AirlightTestScene.h.
  */
 
 #ifndef AirlightTestPixelScene_h

@@ -184,8 +184,8 @@ double PointLightAirlight(const Phase& phase, double sigmaT, long double tL, lon
   return Integrate(integrand, ends, 1e-13);
 }
 
-// The same in an isotropic medium for a light that sends `fall`(r, x) instead of 1/r^2, with x counted
-// from the foot.
+// The same in an isotropic medium for a light that sends `fall`(r, x) instead of 1/r^2, with x
+// counted from the foot.
 template <typename Fall>
 double IsotropicAirlight(const Fall& fall, double sigmaT, double tL, double h, double t0, double t1,
   double tolerance = 1e-12)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightProbeFilter: scattered light against brute force (see AirlightTestIrradiance.h), a surface
-// that shades itself, kinds of data, the same output in one thread and in many.
+// vtkAirlightProbeFilter: scattered light against brute force (see AirlightTestIrradiance.h), a
+// surface that shades itself, kinds of data, the same output in one thread and in many.
 
 #include "AirlightTestIrradiance.h"
 #include "AirlightTestProbe.h"

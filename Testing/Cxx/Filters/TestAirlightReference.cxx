@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightReference against what vtkAirlightPass and VTK's own mappers draw: all that surfaces can
-// be shaded by, culled and clipped faces, assemblies and blocks, translucent layers, headlights,
-// parallel projection. Pixels at edges may differ: there rasterisers decide in single precision.
+// vtkAirlightReference against what vtkAirlightPass and VTK's own mappers draw: all that surfaces
+// can be shaded by, culled and clipped faces, assemblies and blocks, translucent layers,
+// headlights, parallel projection. Pixels at edges may differ: there rasterisers decide in single
+// precision.
 
 #include "AirlightTestCompareScene.h"
 #include "AirlightTestScene.h"
@@ -106,7 +107,7 @@ vtkActor* AddColoured(Scene& scene, vtkPolyData* data, const glm::dvec3& place)
   return actor;
 }
 
-// A ball with normals and a gleam, one coloured by its points, a cone coloured by its cells and with
+// A specular ball with normals, one coloured by its points, a cone coloured by its cells and with
 // their normals.
 void AddShaded(Scene& scene)
 {

@@ -181,7 +181,7 @@ void TestProbeLists()
 }
 
 //------------------------------------------------------------------------------
-// The glow of other densities has no closed form, and none is made up.
+// Scattered irradiance in other densities has no closed form: the array is left out.
 void TestProbeDensity()
 {
   vtkNew<vtkImageData> smoke;
@@ -208,7 +208,7 @@ void TestProbeDensity()
 }
 
 //------------------------------------------------------------------------------
-// The lamp on the surface and right above it.
+// The light on the surface and right above it.
 void TestProbeLimits()
 {
   vtkNew<vtkSphereSource> sphere;

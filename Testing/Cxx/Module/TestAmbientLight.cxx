@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ambient light that two or three overlapping media scatter into a ray, the shaders' text in double and
-// in single precision, against adaptive quadrature of
+// Ambient light that two or three overlapping media scatter into a ray, the shaders' text in double
+// and in single precision, against adaptive quadrature of
 //
 //   sum_i sigmaS_i a_i rho_i(t) exp(-sum_i sigmaT_i D_i(t)),   D_i(t) = integral of rho_i over [0, t]
 //

@@ -285,8 +285,8 @@ std::vector<double> FindRoots(const std::vector<double>& c, double low, double h
   return roots;
 }
 
-// Points p of a torus about z, rings of radius 1 and tube: (p^2 + 1 - tube^2)^2 = 4 (x^2 + y^2). From
-// the ray's nearest point to the centre, beyond 3 of which there is nothing.
+// Points p of a torus about z, rings of radius 1 and tube: (p^2 + 1 - tube^2)^2 = 4 (x^2 + y^2).
+// From the ray's nearest point to the centre, beyond 3 of which there is nothing.
 double LengthInTorus(const TestRay& ray, double tube)
 {
   const double foot = -glm::dot(ray.Origin, ray.Direction);

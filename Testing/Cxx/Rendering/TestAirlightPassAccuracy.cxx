@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How exact pictures of isotropic media are: the median of the radiance's relative error, and its mean,
-// which tells whether all is too bright by a little. A point light in fog, with nothing behind it and with
-// a white plane, against quadrature:
+// How exact pictures of isotropic media are: the median of the radiance's relative error, and its
+// mean, which tells whether all is too bright by a little. A point light in fog, with nothing
+// behind it and with a white plane, against quadrature:
 //
 //   Radiance = I sigmaS/(4 pi) integral over [0, t] of exp(-sigmaT (r(s) + s))/r(s)^2 ds
 //     + I/(pi r(t)^2) cos(theta) exp(-sigmaT (r(t) + t))
@@ -25,7 +25,8 @@ const double Scattering[3] = { 0.1, 0.14, 0.2 };
 const double Absorption[3] = { 0.02, 0.01, 0.05 };
 const double Intensity[3] = { 10.0, 8.0, 6.0 };
 
-// Five times the median that is claimed, 2e-7. Roundings are to either side, so that it holds of the mean, too.
+// Five times the median that is claimed, 2e-7. Roundings are to either side, so that it holds of
+// the mean, too.
 constexpr double MostMedian = 1e-6;
 constexpr double MostBias = 1e-6;
 

@@ -124,8 +124,8 @@ void TestFinalized(const Picture& first, bool attached)
 }
 
 //------------------------------------------------------------------------------
-// The context goes after frames without casters: nothing of it may be left for the next one. `moved`: the
-// pass goes to another window instead.
+// The context goes after frames without casters: nothing of it may be left for the next one.
+// `moved`: the pass goes to another window instead.
 void TestGoneWithoutCasters(const Picture& first, bool moved)
 {
   const std::string what =

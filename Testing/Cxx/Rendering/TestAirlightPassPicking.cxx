@@ -155,8 +155,8 @@ void TestPicks(PickScene& scene)
   Check(other == 0, "picks: the same props and cells");
   Check(z <= 1e-5, "GetZ() is the same");
   Check(position == 0.0, "cell positions are the same");
-  // Depth 1 - 0.1/d, nearly, at distance d, has 24 bits: the bit that GetZ() may be off by, and half
-  // a bit of rounding on either side, move a point by d^2/0.1 times as much.
+  // Depth 1 - 0.1/d, nearly, at distance d, has 24 bits: the bit that GetZ() may be off by, and
+  // half a bit of rounding on either side, move a point by d^2/0.1 times as much.
   Check(world <= 2.0 / (1 << 24), "world points are the same");
 }
 }

@@ -4,10 +4,10 @@
 // vtkAirlightPass in stereo: each eye sees what a camera at its place sees.
 //
 // VTK shears the projection: with view coordinates (x, y, z), angle a between the eyes and distance
-// d of the focal point, x becomes x -+ tan(a/2) (z + d). The rays then meet at x = e = -+ d tan(a/2),
-// z = 0, and pass the focal plane where they did. The same rays come from a camera moved by e, with
-// its frustum moved back: the frustum is d tan(v/2) aspect wide to each side in the focal plane, so
-// that its centre is -e / (d tan(v/2) aspect) of that beside it.
+// d of the focal point, x becomes x -+ tan(a/2) (z + d). The rays then meet at x = e = -+ d
+// tan(a/2), z = 0, and pass the focal plane where they did. The same rays come from a camera moved
+// by e, with its frustum moved back: the frustum is d tan(v/2) aspect wide to each side in the
+// focal plane, so that its centre is -e / (d tan(v/2) aspect) of that beside it.
 
 #include "AirlightTestWindowScene.h"
 

@@ -126,7 +126,7 @@ double TestMesh(bool parallel, int step, const glm::dvec3& shift, Comparisons& c
   camera->SetPosition(shift.x, shift.y + 1.0, shift.z + 10.0);
   camera->SetFocalPoint(&shift.x);
   camera->SetParallelProjection(parallel);
-  // Above the picture: near a lamp that is seen the glow is not smooth.
+  // Above the picture: near a visible light airlight is not smooth.
   scene.AddPointLight(shift + glm::dvec3(-0.5, 5.5, 1.5), { 40.0, 30.0, 20.0 });
   scene.Add(MakeMesh(scene, step, shift));
   scene.Mapper->SetEvaluationToVertex();

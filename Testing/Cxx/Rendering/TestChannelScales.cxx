@@ -6,8 +6,8 @@
 //
 //   sum_i sigmaS_i rho_i(t) E/(4 pi) exp(-sum_i sigmaT_i D_i(t) - sigmaT_fog rho(t) H/mu),
 //
-// with D_i(t) the integral of rho_i over [0, t] and mu the sun's rise. The lamp's airlight has to be
-// finite, and the reference's.
+// with D_i(t) the integral of rho_i over [0, t] and mu the sun's rise. The lamp's airlight has to
+// be finite, and the reference's.
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestQuadrature.h"

@@ -35,8 +35,8 @@ struct Sample
   Values Expected;
 };
 
-// Places, of cameras and lights, for all the solids: each is inside of some. None lies near the plane
-// of a face that it sees the samples across, where the way to the light jumps from in to out.
+// Places, of cameras and lights, for all the solids: each is inside of some. None lies near the
+// plane of a face that it sees the samples across, where the way to the light jumps from in to out.
 const glm::dvec3 Places[] = { { 1.4, 1.2, 7.0 }, { 0.2, 0.1, 0.3 }, { -1.3, -1.2, 1.2 },
   { 3.6, 2.9, -1.7 }, { 0.1, 1.3, 1.4 } };
 enum Wall

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the pass shows: its debug views, against the recorded buffers, and colours that are encoded for
-// display (SetLinearInput()), against decoding and encoding by hand.
+// What the pass shows: its debug views, against the recorded buffers, and colours that are encoded
+// for display (SetLinearInput()), against decoding and encoding by hand.
 
 #include "AirlightTestErrors.h"
 #include "AirlightTestScene.h"

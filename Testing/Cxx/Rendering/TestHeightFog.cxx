@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Media whose densities fall with height. The sun in two equal unbounded ones, which take quadrature: from eyes
-// in the fog and up to 60 scale heights above it, where all of a ray's airlight comes from a short part
-// of it. With D(t) the density's integral from the eye to t, h the eye's height over the scale height H,
-// m and mu the rises of ray and sun, the optical depth at t is
-// sigmaT (exp(-h) H/mu + (1 - m/mu) D(t)), so that the integral of both media together is closed:
+// Media whose densities fall with height. The sun in two equal unbounded ones, which take
+// quadrature: from eyes in the fog and up to 60 scale heights above it, where all of a ray's
+// airlight comes from a short part of it. With D(t) the density's integral from the eye to t, h the
+// eye's height over the scale height H, m and mu the rises of ray and sun, the optical depth at t
+// is sigmaT (exp(-h) H/mu + (1 - m/mu) D(t)), so that the integral of both media together is
+// closed:
 //
 //   sigmaS E p exp(-sigmaT exp(-h) H/mu) (1 - exp(-s D(end)))/s, s = sigmaT (1 - m/mu)
 
@@ -85,8 +86,8 @@ void Compare(double height, const glm::dvec3& toSun)
 
 //------------------------------------------------------------------------------
 // Height fog that leaves a channel alone, such as an atmosphere in metres. Rays that fall through
-// infinitely much of it are black in the other channels. In the clear one their transmittance is 1 and
-// their airlight 0, whatever the density's integral, which single precision cannot hold.
+// infinitely much of it are black in the other channels. In the clear one their transmittance is 1
+// and their airlight 0, whatever the density's integral, which single precision cannot hold.
 void CheckBuffer(vtkImageData* buffer, const std::string& name, const std::string& what)
 {
   vtkDataArray* values = buffer->GetPointData()->GetScalars();

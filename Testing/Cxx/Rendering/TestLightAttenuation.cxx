@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lights that fade with distance by VTK's 1/(a + b r + c r^2), on a white plane and in the medium before
-// it, against quadrature. A light of VTK's colour k lights
+// Lights that fade with distance by VTK's 1/(a + b r + c r^2), on a white plane and in the medium
+// before it, against quadrature. A light of VTK's colour k lights
 //
 //   the plane:  Surface = k cos(theta) f(r) exp(-sigmaT (r + t)), f(r) = 1/(a + b r + c r^2), and
 //   the medium: Airlight = sigmaS/(4 pi) pi k integral over [0, t] of f(r(s)) exp(-sigmaT (r(s) + s)) ds,
@@ -137,8 +137,8 @@ bool TestAttenuation()
 }
 
 //------------------------------------------------------------------------------
-// The radius of point lights, vtkAirlightPass::SetLightRadius(): rays that pass a light more closely are
-// shaded as if they passed at this distance, h = radius, with the same foot.
+// The radius of point lights, vtkAirlightPass::SetLightRadius(): rays that pass a light more
+// closely are shaded as if they passed at this distance, h = radius, with the same foot.
 const double RadiusScattering[3] = { 0.1, 0.2, 0.05 };
 const double RadiusAbsorption[3] = { 0.0, 0.1, 0.05 };
 const double Intensity[3] = { 10.0, 20.0, 30.0 };
@@ -160,7 +160,7 @@ enum class Method
   Quadrature // where the medium attenuates light on its own way
 };
 
-// Of a unit light per unit of scattering, isotropic. What is beyond 100 the media leave nothing of.
+// Of a unit light per unit of scattering, isotropic. Beyond 100 the media let nothing through.
 double GetAirlight(
   const glm::dvec3& light, const PixelRay& ray, double sigmaT, double radius, Method method)
 {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// More lights than anyone uses: 64 of all kinds, each with its shadows, light what they light one by
-// one, without a word; more than can cast shadows on surfaces get a warning, and the air is right.
+// More lights than anyone uses: 64 of all kinds, each with its shadows, light what they light one
+// by one, without a word; more than can cast shadows on surfaces get a warning, and the air is
+// right.
 
 #include "AirlightTestBodies.h"
 #include "AirlightTestErrors.h"

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A box of fog so opaque, and so far away, that single precision hardly tells places apart where light
-// fades in it, lit by a lamp outside, which takes quadrature. Where the lamp sees the face that a ray
-// enters, with a, b the cosines of ray and lamp's direction to its normal, the lamp's way in the fog at t
-// is t a/b and
+// A box of fog so opaque, and so far away, that single precision hardly tells places apart where
+// light fades in it, lit by a lamp outside, which takes quadrature. Where the lamp sees the face
+// that a ray enters, with a, b the cosines of ray and lamp's direction to its normal, the lamp's
+// way in the fog at t is t a/b and
 //
 //   L = sigmaS p I/r^2 integral exp(-sigmaT t (1 + a/b)) dt = sigmaS/sigmaT p I/r^2/(1 + a/b)
 //
 // Where positions are rounded by d, depths are off by sigmaT d.
 //
-// And shadows in fog around everything, so opaque that light is gone long before most of their edges: where
-// they are hangs on no medium.
+// And shadows in fog around everything, so opaque that light is gone long before most of their
+// edges: where they are does not depend on the medium.
 
 #include "AirlightTestSceneRays.h"
 

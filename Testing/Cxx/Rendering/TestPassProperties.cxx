@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Properties of the public classes come back as they were set, and questions that have no answer are
-// errors.
+// Properties of the public classes come back as they were set, and questions that have no answer
+// are errors.
 
 #include "AirlightTestErrors.h"
 #include "AirlightTestScene.h"

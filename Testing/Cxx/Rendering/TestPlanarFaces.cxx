@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Planar faces of meshes: which outlines are found, and that nothing is taken for a face that leaves a
-// place open.
+// Planar faces of meshes: which outlines are found, and that nothing is taken for a face that
+// leaves a place open.
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestScene.h"
@@ -46,8 +46,8 @@ std::vector<PlanarFace> Find(const std::vector<Triangle>& triangles)
   return FindPlanarFaces(CasterMesh(MakeSoup(triangles)));
 }
 
-// The rectangle from (x0, y0) to (x1, y1) in the plane z = 0; `turned`: its second half is wound the other
-// way.
+// The rectangle from (x0, y0) to (x1, y1) in the plane z = 0; `turned`: its second half is wound
+// the other way.
 void AddRectangle(
   std::vector<Triangle>& triangles, double x0, double y0, double x1, double y1, bool turned = false)
 {

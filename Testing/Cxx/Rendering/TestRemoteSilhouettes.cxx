@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A scene in two parts, as two processes have them: each draws its own part with the shadows of both,
-// and the nearer pixel of the two is that of the whole scene.
+// A scene in two parts, as two processes have them: each draws its own part with the shadows of
+// both, and the nearer pixel of the two is that of the whole scene.
 
 #include "AirlightTestBuffers.h"
 #include "AirlightTestErrors.h"

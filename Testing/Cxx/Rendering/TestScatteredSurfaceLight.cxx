@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightPass::SetScatteredSurfaceLight(): what the pass adds to a plane, against brute force (see
-// AirlightTestIrradiance.h), and what must stay as it is. The mathematics is in TestScatteredIrradiance.
+// vtkAirlightPass::SetScatteredSurfaceLight(): what the pass adds to a plane, against brute force
+// (see AirlightTestIrradiance.h), and what must stay as it is. The mathematics is in
+// TestScatteredIrradiance.
 
 #include "AirlightTestIrradiance.h"
 #include "AirlightTestPixelScene.h"

@@ -44,8 +44,8 @@ void TestCulledRoom()
   CompareScene("room with culled walls", scene);
 }
 
-// The same of a room whose points are far from the origin, of which VTK's mappers keep the rounding in single
-// precision: rays that end on a wall do not go through it all the same.
+// The same of a room whose points are far from the origin, of which VTK's mappers keep the rounding
+// in single precision: rays that end on a wall do not go through it all the same.
 void TestFarPoints(double distance)
 {
   const glm::dvec3 shift = distance * glm::normalize(glm::dvec3(0.63, -0.41, 0.52));
@@ -68,8 +68,8 @@ void TestFarPoints(double distance)
   {
     scene.Triangles[i].FrontCulled = true;
   }
-  // Half the last place of single precision, of surfaces five units away. Lit parts can be short, and are met
-  // at a slant.
+  // Half the last place of single precision, of surfaces five units away. Lit parts can be short,
+  // and are met at a slant.
   Limits limits;
   limits.Rounding = distance * 0x1p-24 / 5.0;
   limits.Median += 6.0 * limits.Rounding;

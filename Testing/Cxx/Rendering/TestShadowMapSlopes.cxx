@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A shadow map's bias by slope: before a lit plate, however slanted to the light, all air is lit up to the
-// plate, though a texel of the map covers parts of it that are nearer to the light than others. Of a map so
-// coarse that each texel covers many pixels. The plate as polygons, and as a glyph of which the mapper alone
-// knows the place, since its points are blocks.
+// A shadow map's bias by slope: before a lit plate, however slanted to the light, all air is lit up
+// to the plate, though a texel of the map covers parts of it that are nearer to the light than
+// others. Of a map so coarse that each texel covers many pixels. The plate as polygons, and as a
+// glyph of which the mapper alone knows the place, since its points are blocks.
 
 #include "AirlightTestBodies.h"
 #include "AirlightTestTools.h"

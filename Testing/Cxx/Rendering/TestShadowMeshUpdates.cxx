@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Meshes whose geometry is swapped, as animations do: each frame is that of a pass that knows nothing of
-// the frames before, also where the new points, polygons or strips are older than what they replace.
+// Meshes whose geometry is swapped, as animations do: each frame is that of a pass that knows
+// nothing of the frames before, also where the new points, polygons or strips are older than what
+// they replace.
 
 #include "AirlightTestWindowScene.h"
 

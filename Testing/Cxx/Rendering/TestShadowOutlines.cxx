@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where shadow planes lie in the picture, to 0.02 pixel: each ray has as many boundaries as it crosses planes,
-// and is lit as far as brute force says. Of triangles above the picture, whose shadows fall through it; no
-// surface is seen.
+// Where shadow planes lie in the picture, to 0.02 pixel: each ray has as many boundaries as it
+// crosses planes, and is lit as far as brute force says. Of triangles above the picture, whose
+// shadows fall through it; no surface is seen.
 
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"

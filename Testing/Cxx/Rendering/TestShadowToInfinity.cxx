@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays to the background that enter a shadow and never leave it. A lamp at the origin stands before a
-// square, 1 away and 2 wide, whose shadow is the pyramid |x|, |y| < -z behind it. The eye, beside the
-// lamp, looks along the pyramid's axis. So each ray o + t d is lit up to where it has crossed the last
-// of the pyramid's four planes, and dark from there to infinity:
+// Rays to the background that enter a shadow and never leave it. A lamp at the origin stands before
+// a square, 1 away and 2 wide, whose shadow is the pyramid |x|, |y| < -z behind it. The eye, beside
+// the lamp, looks along the pyramid's axis. So each ray o + t d is lit up to where it has crossed
+// the last of the pyramid's four planes, and dark from there to infinity:
 //
 //   L = sigmaS I/(4 pi) integral from 0 to there of exp(-sigmaT (t + r))/r^2 dt,   r = |o + t d|
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scenes that vtkAirlightPass draws once, distances and colours together, look as those that it draws
-// twice: the same scenes with an actor of a class that it does not know, which draws nothing.
+// Scenes that vtkAirlightPass draws once, distances and colours together, look as those that it
+// draws twice: the same scenes with an actor of a class that it does not know, which draws nothing.
 
 #include "AirlightTestScene.h"
 
@@ -94,8 +94,8 @@ bool AreAlike(vtkImageData* a, vtkImageData* b)
 }
 
 //------------------------------------------------------------------------------
-// In the recorded buffers, which take the way by recorded airlight, and in the picture, which may do
-// without.
+// In the recorded buffers, which take the way by recorded airlight, and in the picture, which may
+// do without.
 void CheckSameTwice(Stage& stage, const std::string& what)
 {
   const Buffers once = stage.Render();

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Translucent surfaces in fog: each fragment's colour becomes C T(t) + L(0, t) before it is blended,
-// with the shadows in the air before it and on it. Against the picture without them and brute force
-// (AirlightTestBruteForce.h) up to the surface. VTK's order-independent translucency is exact for one
-// layer; its depth peeling keeps 8 bits a layer.
+// Translucent surfaces in fog: each fragment's colour becomes C T(t) + L(0, t) before it is
+// blended, with the shadows in the air before it and on it. Against the picture without them and
+// brute force (AirlightTestBruteForce.h) up to the surface. VTK's order-independent translucency is
+// exact for one layer; its depth peeling keeps 8 bits a layer.
 
 #include "AirlightTestCompareScene.h"
 #include "AirlightTestTools.h"

@@ -56,8 +56,8 @@ void TestLongLists()
 }
 
 //------------------------------------------------------------------------------
-// How long a list is decides how it is read. Sheets that take 1e-5 of the light make lists longer and
-// hardly change the picture, also where lists become as long as one way of reading allows.
+// How long a list is decides how it is read. Sheets that take 1e-5 of the light make lists longer
+// and hardly change the picture, also where lists become as long as one way of reading allows.
 void TestLengthsOfLists()
 {
   Scene scene(32, 24);

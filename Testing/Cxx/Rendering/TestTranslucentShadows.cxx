@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Translucent casters dim the light in the air and on opaque surfaces behind them, by 1 - opacity a
-// layer and colour. Against brute force (AirlightTestBruteForce.h), and against the power law itself.
+// layer and colour. Against brute force (AirlightTestBruteForce.h), and against the power law
+// itself.
 
 #include "AirlightTestBodies.h"
 #include "AirlightTestCompareScene.h"
