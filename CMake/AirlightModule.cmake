@@ -23,6 +23,21 @@ foreach (file IN LISTS glsl)
   list(APPEND private_sources "${source}")
 endforeach ()
 
+# The list of phase functions for vtkPhaseFunction::NewByName(), from the CLASSES of the rooms.
+set(phase_function_includes "")
+set(phase_function_names "")
+foreach (class IN LISTS classes)
+  get_filename_component(name "${class}" NAME)
+  if (name MATCHES "^vtk.+PhaseFunction$")
+    string(APPEND phase_function_includes "#include \"${name}.h\"\n")
+    string(APPEND phase_function_names " X(${name})")
+  endif ()
+endforeach ()
+set(header "${CMAKE_CURRENT_BINARY_DIR}/AirlightPhaseFunctionClasses.h")
+file(CONFIGURE OUTPUT "${header}" @ONLY
+  CONTENT "${phase_function_includes}#define AIRLIGHT_PHASE_CLASSES(X)@phase_function_names@\n")
+list(APPEND private_headers "${header}")
+
 vtk_module_add_module("${_vtk_build_module}"
   CLASSES         ${classes}
   PRIVATE_CLASSES ${private_classes}

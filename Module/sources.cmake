@@ -3,7 +3,16 @@
 airlight_sources(
   CLASSES
     vtkAirlight
+    vtkCornetteShanksPhaseFunction
+    vtkHenyeyGreensteinPhaseFunction
+    vtkIsotropicPhaseFunction
+    vtkMieHazyPhaseFunction
+    vtkMieMurkyPhaseFunction
     vtkParticipatingMedium
+    vtkPhaseFunction
+    vtkRayleighPhaseFunction
+    vtkSchlickPhaseFunction
+    vtkTabulatedPhaseFunction
   GLSL
     glsl/Integrals/AirlightAmbient.glsl
     glsl/Integrals/AirlightExponentialIntegral.glsl

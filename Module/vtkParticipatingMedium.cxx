@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticipatingMedium.h"
 
-#include "Phase/AirlightPhaseFunctions.h"
+#include "Density/AirlightDensityGrid.h"
+#include "Medium/AirlightDerivedData.h"
+#include "Phase/AirlightMediumPhase.h"
+#include "Region/AirlightSurfaceTree.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +29,37 @@ bool IsLength(double distance) { return std::isfinite(distance) && distance >= S
 vtkStandardNewMacro(vtkParticipatingMedium);
 
 //------------------------------------------------------------------------------
+struct vtkParticipatingMedium::Internals
+{
+  airlight::MediumPhase Phase;
+  airlight::DerivedData<vtkPolyData, airlight::SurfaceTree> Surface{ "surface", "surface",
+    "The region is a surface and there is none: call SetSurface(). The medium is nowhere until "
+    "then." };
+  airlight::DerivedData<vtkImageData, airlight::DensityGrid> Image{ "density image", "image",
+    "The density is an image and there is none: call SetDensityImage(). The medium is nowhere "
+    "until then." };
+};
+
+//------------------------------------------------------------------------------
 vtkParticipatingMedium::vtkParticipatingMedium()
-  : PhaseTableRead(std::make_unique<airlight::PhaseTable>())
+  : Impl(std::make_unique<Internals>())
 {
 }
 
 vtkParticipatingMedium::~vtkParticipatingMedium() = default;
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::Apply(const airlight::Change& change)
+{
+  if (!change.Error.empty())
+  {
+    vtkErrorMacro(<< change.Error);
+  }
+  if (change.Changed)
+  {
+    this->Modified();
+  }
+}
 
 //------------------------------------------------------------------------------
 bool vtkParticipatingMedium::SetCoefficients(
@@ -52,6 +79,59 @@ bool vtkParticipatingMedium::SetCoefficients(
   if (!std::equal(values, values + 3, target))
   {
     std::copy(values, values + 3, target);
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkParticipatingMedium::SetVector(
+  const char* name, double target[3], double x, double y, double z)
+{
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+  {
+    vtkErrorMacro(<< name << " (" << x << ", " << y << ", " << z
+                  << ") must be finite; the old one stays.");
+    return false;
+  }
+  const double values[3] = { x, y, z };
+  if (!std::equal(values, values + 3, target))
+  {
+    std::copy(values, values + 3, target);
+    this->Modified();
+  }
+  return true;
+}
+
+// The vector is normalised. Its square may be beyond all numbers.
+bool vtkParticipatingMedium::SetDirection(
+  const char* name, double target[3], double x, double y, double z)
+{
+  const double largest = std::max({ std::abs(x), std::abs(y), std::abs(z) });
+  const bool finite = std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
+  if (!finite || largest == 0.0)
+  {
+    vtkErrorMacro(<< name << " (" << x << ", " << y << ", " << z
+                  << ") must be a direction: finite and not 0; the old one stays.");
+    return false;
+  }
+  const double v[3] = { x / largest, y / largest, z / largest };
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return this->SetVector(name, target, v[0] / length, v[1] / length, v[2] / length);
+}
+
+bool vtkParticipatingMedium::SetNumber(
+  const char* name, double& target, double value, bool accepted, const char* range)
+{
+  if (!std::isfinite(value) || !accepted)
+  {
+    vtkErrorMacro(<< name << " " << value << " must be " << range << "; it stays " << target
+                  << ".");
+    return false;
+  }
+  if (target != value)
+  {
+    target = value;
     this->Modified();
   }
   return true;
@@ -173,12 +253,241 @@ double vtkParticipatingMedium::GetMeanFreePath()
 }
 
 //------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetPhaseFunction(int type)
+{
+  this->Apply(this->Impl->Phase.SetType(type));
+}
+
+int vtkParticipatingMedium::GetPhaseFunction() { return this->Impl->Phase.GetType(); }
+
+void vtkParticipatingMedium::SetPhaseFunction(vtkPhaseFunction* function)
+{
+  this->Apply(this->Impl->Phase.SetFunction(function));
+}
+
+vtkPhaseFunction* vtkParticipatingMedium::GetPhaseFunctionObject()
+{
+  return this->Impl->Phase.GetFunction();
+}
+
+void vtkParticipatingMedium::SetAnisotropy(double g)
+{
+  this->Apply(this->Impl->Phase.SetAnisotropy(g));
+}
+
+double vtkParticipatingMedium::GetAnisotropy() { return this->Impl->Phase.GetAnisotropy(); }
+
+void vtkParticipatingMedium::SetPhaseTable(vtkTable* table)
+{
+  this->Apply(this->Impl->Phase.SetTable(table));
+}
+
+vtkTable* vtkParticipatingMedium::GetPhaseTable() { return this->Impl->Phase.GetTable(); }
+
+void vtkParticipatingMedium::SetPhaseTolerance(double tolerance)
+{
+  this->Apply(this->Impl->Phase.SetTolerance(tolerance));
+}
+
+double vtkParticipatingMedium::GetPhaseTolerance() { return this->Impl->Phase.GetTolerance(); }
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const airlight::PhaseShape> vtkParticipatingMedium::GetPhaseShape()
+{
+  airlight::Change problem;
+  const std::shared_ptr<const airlight::PhaseShape> shape =
+    this->Impl->Phase.GetShape(problem.Error);
+  this->Apply(problem);
+  return shape;
+}
+
+//------------------------------------------------------------------------------
+double vtkParticipatingMedium::GetPhaseErrorBound()
+{
+  return this->GetPhaseShape()->Fit.ErrorBound;
+}
+
+int vtkParticipatingMedium::GetNumberOfPhasePoles()
+{
+  return static_cast<int>(this->GetPhaseShape()->Fit.Poles.size());
+}
+
+void vtkParticipatingMedium::GetPhasePole(int index, double pole[4])
+{
+  const auto shape = this->GetPhaseShape();
+  const int count = static_cast<int>(shape->Fit.Poles.size());
+  airlight::PhasePole found;
+  if (index < 0 || index >= count)
+  {
+    vtkErrorMacro(<< "Phase pole " << index << " does not exist: there are " << count << ".");
+  }
+  else
+  {
+    found = shape->Fit.Poles[index];
+  }
+  pole[0] = found.b;
+  std::copy(found.c.begin(), found.c.end(), pole + 1);
+}
+
+void vtkParticipatingMedium::GetPhasePower(double power[2])
+{
+  const auto shape = this->GetPhaseShape();
+  power[0] = shape->Fit.Factor;
+  power[1] = shape->Fit.Exponent;
+}
+
+//------------------------------------------------------------------------------
+double vtkParticipatingMedium::EvaluatePhaseFunction(double cosTheta)
+{
+  if (std::isnan(cosTheta))
+  {
+    vtkErrorMacro("The cosine of the scattering angle is not a number.");
+    return 0.0;
+  }
+  airlight::Change problem;
+  const double value = this->Impl->Phase.Evaluate(cosTheta, problem.Error);
+  this->Apply(problem);
+  return value;
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetRegion(int type)
+{
+  if (type < UNBOUNDED || type > SURFACE)
+  {
+    vtkErrorMacro(<< "Region " << type
+                  << " is not a region: use UNBOUNDED, BOX, SPHERE or SURFACE.");
+    return;
+  }
+  if (this->Region != type)
+  {
+    this->Region = type;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetBounds(
+  double xmin, double xmax, double ymin, double ymax, double zmin, double zmax)
+{
+  const double bounds[6] = { xmin, xmax, ymin, ymax, zmin, zmax };
+  for (int i = 0; i < 6; i += 2)
+  {
+    if (!std::isfinite(bounds[i]) || !std::isfinite(bounds[i + 1]) || bounds[i] > bounds[i + 1])
+    {
+      vtkErrorMacro(<< "Bounds (" << xmin << ", " << xmax << ", " << ymin << ", " << ymax << ", "
+                    << zmin << ", " << zmax
+                    << ") must be finite, each minimum at most its maximum; the old ones stay.");
+      return;
+    }
+  }
+  if (!std::equal(bounds, bounds + 6, this->Bounds))
+  {
+    std::copy(bounds, bounds + 6, this->Bounds);
+    this->Modified();
+  }
+}
+
+void vtkParticipatingMedium::SetBounds(const double bounds[6])
+{
+  this->SetBounds(bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetCenter(double x, double y, double z)
+{
+  this->SetVector("Center", this->Center, x, y, z);
+}
+
+void vtkParticipatingMedium::SetCenter(const double center[3])
+{
+  this->SetCenter(center[0], center[1], center[2]);
+}
+
+void vtkParticipatingMedium::SetRadius(double radius)
+{
+  this->SetNumber("Radius", this->Radius, radius, radius >= 0.0, "finite and at least 0");
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetSurface(vtkPolyData* surface)
+{
+  this->Apply(this->Impl->Surface.Set(surface));
+}
+
+vtkPolyData* vtkParticipatingMedium::GetSurface() { return this->Impl->Surface.Get(); }
+
+std::shared_ptr<const airlight::SurfaceTree> vtkParticipatingMedium::GetSurfaceTree()
+{
+  if (this->Region != SURFACE)
+  {
+    return nullptr;
+  }
+  airlight::Change problem;
+  const auto tree = this->Impl->Surface.Update(this->GetMTime(), problem.Error);
+  this->Apply(problem);
+  return tree;
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetDensity(int type)
+{
+  if (type < UNIFORM || type > IMAGE)
+  {
+    vtkErrorMacro(<< "Density " << type
+                  << " is not a density: use UNIFORM, EXPONENTIAL_HEIGHT or IMAGE.");
+    return;
+  }
+  if (this->Density != type)
+  {
+    this->Density = type;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetScaleHeight(double height)
+{
+  this->SetNumber("ScaleHeight", this->ScaleHeight, height, height > 0.0, "finite and above 0");
+}
+
+void vtkParticipatingMedium::SetReferenceHeight(double height)
+{
+  this->SetNumber("ReferenceHeight", this->ReferenceHeight, height, true, "finite");
+}
+
+void vtkParticipatingMedium::SetUp(double x, double y, double z)
+{
+  this->SetDirection("Up", this->Up, x, y, z);
+}
+
+void vtkParticipatingMedium::SetUp(const double up[3]) { this->SetUp(up[0], up[1], up[2]); }
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetDensityImage(vtkImageData* image)
+{
+  this->Apply(this->Impl->Image.Set(image));
+}
+
+vtkImageData* vtkParticipatingMedium::GetDensityImage() { return this->Impl->Image.Get(); }
+
+std::shared_ptr<const airlight::DensityGrid> vtkParticipatingMedium::GetDensityGrid()
+{
+  if (this->Density != IMAGE)
+  {
+    return nullptr;
+  }
+  airlight::Change problem;
+  const auto grid = this->Impl->Image.Update(this->GetMTime(), problem.Error);
+  this->Apply(problem);
+  return grid;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkParticipatingMedium::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  time = this->PhaseTable ? std::max(time, this->PhaseTable->GetMTime()) : time;
-  time = this->DensityImage ? std::max(time, this->DensityImage->GetMTime()) : time;
-  return this->Surface ? std::max(time, this->Surface->GetMTime()) : time;
+  return std::max({ this->Superclass::GetMTime(), this->Impl->Phase.GetMTime(),
+    this->Impl->Surface.GetMTime(), this->Impl->Image.GetMTime() });
 }
 
 //------------------------------------------------------------------------------
@@ -191,7 +500,7 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   print3("Scattering", this->Scattering);
   print3("Absorption", this->Absorption);
   print3("AmbientRadiance", this->AmbientRadiance);
-  this->PrintPhase(os, indent);
+  this->Impl->Phase.Print(os, indent);
   const char* regions[] = { "Unbounded", "Box", "Sphere", "Surface" };
   os << indent << "Region: " << regions[this->Region] << "\n";
   os << indent << "Bounds: (" << this->Bounds[0];
@@ -202,10 +511,10 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   os << ")\n";
   print3("Center", this->Center);
   os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Surface: " << this->Surface.Get() << "\n";
+  os << indent << "Surface: " << this->GetSurface() << "\n";
   const char* densities[] = { "Uniform", "ExponentialHeight", "Image" };
   os << indent << "Density: " << densities[this->Density] << "\n";
-  os << indent << "DensityImage: " << this->DensityImage.Get() << "\n";
+  os << indent << "DensityImage: " << this->GetDensityImage() << "\n";
   os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
   os << indent << "ReferenceHeight: " << this->ReferenceHeight << "\n";
   print3("Up", this->Up);

@@ -21,19 +21,20 @@
 
 #include "vtkAirlightModule.h" // for export macro
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // for the phase table, the surface and the image
+#include "vtkSmartPointer.h" // for code that relies on this header for it
 
 #include <memory> // for the phase function, the surface and the image
 
 class vtkImageData;
+class vtkPhaseFunction;
 class vtkPolyData;
 class vtkTable;
 
 namespace airlight
 {
+struct Change;
 class DensityGrid;
 struct PhaseShape;
-class PhaseTable;
 class SurfaceTree;
 }
 
@@ -120,7 +121,8 @@ public:
                            ///< (1992); by a fit, at g = 0 exactly Rayleigh's
     MIE_HAZY = 5,          ///< (1/2 + 9/2 ((1 + mu)/2)^8)/(4 pi) (Nishita et al. 1987)
     MIE_MURKY = 6,         ///< (1/2 + 33/2 ((1 + mu)/2)^32)/(4 pi) (Nishita et al. 1987)
-    TABULATED = 7          ///< measured, see SetPhaseTable(); by a fit
+    TABULATED = 7,         ///< measured, see SetPhaseTable(); by a fit
+    OBJECT = 8             ///< an object, see SetPhaseFunction(vtkPhaseFunction*)
   };
 
   ///@{
@@ -129,9 +131,12 @@ public:
    * in closed form. Henyey and Greenstein's, Cornette and Shanks' and tables are fitted, see
    * SetPhaseTolerance(). Mie's are evaluated exactly and integrated by quadrature, which costs
    * more, since a few poles cannot represent their high powers without losing digits.
+   *
+   * OBJECT selects the object given last, see below; without one it is an error. Other numbers are
+   * errors, too, and the old function is kept.
    */
   void SetPhaseFunction(int type);
-  vtkGetMacro(PhaseFunction, int);
+  int GetPhaseFunction();
   void SetPhaseFunctionToIsotropic() { this->SetPhaseFunction(ISOTROPIC); }
   void SetPhaseFunctionToHenyeyGreenstein() { this->SetPhaseFunction(HENYEY_GREENSTEIN); }
   void SetPhaseFunctionToRayleigh() { this->SetPhaseFunction(RAYLEIGH); }
@@ -144,16 +149,26 @@ public:
 
   ///@{
   /**
+   * Selects a phase function object, which has parameters of its own: SetAnisotropy() and
+   * SetPhaseTable() do not affect it. Several media may share it. Null removes the object, and
+   * selects ISOTROPIC if the object was in use. Default: null.
+   */
+  void SetPhaseFunction(vtkPhaseFunction* function);
+  vtkPhaseFunction* GetPhaseFunctionObject();
+  ///@}
+
+  ///@{
+  /**
    * The parameter of the functions of Henyey and Greenstein (g, the mean cosine of the scattering
    * angle), Cornette and Shanks (g) and Schlick (k; k = 1.55 g - 0.55 g^3 approximates Henyey and
    * Greenstein's g): above 0 forward, below 0 backward. Range: [-0.99, 0.99]. Default: 0.
    *
-   * The other functions have none: a value other than 0 with one of them selected is an error, and
-   * the old value is kept. A script may set it before it selects the function; if it then selects
-   * none, the error is reported when the medium is used.
+   * It may be set before or after the function is selected. The other functions ignore it. If a
+   * value other than 0 is set and no function that has one is selected before the medium is used,
+   * an error is reported then.
    */
   void SetAnisotropy(double g);
-  vtkGetMacro(Anisotropy, double);
+  double GetAnisotropy();
   ///@}
 
   ///@{
@@ -175,14 +190,15 @@ public:
    * and more time. Range: [1e-6, 0.1]. Default: 1e-3.
    */
   void SetPhaseTolerance(double tolerance);
-  vtkGetMacro(PhaseTolerance, double);
+  double GetPhaseTolerance();
   ///@}
 
   /**
    * The relative error of the fit: 0 for functions that need no fit. It exceeds the tolerance only
    * at extreme anisotropy, if GetNumberOfPhasePoles() is at its limit. A table that no fit matches
    * within the tolerance is used directly, without poles and error, and integrated by quadrature as
-   * Mie's functions are.
+   * Mie's functions are. So is an object that no fit matches, through a table of it with a relative
+   * error of about 1e-6.
    */
   double GetPhaseErrorBound();
 
@@ -354,7 +370,8 @@ public:
   ///@}
 
   /**
-   * The last modification of the medium, its phase table, its surface or its image.
+   * The last modification of the medium, its phase function's object or table, its surface or its
+   * image.
    */
   vtkMTimeType GetMTime() override;
 
@@ -379,12 +396,14 @@ private:
   vtkParticipatingMedium(const vtkParticipatingMedium&) = delete;
   void operator=(const vtkParticipatingMedium&) = delete;
 
+  struct Internals;
+
+  void Apply(const airlight::Change& change);
   bool SetCoefficients(const char* name, double target[3], double r, double g, double b);
   bool SetVector(const char* name, double target[3], double x, double y, double z);
+  bool SetDirection(const char* name, double target[3], double x, double y, double z);
   bool SetNumber(const char* name, double& target, double value, bool accepted, const char* range);
   void ScaleExtinction(double meanExtinction);
-  airlight::PhaseTable ReadPhaseTable();
-  void PrintPhase(ostream& os, vtkIndent indent);
 
   double Scattering[3] = { 0.0, 0.0, 0.0 };
   double Absorption[3] = { 0.0, 0.0, 0.0 };
@@ -392,35 +411,17 @@ private:
   double Albedo[3] = { 1.0, 1.0, 1.0 };     // returned by GetAlbedo()
   double AmbientRadiance[3] = { 0.0, 0.0, 0.0 };
 
-  int PhaseFunction = ISOTROPIC;
-  double Anisotropy = 0.0;
-  double PhaseTolerance = 1e-3;
-
-  vtkSmartPointer<vtkTable> PhaseTable;
-  std::unique_ptr<airlight::PhaseTable> PhaseTableRead; // as fitted; empty if it is no good
-  bool PhaseFunctionChosen = false;                     // rather than the default
-  bool AnisotropyUnused = false;                        // set before a function was chosen
-
-  std::shared_ptr<const airlight::PhaseShape> Phase; // null where it has to be found anew
-  vtkMTimeType PhaseTime = 0;                        // of the table when it was found
-
   int Region = UNBOUNDED;
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Radius = 1.0;
-  vtkSmartPointer<vtkPolyData> Surface;
-  std::shared_ptr<const airlight::SurfaceTree> Tree; // of the surface
-  vtkMTimeType TreeTime = 0;                         // of the surface when the tree was made
-  vtkMTimeType MissingSurfaceTime = 0;               // of the medium when the error was reported
 
   int Density = UNIFORM;
   double ScaleHeight = 1.0;
   double ReferenceHeight = 0.0;
   double Up[3] = { 0.0, 1.0, 0.0 };
-  vtkSmartPointer<vtkImageData> DensityImage;
-  std::shared_ptr<const airlight::DensityGrid> Grid; // of the image
-  vtkMTimeType GridTime = 0;                         // of the image when the grid was made
-  vtkMTimeType MissingImageTime = 0;                 // of the medium when the error was reported
+
+  std::unique_ptr<Internals> Impl; // phase function, surface and image
 };
 
 #endif

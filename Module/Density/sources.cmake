@@ -4,5 +4,4 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightDensityGrid
   SOURCES
-    AirlightGridQuadrature.cxx
-    vtkParticipatingMediumDensity.cxx)
+    AirlightGridQuadrature.cxx)

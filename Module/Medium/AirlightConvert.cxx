@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Medium/AirlightConvert.h"
 
-#include "Phase/AirlightPhaseFit.h"
+#include "Phase/AirlightPhaseShape.h"
 #include "Region/AirlightSurfaceTree.h"
 
 #include "vtkAirlight.h"

@@ -4,5 +4,7 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightConvert
   HEADERS
+    AirlightChange.h
+    AirlightDerivedData.h
     AirlightMediaList.h
     AirlightMediaMethods.h)

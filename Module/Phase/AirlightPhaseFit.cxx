@@ -86,7 +86,9 @@ PhaseFit FitPoles(const PoleFitter& fitter, const PoleFitter& check, Eigen::Vect
   Equalise(fitter, 0.0, logB, c);
   return MakeFit(check, logB, c);
 }
+}
 
+//------------------------------------------------------------------------------
 // Backward scattering is the mirror image, s becomes 1/s: the simple pole b becomes 1/b and c
 // becomes c/b^2; the polynomial c1 + c2 m + c3 m^2 in m = (1 + cos)/2 takes 1 - m.
 PhaseFit Mirror(const PhaseFit& fit)
@@ -105,8 +107,6 @@ PhaseFit Mirror(const PhaseFit& fit)
     }
   }
   return result;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -191,6 +191,21 @@ PhaseFit FitHenyeyGreenstein(double g, double tolerance, int maximumPoles)
 }
 
 //------------------------------------------------------------------------------
+PhaseFit FitPeaked(const PhaseFunction& function, double g, double tolerance, int maximumPoles)
+{
+  const PoleFitter fitter(function, LogarithmicSamples(FitSamples), 3);
+  const PoleFitter check(function, LogarithmicSamples(CheckSamples), 3);
+  PhaseSearch search(fitter, check, tolerance);
+  // Poles near the fixed one would cancel with it.
+  const double apart = std::max(g, 0.3);
+  for (int n = 0; n < maximumPoles && !search.IsDone(); ++n)
+  {
+    search.Try(ZolotarevPoles((1.0 - apart) / (1.0 + apart), n));
+  }
+  return search.GetBest();
+}
+
+//------------------------------------------------------------------------------
 PhaseFit FitCornetteShanks(double g, double tolerance, int maximumPoles)
 {
   if (g == 0.0)
@@ -198,17 +213,9 @@ PhaseFit FitCornetteShanks(double g, double tolerance, int maximumPoles)
     return ExactRayleigh();
   }
   const double forward = std::abs(g);
-  const PhaseFunction function = [&](double s) { return CornetteShanks(forward, s); };
-  const PoleFitter fitter(function, LogarithmicSamples(FitSamples), 3);
-  const PoleFitter check(function, LogarithmicSamples(CheckSamples), 3);
-  PhaseSearch search(fitter, check, tolerance);
-  // Poles near the fixed one would cancel with it.
-  const double apart = std::max(forward, 0.3);
-  for (int n = 0; n < maximumPoles && !search.IsDone(); ++n)
-  {
-    search.Try(ZolotarevPoles((1.0 - apart) / (1.0 + apart), n));
-  }
-  return g > 0.0 ? search.GetBest() : Mirror(search.GetBest());
+  const PhaseFit fit = FitPeaked(
+    [=](double s) { return CornetteShanks(forward, s); }, forward, tolerance, maximumPoles);
+  return g > 0.0 ? fit : Mirror(fit);
 }
 
 //------------------------------------------------------------------------------
@@ -247,17 +254,10 @@ bool IsHopeless(const std::vector<double>& errors, double tolerance, int maximum
   const double gain = 1.5 * std::sqrt(errors[n - 3] / errors[n - 1]);
   return errors[n - 1] > tolerance * std::pow(gain, maximumPoles - static_cast<double>(n));
 }
-}
 
-//------------------------------------------------------------------------------
-PhaseFit FitTable(const PhaseTable& table, double tolerance, int maximumPoles)
+// With ever more poles, as long as it helps.
+void SearchEverywhere(PhaseSearch& search, double tolerance, int maximumPoles)
 {
-  const PhaseFunction function = [&](double s) { return table.Evaluate(s); };
-  const int rows = static_cast<int>(table.GetRows().size());
-  const int perRow = std::clamp(240 / rows, 1, 4);
-  const PoleFitter fitter(function, TableSamples(table, perRow), 3);
-  const PoleFitter check(function, TableSamples(table, 4 * perRow), 3);
-  PhaseSearch search(fitter, check, tolerance);
   // From even ratios between a narrow peak and a wide one, forward alone or backward, too.
   constexpr double ranges[3][2] = { { 0.03, 0.8 }, { 0.2, 3.0 }, { 0.03, 30.0 } };
   std::vector<double> errors;
@@ -271,6 +271,29 @@ PhaseFit FitTable(const PhaseTable& table, double tolerance, int maximumPoles)
     }
     errors.push_back(search.GetBest().ErrorBound);
   }
+}
+}
+
+//------------------------------------------------------------------------------
+PhaseFit FitTable(const PhaseTable& table, double tolerance, int maximumPoles)
+{
+  const PhaseFunction function = [&](double s) { return table.Evaluate(s); };
+  const int rows = static_cast<int>(table.GetRows().size());
+  const int perRow = std::clamp(240 / rows, 1, 4);
+  const PoleFitter fitter(function, TableSamples(table, perRow), 3);
+  const PoleFitter check(function, TableSamples(table, 4 * perRow), 3);
+  PhaseSearch search(fitter, check, tolerance);
+  SearchEverywhere(search, tolerance, maximumPoles);
   return Measure(PoleFitter(function, TableSamples(table, 32), 3), search.GetBest());
+}
+
+//------------------------------------------------------------------------------
+PhaseFit FitFunction(const PhaseFunction& function, double tolerance, int maximumPoles)
+{
+  const PoleFitter fitter(function, LogarithmicSamples(FitSamples), 3);
+  const PoleFitter check(function, LogarithmicSamples(CheckSamples), 3);
+  PhaseSearch search(fitter, check, tolerance);
+  SearchEverywhere(search, tolerance, maximumPoles);
+  return search.GetBest();
 }
 }

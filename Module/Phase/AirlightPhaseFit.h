@@ -11,14 +11,13 @@
 #define AirlightPhaseFit_h
 
 #include "Integration/AirlightMath.h"
+#include "Phase/AirlightPhaseFunctions.h"
 
 #include <array>
 #include <vector>
 
 namespace airlight
 {
-class PhaseTable;
-
 struct PhasePole
 {
   double b = 1.0;
@@ -34,13 +33,6 @@ struct PhaseFit
   // Largest relative error over all angles. Because phase functions are positive it also bounds
   // the relative error of any integral of airlight.
   double ErrorBound = 0.0;
-};
-
-// A medium's phase function: a fit, or the rows of a table that no fit follows closely enough.
-struct PhaseShape
-{
-  PhaseFit Fit;
-  std::vector<glm::dvec4> Rows;
 };
 
 // For the mathematics.
@@ -61,6 +53,15 @@ PhaseFit ExactMie(int n);
 PhaseFit FitHenyeyGreenstein(double g, double tolerance, int maximumPoles);
 PhaseFit FitCornetteShanks(double g, double tolerance, int maximumPoles);
 PhaseFit FitTable(const PhaseTable& table, double tolerance, int maximumPoles);
+
+// The same of any function with a forward peak like Henyey and Greenstein's of this g, 0 < g < 1.
+PhaseFit FitPeaked(const PhaseFunction& function, double g, double tolerance, int maximumPoles);
+
+// The same of any function.
+PhaseFit FitFunction(const PhaseFunction& function, double tolerance, int maximumPoles);
+
+// The fit with forward and backward exchanged.
+PhaseFit Mirror(const PhaseFit& fit);
 }
 
 #endif

@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ class vtkTable;
 
 namespace airlight
 {
+using PhaseFunction = std::function<double(double)>; // of s
+
 // Henyey and Greenstein 1941: (1 - g^2)/(4 pi (1 + g^2 - 2 g cos)^(3/2)).
 double HenyeyGreenstein(double g, double s);
 

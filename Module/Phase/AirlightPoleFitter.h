@@ -7,15 +7,14 @@
 #ifndef AirlightPoleFitter_h
 #define AirlightPoleFitter_h
 
+#include "Phase/AirlightPhaseFunctions.h"
+
 #include <Eigen/Dense>
 
-#include <functional>
 #include <vector>
 
 namespace airlight
 {
-using PhaseFunction = std::function<double(double)>; // of s
-
 // The samples of a function and the terms of a fit. Beside the simple poles, which move, there may
 // be fixed terms: the powers 1 to `fixedTerms` of the pole b = 1, polynomials in the cosine. The
 // vector c of weights has the simple poles' first.

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
+    AirlightMediumPhase
     AirlightPhaseFit
     AirlightPhaseFunctions
+    AirlightPhaseSampler
     AirlightPhaseSearch
-    AirlightPoleFitter
-  SOURCES
-    vtkParticipatingMediumPhase.cxx)
+    AirlightPhaseShape
+    AirlightPoleFitter)

@@ -5,5 +5,4 @@ airlight_sources(
     AirlightSurfaceTree
     AirlightTriangulate
   SOURCES
-    AirlightSurfaceOrientation.cxx
-    vtkParticipatingMediumRegion.cxx)
+    AirlightSurfaceOrientation.cxx)

@@ -3,7 +3,7 @@
 #include "Scene/AirlightSceneLights.h"
 
 #include "Integration/AirlightMatrix.h"
-#include "Phase/AirlightPhaseFit.h"
+#include "Phase/AirlightPhaseShape.h"
 #include "Region/AirlightSurfaceTree.h"
 #include "Scene/AirlightCameraUniforms.h"
 #include "vtkCamera.h"

@@ -49,6 +49,7 @@ class TestPackage(unittest.TestCase):
 
     def test_constants(self):
         medium = airlight.vtkParticipatingMedium()
+        medium.SetPhaseFunction(airlight.vtkRayleighPhaseFunction())  # for OBJECT
         kind = airlight.vtkParticipatingMedium.PhaseFunctionType
         constants = {name: value for name, value in vars(airlight.vtkParticipatingMedium).items()
                      if isinstance(value, kind)}

@@ -122,7 +122,7 @@ private:
 inline std::string DescribePhase(vtkParticipatingMedium* medium)
 {
   static const char* const names[] = { "isotropic", "Henyey-Greenstein", "Rayleigh", "Schlick",
-    "Cornette-Shanks", "Mie hazy", "Mie murky", "table" };
+    "Cornette-Shanks", "Mie hazy", "Mie murky", "table", "object" };
   return Text(names[medium->GetPhaseFunction()], " ", medium->GetAnisotropy(), ", tolerance ",
     medium->GetPhaseTolerance(), ", poles ", medium->GetNumberOfPhasePoles());
 }

@@ -7,7 +7,9 @@
 #include "scene/Scene.h"
 
 #include <vtkParticipatingMedium.h>
+#include <vtkPhaseFunction.h>
 
+#include <sstream>
 #include <vector>
 
 namespace airlight
@@ -17,25 +19,37 @@ namespace airlight
 void ParsePhase(const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
 {
   const std::vector<std::string> parts = SplitText(text, ':');
-  const PhaseName* phase = FindPhaseName(parts[0]);
+  const vtkSmartPointer<vtkPhaseFunction> phase = MakePhaseFunction(parts[0]);
   if (!phase)
   {
     FailOption(option, text, "one of " + ListPhaseNames() + "; for a table, use --phase-table");
   }
-  if (!phase->Parameter && parts.size() != 1)
+  const int count = phase->GetNumberOfParameters();
+  if (count == 0 && parts.size() != 1)
   {
     FailOption(option, text, parts[0] + " alone: it has no parameter");
   }
-  double anisotropy = 0.0;
-  if (phase->Parameter &&
-    (parts.size() != 2 || !GetNumber(parts[1], anisotropy) ||
-      !IsInRange({ anisotropy }, -MaximumAnisotropy, MaximumAnisotropy)))
+  bool valid = static_cast<int>(parts.size()) == count + 1;
+  std::ostringstream form;
+  form << GetPhaseForm(phase) << " with a number";
+  for (int i = 0; i < count; ++i)
   {
-    FailOption(option, text,
-      parts[0] + ":" + phase->Parameter + " with a number of -0.99 to 0.99 for " +
-        phase->Parameter);
+    double range[2];
+    double value = 0.0;
+    phase->GetParameterRange(i, range);
+    form << (i == 0 ? "" : " and") << " of " << range[0] << " to " << range[1] << " for "
+         << phase->GetParameterName(i);
+    valid = valid && GetNumber(parts[i + 1], value) && IsInRange({ value }, range[0], range[1]);
+    if (valid)
+    {
+      phase->SetParameter(phase->GetParameterName(i), value);
+    }
   }
-  SetPhase(medium, *phase, anisotropy);
+  if (!valid)
+  {
+    FailOption(option, text, form.str());
+  }
+  medium->SetPhaseFunction(phase);
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,8 @@
 #include "scene/ModelScene.h"
 #include "scene/PhaseName.h"
 
+#include <vtkParticipatingMedium.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -33,7 +35,7 @@ what it names and leaves the rest as the file has it.)";
 
 // An option with one value, which leaves the words after it to others.
 CLI::Option* AddText(
-  CLI::App* command, const char* name, std::vector<std::string>& texts, const char* help)
+  CLI::App* command, const char* name, std::vector<std::string>& texts, const std::string& help)
 {
   return command->add_option(name, texts, help)->expected(1)->allow_extra_args(false);
 }
@@ -141,8 +143,8 @@ void SceneOptions::AddPhaseOptions(CLI::App* command, std::vector<CLI::Option*>&
     "Mean cosine g of the Henyey-Greenstein phase function, -0.99 to 0.99, above 0 forward; 0 is "
     "isotropic");
   CLI::Option* phase = AddText(command, "--phase", this->Phase,
-    "Phase function: isotropic, rayleigh, mie_hazy, mie_murky, henyey_greenstein:g, schlick:k or "
-    "cornette_shanks:g, with g or k from -0.99 to 0.99, above 0 forward");
+    "Phase function, one of " + ListPhaseForms() +
+      "; g and k are from -0.99 to 0.99, above 0 forward");
   CLI::Option* table = AddText(command, "--phase-table", this->PhaseTable,
     "FILE: measured phase function, lines of angle,value: the scattering angle in degrees, "
     "ascending from 0 (forward) to 180, and a value above 0 in any unit");
@@ -223,8 +225,8 @@ void SceneOptions::ChangePhase(vtkParticipatingMedium* medium) const
 {
   for (const std::string& text : this->Anisotropy)
   {
-    SetPhase(medium, *FindPhaseName("henyey_greenstein"),
-      ParseNumber("--anisotropy", text, -MaximumAnisotropy, MaximumAnisotropy));
+    medium->SetPhaseFunctionToHenyeyGreenstein();
+    medium->SetAnisotropy(ParseNumber("--anisotropy", text, -MaximumAnisotropy, MaximumAnisotropy));
   }
   for (const std::string& text : this->Phase)
   {

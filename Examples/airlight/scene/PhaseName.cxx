@@ -2,59 +2,119 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/PhaseName.h"
 
-#include <vtkParticipatingMedium.h>
+#include <vtkPhaseFunction.h>
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 
 namespace airlight
 {
 
 namespace
 {
-using Medium = vtkParticipatingMedium;
+// "henyey_greenstein" of "HenyeyGreenstein".
+std::string ToFileName(const std::string& name)
+{
+  std::string result;
+  for (const char c : name)
+  {
+    const auto letter = static_cast<unsigned char>(c);
+    result += std::isupper(letter) && !result.empty() ? "_" : "";
+    result += static_cast<char>(std::tolower(letter));
+  }
+  return result;
+}
 
-// Schlick's k is not the mean cosine g: another letter, lest one is taken for the other.
-const std::array<PhaseName, 7> Names = { {
-  { "isotropic", Medium::ISOTROPIC, nullptr },
-  { "rayleigh", Medium::RAYLEIGH, nullptr },
-  { "henyey_greenstein", Medium::HENYEY_GREENSTEIN, "g" },
-  { "schlick", Medium::SCHLICK, "k" },
-  { "cornette_shanks", Medium::CORNETTE_SHANKS, "g" },
-  { "mie_hazy", Medium::MIE_HAZY, nullptr },
-  { "mie_murky", Medium::MIE_MURKY, nullptr },
-} };
+// One of each, but for the one that needs a file.
+std::vector<vtkSmartPointer<vtkPhaseFunction>> MakeAll()
+{
+  std::vector<vtkSmartPointer<vtkPhaseFunction>> all;
+  for (int i = 0; i < vtkPhaseFunction::GetNumberOfClasses(); ++i)
+  {
+    const std::string name = vtkPhaseFunction::GetNameOfClass(i);
+    if (name != "Tabulated")
+    {
+      all.push_back(vtkSmartPointer<vtkPhaseFunction>::Take(vtkPhaseFunction::NewByName(name)));
+    }
+  }
+  // Those without parameters first.
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a->GetNumberOfParameters() < b->GetNumberOfParameters();
+  });
+  return all;
+}
+
+template <typename Describe>
+std::string List(const Describe& describe)
+{
+  std::string list;
+  for (vtkPhaseFunction* function : MakeAll())
+  {
+    list += (list.empty() ? "" : ", ") + describe(function);
+  }
+  return list;
+}
 }
 
 //------------------------------------------------------------------------------
-const PhaseName* FindPhaseName(const std::string& name)
+vtkSmartPointer<vtkPhaseFunction> MakePhaseFunction(const std::string& name)
 {
-  const auto* found = std::find_if(
-    Names.begin(), Names.end(), [&name](const PhaseName& phase) { return name == phase.Name; });
-  return found == Names.end() ? nullptr : found;
+  for (vtkPhaseFunction* function : MakeAll())
+  {
+    if (name == ToFileName(function->GetName()))
+    {
+      return function;
+    }
+  }
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------
 std::string ListPhaseNames()
 {
-  std::string list;
-  for (const PhaseName& phase : Names)
-  {
-    list += (list.empty() ? "" : ", ") + std::string(phase.Name);
-  }
-  return list;
+  return List([](vtkPhaseFunction* function) { return ToFileName(function->GetName()); });
 }
 
 //------------------------------------------------------------------------------
-void SetPhase(vtkParticipatingMedium* medium, const PhaseName& phase, double anisotropy)
+std::vector<std::string> GetPhaseParameters(vtkPhaseFunction* function)
 {
-  // Where Henyey and Greenstein's function is the isotropic one, the latter needs no fit.
-  const bool even = phase.Type == Medium::HENYEY_GREENSTEIN && anisotropy == 0.0;
-  medium->SetPhaseFunction(even ? Medium::ISOTROPIC : phase.Type);
-  if (phase.Parameter && !even)
+  std::vector<std::string> names;
+  for (int i = 0; i < function->GetNumberOfParameters(); ++i)
   {
-    medium->SetAnisotropy(anisotropy);
+    names.push_back(function->GetParameterName(i));
   }
+  return names;
 }
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetAllPhaseParameters()
+{
+  std::vector<std::string> all;
+  for (vtkPhaseFunction* function : MakeAll())
+  {
+    for (const std::string& name : GetPhaseParameters(function))
+    {
+      if (std::find(all.begin(), all.end(), name) == all.end())
+      {
+        all.push_back(name);
+      }
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+std::string GetPhaseForm(vtkPhaseFunction* function)
+{
+  std::string form = ToFileName(function->GetName());
+  for (const std::string& name : GetPhaseParameters(function))
+  {
+    form += ":" + name;
+  }
+  return form;
+}
+
+//------------------------------------------------------------------------------
+std::string ListPhaseForms() { return List(GetPhaseForm); }
 
 }

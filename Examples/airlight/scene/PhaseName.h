@@ -1,32 +1,30 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Phase functions by name, as scene files and command lines have them.
+ * Phase functions by name, as scene files and command lines have them: those of
+ * vtkPhaseFunction::NewByName() in small letters, such as "henyey_greenstein".
  */
 
 #ifndef PhaseName_h
 #define PhaseName_h
 
-#include <string>
+#include <vtkSmartPointer.h>
 
-class vtkParticipatingMedium;
+#include <string>
+#include <vector>
+
+class vtkPhaseFunction;
 
 namespace airlight
 {
 
 constexpr double MaximumAnisotropy = 0.99;
 
-struct PhaseName
-{
-  const char* Name;
-  int Type;              ///< vtkParticipatingMedium::PhaseFunctionType
-  const char* Parameter; ///< what its anisotropy is called, null if it has none
-};
-
 /**
- * Null for an unknown name. The tabulated function is not among them: it needs a file.
+ * A new phase function; null for an unknown name. The tabulated one is not among them: it needs a
+ * file.
  */
-const PhaseName* FindPhaseName(const std::string& name);
+vtkSmartPointer<vtkPhaseFunction> MakePhaseFunction(const std::string& name);
 
 /**
  * All names, separated by commas.
@@ -34,9 +32,24 @@ const PhaseName* FindPhaseName(const std::string& name);
 std::string ListPhaseNames();
 
 /**
- * Let the medium scatter by this function; the anisotropy counts where it has a parameter.
+ * The names of a function's parameters.
  */
-void SetPhase(vtkParticipatingMedium* medium, const PhaseName& phase, double anisotropy);
+std::vector<std::string> GetPhaseParameters(vtkPhaseFunction* function);
+
+/**
+ * The parameters of all functions.
+ */
+std::vector<std::string> GetAllPhaseParameters();
+
+/**
+ * A function on the command line, its name and its parameters: "henyey_greenstein:g".
+ */
+std::string GetPhaseForm(vtkPhaseFunction* function);
+
+/**
+ * All of them, separated by commas.
+ */
+std::string ListPhaseForms();
 
 }
 

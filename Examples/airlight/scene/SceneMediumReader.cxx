@@ -9,6 +9,10 @@
 #include "scene/SceneFile.h"
 
 #include <vtkMath.h>
+#include <vtkPhaseFunction.h>
+
+#include <string>
+#include <vector>
 
 namespace airlight
 {
@@ -18,7 +22,9 @@ namespace
 void ReadPhase(
   const LocatedJson& json, const std::string& sceneFile, vtkParticipatingMedium* medium)
 {
-  json.CheckKeys({ "type" }, { "g", "k", "table" });
+  std::vector<std::string> keys = GetAllPhaseParameters();
+  keys.emplace_back("table");
+  json.CheckKeys({ "type" }, keys);
   const std::string type = json["type"].GetString();
   if (type == "tabulated")
   {
@@ -28,22 +34,22 @@ void ReadPhase(
     UseSceneFile(table, [&file, medium] { ReadPhaseTable(file, medium); });
     return;
   }
-  const PhaseName* phase = FindPhaseName(type);
+  const vtkSmartPointer<vtkPhaseFunction> phase = MakePhaseFunction(type);
   if (!phase)
   {
     json["type"].Fail("must be one of " + ListPhaseNames() + ", tabulated, not \"" + type + "\"");
   }
-  double anisotropy = 0.0;
-  if (phase->Parameter)
+  keys = GetPhaseParameters(phase);
+  keys.insert(keys.begin(), "type");
+  json.CheckKeys(keys);
+  for (int i = 0; i < phase->GetNumberOfParameters(); ++i)
   {
-    json.CheckKeys({ "type", phase->Parameter });
-    anisotropy = json[phase->Parameter].GetNumber(-MaximumAnisotropy, MaximumAnisotropy);
+    const std::string name = phase->GetParameterName(i);
+    double range[2];
+    phase->GetParameterRange(i, range);
+    phase->SetParameter(name, json[name].GetNumber(range[0], range[1]));
   }
-  else
-  {
-    json.CheckKeys({ "type" });
-  }
-  SetPhase(medium, *phase, anisotropy);
+  medium->SetPhaseFunction(phase);
 }
 
 void ReadBox(const LocatedJson& json, vtkParticipatingMedium* medium)

@@ -179,7 +179,7 @@ void TestTableChanges()
   table->Modified();
   Check(medium->GetMTime() > time, "a modified table modifies the medium");
   CheckNear(contrast(), 1.1, "contrast of the modified table");
-  Check(medium->GetPhaseErrorBound() != bound, "a modified table is fitted anew");
+  Check(medium->GetPhaseErrorBound() != bound, "a modified table is fitted again");
   Check(errors.Take() == 0, "no error while the table is good");
 
   table->SetValue(3, 1, vtkVariant(-2.0));
@@ -194,41 +194,76 @@ void TestTableChanges()
 
   table->SetValue(3, 1, vtkVariant(2.0));
   table->Modified();
-  CheckNear(contrast(), 1.1, "contrast of the mended table");
-  Check(errors.Take() == 0, "no error once the table is mended");
+  CheckNear(contrast(), 1.1, "contrast of the fixed table");
+  Check(errors.Take() == 0, "no error once the table is fixed");
 }
 
 //------------------------------------------------------------------------------
-// SetAnisotropy(0.5) is refused by functions that have none.
-void TestAnisotropyRefused()
+// With a function that has none, SetAnisotropy(0.5) has no effect, which is an error when the
+// medium is used, in either order; a function that is chosen later and has one takes it.
+void TestAnisotropyUnused(int type, bool first)
+{
+  vtkNew<Medium> medium;
+  ErrorListener errors(medium);
+  const std::string what = Text("anisotropy with phase function ", type, first ? ", first" : "");
+  medium->SetPhaseTable(QuickTable());
+  medium->SetPhaseFunctionToHenyeyGreenstein();
+  medium->SetAnisotropy(0.25);
+  medium->SetPhaseFunction(type);
+  medium->GetPhaseErrorBound();
+  Check(errors.Take() == 0, what + ": none once it has had a meaning");
+  vtkNew<Medium> fresh;
+  ErrorListener freshErrors(fresh);
+  fresh->SetPhaseTable(QuickTable());
+  if (first)
+  {
+    fresh->SetAnisotropy(0.5);
+    fresh->SetPhaseFunction(type);
+  }
+  else
+  {
+    fresh->SetPhaseFunction(type);
+    fresh->SetAnisotropy(0.5);
+  }
+  Check(freshErrors.Take() == 0, what + ": no error before it is used");
+  CheckNear(fresh->GetAnisotropy(), 0.5, what + ": the value");
+  fresh->GetPhaseErrorBound();
+  Check(freshErrors.Take() == 1, what + ": one error in use");
+  Check(freshErrors.GetText().find("0.5") != std::string::npos &&
+      freshErrors.GetText().find("HenyeyGreenstein") != std::string::npos,
+    what + ": the error names value and remedy: " + freshErrors.GetText());
+  fresh->GetPhaseErrorBound();
+  Check(freshErrors.Take() == 0, what + ": the error comes once");
+  fresh->SetPhaseFunctionToHenyeyGreenstein();
+  CheckNear(fresh->EvaluatePhaseFunction(1.0), (1.0 - 0.25) / (4.0 * Pi * 0.125),
+    what + ": a function that has one takes it");
+  fresh->GetPhaseErrorBound();
+  Check(freshErrors.Take() == 0, what + ": and is no error");
+}
+
+void TestAnisotropyRemoved(int type)
+{
+  vtkNew<Medium> medium;
+  ErrorListener errors(medium);
+  const std::string what = Text("no anisotropy with phase function ", type);
+  medium->SetPhaseTable(QuickTable());
+  medium->SetPhaseFunction(type);
+  medium->SetAnisotropy(0.5);
+  medium->SetAnisotropy(0.0);
+  medium->GetPhaseErrorBound();
+  Check(errors.Take() == 0, what + ": 0 is no error");
+  CheckNear(medium->GetAnisotropy(), 0.0, what + ": 0 is taken");
+}
+
+void TestUnusedAnisotropies()
 {
   const int types[] = { Medium::ISOTROPIC, Medium::RAYLEIGH, Medium::MIE_HAZY, Medium::MIE_MURKY,
     Medium::TABULATED };
   for (const int type : types)
   {
-    vtkNew<Medium> medium;
-    ErrorListener errors(medium);
-    const std::string what = Text("anisotropy with phase function ", type);
-    medium->SetPhaseTable(QuickTable());
-    medium->SetPhaseFunctionToHenyeyGreenstein();
-    medium->SetAnisotropy(0.25);
-    medium->SetPhaseFunction(type);
-    Check(errors.Take() == 0, what + ": none while it still has a meaning");
-    const vtkMTimeType time = medium->GetMTime();
-    medium->SetAnisotropy(0.5);
-    Check(errors.Take() == 1, what + ": one error");
-    Check(errors.GetText().find("0.5") != std::string::npos &&
-        errors.GetText().find("0.25") != std::string::npos &&
-        errors.GetText().find("HenyeyGreenstein") != std::string::npos,
-      what + ": the error names values and remedy: " + errors.GetText());
-    CheckNear(medium->GetAnisotropy(), 0.25, what + ": the old value");
-    Check(medium->GetMTime() == time, what + " modifies nothing");
-    medium->GetPhaseErrorBound();
-    Check(errors.Take() == 0, what + ": no error in use");
-    medium->SetAnisotropy(0.0);
-    medium->GetPhaseErrorBound();
-    Check(errors.Take() == 0, what + ": 0 is no error");
-    CheckNear(medium->GetAnisotropy(), 0.0, what + ": 0 is taken");
+    TestAnisotropyUnused(type, false);
+    TestAnisotropyUnused(type, true);
+    TestAnisotropyRemoved(type);
   }
 }
 
@@ -271,7 +306,7 @@ int TestPhaseErrors(int, char*[])
   TestBadCells();
   TestMissingTable();
   TestTableChanges();
-  TestAnisotropyRefused();
+  TestUnusedAnisotropies();
   TestAnisotropyFirst();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -181,7 +181,7 @@ void TestChanged()
   Check(Pass(medium) == 1.0 && Pass(medium) == 1.0, "changed: nowhere");
   Check(errors.Take() == 1, "changed: one error however often it is used");
   Check(errors.GetText().find("not closed") != std::string::npos &&
-      errors.GetText().find("nowhere until it is mended") != std::string::npos,
+      errors.GetText().find("ignored until it is fixed") != std::string::npos,
     "changed: the error says what and what is done");
   mesh->ShallowCopy(MakeBoxMesh(Unit));
   mesh->Modified();

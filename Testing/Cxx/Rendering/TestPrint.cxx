@@ -21,6 +21,7 @@
 #include "vtkOpenVDBDensityReader.h"
 #endif
 #include "vtkParticipatingMedium.h"
+#include "vtkSchlickPhaseFunction.h"
 #include "vtkShadowPlanesFilter.h"
 #include "vtkSilhouetteEdgesFilter.h"
 
@@ -91,6 +92,10 @@ void TestMedium()
   medium->SetPhaseFunctionToRayleigh();
   medium->GetPhaseErrorBound();
   CheckPrint(medium, { " poles)\n" }); // Rayleigh's is exact: one suffices
+  vtkNew<vtkSchlickPhaseFunction> phase;
+  phase->SetAnisotropy(0.375);
+  medium->SetPhaseFunction(phase);
+  CheckPrint(medium, { "PhaseFunction: Schlick\n", "k: 0.375\n" });
 }
 
 void TestPass()

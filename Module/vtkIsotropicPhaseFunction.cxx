@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsotropicPhaseFunction.h"
+
+#include "Phase/AirlightPhaseShape.h"
+#include "vtkObjectFactory.h"
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkIsotropicPhaseFunction);
+
+//------------------------------------------------------------------------------
+vtkIsotropicPhaseFunction::vtkIsotropicPhaseFunction() = default;
+
+vtkIsotropicPhaseFunction::~vtkIsotropicPhaseFunction() = default;
+
+//------------------------------------------------------------------------------
+double vtkIsotropicPhaseFunction::EvaluateHalfAngle(double) { return 0.25 / M_PI; }
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const airlight::PhaseShape> vtkIsotropicPhaseFunction::MakeShape(double)
+{
+  return airlight::MakePhaseShape(airlight::ExactIsotropic());
+}
