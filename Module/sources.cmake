@@ -4,6 +4,7 @@ airlight_sources(
   CLASSES
     vtkAirlight
     vtkCornetteShanksPhaseFunction
+    vtkDrainePhaseFunction
     vtkHenyeyGreensteinPhaseFunction
     vtkIsotropicPhaseFunction
     vtkMieHazyPhaseFunction

@@ -18,6 +18,7 @@ BAD = (
     ("Scattering", [0, -1, 0], "ScatteringCoefficient (0, -1, 0) must be finite, at least 0"),
     ("Absorption", [0, 0, float("inf")], "AbsorptionCoefficient (0, 0, inf) must be finite"),
     ("Anisotropy", 5, "PhaseAnisotropy 5 must be from -0.99 to 0.99; it stays 0"),
+    ("Alpha", 101, "PhaseAlpha 101 must be from 0 to 100; it stays 1"),
     ("RegionBounds", [1, 0, 0, 1, 0, 1], "Bounds (1, 0, 0, 1, 0, 1) must be finite"),
     ("RegionRadius", -1, "Radius -1 must be finite and at least 0; it stays 1"),
     ("ScaleHeight", 0, "ScaleHeight 0 must be finite and above 0; it stays 1"),

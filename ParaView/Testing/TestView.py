@@ -219,6 +219,18 @@ class View(unittest.TestCase):
         self.assertLess(np.quantile(difference, 0.97), 2 / 255)
         self.assertEqual(seen[0, 0, 3], 0, "nothing in the corner")
 
+    def test_draine(self):
+        """Draine's function changes the picture, and its parameters, too."""
+        seen = []
+        for changes in ({}, {"PhaseFunction": "Draine", "Anisotropy": 0.5}, {"Alpha": 20}):
+            for name, value in changes.items():
+                setattr(self.view, name, value)
+            seen.append(test.picture(self.view, f"draine-{len(seen)}").astype(int))
+        for name, value in (("PhaseFunction", "Isotropic"), ("Anisotropy", 0), ("Alpha", 1)):
+            setattr(self.view, name, value)
+        for before, after in zip(seen, seen[1:]):
+            self.assertGreater(np.abs(after - before).max(), 3)
+
     def test_state(self):
         """Saved, all deleted, loaded: the same picture."""
         self.view.PhaseFunction = "Henyey-Greenstein"

@@ -137,10 +137,11 @@ void vtkPVParticipatingMedium::UpdateThickness()
 //------------------------------------------------------------------------------
 void vtkPVParticipatingMedium::SetPhase(int function)
 {
-  if (function < ISOTROPIC || function >= TABULATED)
+  if (function < ISOTROPIC || function > OBJECT || function == TABULATED)
   {
     vtkErrorMacro(<< "Phase " << function << " must be from " << ISOTROPIC << " (ISOTROPIC) to "
-                  << MIE_MURKY << " (MIE_MURKY); it stays " << this->Phase << ".");
+                  << MIE_MURKY << " (MIE_MURKY), or " << OBJECT << " (OBJECT, Draine's); it stays "
+                  << this->Phase << ".");
     return;
   }
   this->Phase = function;
@@ -161,10 +162,32 @@ void vtkPVParticipatingMedium::SetPhaseAnisotropy(double g)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetPhaseAlpha(double alpha)
+{
+  double range[2];
+  this->Draine->GetParameterRange(1, range);
+  if (!(alpha >= range[0] && alpha <= range[1]))
+  {
+    vtkErrorMacro(<< "PhaseAlpha " << alpha << " must be from " << range[0] << " to " << range[1]
+                  << "; it stays " << this->PhaseAlpha << ".");
+    return;
+  }
+  this->PhaseAlpha = alpha;
+  this->UpdatePhase();
+}
+
+//------------------------------------------------------------------------------
 // A function without anisotropy accepts none but 0, which every function takes.
 void vtkPVParticipatingMedium::UpdatePhase()
 {
   this->SetAnisotropy(0.0);
+  if (this->Phase == OBJECT)
+  {
+    this->Draine->SetAnisotropy(this->PhaseAnisotropy);
+    this->Draine->SetAlpha(this->PhaseAlpha);
+    this->SetPhaseFunction(this->Draine);
+    return;
+  }
   this->SetPhaseFunction(this->Phase);
   if (HasAnisotropy(this->Phase))
   {
@@ -188,4 +211,5 @@ void vtkPVParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   print("AbsorptionCoefficient", this->AbsorptionCoefficient);
   os << indent << "Phase: " << this->Phase << "\n";
   os << indent << "PhaseAnisotropy: " << this->PhaseAnisotropy << "\n";
+  os << indent << "PhaseAlpha: " << this->PhaseAlpha << "\n";
 }

@@ -18,6 +18,8 @@
 #define vtkPVParticipatingMedium_h
 
 #include "vtkAirlightParaViewViewsModule.h" // for export macro
+#include "vtkDrainePhaseFunction.h"         // for the phase function
+#include "vtkNew.h"                         // for the phase function
 #include "vtkParticipatingMedium.h"
 
 class VTKAIRLIGHTPARAVIEWVIEWS_EXPORT vtkPVParticipatingMedium : public vtkParticipatingMedium
@@ -83,13 +85,16 @@ public:
 
   ///@{
   /**
-   * The phase function, a vtkParticipatingMedium::PhaseFunctionType except TABULATED, and its
-   * anisotropy, which only some of them have. Defaults: ISOTROPIC, 0.
+   * The phase function, a vtkParticipatingMedium::PhaseFunctionType except TABULATED, or OBJECT for
+   * Draine's; and its parameters, which only some of them have: see SetAnisotropy() and
+   * vtkDrainePhaseFunction::SetAlpha(). Defaults: ISOTROPIC, 0, 1.
    */
   void SetPhase(int function);
   vtkGetMacro(Phase, int);
   void SetPhaseAnisotropy(double g);
   vtkGetMacro(PhaseAnisotropy, double);
+  void SetPhaseAlpha(double alpha);
+  vtkGetMacro(PhaseAlpha, double);
   ///@}
 
 protected:
@@ -113,6 +118,8 @@ private:
   double AbsorptionCoefficient[3] = { 0.0, 0.0, 0.0 };
   int Phase = ISOTROPIC;
   double PhaseAnisotropy = 0.0;
+  double PhaseAlpha = 1.0;
+  vtkNew<vtkDrainePhaseFunction> Draine;
 };
 
 #endif

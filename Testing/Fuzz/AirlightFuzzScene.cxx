@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkAirlight.h"
 #include "vtkAirlightPass.h"
+#include "vtkDrainePhaseFunction.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
@@ -37,7 +38,7 @@ vtkSmartPointer<vtkActor> MakeActor(Input& input)
 //------------------------------------------------------------------------------
 void ChangeMedium(Input& input, vtkParticipatingMedium* medium)
 {
-  switch (input.Integer(0, 22))
+  switch (input.Integer(0, 23))
   {
     case 0:
       return medium->SetScattering(input.Numbers().data());
@@ -92,8 +93,16 @@ void ChangeMedium(Input& input, vtkParticipatingMedium* medium)
     }
     case 20:
       return medium->SetBounds(-2.0, 2.0, -2.0, 3.0, -2.0, 2.0);
-    default:
+    case 21:
+    case 22:
       return medium->SetPhaseFunction(input.Integer(0, 7));
+    default:
+    {
+      vtkNew<vtkDrainePhaseFunction> draine;
+      draine->SetAnisotropy(input.Number());
+      draine->SetAlpha(input.Number());
+      return medium->SetPhaseFunction(draine);
+    }
   }
 }
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Phase functions p(mu) in 1/sr, by their textbook formulas; mu = 1 is forward.
 
-A description is a dict with a "type" and what that needs: "g" or a "table" of rows
+A description is a dict with a "type" and what that needs: "g", "alpha" or a "table" of rows
 [angle in degrees, value].
 """
 
@@ -27,6 +27,11 @@ def schlick(mu, k):
 
 def cornette_shanks(mu, g):
     return 1.5 * (1 - g**2) / (2 + g**2) * (1 + mu**2) * henyey_greenstein(mu, g) / (1 - g**2)
+
+
+def draine(mu, g, alpha):
+    return ((1 + alpha * mu**2) / (1 + alpha * (1 + 2 * g**2) / 3)
+            * henyey_greenstein(mu, g))
 
 
 def mie_hazy(mu):
@@ -93,6 +98,8 @@ def make(description):
              "mie_murky": mie_murky}
     if kind in plain:
         return plain[kind]
+    if kind == "draine":
+        return lambda mu: draine(mu, description["g"], description["alpha"])
     function = {"henyey_greenstein": henyey_greenstein, "schlick": schlick,
                 "cornette_shanks": cornette_shanks}[kind]
     return lambda mu: function(mu, description["g"])

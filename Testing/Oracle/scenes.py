@@ -69,6 +69,10 @@ def with_g(kind, g):
     return {"type": kind, "g": g}
 
 
+def draine(g, alpha):
+    return {"type": "draine", "g": g, "alpha": alpha}
+
+
 def height_fog(scale, reference=0, up=(0, 1, 0)):
     return {"type": "exponential_height", "scale": scale, "reference": reference, "up": up}
 
@@ -99,6 +103,7 @@ def closed_forms():
               [POINT]),
         scene("sphere, Rayleigh, point inside", [grey(region=BALL, phase="rayleigh")], [POINT],
               BODY),
+        scene("everywhere, Draine, point", [grey(phase=draine(0.6, 5))], [POINT], BODY),
         scene("box, Henyey-Greenstein forward, point inside",
               [grey(region=BOX, phase=with_g("henyey_greenstein", 0.7))], [POINT], BODY),
         scene("everywhere, Henyey-Greenstein backward, spot",
@@ -168,6 +173,7 @@ def by_quadrature():
     return [
         add("box, Schlick, point outside", [grey(region=BOX, phase=with_g("schlick", -0.5))],
             [OUTSIDE]),
+        add("everywhere, Draine's function of fog, point", [grey(phase=draine(0.95, 30))], [POINT]),
         add("sphere, sun", [grey(region=BALL, phase="rayleigh")], [SUN]),
         add("everywhere, Mie hazy, point", [grey(phase="mie_hazy")], [POINT]),
         add("everywhere, Mie murky, spot with exponent", [grey(phase="mie_murky")],

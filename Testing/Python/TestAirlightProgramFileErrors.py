@@ -125,7 +125,8 @@ class TestBadUse(SceneTest):
                 ("mie_hazy:", "no parameter"), ("schlick", "schlick:k"),
                 ("schlick:", "schlick:k"), ("schlick:1", "0.99"), ("schlick:0.5:1", "schlick:k"),
                 ("cornette_shanks:-1", "cornette_shanks:g"), ("henyey_greenstein:nan", "0.99"),
-                ("henyey_greenstein", "henyey_greenstein:g")):
+                ("henyey_greenstein", "henyey_greenstein:g"), ("draine:0.5", "draine:g:alpha"),
+                ("draine:0.5:101", "0 to 100 for alpha"), ("draine:1:1", "-0.99 to 0.99 for g")):
             self.fail_with([f"--phase '{text}': expected ", word], "render", self.scene(), "-o",
                            self.path("x.png"), "--phase", text)
 
@@ -136,6 +137,9 @@ class TestBadUse(SceneTest):
                 ({"type": "schlick", "g": 0.5}, ["unknown key 'g'", "type, k"]),
                 ({"type": "cornette_shanks"}, ["missing key 'g'"]),
                 ({"type": "schlick", "k": 1}, ["medium.phase.k", "0.99"]),
+                ({"type": "draine", "g": 0.5}, ["missing key 'alpha'"]),
+                ({"type": "draine", "g": 0.5, "alpha": -1}, ["medium.phase.alpha", "100"]),
+                ({"type": "schlick", "k": 0.5, "alpha": 1}, ["unknown key 'alpha'"]),
                 ({"type": "tabulated"}, ["missing key 'table'"]),
                 ({"type": "tabulated", "table": 3}, ["medium.phase.table", "string"])):
             self.fail_with(words, "render", self.scene(phase=phase), "-o", self.path("x.png"))

@@ -28,6 +28,11 @@ def cornette_shanks(g, mu):
         1 + g * g - 2 * g * mu)**1.5
 
 
+def draine(g, alpha, mu):
+    return ((1 - g * g) * (1 + alpha * mu**2) / (1 + alpha * (1 + 2 * g * g) / 3) / FOUR_PI
+            / (1 + g * g - 2 * g * mu)**1.5)
+
+
 def mie(n, mu):
     return (1 / 2 + (n + 1) / 2 * ((1 + mu) / 2)**n) / FOUR_PI
 
@@ -47,6 +52,10 @@ FUNCTIONS = (
      lambda mu: henyey_greenstein(0.5, mu), 1.01e-3),
     ("cornette_shanks:0.6", {"type": "cornette_shanks", "g": 0.6},
      lambda mu: cornette_shanks(0.6, mu), 1.01e-3),
+    ("draine:0.6:5", {"type": "draine", "g": 0.6, "alpha": 5},
+     lambda mu: draine(0.6, 5, mu), 1.01e-3),
+    ("draine:0.95:30", {"type": "draine", "g": 0.95, "alpha": 30},  # a table, without a fit
+     lambda mu: draine(0.95, 30, mu), 1e-4),
     ("mie_hazy", {"type": "mie_hazy"}, lambda mu: mie(8, mu), 1e-5),
     ("mie_murky", {"type": "mie_murky"}, lambda mu: mie(32, mu), 2e-5),
 )

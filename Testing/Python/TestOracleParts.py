@@ -25,6 +25,10 @@ def cornette_shanks_mean(g):
     return 3 * g * (4 + g**2) / (5 * (2 + g**2))
 
 
+def draine_mean(g, alpha):
+    return g * (1 + alpha * (3 + 2 * g**2) / 5) / (1 + alpha * (1 + 2 * g**2) / 3)
+
+
 def schlick_mean(k):
     return 1 / k - (1 - k**2) / (2 * k**2) * math.log((1 + k) / (1 - k))
 
@@ -59,6 +63,7 @@ class TestOracleParts(unittest.TestCase):
                 (scenes.with_g("henyey_greenstein", -0.4), -0.4),
                 (scenes.with_g("cornette_shanks", 0.4), cornette_shanks_mean(0.4)),
                 (scenes.with_g("schlick", 0.5), schlick_mean(0.5)),
+                (scenes.draine(0.6, 5), draine_mean(0.6, 5)),
                 ({"type": "mie_hazy"}, 4.5 * (2 / 10 - 1 / 9)),
                 ({"type": "mie_murky"}, 16.5 * (2 / 34 - 1 / 33)),
                 (scenes.table(0.4), None)):

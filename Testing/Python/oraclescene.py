@@ -85,6 +85,12 @@ def make_image(density):
 
 def set_phase(medium, phase):
     medium.SetPhaseTolerance(1e-6)  # the oracle knows the function exactly
+    if phase["type"] == "draine":
+        function = airlight.vtkDrainePhaseFunction()
+        function.SetAnisotropy(phase["g"])
+        function.SetAlpha(phase["alpha"])
+        medium.SetPhaseFunction(function)
+        return
     if phase["type"] == "table":
         medium.SetPhaseTable(make_table(phase["table"]))
     getattr(medium, "SetPhaseFunctionTo" + PHASES[phase["type"]])()

@@ -11,8 +11,10 @@
 #include "AirlightTestSurfaces.h"
 #include "AirlightTestTools.h"
 
+#include "vtkDrainePhaseFunction.h"
 #include "vtkLight.h"
 #include "vtkParticipatingMedium.h"
+#include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
 
@@ -44,6 +46,10 @@ enum MatrixPhase
   MATRIX_PHASES
 };
 
+// Draine's function has tests of its own.
+constexpr int MATRIX_DRAINE = -2; // g = 0.6, alpha = 5
+constexpr int MATRIX_FOG = -1;    // g = 0.95, alpha = 30, which no fit follows
+
 struct MatrixCell
 {
   int Light;
@@ -59,9 +65,11 @@ struct MatrixCell
     static const char* const regions[] = { "unbounded", "box", "sphere", "surface" };
     static const char* const phases[] = { "isotropic", "HG 0.6", "HG -0.4", "Rayleigh",
       "Schlick 0.5", "Cornette-Shanks 0.5", "Mie hazy", "Mie murky" };
+    const std::string phase = this->Phase < 0 ? (this->Phase == MATRIX_FOG ? "fog" : "Draine")
+      : this->Phase < MATRIX_TABLE            ? phases[this->Phase]
+                                              : TestTableName(this->Phase - MATRIX_TABLE);
     return Text(lights[this->Light], ", ", regions[this->Region], ", ",
-      this->Density == vtkParticipatingMedium::UNIFORM ? "uniform" : "height", ", ",
-      this->Phase < MATRIX_TABLE ? phases[this->Phase] : TestTableName(this->Phase - MATRIX_TABLE));
+      this->Density == vtkParticipatingMedium::UNIFORM ? "uniform" : "height", ", ", phase);
   }
 
   // What the headers of vtkAirlight and vtkParticipatingMedium say of point lights, spots and
@@ -105,6 +113,17 @@ struct MatrixCell
   void ApplyPhase(vtkParticipatingMedium* medium) const
   {
     using Medium = vtkParticipatingMedium;
+    if (this->Phase < 0)
+    {
+      const bool fog = this->Phase == MATRIX_FOG;
+      static vtkSmartPointer<vtkDrainePhaseFunction> functions[2]; // each is fitted once
+      vtkSmartPointer<vtkDrainePhaseFunction>& function = functions[fog ? 1 : 0];
+      function = function ? function : vtkSmartPointer<vtkDrainePhaseFunction>::New();
+      function->SetAnisotropy(fog ? 0.95 : 0.6);
+      function->SetAlpha(fog ? 30.0 : 5.0);
+      medium->SetPhaseFunction(function);
+      return;
+    }
     static const int types[] = { Medium::ISOTROPIC, Medium::HENYEY_GREENSTEIN,
       Medium::HENYEY_GREENSTEIN, Medium::RAYLEIGH, Medium::SCHLICK, Medium::CORNETTE_SHANKS,
       Medium::MIE_HAZY, Medium::MIE_MURKY, Medium::TABULATED };

@@ -11,6 +11,7 @@
 #include "AirlightTestPhaseTable.h"
 #include "AirlightTestTools.h"
 
+#include "vtkDrainePhaseFunction.h"
 #include "vtkParticipatingMedium.h"
 
 #include <algorithm>
@@ -70,6 +71,11 @@ public:
     {
       this->Table = ReferenceTable(medium->GetPhaseTable());
     }
+    if (auto* draine = vtkDrainePhaseFunction::SafeDownCast(medium->GetPhaseFunctionObject()))
+    {
+      this->Anisotropy = draine->GetAnisotropy();
+      this->Alpha = draine->GetAlpha();
+    }
   }
 
   // From 1 - cosTheta and 1 + cosTheta.
@@ -99,6 +105,12 @@ public:
       case vtkParticipatingMedium::CORNETTE_SHANKS:
         return 3 / (8 * pi) * (1 - g * g) / (2 + g * g) * (1 + mu * mu) /
           (henyey * std::sqrt(henyey));
+      case vtkParticipatingMedium::OBJECT: // Draine's
+      {
+        const T a = static_cast<T>(this->Alpha);
+        return (1 - g * g) * (1 + a * mu * mu) /
+          (4 * pi * henyey * std::sqrt(henyey) * (1 + a * (1 + 2 * g * g) / 3));
+      }
       case vtkParticipatingMedium::MIE_HAZY:
         return (1 + 9 * std::pow(onePlusCos / 2, T(8))) / (8 * pi);
       case vtkParticipatingMedium::MIE_MURKY:
@@ -116,6 +128,7 @@ public:
 private:
   int Type;
   double Anisotropy;
+  double Alpha = 0.0;
   ReferenceTable Table;
 };
 

@@ -16,7 +16,7 @@ class vtkParticipatingMedium;
 namespace airlight
 {
 
-/// "NAME" or, with the function's parameters, "NAME:G": the phase function.
+/// "NAME" or, with the function's parameters, "NAME:G" or "NAME:G:ALPHA": the phase function.
 void ParsePhase(const std::string& option, const std::string& text, vtkParticipatingMedium* medium);
 
 /// "xmin,xmax,ymin,ymax,zmin,zmax": the region, each minimum at most its maximum.

@@ -18,7 +18,7 @@ namespace airlight
  *  - `image` {width, height}; `camera` {position, focal_point, view_up, view_angle_deg};
  *  - `medium` {sigma_s, sigma_a, phase} with `phase` one of {type: isotropic}, {type: rayleigh},
  *    {type: henyey_greenstein, g}, {type: schlick, k}, {type: cornette_shanks, g},
- *    {type: mie_hazy}, {type: mie_murky} or
+ *    {type: mie_hazy}, {type: mie_murky}, {type: draine, g, alpha} or
  *    {type: tabulated, table: a file, see ReadPhaseTable()};
  *    optional in `medium`: `bounds` {type: box, min, max}, {type: sphere, center, radius} or
  *    {type: surface, mesh: a file of a closed mesh}, `density`
