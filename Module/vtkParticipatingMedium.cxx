@@ -5,6 +5,7 @@
 #include "Density/AirlightDensityGrid.h"
 #include "Medium/AirlightDerivedData.h"
 #include "Phase/AirlightMediumPhase.h"
+#include "Region/AirlightRegionKinds.h"
 #include "Region/AirlightSurfaceTree.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -353,10 +354,10 @@ double vtkParticipatingMedium::EvaluatePhaseFunction(double cosTheta)
 //------------------------------------------------------------------------------
 void vtkParticipatingMedium::SetRegion(int type)
 {
-  if (type < UNBOUNDED || type > SURFACE)
+  if (airlight::GetRegionName(type).empty())
   {
-    vtkErrorMacro(<< "Region " << type
-                  << " is not a region: use UNBOUNDED, BOX, SPHERE or SURFACE.");
+    vtkErrorMacro(<< "Region " << type << " is not a region: use "
+                  << airlight::ListRegionConstants() << ".");
     return;
   }
   if (this->Region != type)
@@ -501,8 +502,7 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   print3("Absorption", this->Absorption);
   print3("AmbientRadiance", this->AmbientRadiance);
   this->Impl->Phase.Print(os, indent);
-  const char* regions[] = { "Unbounded", "Box", "Sphere", "Surface" };
-  os << indent << "Region: " << regions[this->Region] << "\n";
+  os << indent << "Region: " << airlight::GetRegionName(this->Region) << "\n";
   os << indent << "Bounds: (" << this->Bounds[0];
   for (int i = 1; i < 6; ++i)
   {

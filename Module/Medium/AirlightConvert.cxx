@@ -3,7 +3,7 @@
 #include "Medium/AirlightConvert.h"
 
 #include "Phase/AirlightPhaseShape.h"
-#include "Region/AirlightSurfaceTree.h"
+#include "Region/AirlightRegionKinds.h"
 
 #include "vtkAirlight.h"
 #include "vtkLight.h"
@@ -17,21 +17,6 @@ namespace airlight
 {
 namespace
 {
-int ConvertRegion(int region)
-{
-  switch (region)
-  {
-    case vtkParticipatingMedium::BOX:
-      return AIRLIGHT_REGION_BOX;
-    case vtkParticipatingMedium::SPHERE:
-      return AIRLIGHT_REGION_SPHERE;
-    case vtkParticipatingMedium::SURFACE:
-      return AIRLIGHT_REGION_SURFACE;
-    default:
-      return AIRLIGHT_REGION_UNBOUNDED;
-  }
-}
-
 void MakeEmpty(f64::AirlightMedium& medium)
 {
   medium.region.kind = AIRLIGHT_REGION_BOX;
@@ -39,24 +24,6 @@ void MakeEmpty(f64::AirlightMedium& medium)
   medium.region.boxMax = glm::dvec3(0.0);
   medium.sigmaS = glm::dvec3(0.0);
   medium.sigmaT = glm::dvec3(0.0);
-}
-
-// A medium whose surface is missing or no good is nowhere.
-void ConvertSurface(
-  vtkParticipatingMedium* medium, const glm::dvec3& origin, f64::AirlightMedium& result)
-{
-  f64::AirlightRegion& region = result.region;
-  const std::shared_ptr<const SurfaceTree> tree = medium->GetSurfaceTree();
-  if (!tree)
-  {
-    MakeEmpty(result);
-    return;
-  }
-  region.boxMin = tree->GetLeast() - origin;
-  region.boxMax = tree->GetGreatest() - origin;
-  region.centre = tree->GetCentre() - origin;
-  region.data = tree->GetTexels().data();
-  region.nodes = tree->GetNodeCount();
 }
 
 // A medium whose image is missing or no good is nowhere. Boxes shrink to where the image is.
@@ -100,16 +67,9 @@ f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dve
   result.phase = Convert(phase->Fit);
   result.phase.data = phase->Rows.data();
   result.phase.rows = static_cast<int>(phase->Rows.size());
-  result.region.kind = ConvertRegion(medium->GetRegion());
-  const double* bounds = medium->GetBounds();
-  result.region.boxMin = glm::dvec3(bounds[0], bounds[2], bounds[4]) - origin;
-  result.region.boxMax = glm::dvec3(bounds[1], bounds[3], bounds[5]) - origin;
-  medium->GetCenter(&result.region.centre.x);
-  result.region.centre -= origin;
-  result.region.radius = medium->GetRadius();
-  if (result.region.kind == AIRLIGHT_REGION_SURFACE)
+  if (!ConvertRegion(medium, origin, result.region))
   {
-    ConvertSurface(medium, origin, result);
+    MakeEmpty(result);
   }
   if (medium->GetDensity() == vtkParticipatingMedium::EXPONENTIAL_HEIGHT)
   {

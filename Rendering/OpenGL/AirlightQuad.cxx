@@ -29,6 +29,7 @@
 #include "Integration/AirlightIntegrate.h"
 #include "Integration/AirlightMath.h"
 #include "OpenGL/AirlightOpenGL.h"
+#include "Region/AirlightRegionKinds.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -50,10 +51,15 @@ void SetRegionUniforms(
   vtkShaderProgram* program, const std::string& name, const f64::AirlightRegion& region)
 {
   program->SetUniformi((name + ".kind").c_str(), region.kind);
-  program->SetUniform3f((name + ".boxMin").c_str(), &region.boxMin.x);
-  program->SetUniform3f((name + ".boxMax").c_str(), &region.boxMax.x);
-  program->SetUniform3f((name + ".centre").c_str(), &region.centre.x);
-  program->SetUniformf((name + ".radius").c_str(), static_cast<float>(region.radius));
+  for (const RegionVector& vector : RegionVectors)
+  {
+    program->SetUniform3f((name + "." + vector.Name).c_str(), &(region.*vector.Field).x);
+  }
+  for (const RegionNumber& number : RegionNumbers)
+  {
+    program->SetUniformf(
+      (name + "." + number.Name).c_str(), static_cast<float>(region.*number.Field));
+  }
   program->SetUniformi((name + ".first").c_str(), region.first);
   program->SetUniformi((name + ".nodes").c_str(), region.nodes);
 }
@@ -118,7 +124,13 @@ std::string DefineCommon(const f64::AirlightMedia& media)
     return phase.rows == 0 && phase.power.x <= 0.0 && phase.poleCount == 1 && phase.order == 1 &&
       phase.pole[0].x == 1.0;
   });
+  int kinds = 0; // bit i: a region is of kind i
+  for (const auto* medium = first; medium != end; ++medium)
+  {
+    kinds |= 1 << medium->region.kind;
+  }
   return (sameRegion ? Define("AIRLIGHT_REGION_KIND(region)", first->region.kind) : "") +
+    Define("AIRLIGHT_REGION_KINDS", kinds) +
     (sameDensity ? Define("AIRLIGHT_DENSITY_KIND(medium)", first->density) : "") +
     Define("AIRLIGHT_HAS_POWER", power) + Define("AIRLIGHT_GREY", grey) +
     (isotropic ? Define("AIRLIGHT_ISOTROPIC", 1) : "");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/AirlightLightGrid.h"
 
+#include "Region/AirlightRegionKinds.h"
 #include "vtkSMPTools.h"
 #include "vtkType.h"
 
@@ -193,6 +194,27 @@ std::vector<TestPoint> MakeTests(const Ways& ways, double sigmaT)
   }
   return points;
 }
+
+//------------------------------------------------------------------------------
+bool IsNear(const glm::dvec3& a, const glm::dvec3& b, double near)
+{
+  return glm::length(a - b) <= near;
+}
+
+// Positions may be `near` each other, as a moving eye rounds them.
+bool IsSame(const f64::AirlightRegion& a, const f64::AirlightRegion& b, double near)
+{
+  bool same = a.kind == b.kind;
+  for (const RegionVector& vector : RegionVectors)
+  {
+    same = same && IsNear(a.*vector.Field, b.*vector.Field, vector.IsPosition ? near : 0.0);
+  }
+  for (const RegionNumber& number : RegionNumbers)
+  {
+    same = same && a.*number.Field == b.*number.Field;
+  }
+  return same;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -263,23 +285,18 @@ const LightGrid& LightGrids::GetLight(
   // Back in the world, where a moving eye rounds a little.
   f64::AirlightMedium there = medium;
   there.gridOrigin = glm::dvec3(0.0);
-  there.region.boxMin += eye;
-  there.region.boxMax += eye;
-  there.region.centre += eye;
+  for (const RegionVector& vector : RegionVectors)
+  {
+    there.region.*vector.Field += vector.IsPosition ? eye : glm::dvec3(0.0);
+  }
   f64::AirlightLight sceneLight = light;
   sceneLight.position += directional ? glm::dvec3(0.0) : eye;
   const double near =
     1e-9 * (glm::length(eye) + glm::length(there.region.boxMax - there.region.boxMin));
-  const auto same = [near](const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::length(a - b) <= near;
-  };
   for (const std::unique_ptr<Entry>& entry : this->Entries)
   {
-    const f64::AirlightRegion& region = entry->Region;
-    if (entry->Directional == directional && same(entry->Position, sceneLight.position) &&
-      entry->SigmaT == medium.sigmaT && region.kind == there.region.kind &&
-      same(region.boxMin, there.region.boxMin) && same(region.boxMax, there.region.boxMax) &&
-      same(region.centre, there.region.centre) && region.radius == there.region.radius)
+    if (entry->Directional == directional && IsNear(entry->Position, sceneLight.position, near) &&
+      entry->SigmaT == medium.sigmaT && IsSame(entry->Region, there.region, near))
     {
       entry->Age = 0;
       return entry->Values;

@@ -46,11 +46,7 @@ AIRLIGHT_FN AirlightIrradianceFrame airlightIrradianceFrame(AIRLIGHT_IN(Airlight
     // Seen from outside, a region that does not hold the light may be on another side.
     if (sun || !airlightHolds(media.item[0].region, light.position))
     {
-      AirlightRegion region = media.item[0].region;
-      way = (AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SPHERE
-                ? region.centre
-                : real(0.5) * (region.boxMin + region.boxMax)) -
-        point;
+      way = airlightRegionMiddle(media.item[0].region) - point;
       frame.cone = false;
     }
   }

@@ -185,9 +185,8 @@ AIRLIGHT_FN real3 airlightIrradianceLattice(AIRLIGHT_IN(AirlightMedia) media,
 {
   int count = AIRLIGHT_IRRADIANCE_FEW;
   int stride = AIRLIGHT_IRRADIANCE_FEW_STEP;
-  // Where rays leave a box through an edge, radiance has kinks, which take more nodes.
-  if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED &&
-    AIRLIGHT_REGION_KIND(media.item[0].region) == AIRLIGHT_REGION_BOX)
+  // Where rays leave a region through an edge, radiance has kinks, which take more nodes.
+  if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED && airlightHasEdges(media.item[0].region))
   {
     count = AIRLIGHT_IRRADIANCE_SOME;
     stride = AIRLIGHT_IRRADIANCE_SOME_STEP;

@@ -1,6 +1,11 @@
 // Where a medium is. Positions are relative to an origin of the caller's choice, in single
 // precision best the camera. A ray is inside on one interval, but for closed surfaces
 // (AirlightClosedSurface.glsl), whose box is what is said of them here.
+//
+// A kind of region is a number, its fields, and a case in each of the functions
+// airlightRegionRange(), airlightHolds(), airlightRegionMiddle(), airlightHasEdges() and
+// airlightRegionKink(). Its row in Region/AirlightRegionKinds.cxx fills the fields. The numbers are
+// those of vtkParticipatingMedium::RegionType.
 
 #define AIRLIGHT_REGION_UNBOUNDED 0
 #define AIRLIGHT_REGION_BOX 1
@@ -27,6 +32,10 @@ struct AirlightRegion
 #ifndef AIRLIGHT_REGION_KIND
 #define AIRLIGHT_REGION_KIND(region) (region).kind
 #endif
+#ifndef AIRLIGHT_REGION_KINDS
+#define AIRLIGHT_REGION_KINDS 0xff // bit i: a region is of kind i
+#endif
+#define AIRLIGHT_HAS_REGION(kind) (((AIRLIGHT_REGION_KINDS >> kind) & 1) != 0)
 
 // Clips the range (from, to) of a line to one pair of the box's planes.
 AIRLIGHT_FN real2 airlightClipSlab(real2 range, real o, real d, real lo, real hi)
@@ -72,4 +81,134 @@ AIRLIGHT_FN bool airlightHolds(AIRLIGHT_IN(AirlightRegion) region, real3 point)
     ? length(point - region.centre) <= region.radius
     : AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_UNBOUNDED ||
       (all(greaterThanEqual(point, region.boxMin)) && all(lessThanEqual(point, region.boxMax)));
+}
+
+// The centre of the region, of a surface its box.
+AIRLIGHT_FN real3 airlightRegionMiddle(AIRLIGHT_IN(AirlightRegion) region)
+{
+  return AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SPHERE
+    ? region.centre
+    : real(0.5) * (region.boxMin + region.boxMax);
+}
+
+// Whether the length of a way from inside the region has kinks as its direction changes.
+AIRLIGHT_FN bool airlightHasEdges(AIRLIGHT_IN(AirlightRegion) region)
+{
+  return AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_BOX;
+}
+
+// ---- Kinks ------------------------------------------------------------------------------------
+
+// Where along a ray the way to the light begins to leave a region through another face, or to touch
+// it at all, the integrand has a kink.
+
+// A ray and its light: origin and direction seen from a light at a place, else from the world's
+// origin, with the direction towards the light.
+struct AirlightWay
+{
+  real3 origin;
+  real3 direction;
+  real3 light; // position or direction
+  bool directional;
+};
+
+// The edge of a box where the planes at `plane` of axes a and b meet: the t whose way to the light
+// meets it, if that is between t0 and t1, else t1. With q the point of the ray seen from the light
+// and e the edge, e_a q_b = e_b q_a, which is linear in t.
+AIRLIGHT_FN real airlightEdgeKink(AIRLIGHT_IN(AirlightRegion) region, AIRLIGHT_IN(AirlightWay) way,
+  int a, int b, real2 plane, real t0, real t1)
+{
+  int c = 3 - a - b;
+  real2 o = real2(way.origin[a], way.origin[b]);
+  real2 d = real2(way.direction[a], way.direction[b]);
+  real2 l = real2(way.light[a], way.light[b]);
+  real2 e = way.directional ? plane - o : plane - l;
+  real slope = way.directional ? d.x * l.y - d.y * l.x : e.x * d.y - e.y * d.x;
+  real t = (way.directional ? e.x * l.y - e.y * l.x : e.y * o.x - e.x * o.y) / slope;
+  if (!(t > t0 && t < t1))
+  {
+    return t1;
+  }
+  // Whether the edge is met between point and light, and is the box's there.
+  real2 q = o + t * d;
+  real third = way.origin[c] + t * way.direction[c];
+  bool met;
+  if (way.directional)
+  {
+    bool x = abs(l.x) > abs(l.y);
+    real along = x ? (plane.x - q.x) / l.x : (plane.y - q.y) / l.y;
+    third += along * way.light[c];
+    met = along > real(0.0);
+  }
+  else
+  {
+    bool x = abs(q.x) > abs(q.y);
+    real share = x ? e.x / q.x : e.y / q.y;
+    third = way.light[c] + share * third;
+    met = share > real(0.0) && share < real(1.0);
+  }
+  return met && third >= region.boxMin[c] && third <= region.boxMax[c] ? t : t1;
+}
+
+AIRLIGHT_FN real airlightBoxKink(AIRLIGHT_IN(AirlightRegion) region, AIRLIGHT_IN(AirlightWay) way,
+  real t0, real t1)
+{
+  for (int a = 0; a < 2; a++)
+  {
+    for (int b = a + 1; b < 3; b++)
+    {
+      for (int corner = 0; corner < 4; corner++)
+      {
+        real2 plane = real2(corner % 2 == 0 ? region.boxMin[a] : region.boxMax[a],
+          corner / 2 == 0 ? region.boxMin[b] : region.boxMax[b]);
+        t1 = airlightEdgeKink(region, way, a, b, plane, t0, t1);
+      }
+    }
+  }
+  return t1;
+}
+
+// The first root in (t0, t1) of a t^2 + 2 b t + c, else t1.
+AIRLIGHT_FN real airlightFirstRoot(real a, real b, real c, real t0, real t1)
+{
+  real discriminant = b * b - a * c;
+  if (discriminant <= real(0.0))
+  {
+    return t1;
+  }
+  real s = sqrt(discriminant);
+  real q = b > real(0.0) ? -(b + s) : s - b;
+  real first = q / a;
+  real second = c / q;
+  t1 = first > t0 && first < t1 ? first : t1;
+  return second > t0 && second < t1 ? second : t1;
+}
+
+// Where the way to the light is tangent to a sphere. A cut too many does no harm: the tangent point
+// may lie beyond the point or the light.
+AIRLIGHT_FN real airlightSphereKink(AIRLIGHT_IN(AirlightRegion) region,
+  AIRLIGHT_IN(AirlightWay) way, real t0, real t1)
+{
+  real3 axis = way.directional ? way.light : region.centre - way.light;
+  real3 o = cross(way.directional ? way.origin - region.centre : way.origin, axis);
+  real3 d = cross(way.direction, axis);
+  real r2 = region.radius * region.radius;
+  return way.directional
+    ? airlightFirstRoot(dot(d, d), dot(o, d), dot(o, o) - r2, t0, t1)
+    : airlightFirstRoot(dot(d, d) - r2, dot(o, d) - r2 * dot(way.origin, way.direction),
+        dot(o, o) - r2 * dot(way.origin, way.origin), t0, t1);
+}
+
+// The first kink in (t0, t1), else t1. `outside`: whether the ray and its light may be outside the
+// region; a way that begins in a sphere leaves it without a kink.
+AIRLIGHT_FN real airlightRegionKink(AIRLIGHT_IN(AirlightRegion) region,
+  AIRLIGHT_IN(AirlightWay) way, bool outside, real t0, real t1)
+{
+  if (AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_BOX)
+  {
+    return airlightBoxKink(region, way, t0, t1);
+  }
+  return AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SPHERE && outside
+    ? airlightSphereKink(region, way, t0, t1)
+    : t1;
 }

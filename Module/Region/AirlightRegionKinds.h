@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The kinds of region: one row each, with what shaders need of it. Their mathematics is in
+ * glsl/Medium/AirlightRegion.glsl.
+ */
+
+#ifndef AirlightRegionKinds_h
+#define AirlightRegionKinds_h
+
+#include "Integration/AirlightMath.h"
+
+#include <string>
+
+class vtkParticipatingMedium;
+
+namespace airlight
+{
+// The fields of a region in shaders, except those of closed surfaces.
+struct RegionVector
+{
+  const char* Name;
+  glm::dvec3 f64::AirlightRegion::*Field;
+  bool IsPosition; // relative to the origin of coordinates
+};
+
+inline constexpr RegionVector RegionVectors[] = {
+  { "boxMin", &f64::AirlightRegion::boxMin, true },
+  { "boxMax", &f64::AirlightRegion::boxMax, true },
+  { "centre", &f64::AirlightRegion::centre, true },
+};
+
+struct RegionNumber
+{
+  const char* Name;
+  double f64::AirlightRegion::*Field;
+};
+
+inline constexpr RegionNumber RegionNumbers[] = {
+  { "radius", &f64::AirlightRegion::radius },
+};
+
+// The name of a vtkParticipatingMedium::RegionType, empty for an unknown one.
+std::string GetRegionName(int type);
+
+// "UNBOUNDED, BOX ... or SURFACE".
+std::string ListRegionConstants();
+
+// The region of the medium relative to `origin`; false if it is missing or invalid.
+bool ConvertRegion(
+  vtkParticipatingMedium* medium, const glm::dvec3& origin, f64::AirlightRegion& region);
+}
+
+#endif
