@@ -410,6 +410,21 @@ void vtkParticipatingMedium::SetRadius(double radius)
   this->SetNumber("Radius", this->Radius, radius, radius >= 0.0, "finite and at least 0");
 }
 
+void vtkParticipatingMedium::SetHeight(double height)
+{
+  this->SetNumber("Height", this->Height, height, height > 0.0, "finite and above 0");
+}
+
+void vtkParticipatingMedium::SetAxis(double x, double y, double z)
+{
+  this->SetDirection("Axis", this->Axis, x, y, z);
+}
+
+void vtkParticipatingMedium::SetAxis(const double axis[3])
+{
+  this->SetAxis(axis[0], axis[1], axis[2]);
+}
+
 //------------------------------------------------------------------------------
 void vtkParticipatingMedium::SetSurface(vtkPolyData* surface)
 {
@@ -511,6 +526,8 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   os << ")\n";
   print3("Center", this->Center);
   os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  print3("Axis", this->Axis);
   os << indent << "Surface: " << this->GetSurface() << "\n";
   const char* densities[] = { "Uniform", "ExponentialHeight", "Image" };
   os << indent << "Density: " << densities[this->Density] << "\n";

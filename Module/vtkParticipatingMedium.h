@@ -240,7 +240,8 @@ public:
     UNBOUNDED = 0, ///< everywhere
     BOX = 1,       ///< inside an axis-aligned box, see SetBounds()
     SPHERE = 2,    ///< inside a sphere, see SetCenter() and SetRadius()
-    SURFACE = 3    ///< inside a closed surface, see SetSurface()
+    SURFACE = 3,   ///< inside a closed surface, see SetSurface()
+    CYLINDER = 4   ///< inside a cylinder, see SetCenter(), SetRadius(), SetHeight() and SetAxis()
   };
 
   ///@{
@@ -253,6 +254,7 @@ public:
   void SetRegionToBox() { this->SetRegion(BOX); }
   void SetRegionToSphere() { this->SetRegion(SPHERE); }
   void SetRegionToSurface() { this->SetRegion(SURFACE); }
+  void SetRegionToCylinder() { this->SetRegion(CYLINDER); }
   ///@}
 
   ///@{
@@ -267,7 +269,8 @@ public:
 
   ///@{
   /**
-   * The centre of SetRegionToSphere() in world coordinates. Range: finite. Default: (0, 0, 0).
+   * The centre of SetRegionToSphere() or SetRegionToCylinder(), halfway between the cylinder's
+   * ends, in world coordinates. Range: finite. Default: (0, 0, 0).
    */
   void SetCenter(double x, double y, double z);
   void SetCenter(const double center[3]);
@@ -276,10 +279,30 @@ public:
 
   ///@{
   /**
-   * The radius of SetRegionToSphere(), world units. Range: finite, at least 0. Default: 1.
+   * The radius of SetRegionToSphere() or SetRegionToCylinder(), world units. Range: finite, at
+   * least 0. Default: 1.
    */
   void SetRadius(double radius);
   vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * The height of SetRegionToCylinder(), from end to end, world units, as in vtkCylinderSource.
+   * Range: finite, above 0. Default: 1.
+   */
+  void SetHeight(double height);
+  vtkGetMacro(Height, double);
+  ///@}
+
+  ///@{
+  /**
+   * The direction of the axis of SetRegionToCylinder(), as in vtkCylinder; it is normalised. Range:
+   * finite, not 0. Default: (0, 1, 0).
+   */
+  void SetAxis(double x, double y, double z);
+  void SetAxis(const double axis[3]);
+  vtkGetVector3Macro(Axis, double);
   ///@}
 
   ///@{
@@ -415,6 +438,8 @@ private:
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Radius = 1.0;
+  double Height = 1.0;
+  double Axis[3] = { 0.0, 1.0, 0.0 };
 
   int Density = UNIFORM;
   double ScaleHeight = 1.0;

@@ -32,6 +32,13 @@ bool ConvertSphere(Medium* medium, const glm::dvec3& origin, f64::AirlightRegion
   return true;
 }
 
+bool ConvertCylinder(Medium* medium, const glm::dvec3& origin, f64::AirlightRegion& region)
+{
+  medium->GetAxis(&region.axis.x);
+  region.halfHeight = 0.5 * medium->GetHeight();
+  return ConvertSphere(medium, origin, region); // centre and radius
+}
+
 bool ConvertSurface(Medium* medium, const glm::dvec3& origin, f64::AirlightRegion& region)
 {
   const std::shared_ptr<const SurfaceTree> tree = medium->GetSurfaceTree();
@@ -61,6 +68,7 @@ constexpr RegionKind Kinds[] = {
   { Medium::BOX, AIRLIGHT_REGION_BOX, "Box", "BOX", &ConvertBox },
   { Medium::SPHERE, AIRLIGHT_REGION_SPHERE, "Sphere", "SPHERE", &ConvertSphere },
   { Medium::SURFACE, AIRLIGHT_REGION_SURFACE, "Surface", "SURFACE", &ConvertSurface },
+  { Medium::CYLINDER, AIRLIGHT_REGION_CYLINDER, "Cylinder", "CYLINDER", &ConvertCylinder },
 };
 
 const RegionKind* FindKind(int type)

@@ -28,6 +28,7 @@ inline constexpr RegionVector RegionVectors[] = {
   { "boxMin", &f64::AirlightRegion::boxMin, true },
   { "boxMax", &f64::AirlightRegion::boxMax, true },
   { "centre", &f64::AirlightRegion::centre, true },
+  { "axis", &f64::AirlightRegion::axis, false },
 };
 
 struct RegionNumber
@@ -38,12 +39,13 @@ struct RegionNumber
 
 inline constexpr RegionNumber RegionNumbers[] = {
   { "radius", &f64::AirlightRegion::radius },
+  { "halfHeight", &f64::AirlightRegion::halfHeight },
 };
 
 // The name of a vtkParticipatingMedium::RegionType, empty for an unknown one.
 std::string GetRegionName(int type);
 
-// "UNBOUNDED, BOX ... or SURFACE".
+// "UNBOUNDED, BOX ... or CYLINDER".
 std::string ListRegionConstants();
 
 // The region of the medium relative to `origin`; false if it is missing or invalid.

@@ -21,6 +21,8 @@ BAD = (
     ("Alpha", 101, "PhaseAlpha 101 must be from 0 to 100; it stays 1"),
     ("RegionBounds", [1, 0, 0, 1, 0, 1], "Bounds (1, 0, 0, 1, 0, 1) must be finite"),
     ("RegionRadius", -1, "Radius -1 must be finite and at least 0; it stays 1"),
+    ("RegionHeight", 0, "Height 0 must be finite and above 0; it stays 1"),
+    ("RegionAxis", [0, 0, 0], "Axis (0, 0, 0) must be a direction"),
     ("ScaleHeight", 0, "ScaleHeight 0 must be finite and above 0; it stays 1"),
     ("Up", [0, 0, 0], "Up (0, 0, 0) must be a direction"),
     ("AmbientRadiance", [-1, 0, 0], "AmbientRadiance (-1, 0, 0) must be finite"),

@@ -219,14 +219,18 @@ class View(unittest.TestCase):
         self.assertLess(np.quantile(difference, 0.97), 2 / 255)
         self.assertEqual(seen[0, 0, 3], 0, "nothing in the corner")
 
-    def test_draine(self):
-        """Draine's function changes the picture, and its parameters, too."""
+    def test_cylinder_and_draine(self):
+        """A cylinder and Draine's function change the picture, and their parameters, too."""
         seen = []
-        for changes in ({}, {"PhaseFunction": "Draine", "Anisotropy": 0.5}, {"Alpha": 20}):
+        for changes in ({}, {"Region": "Cylinder", "RegionRadius": 1.5, "RegionHeight": 2},
+                        {"RegionHeight": 1}, {"RegionAxis": [1, 0, 0]},
+                        {"PhaseFunction": "Draine", "Anisotropy": 0.5}, {"Alpha": 20}):
             for name, value in changes.items():
                 setattr(self.view, name, value)
-            seen.append(test.picture(self.view, f"draine-{len(seen)}").astype(int))
-        for name, value in (("PhaseFunction", "Isotropic"), ("Anisotropy", 0), ("Alpha", 1)):
+            seen.append(test.picture(self.view, f"cylinder-{len(seen)}").astype(int))
+        for name, value in (("Region", "Unbounded"), ("PhaseFunction", "Isotropic"),
+                            ("Anisotropy", 0), ("Alpha", 1), ("RegionAxis", [0, 1, 0]),
+                            ("RegionHeight", 1)):
             setattr(self.view, name, value)
         for before, after in zip(seen, seen[1:]):
             self.assertGreater(np.abs(after - before).max(), 3)

@@ -38,7 +38,7 @@ vtkSmartPointer<vtkActor> MakeActor(Input& input)
 //------------------------------------------------------------------------------
 void ChangeMedium(Input& input, vtkParticipatingMedium* medium)
 {
-  switch (input.Integer(0, 23))
+  switch (input.Integer(0, 25))
   {
     case 0:
       return medium->SetScattering(input.Numbers().data());
@@ -96,6 +96,10 @@ void ChangeMedium(Input& input, vtkParticipatingMedium* medium)
     case 21:
     case 22:
       return medium->SetPhaseFunction(input.Integer(0, 7));
+    case 23:
+      return medium->SetHeight(input.Number());
+    case 24:
+      return medium->SetAxis(input.Numbers().data());
     default:
     {
       vtkNew<vtkDrainePhaseFunction> draine;

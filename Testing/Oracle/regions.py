@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a medium is: the parts of lines inside everywhere, a box, a sphere or a closed mesh.
+"""Where a medium is: the parts of lines inside everywhere, a box, a sphere, a cylinder or a closed
+mesh.
 
 inside(origins, directions, lengths) gives the ends [n, k] of up to k parts of each line, between 0
 and its length, which may be infinite. Parts that are not there have length 0. Directions are unit.
@@ -89,6 +90,68 @@ class Sphere:
         return clipped((foot - half)[:, None], (foot + half)[:, None], lengths)
 
 
+class Cylinder:
+    """In coordinates [x, y, z] from its centre whose z is the axis."""
+
+    def __init__(self, center, axis, radius, height):
+        self.center, self.radius, self.half = np.array(center, float), radius, height / 2
+        z = np.array(axis, float) / np.linalg.norm(axis)
+        x = np.cross(z, np.eye(3)[np.argmin(np.abs(z))])
+        x /= np.linalg.norm(x)
+        self.turn = np.transpose([x, np.cross(z, x), z])
+
+    def kinks(self, light, origin, direction):
+        """Where the light's way passes through a rim, or touches the wall."""
+        o, d = (origin - self.center) @ self.turn, direction @ self.turn
+        at = hasattr(light, "position")
+        source = ((light.position - self.center) if at else light.to_light) @ self.turn
+        found = []
+        for end in (-self.half, self.half):
+            # The way meets the plane z = end at (start + t step)/(low + t slope), in x and y. It
+            # meets the rim if that is at the radius from the axis.
+            if at:
+                low, slope = source[2] - o[2], -d[2]
+                start = source[:2] * low + (o - source)[:2] * (source[2] - end)
+                step = source[:2] * slope + d[:2] * (source[2] - end)
+            else:
+                low, slope = source[2], 0.0
+                start = o[:2] * source[2] + source[:2] * (end - o[2])
+                step = d[:2] * source[2] - source[:2] * d[2]
+            r2 = self.radius**2
+            found.extend(real_roots(step @ step - r2 * slope**2,
+                                    2 * (start @ step - r2 * low * slope),
+                                    start @ start - r2 * low**2))
+        # The wall, in x and y: |source x p| is the radius times |p - source|, or times |source| for
+        # parallel light.
+        across = [source[0] * v[1] - source[1] * v[0] for v in (o, d)]
+        far, farther = ((o - source)[:2], d[:2]) if at else (source[:2], np.zeros(2))
+        found.extend(real_roots(
+            across[1]**2 - self.radius**2 * (farther @ farther),
+            2 * (across[0] * across[1] - self.radius**2 * (far @ farther)),
+            across[0]**2 - self.radius**2 * (far @ far)))
+        return found
+
+    def inside(self, origins, directions, lengths):
+        o, d = (origins - self.center) @ self.turn, directions @ self.turn
+        a = np.sum(d[:, :2]**2, axis=1)
+        b = np.sum(o[:, :2] * d[:, :2], axis=1)
+        c = np.sum(o[:, :2]**2, axis=1) - self.radius**2
+        with np.errstate(divide="ignore", invalid="ignore"):
+            root = np.sqrt(b**2 - a * c)
+            wall = np.stack([(-b - root) / a, (-b + root) / a])
+            ends = np.stack([(-self.half - o[:, 2]) / d[:, 2], (self.half - o[:, 2]) / d[:, 2]])
+        whole = [[-np.inf], [np.inf]]
+        along = a < 1e-30  # the ray: inside the wall or not at all
+        wall = np.where(along, np.where(c <= 0, whole, np.nan), wall)
+        across = d[:, 2] == 0
+        ends = np.where(across, np.where(np.abs(o[:, 2]) <= self.half, whole, np.nan),
+                        np.sort(ends, axis=0))
+        enter, leave = np.maximum(wall[0], ends[0]), np.minimum(wall[1], ends[1])
+        missed = ~(leave > enter)  # NaN, too
+        enter, leave = np.where(missed, 0, enter), np.where(missed, 0, leave)
+        return clipped(enter[:, None], leave[:, None], lengths)
+
+
 class Mesh:
     """Inside is what a line that comes from infinity reaches after an odd number of triangles."""
 
@@ -121,4 +184,7 @@ def make(description):
         return Box(description["min"], description["max"])
     if kind == "sphere":
         return Sphere(description["center"], description["radius"])
+    if kind == "cylinder":
+        return Cylinder(description["center"], description["axis"], description["radius"],
+                        description["height"])
     return {"mesh": Mesh}[kind](description["points"], description["faces"])

@@ -17,6 +17,8 @@ PARALLEL = {"position": (2.2, 1.7, 6), "focal_point": (0.1, 0.4, 0), "view_up": 
             "parallel_scale": 2.6}
 BOX = {"type": "box", "min": (-3, -1.2, -3.5), "max": (2.5, 3, 4)}
 BALL = {"type": "sphere", "center": (0.2, 0.5, -0.3), "radius": 3.1}
+BARREL = {"type": "cylinder", "center": (0.3, 0.4, -0.2), "axis": (0.3, 1, -0.2), "radius": 2.6,
+          "height": 3.4}
 POINT = {"type": "point", "position": (-1.1, 1.9, 0.6), "intensity": (30, 24, 20)}
 OUTSIDE = {"type": "point", "position": (-2.1, 3.7, 1.9), "intensity": (60, 50, 40)}
 SPOT = {"type": "spot", "position": (1.3, 2.3, 1.1), "intensity": (50, 60, 40), "exponent": 0,
@@ -103,6 +105,10 @@ def closed_forms():
               [POINT]),
         scene("sphere, Rayleigh, point inside", [grey(region=BALL, phase="rayleigh")], [POINT],
               BODY),
+        scene("cylinder, Rayleigh, point inside", [grey(region=BARREL, phase="rayleigh")], [POINT],
+              BODY),
+        scene("in the cylinder, spot, no surface", [grey(region=BARREL)], [SPOT],
+              camera={**EYE, "position": (0.8, 0.9, 1.1)}),
         scene("everywhere, Draine, point", [grey(phase=draine(0.6, 5))], [POINT], BODY),
         scene("box, Henyey-Greenstein forward, point inside",
               [grey(region=BOX, phase=with_g("henyey_greenstein", 0.7))], [POINT], BODY),
@@ -173,6 +179,17 @@ def by_quadrature():
     return [
         add("box, Schlick, point outside", [grey(region=BOX, phase=with_g("schlick", -0.5))],
             [OUTSIDE]),
+        add("cylinder, Schlick, point outside",
+            [grey(region=BARREL, phase=with_g("schlick", -0.5))], [OUTSIDE]),
+        add("cylinder, sun", [grey(region=BARREL, phase="rayleigh")], [SUN]),
+        add("along the cylinder's axis, sun",
+            [grey(region={**BARREL, "axis": (0, 0, 1), "radius": 2, "height": 5})], [SUN],
+            # From a height at which no ray lies in the ground or meets an edge of the ball.
+            camera={**PARALLEL, "position": (0, 0.35, 9), "focal_point": (0, 0.35, 0),
+                    "view_up": (0, 1, 0)}),
+        add("cylinder of height fog, spot", [grey(region=BARREL, density=height_fog(0.9, 0.2))],
+            [SPOT]),
+        add("cylinder in fog, two lights", [grey(), grey(region=BARREL)], [OUTSIDE, SUN]),
         add("everywhere, Draine's function of fog, point", [grey(phase=draine(0.95, 30))], [POINT]),
         add("sphere, sun", [grey(region=BALL, phase="rayleigh")], [SUN]),
         add("everywhere, Mie hazy, point", [grey(phase="mie_hazy")], [POINT]),

@@ -197,7 +197,12 @@ class TestBadUse(SceneTest):
         for bounds, words in (
                 ({"type": "surface"}, ["missing key 'mesh'"]),
                 ({"type": "surface", "mesh": "a", "min": 1}, ["unknown key 'min'"]),
-                ({"type": "cone"}, ["medium.bounds.type", "surface"])):
+                ({"type": "cylinder", "center": [0, 0, 0], "radius": 1}, ["missing key 'height'"]),
+                ({"type": "cylinder", "center": [0, 0, 0], "radius": 1, "height": 0},
+                 ["medium.bounds.height", "0"]),
+                ({"type": "cylinder", "center": [0, 0, 0], "radius": 1, "height": 2,
+                  "axis": [0, 0, 0]}, ["medium.bounds.axis", "zero"]),
+                ({"type": "cone"}, ["medium.bounds.type", "cylinder", "surface"])):
             self.fail_with(words, "render", self.scene(bounds=bounds), "-o", self.path("x.png"))
 
 

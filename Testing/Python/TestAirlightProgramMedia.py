@@ -84,6 +84,23 @@ class TestRegions(SceneTest):
         self.assertGreater(min((chords > 1).sum(), (chords == 0).sum()), 100)
         self.check(chords, np.abs(h - radius) > 0.02, "--sphere", "-0.5,0.3,-1:1.2")
 
+    def test_cylinder(self):
+        """Along z, a chord is 2 sqrt(R^2 - h^2) long in x and y, cut off at the ends; along a ray
+        it is longer by 1/sin, with the angle to the axis."""
+        center, radius, half = np.array([-0.5, 0.3, -1]), 1.2, 0.8
+        rays = pixel_rays(self.CAMERA, *self.SIZE)
+        o = np.array(self.CAMERA["position"]) - center
+        across = rays[..., :2]
+        sine = np.linalg.norm(across, axis=-1)
+        h = np.abs(o[0] * across[..., 1] - o[1] * across[..., 0]) / sine
+        foot = -(across @ o[:2]) / sine**2
+        chord = np.sqrt(np.maximum(radius**2 - h**2, 0)) / sine
+        ends = np.sort((np.array([[[-half, half]]]) - o[2]) / rays[..., 2:], axis=-1)
+        lengths = np.minimum(foot + chord, ends[..., 1]) - np.maximum(foot - chord, ends[..., 0])
+        self.assertGreater(min((lengths > 1).sum(), (lengths < 0).sum()), 100)
+        self.check(np.maximum(lengths, 0), (np.abs(lengths) > 0.02) & (np.abs(h - radius) > 0.02),
+                   "--cylinder", "-0.5,0.3,-1:1.2:1.6:0,0,3")
+
     def test_scene_file(self):
         """What a scene file says about regions and density is what the options say, and the options
         outdo the file."""
@@ -99,6 +116,11 @@ class TestRegions(SceneTest):
                  "--box", "-1.5,1,-1,0.8,-2,1"),
                 ("bounds", {"type": "sphere", "center": [-0.5, 0.3, -1], "radius": 1.2},
                  "--sphere", "-0.5,0.3,-1:1.2"),
+                ("bounds", {"type": "cylinder", "center": [-0.5, 0.3, -1], "radius": 1.2,
+                            "height": 1.6, "axis": [1, 2, 0]},
+                 "--cylinder", "-0.5,0.3,-1:1.2:1.6:1,2,0"),
+                ("bounds", {"type": "cylinder", "center": [0, 0.3, -1], "radius": 0.7,
+                            "height": 2}, "--cylinder", "0,0.3,-1:0.7:2"),
                 ("bounds", {"type": "surface", "mesh": "tetrahedron.obj"},
                  "--surface", self.path("tetrahedron.obj")),
                 ("density", fog, "--height-fog", "-0.5:0.7"),

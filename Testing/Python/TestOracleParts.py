@@ -39,6 +39,11 @@ def holds(region, points):
         return np.all((points > region["min"]) & (points < region["max"]), axis=1)
     if region["type"] == "sphere":
         return np.sum((points - region["center"])**2, axis=1) < region["radius"]**2
+    if region["type"] == "cylinder":
+        axis = np.array(region["axis"]) / np.linalg.norm(region["axis"])
+        from_center = points - region["center"]
+        aside = np.linalg.norm(np.cross(from_center, axis), axis=1)
+        return (np.abs(from_center @ axis) < region["height"] / 2) & (aside < region["radius"])
     a, b, c = np.moveaxis(np.array(region["points"])[np.array(region["faces"])], 1, 0)
     normals = np.cross(b - a, c - a)
     return np.all(points @ normals.T < np.sum(a * normals, axis=1), axis=1)
@@ -77,7 +82,7 @@ class TestOracleParts(unittest.TestCase):
         """A point of a line is inside where a part of the line is."""
         origins, ways = self.lines(60)
         t = np.linspace(0, 12, 1001)[1:-1]  # not the very ends
-        for region in (scenes.BOX, scenes.BALL, scenes.closed_mesh()):
+        for region in (scenes.BOX, scenes.BALL, scenes.BARREL, scenes.closed_mesh()):
             starts, ends = regions.make(region).inside(origins, ways, np.full(len(origins), 12.0))
             inside = np.any((t[:, None, None] > starts) & (t[:, None, None] < ends), axis=2)
             points = origins + t[:, None, None] * ways
@@ -91,7 +96,8 @@ class TestOracleParts(unittest.TestCase):
         origins, ways = self.lines(40)
         lengths = self.random.uniform(2, 9, len(origins))
         share = (np.arange(4000) + 0.5) / 4000
-        for region in ({"type": "everywhere"}, scenes.BOX, scenes.BALL, scenes.closed_mesh()):
+        for region in ({"type": "everywhere"}, scenes.BOX, scenes.BALL, scenes.BARREL,
+                       scenes.closed_mesh()):
             for density in ({"type": "uniform"}, scenes.height_fog(1.3, 0.2, (0.1, 1, 0.3)),
                             scenes.cloud()):
                 medium = media.Medium(scenes.grey(region=region, density=density))

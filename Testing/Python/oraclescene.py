@@ -106,6 +106,12 @@ def set_region(medium, region):
         medium.SetCenter(region["center"])
         medium.SetRadius(region["radius"])
         medium.SetRegionToSphere()
+    elif region["type"] == "cylinder":
+        medium.SetCenter(region["center"])
+        medium.SetAxis(region["axis"])
+        medium.SetRadius(region["radius"])
+        medium.SetHeight(region["height"])
+        medium.SetRegionToCylinder()
     elif region["type"] == "mesh":
         medium.SetSurface(make_mesh(region["points"], region["faces"]))
         medium.SetRegionToSurface()

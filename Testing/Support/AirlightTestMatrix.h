@@ -30,7 +30,8 @@ enum MatrixLight
   MATRIX_LIGHTS
 };
 
-constexpr int MATRIX_REGIONS = 4; // vtkParticipatingMedium's; a surface is a mesh of the box
+// vtkParticipatingMedium's; a surface is a mesh of the box. Cylinders have tests of their own.
+constexpr int MATRIX_REGIONS = 4;
 
 enum MatrixPhase
 {
@@ -46,7 +47,7 @@ enum MatrixPhase
   MATRIX_PHASES
 };
 
-// Draine's function has tests of its own.
+// Draine's function has tests of its own, too.
 constexpr int MATRIX_DRAINE = -2; // g = 0.6, alpha = 5
 constexpr int MATRIX_FOG = -1;    // g = 0.95, alpha = 30, which no fit follows
 
@@ -62,7 +63,7 @@ struct MatrixCell
   std::string Describe() const
   {
     static const char* const lights[] = { "point", "spot", "spot^4", "sun", "falloff" };
-    static const char* const regions[] = { "unbounded", "box", "sphere", "surface" };
+    static const char* const regions[] = { "unbounded", "box", "sphere", "surface", "cylinder" };
     static const char* const phases[] = { "isotropic", "HG 0.6", "HG -0.4", "Rayleigh",
       "Schlick 0.5", "Cornette-Shanks 0.5", "Mie hazy", "Mie murky" };
     const std::string phase = this->Phase < 0 ? (this->Phase == MATRIX_FOG ? "fog" : "Draine")

@@ -62,6 +62,13 @@ public:
       }
       return inside;
     }
+    if (this->Medium->GetRegion() == vtkParticipatingMedium::CYLINDER)
+    {
+      const glm::dvec3 w = p - Vector(this->Medium->GetCenter());
+      const glm::dvec3 axis = Vector(this->Medium->GetAxis());
+      return std::abs(glm::dot(w, axis)) < 0.5 * this->Medium->GetHeight() &&
+        glm::length(glm::cross(w, axis)) < this->Medium->GetRadius();
+    }
     return this->Medium->GetRegion() != vtkParticipatingMedium::SPHERE ||
       glm::distance(p, Vector(this->Medium->GetCenter())) < this->Medium->GetRadius();
   }
@@ -152,6 +159,25 @@ private:
       const double radius = this->Medium->GetRadius();
       AddRoots(1.0, glm::dot(w, d), glm::dot(w, w) - radius * radius, cuts);
     }
+    else if (this->Medium->GetRegion() == vtkParticipatingMedium::CYLINDER)
+    {
+      this->AddCylinderCuts(o - Vector(this->Medium->GetCenter()), d, cuts);
+    }
+  }
+
+  // The ends' planes, and |axis x (w + t d)| = radius; w from the centre.
+  void AddCylinderCuts(const glm::dvec3& w, const glm::dvec3& d, std::vector<double>& cuts) const
+  {
+    const glm::dvec3 axis = Vector(this->Medium->GetAxis());
+    const double radius = this->Medium->GetRadius();
+    for (const double side : { -0.5, 0.5 })
+    {
+      const double t = (side * this->Medium->GetHeight() - glm::dot(w, axis)) / glm::dot(d, axis);
+      cuts.push_back(std::isfinite(t) ? t : 0.0);
+    }
+    const glm::dvec3 a = glm::cross(axis, d);
+    const glm::dvec3 b = glm::cross(axis, w);
+    AddRoots(glm::dot(a, a), glm::dot(a, b), glm::dot(b, b) - radius * radius, cuts);
   }
 
   // (axis.w)^2 = cos^2 w^2 with w = o - light + t d.

@@ -28,6 +28,8 @@ void PassMatrix::Place(const MatrixCell& cell, bool parallel, bool plane, bool l
   SetBox(medium, { -2.0, 2.5, -1.5, 2.0, -2.5, 1.8 });
   medium->SetCenter(0.3, 0.2, -0.1);
   medium->SetRadius(2.2);
+  medium->SetHeight(3.4);
+  medium->SetAxis(0.3, 1.0, -0.2);
   medium->SetScaleHeight(random.Uniform(1.0, 4.0));
   medium->SetReferenceHeight(random.Uniform(-1.0, 1.0));
   medium->SetUp(random.Uniform(-0.3, 0.3), 1.0, random.Uniform(-0.3, 0.3));
@@ -87,13 +89,16 @@ bool PassMatrix::Grazes(const Sample& sample)
     larger[i] = bounds[i] + (i % 2 ? change : -change);
   }
   const double radius = medium->GetRadius();
+  const double height = medium->GetHeight();
   const double cone = this->Scene.Light->GetConeAngle();
   SetBox(medium, larger);
   medium->SetRadius(radius + change);
+  medium->SetHeight(height + 2.0 * change);
   this->Scene.Light->SetConeAngle(cone < 90.0 ? cone + 1e-6 * 180.0 / 3.14159265 : cone);
   const Expected other = this->Compute(sample);
   SetBox(medium, bounds);
   medium->SetRadius(radius);
+  medium->SetHeight(height);
   this->Scene.Light->SetConeAngle(cone);
   bool grazes = false;
   for (int k = 0; k < 3; ++k)

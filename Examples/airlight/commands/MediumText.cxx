@@ -83,6 +83,31 @@ void ParseSphere(const std::string& option, const std::string& text, vtkParticip
 }
 
 //------------------------------------------------------------------------------
+void ParseCylinder(
+  const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
+{
+  const std::vector<std::string> parts = SplitText(text, ':');
+  Vector3 center;
+  double radius = 0.0;
+  double height = 0.0;
+  Vector3 axis = { 0.0, 1.0, 0.0 };
+  if (parts.size() < 3 || parts.size() > 4 || !GetVector(parts[0], center) ||
+    !GetNumber(parts[1], radius) || !IsInRange({ radius }, 0.0, LargestNumber) ||
+    !GetNumber(parts[2], height) || !IsInRange({ height }, SmallestHeight, LargestNumber) ||
+    (parts.size() == 4 && !GetDirection(parts[3], axis)))
+  {
+    FailOption(option, text,
+      "x,y,z:R:H or x,y,z:R:H:ax,ay,az with a radius of 0 to 1e30, a height of 1e-30 to 1e30 and "
+      "an axis other than 0");
+  }
+  medium->SetRegionToCylinder();
+  medium->SetCenter(center.data());
+  medium->SetRadius(radius);
+  medium->SetHeight(height);
+  medium->SetAxis(axis.data());
+}
+
+//------------------------------------------------------------------------------
 void ParseHeightFog(
   const std::string& option, const std::string& text, vtkParticipatingMedium* medium)
 {
@@ -92,7 +117,7 @@ void ParseHeightFog(
   Vector3 up = { 0.0, 1.0, 0.0 };
   if (parts.size() < 2 || parts.size() > 3 || !GetNumber(parts[0], reference) ||
     !IsInRange({ reference }, -LargestNumber, LargestNumber) || !GetNumber(parts[1], scale) ||
-    !IsInRange({ scale }, SmallestScaleHeight, LargestNumber) ||
+    !IsInRange({ scale }, SmallestHeight, LargestNumber) ||
     (parts.size() == 3 && !GetDirection(parts[2], up)))
   {
     FailOption(option, text,

@@ -26,6 +26,10 @@ void ParseBox(const std::string& option, const std::string& text, vtkParticipati
 void ParseSphere(
   const std::string& option, const std::string& text, vtkParticipatingMedium* medium);
 
+/// "x,y,z:R:H[:ax,ay,az]": the region, a cylinder of centre, radius, height and axis (0,1,0).
+void ParseCylinder(
+  const std::string& option, const std::string& text, vtkParticipatingMedium* medium);
+
 /// "REFERENCE:SCALE[:ux,uy,uz]": exponential density of reference height, scale height and
 /// direction up (0,1,0).
 void ParseHeightFog(

@@ -160,11 +160,15 @@ void SceneOptions::AddRegionOptions(CLI::App* command, std::vector<CLI::Option*>
     "xmin,xmax,ymin,ymax,zmin,zmax: the medium fills this box, with vacuum around it");
   CLI::Option* sphere = AddText(command, "--sphere", this->Sphere,
     "x,y,z:R: the medium fills this sphere of centre x,y,z and radius R, with vacuum around it");
+  CLI::Option* cylinder = AddText(command, "--cylinder", this->Cylinder,
+    "x,y,z:R:H[:ax,ay,az]: the medium fills this cylinder of centre x,y,z, radius R, height H and "
+    "axis ax,ay,az (default 0,1,0), with vacuum around it");
   CLI::Option* surface = AddText(command, "--surface", this->Surface,
     "FILE: the medium fills this closed mesh, any kind of model, with vacuum around it");
-  box->excludes(sphere)->excludes(surface);
-  sphere->excludes(surface);
-  options.insert(options.end(), { box, sphere, surface });
+  box->excludes(sphere)->excludes(cylinder)->excludes(surface);
+  sphere->excludes(cylinder)->excludes(surface);
+  cylinder->excludes(surface);
+  options.insert(options.end(), { box, sphere, cylinder, surface });
 }
 
 //------------------------------------------------------------------------------
@@ -248,6 +252,10 @@ void SceneOptions::ChangeRegion(vtkParticipatingMedium* medium) const
   for (const std::string& text : this->Sphere)
   {
     ParseSphere("--sphere", text, medium);
+  }
+  for (const std::string& text : this->Cylinder)
+  {
+    ParseCylinder("--cylinder", text, medium);
   }
   for (const std::string& file : this->Surface)
   {

@@ -67,6 +67,7 @@ private:
   Text Ambient;
   Text Box;
   Text Sphere;
+  Text Cylinder;
   Text Surface;
   Text HeightFog;
   std::string Technique = "Automatic";

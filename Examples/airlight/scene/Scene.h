@@ -31,7 +31,7 @@ constexpr double LargestNumber = 1e30; ///< beyond it single precision on the ca
 constexpr double SmallestConeAngle = 0.001;
 constexpr double LargestConeAngle = 89.999; ///< VTK takes 90 for a point light
 constexpr double LargestExponent = 128.0;   ///< VTK clamps it there
-constexpr double SmallestScaleHeight = 1e-30;
+constexpr double SmallestHeight = 1e-30;
 ///@}
 
 struct CameraSettings

@@ -68,9 +68,22 @@ void ReadBox(const LocatedJson& json, vtkParticipatingMedium* medium)
   medium->SetBounds(low[0], high[0], low[1], high[1], low[2], high[2]);
 }
 
+void ReadCylinder(const LocatedJson& json, vtkParticipatingMedium* medium)
+{
+  json.CheckKeys({ "type", "center", "radius", "height" }, { "axis" });
+  medium->SetRegionToCylinder();
+  medium->SetCenter(json["center"].GetVector(-LargestNumber, LargestNumber).data());
+  medium->SetRadius(json["radius"].GetNumber(0.0, LargestNumber));
+  medium->SetHeight(json["height"].GetNumber(SmallestHeight, LargestNumber));
+  if (json.Has("axis"))
+  {
+    medium->SetAxis(ReadSceneDirection(json["axis"]).data());
+  }
+}
+
 void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
 {
-  json.CheckKeys({ "type" }, { "min", "max", "center", "radius", "mesh" });
+  json.CheckKeys({ "type" }, { "min", "max", "center", "radius", "height", "axis", "mesh" });
   const std::string type = json["type"].GetString();
   if (type == "box")
   {
@@ -83,13 +96,17 @@ void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
     medium->SetCenter(json["center"].GetVector(-LargestNumber, LargestNumber).data());
     medium->SetRadius(json["radius"].GetNumber(0.0, LargestNumber));
   }
+  else if (type == "cylinder")
+  {
+    ReadCylinder(json, medium);
+  }
   else if (type == "surface")
   {
     json.CheckKeys({ "type", "mesh" });
   }
   else
   {
-    json["type"].Fail("must be \"box\", \"sphere\" or \"surface\", not \"" + type + "\"");
+    json["type"].Fail(R"(must be "box", "sphere", "cylinder" or "surface", not ")" + type + "\"");
   }
 }
 
@@ -103,7 +120,7 @@ void ReadDensity(const LocatedJson& json, vtkParticipatingMedium* medium)
   }
   medium->SetDensityToExponentialHeight();
   medium->SetReferenceHeight(json["reference_height"].GetNumber(-LargestNumber, LargestNumber));
-  medium->SetScaleHeight(json["scale_height"].GetNumber(SmallestScaleHeight, LargestNumber));
+  medium->SetScaleHeight(json["scale_height"].GetNumber(SmallestHeight, LargestNumber));
   if (json.Has("up"))
   {
     medium->SetUp(ReadSceneDirection(json["up"]).data());

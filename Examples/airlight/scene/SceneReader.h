@@ -20,7 +20,8 @@ namespace airlight
  *    {type: henyey_greenstein, g}, {type: schlick, k}, {type: cornette_shanks, g},
  *    {type: mie_hazy}, {type: mie_murky}, {type: draine, g, alpha} or
  *    {type: tabulated, table: a file, see ReadPhaseTable()};
- *    optional in `medium`: `bounds` {type: box, min, max}, {type: sphere, center, radius} or
+ *    optional in `medium`: `bounds` {type: box, min, max}, {type: sphere, center, radius},
+ *    {type: cylinder, center, radius, height, axis} (axis may be left out: 0, 1, 0) or
  *    {type: surface, mesh: a file of a closed mesh}, `density`
  *    {type: exponential_height, reference_height, scale_height, up} (up may be left out: 0, 1, 0)
  *    and `ambient_radiance`;

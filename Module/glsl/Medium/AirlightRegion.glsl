@@ -11,6 +11,7 @@
 #define AIRLIGHT_REGION_BOX 1
 #define AIRLIGHT_REGION_SPHERE 2
 #define AIRLIGHT_REGION_SURFACE 3
+#define AIRLIGHT_REGION_CYLINDER 4
 
 // Farther than any scene; squares of it are still finite.
 #define AIRLIGHT_FAR 1e18
@@ -20,8 +21,10 @@ struct AirlightRegion
   int kind;
   real3 boxMin; // of a surface, too
   real3 boxMax;
-  real3 centre; // of the sphere; where a surface's triangles have their origin
+  real3 centre; // of the sphere or cylinder; where a surface's triangles have their origin
   real radius;
+  real3 axis; // of the cylinder, of length 1
+  real halfHeight;
   AIRLIGHT_DATA_MEMBER
   int first; // texel of a surface's tree
   int nodes; // of the tree
@@ -37,6 +40,12 @@ struct AirlightRegion
 #endif
 #define AIRLIGHT_HAS_REGION(kind) (((AIRLIGHT_REGION_KINDS >> kind) & 1) != 0)
 
+AIRLIGHT_FN bool airlightIsCylinder(AIRLIGHT_IN(AirlightRegion) region)
+{
+  return AIRLIGHT_HAS_REGION(AIRLIGHT_REGION_CYLINDER) &&
+    AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_CYLINDER;
+}
+
 // Clips the range (from, to) of a line to one pair of the box's planes.
 AIRLIGHT_FN real2 airlightClipSlab(real2 range, real o, real d, real lo, real hi)
 {
@@ -47,6 +56,35 @@ AIRLIGHT_FN real2 airlightClipSlab(real2 range, real o, real d, real lo, real hi
   real a = (lo - o) / d;
   real b = (hi - o) / d;
   return real2(max(range.x, min(a, b)), min(range.y, max(a, b)));
+}
+
+// The component of a vector perpendicular to the cylinder's axis.
+AIRLIGHT_FN real3 airlightAcrossAxis(AIRLIGHT_IN(AirlightRegion) region, real3 v)
+{
+  return v - dot(v, region.axis) * region.axis;
+}
+
+// Clips the range of a line to a cylinder: to the slab between its ends, and to its wall.
+AIRLIGHT_FN real2 airlightClipCylinder(
+  AIRLIGHT_IN(AirlightRegion) region, real2 range, real3 origin, real3 direction)
+{
+  real3 toCentre = region.centre - origin;
+  real h = region.halfHeight;
+  range =
+    airlightClipSlab(range, -dot(toCentre, region.axis), dot(direction, region.axis), -h, h);
+  real3 aside = airlightAcrossAxis(region, toCentre);
+  real3 across = airlightAcrossAxis(region, direction);
+  real slope = length(across);
+  if (slope < real(1e-12))
+  {
+    return length(aside) <= region.radius ? range : real2(real(0.0), real(0.0));
+  }
+  // From the foot of the axis on the ray, as for spheres.
+  real foot = dot(aside, across) / (slope * slope);
+  real apart = length(cross(aside, across)) / slope;
+  real halfChord =
+    sqrt(max((region.radius - apart) * (region.radius + apart), real(0.0))) / slope;
+  return real2(max(range.x, foot - halfChord), min(range.y, foot + halfChord));
 }
 
 // The part (from, to) of [0, t1] in which the ray is inside the region, of a surface inside its
@@ -71,12 +109,22 @@ AIRLIGHT_FN real2 airlightRegionRange(
     real halfChord = sqrt(max((region.radius - h) * (region.radius + h), real(0.0)));
     range = real2(max(range.x, foot - halfChord), min(range.y, foot + halfChord));
   }
+  else if (airlightIsCylinder(region))
+  {
+    range = airlightClipCylinder(region, range, origin, direction);
+  }
   return real2(range.x, max(range.x, range.y));
 }
 
 // Whether the region, of a surface its box, holds a point.
 AIRLIGHT_FN bool airlightHolds(AIRLIGHT_IN(AirlightRegion) region, real3 point)
 {
+  if (airlightIsCylinder(region))
+  {
+    real3 fromCentre = point - region.centre;
+    return abs(dot(fromCentre, region.axis)) <= region.halfHeight &&
+      length(airlightAcrossAxis(region, fromCentre)) <= region.radius;
+  }
   return AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SPHERE
     ? length(point - region.centre) <= region.radius
     : AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_UNBOUNDED ||
@@ -86,7 +134,7 @@ AIRLIGHT_FN bool airlightHolds(AIRLIGHT_IN(AirlightRegion) region, real3 point)
 // The centre of the region, of a surface its box.
 AIRLIGHT_FN real3 airlightRegionMiddle(AIRLIGHT_IN(AirlightRegion) region)
 {
-  return AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SPHERE
+  return AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SPHERE || airlightIsCylinder(region)
     ? region.centre
     : real(0.5) * (region.boxMin + region.boxMax);
 }
@@ -94,7 +142,7 @@ AIRLIGHT_FN real3 airlightRegionMiddle(AIRLIGHT_IN(AirlightRegion) region)
 // Whether the length of a way from inside the region has kinks as its direction changes.
 AIRLIGHT_FN bool airlightHasEdges(AIRLIGHT_IN(AirlightRegion) region)
 {
-  return AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_BOX;
+  return AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_BOX || airlightIsCylinder(region);
 }
 
 // ---- Kinks ------------------------------------------------------------------------------------
@@ -199,6 +247,67 @@ AIRLIGHT_FN real airlightSphereKink(AIRLIGHT_IN(AirlightRegion) region,
         dot(o, o) - r2 * dot(way.origin, way.origin), t0, t1);
 }
 
+// The t in (t0, t1) whose way to the light goes through the point p of a cylinder's rim, else t1. p
+// is seen from a light at a place, else from the way's origin; the plane of ray and light has the
+// normal n.
+AIRLIGHT_FN real airlightRimPointKink(
+  AIRLIGHT_IN(AirlightWay) way, real3 n, real3 p, real t0, real t1)
+{
+  real t;
+  bool met;
+  if (way.directional)
+  {
+    t = dot(cross(way.light, p), n) / dot(n, n);
+    met = dot(p - t * way.direction, way.light) > real(0.0);
+  }
+  else
+  {
+    t = -dot(cross(p, way.origin), n) / dot(cross(p, way.direction), n);
+    real3 q = way.origin + t * way.direction;
+    real share = dot(p, q);
+    met = share > real(0.0) && share < dot(q, q);
+  }
+  return met && t > t0 && t < t1 ? t : t1;
+}
+
+// Where the way to the light passes from a cylinder's wall to the end with the centre `end`: the
+// plane of ray and light meets the rim in two points.
+AIRLIGHT_FN real airlightRimKink(AIRLIGHT_IN(AirlightRegion) region, AIRLIGHT_IN(AirlightWay) way,
+  real3 end, real t0, real t1)
+{
+  real3 n = cross(way.directional ? way.light : way.origin, way.direction);
+  real3 q = end - (way.directional ? way.origin : way.light);
+  real3 across = airlightAcrossAxis(region, n);
+  real across2 = dot(across, across);
+  real3 nearest = -dot(n, q) / across2 * across;
+  real rest = region.radius * region.radius - dot(nearest, nearest);
+  if (!(rest > real(0.0)))
+  {
+    return t1;
+  }
+  real3 aside = sqrt(rest / across2) * cross(region.axis, across);
+  t1 = airlightRimPointKink(way, n, q + nearest + aside, t0, t1);
+  return airlightRimPointKink(way, n, q + nearest - aside, t0, t1);
+}
+
+// Where the way to the light is tangent to the wall, as to a sphere, seen along the axis.
+AIRLIGHT_FN real airlightWallKink(AIRLIGHT_IN(AirlightRegion) region,
+  AIRLIGHT_IN(AirlightWay) way, real t0, real t1)
+{
+  real3 origin =
+    airlightAcrossAxis(region, way.directional ? way.origin - region.centre : way.origin);
+  real3 direction = airlightAcrossAxis(region, way.direction);
+  real3 to =
+    airlightAcrossAxis(region, way.directional ? way.light : region.centre - way.light);
+  real3 o = cross(origin, to);
+  real3 d = cross(direction, to);
+  real r2 = region.radius * region.radius;
+  return way.directional
+    ? airlightFirstRoot(dot(d, d), dot(o, d), dot(o, o) - r2 * dot(to, to), t0, t1)
+    : airlightFirstRoot(dot(d, d) - r2 * dot(direction, direction),
+        dot(o, d) - r2 * dot(origin, direction), dot(o, o) - r2 * dot(origin, origin), t0, t1);
+}
+
 // The first kink in (t0, t1), else t1. `outside`: whether the ray and its light may be outside the
 // region; a way that begins in a sphere leaves it without a kink.
 AIRLIGHT_FN real airlightRegionKink(AIRLIGHT_IN(AirlightRegion) region,
@@ -207,6 +316,13 @@ AIRLIGHT_FN real airlightRegionKink(AIRLIGHT_IN(AirlightRegion) region,
   if (AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_BOX)
   {
     return airlightBoxKink(region, way, t0, t1);
+  }
+  if (airlightIsCylinder(region))
+  {
+    real3 toEnd = region.halfHeight * region.axis;
+    t1 = airlightRimKink(region, way, region.centre - toEnd, t0, t1);
+    t1 = airlightRimKink(region, way, region.centre + toEnd, t0, t1);
+    return outside ? airlightWallKink(region, way, t0, t1) : t1;
   }
   return AIRLIGHT_REGION_KIND(region) == AIRLIGHT_REGION_SPHERE && outside
     ? airlightSphereKink(region, way, t0, t1)

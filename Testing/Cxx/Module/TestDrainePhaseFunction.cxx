@@ -207,7 +207,7 @@ bool TestShapes()
 }
 
 //------------------------------------------------------------------------------
-// In unbounded media, boxes and spheres around the origin.
+// In unbounded media, boxes, spheres and cylinders around the origin.
 bool TestAirlight()
 {
   Comparison closed("closed form");
@@ -216,13 +216,14 @@ bool TestAirlight()
   vtkNew<Medium> medium;
   medium->SetBounds(-2.0, 2.5, -1.5, 2.0, -2.5, 1.8);
   medium->SetRadius(2.0);
+  medium->SetHeight(3.0);
   medium->SetScaleHeight(4.0);
-  const int regions[] = { Medium::UNBOUNDED, Medium::BOX, Medium::SPHERE };
+  const int regions[] = { Medium::UNBOUNDED, Medium::BOX, Medium::SPHERE, Medium::CYLINDER };
   for (const int phase : { MATRIX_DRAINE, MATRIX_FOG })
   {
     for (int i = 0; i < 120; ++i)
     {
-      const MatrixCell cell{ i % MATRIX_LIGHTS, regions[i / 5 % 3], i / 15 % 2, phase };
+      const MatrixCell cell{ i % MATRIX_LIGHTS, regions[i / 5 % 4], i / 20 % 2, phase };
       vtkNew<vtkLight> light;
       cell.Apply(medium, light);
       medium->SetScattering(random.Uniform(0.05, 0.4), 0.2, random.Uniform(0.05, 0.4));

@@ -74,6 +74,8 @@ void TestNumbers(vtkParticipatingMedium* medium)
   const Property properties[] = { { "Radius", { -1.0, -1e-300, inf, nan },
                                     [&](double v) { medium->SetRadius(v); },
                                     [&] { return medium->GetRadius(); } },
+    { "Height", { 0.0, -1.0, -1e-300, inf, -inf, nan }, [&](double v) { medium->SetHeight(v); },
+      [&] { return medium->GetHeight(); } },
     { "ScaleHeight", { 0.0, -1.0, inf, -inf, nan }, [&](double v) { medium->SetScaleHeight(v); },
       [&] { return medium->GetScaleHeight(); } },
     { "ReferenceHeight", { inf, -inf, nan }, [&](double v) { medium->SetReferenceHeight(v); },
@@ -112,7 +114,9 @@ void TestCenter(vtkParticipatingMedium* medium)
 
 //------------------------------------------------------------------------------
 // A direction's length is taken out of it, however large or small, to within roundings.
-void TestUp(vtkParticipatingMedium* medium)
+template <typename Set, typename Get>
+void TestDirection(
+  vtkParticipatingMedium* medium, const std::string& name, const Set& set, const Get& get)
 {
   const double third = 1.0 / std::sqrt(3.0);
   const std::pair<Vector, Vector> directions[] = { { { 0, 2, 0 }, { 0, 1, 0 } },
@@ -122,22 +126,23 @@ void TestUp(vtkParticipatingMedium* medium)
     { { 3e-200, 0, 4e-200 }, { 0.6, 0, 0.8 } } };
   for (const auto& [given, expected] : directions)
   {
-    medium->SetUp(given.data());
-    const double* up = medium->GetUp();
+    set(given.data());
+    const double* v = get();
     for (int i = 0; i < 3; ++i)
     {
-      Check(std::abs(up[i] - expected[i]) <= 1e-15,
-        Text("Up ", Describe(given), " points to ", Describe({ up[0], up[1], up[2] })));
+      Check(std::abs(v[i] - expected[i]) <= 1e-15,
+        Text(name, " ", Describe(given), " points to ", Describe({ v[0], v[1], v[2] })));
     }
   }
-  medium->SetUp(0.0, 1.0, 0.0);
+  const Vector good = { 0.0, 1.0, 0.0 };
+  set(good.data());
   for (const Vector& bad : { Vector{ 0, 0, 0 }, Vector{ inf, 0, 0 }, Vector{ 0, -inf, 1 },
          Vector{ 1, 1, nan }, Vector{ nan, inf, 0 } })
   {
-    CheckRefused(medium, "Up " + Describe(bad), { "Up " + Describe(bad), "direction" },
-      [&] { medium->SetUp(bad.data()); });
-    const double* stays = medium->GetUp();
-    Check(Vector{ stays[0], stays[1], stays[2] } == Vector{ 0, 1, 0 }, "Up stays");
+    CheckRefused(medium, name + " " + Describe(bad), { name + " " + Describe(bad), "direction" },
+      [&] { set(bad.data()); });
+    const double* stays = get();
+    Check(Vector{ stays[0], stays[1], stays[2] } == good, name + " stays");
   }
 }
 }
@@ -148,6 +153,10 @@ int TestMediumErrors(int, char*[])
   vtkNew<vtkParticipatingMedium> medium;
   TestNumbers(medium);
   TestCenter(medium);
-  TestUp(medium);
+  TestDirection(
+    medium, "Up", [&](const double* v) { medium->SetUp(v); }, [&] { return medium->GetUp(); });
+  TestDirection(
+    medium, "Axis", [&](const double* v) { medium->SetAxis(v); },
+    [&] { return medium->GetAxis(); });
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
