@@ -76,11 +76,13 @@ vtkShaderProgram* ShadowLists::GetPlanesProgram(
   view.SetUniforms(program, 0, 0);
   glm::mat4 clip = view.GetClipMatrix(source.Volumes.GetAnchor());
   const glm::vec3 anchor(source.Volumes.GetAnchor() - view.GetEye());
-  const glm::vec4 fromLight = source.Light.w != 0.0 ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)
-                                                    : glm::vec4(-glm::vec3(source.Light), 0.0f);
+  const glm::dvec4& light = source.Volumes.GetLight();
+  const glm::vec4 fromLight =
+    light.w != 0.0 ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : glm::vec4(-glm::vec3(light), 0.0f);
   program->SetUniformMatrix4x4("anchorToClip", &clip[0][0]);
   program->SetUniform3f("anchor", &anchor.x);
   program->SetUniform4f("fromLight", &fromLight.x);
+  program->SetUniformi("againstView", source.Volumes.IsAgainstView() ? 1 : 0);
   return program;
 }
 

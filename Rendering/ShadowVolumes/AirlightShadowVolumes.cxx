@@ -211,10 +211,12 @@ void ShadowVolumes::CollectRemoteSilhouettes()
 }
 
 //------------------------------------------------------------------------------
-bool ShadowVolumes::Update(const std::vector<Caster>& casters, const glm::dvec4& light,
+bool ShadowVolumes::Update(const std::vector<Caster>& casters, const glm::dvec4& givenLight,
   const CameraUniforms& view, bool anyPicture)
 {
   const glm::dvec3 oldAnchor = this->Anchor;
+  glm::dvec4 light = givenLight;
+  this->AgainstView = TurnLightAside(light, view);
   const bool lightMoved = this->Light != light;
   this->Light = light;
   this->SetAnchor(casters);
@@ -222,7 +224,7 @@ bool ShadowVolumes::Update(const std::vector<Caster>& casters, const glm::dvec4&
     casters, ClippedRegions(view, anyPicture), lightMoved || oldAnchor != this->Anchor);
   const bool viewMoved = this->Start != view.GetStart();
   this->Start = view.GetStart();
-  // Edges that were near at the old eye go back among the others.
+  // Edges that were near at the old start go back among the others.
   bool changed = partsChanged || this->RemoteChanged || (viewMoved && !this->NearEdges.empty());
   this->RemoteChanged = false;
   if (changed)

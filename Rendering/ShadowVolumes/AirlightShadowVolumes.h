@@ -30,11 +30,11 @@ struct ShadowEdge
   glm::vec4 Normal; // w: index of the layer
 };
 
-// An edge whose plane the eye lies on.
+// An edge on whose plane rays start: at the eye, or in parallel projection at infinity.
 struct NearEdge
 {
-  ShadowEdge Edge; // B.w: the plane's offset from the eye
-  glm::vec4 Sides; // the eye's place: from the sides that begin at A and at B, and beyond the edge
+  ShadowEdge Edge; // B.w: the plane's offset from the start
+  glm::vec4 Sides; // the start's place: from the sides that begin at A and B, and beyond the edge
 };
 
 // A caster's triangle, for rays that go through it: where its front faces are culled, where it is
@@ -74,13 +74,18 @@ public:
   // What the layers of the casters do, each kind once.
   const std::vector<CasterOpticalThickness>& GetLayers() const { return this->Layers; }
 
-  // The edges whose planes the eye lies on or nearly so, which it sees edge-on. They are not among
-  // GetEdges().
+  // The edges on whose planes rays start or nearly so, which the eye sees edge-on. They are not
+  // among GetEdges().
   const std::vector<NearEdge>& GetNearEdges() const { return this->NearEdges; }
 
   // The world position that edges and caps are relative to: the light, or where it is at infinity
   // a place among the casters.
   const glm::dvec3& GetAnchor() const { return this->Anchor; }
+
+  // The light that edges and caps are of: Update()'s, but for one that shines against a parallel
+  // view. All its planes are behind the view, and it is turned aside by too little to see.
+  const glm::dvec4& GetLight() const { return this->Light; }
+  bool IsAgainstView() const { return this->AgainstView; }
 
 private:
   struct Part
@@ -99,12 +104,14 @@ private:
   void CollectRemoteSilhouettes();
   float GetLayerIndex(const CasterOpticalThickness& layer);
   bool UpdateParts(const std::vector<Caster>& casters, const ClippedRegions& view, bool moved);
-  bool IsOnPlane(const ShadowEdge& edge, const glm::dvec3& eye) const;
-  NearEdge MakeNear(const ShadowEdge& edge, const glm::dvec3& eye) const;
+  static bool TurnLightAside(glm::dvec4& light, const CameraUniforms& view);
+  bool IsOnPlane(const ShadowEdge& edge, const glm::dvec4& start) const;
+  NearEdge MakeNear(const ShadowEdge& edge, const glm::dvec4& start) const;
   bool SplitNearEdges(const CameraUniforms& view);
   void CountAtStart(const CameraUniforms& view);
 
   glm::dvec4 Light{ 0.0 };
+  bool AgainstView = false;
   glm::dvec4 Start{ 0.0 };
   glm::dvec3 Anchor{ 0.0 };
   std::vector<Part> Parts; // in the order of the casters

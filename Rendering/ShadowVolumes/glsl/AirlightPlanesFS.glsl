@@ -32,6 +32,7 @@ flat in float planeRounding;
 #endif
 #if AIRLIGHT_NEAR_PLANES
 uniform vec4 fromLight; // directional: the light's direction and w 0; point: w 1
+uniform vec3 anchor;    // from the eye: in parallel projection the light, through which planes go
 #endif
 
 flat in vec4 planeRay; // AirlightPlanesVS.glsl
@@ -43,20 +44,31 @@ flat in vec3 planeNormal;
 flat in float planeOffset;
 flat in vec3 planeA;
 flat in vec3 planeB;
-flat in vec3 planeSides; // of the eye
+flat in vec3 planeSides; // of the start
 #endif
 
 #if AIRLIGHT_NEAR_PLANES
-// Whether the plane's point at t lies beyond the edge and between its two sides. From the eye's own
-// place on, which decides where all rays meet the plane right before it.
-bool isBehindEdge(float t, vec3 direction)
+// By how much a way leads away from the plane's two sides and from the edge.
+vec3 getTurns(vec3 way)
 {
   vec3 sideA = fromLight.w != 0.0 ? planeA : fromLight.xyz;
   vec3 sideB = fromLight.w != 0.0 ? planeB : fromLight.xyz;
-  vec3 turns = vec3(dot(cross(sideA, direction), planeNormal),
-    dot(cross(direction, sideB), planeNormal),
-    dot(cross(direction, planeB - planeA), planeNormal));
-  return all(greaterThanEqual(planeSides + t * turns, vec3(0.0)));
+  return vec3(dot(cross(sideA, way), planeNormal), dot(cross(way, sideB), planeNormal),
+    dot(cross(way, planeB - planeA), planeNormal));
+}
+
+// Whether the ray's point at t lies beyond the edge and between the plane's two sides. In a
+// perspective from the eye's own place on, which decides where all rays meet the plane right before
+// it. In parallel projection the ray comes from its start's own place at infinity.
+bool isBehindEdge(float t, vec2 p)
+{
+  vec3 place = planeSides + t * getTurns(airlightDirection(p));
+  if (airlightParallel != 0)
+  {
+    place = getTurns(airlightOrigin(p) - anchor) - t * planeSides;
+    place.z -= dot(cross(planeA, planeB), planeNormal);
+  }
+  return all(greaterThanEqual(place, vec3(0.0)));
 }
 #endif
 
@@ -102,8 +114,8 @@ void addBoundary(ivec2 pixel, float t, int weight)
 float meetPlane(vec2 p)
 {
 #if AIRLIGHT_NEAR_PLANES
-  vec3 direction = airlightDirection(p);
-  return (planeOffset - dot(planeNormal, airlightOrigin(p))) / dot(planeNormal, direction);
+  return airlightParallel != 0 ? dot(planeNormal, anchor - airlightOrigin(p)) / planeOffset
+                               : planeOffset / dot(planeNormal, airlightDirection(p));
 #else
   float q = planeRay.x + p.x * planeRay.y + p.y * planeRay.z;
   return airlightParallel != 0 ? q / planeRay.w : planeRay.w / q;
@@ -117,7 +129,7 @@ void main()
   bool enters = gl_FrontFacing;
 #if AIRLIGHT_NEAR_PLANES
   enters = planeOffset < 0.0;
-  if (!(t > 0.0) || !isBehindEdge(t, airlightDirection(p)))
+  if (!(airlightParallel != 0 || t > 0.0) || !isBehindEdge(t, p))
   {
     return;
   }

@@ -1,14 +1,14 @@
 // Shadow planes: each silhouette edge, pulled out of a buffer, becomes the quadrilateral from the
 // edge to infinity, away from the light, or to where all that follows is hidden. AIRLIGHT_CAPS: a
-// caster's own triangles, where rays go through them. AIRLIGHT_NEAR_PLANES: those that the eye lies
-// on, which it would see edge-on; a triangle over the whole view lets the fragments find out which
-// rays cross them.
+// caster's own triangles, where rays go through them. AIRLIGHT_NEAR_PLANES: those on which rays
+// start, which the eye would see edge-on; a triangle over the whole view lets the fragments find out
+// which rays cross them.
 
 // Relative to the anchor (the light itself, or for a directional light any point). Per edge: A and
 // its weight, B and the number of its caster, the plane's normal. Per cap: A and the side of the
 // light (1: where the triangle's normal points, -1: behind), B and the size of the mesh's
-// coordinates, C. Per near plane: as an edge, B with the plane's offset from the eye, and fourth
-// the eye's place in the plane. The third's w is the kind of caster.
+// coordinates, C. Per near plane: as an edge, B with the plane's offset from the start of rays, and
+// fourth the start's place in the plane. The third's w is the kind of caster.
 layout(std430, binding = AIRLIGHT_BINDING_SILHOUETTE_EDGES) readonly buffer AirlightEdges
 {
   vec4 edges[];
@@ -17,7 +17,8 @@ layout(std430, binding = AIRLIGHT_BINDING_SILHOUETTE_EDGES) readonly buffer Airl
 uniform mat4 anchorToClip;
 uniform vec3 anchor;     // from the eye
 uniform vec4 fromLight;  // directional: the light's direction and w 0; point: w 1
-uniform int inParallel; // 1: the projection is parallel
+uniform int inParallel;  // 1: the projection is parallel
+uniform int againstView; // 1: and the light shines against it, so that all planes are behind the view
 // what all fragments need, see AirlightKBuffer.glsl and AirlightListHeads.glsl
 uniform ivec3 givenListLayout;
 // As in AirlightCameraShader.glsl.
@@ -35,7 +36,7 @@ flat out float planeOffset;
 flat out float planeRounding; // of a cap's corners
 flat out vec3 planeA; // the edge, from the anchor
 flat out vec3 planeB;
-flat out vec3 planeSides; // the eye's place in a near plane (isBehindEdge() of the fragments)
+flat out vec3 planeSides; // the start's place in a near plane (isBehindEdge() of the fragments)
 
 // Sets planeRay.
 void meetRays()
@@ -46,6 +47,9 @@ void meetRays()
   planeRay = vec4(dot(planeNormal, first), dot(planeNormal, perX), dot(planeNormal, perY),
     inParallel != 0 ? dot(planeNormal, airlightRayDirection[0]) : planeOffset);
   planeRay.x += inParallel != 0 ? planeOffset : 0.0;
+#if !AIRLIGHT_CAPS && !AIRLIGHT_NEAR_PLANES
+  planeRay = againstView != 0 ? vec4(-1e17, 0.0, 0.0, 1.0) : planeRay;
+#endif
 }
 
 #if AIRLIGHT_CAPS

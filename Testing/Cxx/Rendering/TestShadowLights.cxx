@@ -159,6 +159,48 @@ void TestCameraNearEdge()
   }
 }
 
+// In parallel projection all rays come from one point at infinity. Here it is on the edge of a
+// plate's shadow or on two of them, or beside one by what single precision cannot tell: rays to one
+// side start in shadow, the others in light.
+void TestParallelOnEdge()
+{
+  for (const double x : { 0.0, -1e-7, 1e-7, -1e-5, 1e-5 })
+  {
+    for (const double y : { -1.0, 0.0 })
+    {
+      Scene scene;
+      scene.Look({ 0, 0, 10 }, { 0, 0, 0 });
+      scene.AddPointLight({ 0, 0, -3 });
+      AddOpenBodies(scene);
+      scene.Add(MakeSoup({ { { x, y, -1 }, { 2, y, -1 }, { 2, 2, -1 } },
+        { { x, y, -1 }, { 2, 2, -1 }, { x, 2, -1 } } }));
+      SetParallel(scene, 4.0);
+      CompareScene("parallel projection along the edge of a shadow, " + std::to_string(1e6 * x) +
+          "e-6 " + std::to_string(y),
+        scene);
+    }
+  }
+}
+
+// The light comes straight towards the camera, or nearly so: rays that meet a body start in shadow.
+void TestParallelAgainstLight()
+{
+  for (const glm::dvec3 eye : { glm::dvec3(0, 0, 10), glm::dvec3(3, 5, 8) })
+  {
+    for (const double aside : { 0.0, 1e-7, 1e-5, 1e-4, 1e-3 })
+    {
+      Scene scene;
+      scene.Look(eye, { 0, 0, 0 });
+      scene.AddDirectionalLight(glm::dvec3(aside, 0, 0) - glm::normalize(eye));
+      AddOpenBodies(scene);
+      SetParallel(scene, 4.0);
+      CompareScene("parallel projection against the light, from " + std::to_string(eye.x) + ", " +
+          std::to_string(1e6 * aside) + "e-6",
+        scene);
+    }
+  }
+}
+
 // A lamp in a closed body has no silhouette: nothing outside is lit, and all within.
 void TestLampInClosedBody()
 {
@@ -223,6 +265,8 @@ int TestShadowLights(int, char*[])
   TestPhaseFunction();
   TestCameraOnEdge();
   TestCameraNearEdge();
+  TestParallelOnEdge();
+  TestParallelAgainstLight();
   TestLampInClosedBody();
   TestFarFromOrigin();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
