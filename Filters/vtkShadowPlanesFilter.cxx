@@ -4,7 +4,7 @@
 
 #include "Medium/AirlightConvert.h"
 #include "Scene/AirlightAbort.h"
-#include "Silhouette/AirlightShadowPieces.h"
+#include "Silhouette/AirlightWritePieces.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

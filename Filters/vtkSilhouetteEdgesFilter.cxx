@@ -5,7 +5,7 @@
 #include "Medium/AirlightConvert.h"
 #include "Scene/AirlightAbort.h"
 #include "Silhouette/AirlightMeshCache.h"
-#include "Silhouette/AirlightShadowPieces.h"
+#include "Silhouette/AirlightWritePieces.h"
 #include "Silhouette/AirlightSilhouette.h"
 
 #include "vtkCommand.h"

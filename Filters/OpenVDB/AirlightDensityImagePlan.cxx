@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OpenVDB/AirlightDensityImage.h"
+#include "OpenVDB/AirlightDensityImagePlan.h"
 
 #include "vtkMath.h"
 

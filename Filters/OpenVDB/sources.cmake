@@ -6,9 +6,8 @@ endif ()
 airlight_sources(
   PRIVATE_CLASSES
     AirlightDensityImage
+    AirlightDensityImagePlan
     AirlightOpenVDBFile
-  SOURCES
-    AirlightDensityImagePlan.cxx
   HEADERS
     AirlightOpenVDBArchive.h
     AirlightOpenVDBScanner.h

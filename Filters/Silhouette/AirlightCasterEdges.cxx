@@ -1,11 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The edges of a caster mesh. The uses of edges are sorted by their lower ends, first into buckets
-// and then within each, and those of one lower end, which are few, by comparison.
+#include "Silhouette/AirlightCasterEdges.h"
 
 #include "Silhouette/AirlightCasterMesh.h"
-
 #include "Silhouette/AirlightParallel.h"
 
 #include <cstdint>

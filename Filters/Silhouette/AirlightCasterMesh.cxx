@@ -3,6 +3,7 @@
 #include "Silhouette/AirlightCasterMesh.h"
 
 #include "Region/AirlightTriangulate.h"
+#include "Silhouette/AirlightCasterEdges.h"
 #include "Silhouette/AirlightMergedPoints.h"
 #include "Silhouette/AirlightParallel.h"
 

@@ -71,10 +71,6 @@ private:
   void AddPoints(const std::vector<glm::dvec3>& positions, std::vector<vtkIdType>& vertices);
   void BuildPlanes();
 };
-
-// Fills the lists of edges from the triangles. Edges are in the order of their ends, and an edge's
-// uses in the order of their numbers.
-void BuildEdges(CasterMesh& mesh);
 }
 
 #endif

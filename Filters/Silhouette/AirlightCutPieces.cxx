@@ -1,11 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Shadow pieces inside a box. They extend to infinity, in homogeneous coordinates, and are cut by
-// the box' six planes, so that inside it they are exact wherever the light is.
+#include "Silhouette/AirlightCutPieces.h"
 
 #include "Silhouette/AirlightParallel.h"
-#include "Silhouette/AirlightShadowPieces.h"
 
 #include <cmath>
 #include <numeric>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Silhouette/AirlightShadowPieces.h"
 
+#include "Silhouette/AirlightCutPieces.h"
 #include "Silhouette/AirlightParallel.h"
 
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Flat pieces of the surfaces that bound shadows, and how they and silhouettes become VTK's data.
+ * Flat pieces of the surfaces that bound shadows.
  */
 
 #ifndef AirlightShadowPieces_h
@@ -16,8 +16,6 @@
 #include <array>
 #include <functional>
 #include <vector>
-
-class vtkPolyData;
 
 namespace airlight
 {
@@ -69,14 +67,6 @@ struct PieceOptions
 ShadowPieces MakeShadowPieces(const CasterMesh& mesh, const HomogeneousPoint& light,
   const PieceOptions& options, const CasterMesh::Progress& progress);
 
-// The edges as lines with the arrays Weight and EdgePoints and the input's point data.
-void WriteLines(const CasterMesh& mesh, const std::vector<SilhouetteEdge>& edges,
-  vtkPolyData* input, vtkPolyData* output);
-
-// The pieces as polygons with the arrays Weight, EdgePoints and Part and the input's point data.
-void WritePieces(
-  const CasterMesh& mesh, const ShadowPieces& pieces, vtkPolyData* input, vtkPolyData* output);
-
 // The numbers of those that are marked, in their order; -1 for the others.
 struct Numbering
 {
@@ -84,10 +74,6 @@ struct Numbering
   std::vector<int> Number;
   std::vector<int> Marked;
 };
-
-// The pieces in bounds; MakeShadowPieces() calls it.
-ShadowPieces CutShadowPieces(const CasterMesh& mesh, const HomogeneousPoint& light,
-  const PieceOptions& options, const CasterMesh::Progress& progress);
 }
 
 #endif

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Silhouettes and shadow pieces as VTK's data.
+#include "Silhouette/AirlightWritePieces.h"
 
 #include "Silhouette/AirlightParallel.h"
-#include "Silhouette/AirlightShadowPieces.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -2,14 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
+    AirlightCasterEdges
     AirlightCasterMesh
+    AirlightCutPieces
     AirlightMergedPoints
     AirlightShadowPieces
     AirlightSilhouette
-  SOURCES
-    AirlightCasterEdges.cxx
-    AirlightCutPieces.cxx
-    AirlightWritePieces.cxx
+    AirlightWritePieces
   HEADERS
     AirlightMeshCache.h
     AirlightParallel.h)

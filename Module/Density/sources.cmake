@@ -2,6 +2,4 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
-    AirlightDensityGrid
-  SOURCES
-    AirlightGridQuadrature.cxx)
+    AirlightDensityGrid)

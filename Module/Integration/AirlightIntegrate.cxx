@@ -3,6 +3,7 @@
 #include "Integration/AirlightIntegrate.h"
 
 #include "Integration/AirlightAdaptive.h"
+#include "Integration/AirlightGridQuadrature.h"
 
 #include <algorithm>
 #include <vector>

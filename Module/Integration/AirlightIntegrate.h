@@ -22,12 +22,6 @@ glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::Airligh
 // What the media scatter of their ambient radiance into [0, to] of a ray of unit direction.
 glm::dvec3 IntegrateAmbient(const f64::AirlightMedia& media, const glm::dvec3& origin,
   const glm::dvec3& direction, double to);
-
-// The same as AdaptiveQuadrature() with images among the densities: panels end where the ray passes
-// from one cell to the next, and those whose error is the largest are halved until all errors
-// together are below 1e-6 of the integral, or there are 20 000 panels more.
-glm::dvec3 GridQuadrature(const f64::AirlightMedia& media, const f64::AirlightLight& light,
-  const f64::AirlightRay& ray, double t0, double t1);
 }
 
 #endif

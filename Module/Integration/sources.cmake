@@ -3,6 +3,7 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightAdaptive
+    AirlightGridQuadrature
     AirlightIntegrate
   HEADERS
     AirlightFunctions.inl

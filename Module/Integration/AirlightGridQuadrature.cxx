@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Integration/AirlightIntegrate.h"
+#include "Integration/AirlightGridQuadrature.h"
 
 #include <algorithm>
 #include <cmath>
