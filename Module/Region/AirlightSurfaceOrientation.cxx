@@ -1,10 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Which way the triangles of a closed surface face: neighbours alike, and each patch of them
-// outwards, which is the side that an even number of crossings leads to.
-
-#include "Region/AirlightSurfaceTree.h"
+#include "Region/AirlightSurfaceOrientation.h"
 
 #include "Integration/AirlightMath.h"
 
@@ -43,9 +39,16 @@ EdgeMap MapEdges(const std::vector<Triangle>& triangles)
 }
 
 //------------------------------------------------------------------------------
-// Turns the triangles over so that neighbours on an edge of two agree. Where more than two meet,
-// patches of triangles end.
-bool SurfaceTree::OrientAlike(std::string& error)
+SurfaceOrientation::SurfaceOrientation(
+  const std::vector<glm::dvec3>& points, const glm::dvec3& centre, std::vector<Triangle>& triangles)
+  : Points(points)
+  , Centre(centre)
+  , Triangles(triangles)
+{
+}
+
+//------------------------------------------------------------------------------
+bool SurfaceOrientation::OrientAlike(std::string& error)
 {
   const EdgeMap edges = MapEdges(this->Triangles);
   size_t open = 0;
@@ -56,7 +59,7 @@ bool SurfaceTree::OrientAlike(std::string& error)
     if (uses.size() % 2 != 0)
     {
       ++open;
-      where = 0.5 * (this->Points[edge.first] + this->Points[edge.second]) + this->GetCentre();
+      where = 0.5 * (this->Points[edge.first] + this->Points[edge.second]) + this->Centre;
     }
     else if (uses.size() == 2)
     {
@@ -118,7 +121,7 @@ bool SurfaceTree::OrientAlike(std::string& error)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 SurfaceTree::GetAreaVector(int triangle) const
+glm::dvec3 SurfaceOrientation::GetAreaVector(int triangle) const
 {
   const Triangle& t = this->Triangles[triangle];
   const glm::dvec3& a = this->Points[t[0]];
@@ -129,18 +132,18 @@ glm::dvec3 SurfaceTree::GetAreaVector(int triangle) const
 // Whether the place just above a triangle (side 1: where its corners run counter-clockwise) or
 // below it (-1) is inside. The crossings on the way from there to infinity, each 1 or -1, have an
 // odd sum where their number is odd, however their triangles are oriented.
-bool SurfaceTree::IsInsideFrom(int triangle, double side) const
+bool SurfaceOrientation::IsInsideFrom(const SurfaceTree& tree, int triangle, double side) const
 {
   const Triangle& t = this->Triangles[triangle];
   f64::AirlightMedium medium{};
   medium.region.kind = AIRLIGHT_REGION_SURFACE;
-  medium.region.boxMin = this->Least - this->GetCentre();
-  medium.region.boxMax = this->Greatest - this->GetCentre();
-  medium.region.data = this->Texels.data();
-  medium.region.nodes = this->NodeCount;
+  medium.region.boxMin = tree.GetLeast() - this->Centre;
+  medium.region.boxMax = tree.GetGreatest() - this->Centre;
+  medium.region.data = tree.GetTexels().data();
+  medium.region.nodes = tree.GetNodeCount();
   const glm::dvec3 middle = (this->Points[t[0]] + this->Points[t[1]] + this->Points[t[2]]) / 3.0;
   const glm::dvec3 way = side * glm::normalize(this->GetAreaVector(triangle));
-  const double above = 1e-9 * glm::distance(this->Least, this->Greatest);
+  const double above = 1e-9 * glm::distance(tree.GetLeast(), tree.GetGreatest());
   const glm::dvec3 sums = f64::airlightSurfaceSums(medium, middle, way, 0.0, above);
   return std::lround(sums.z) % 2 != 0;
 }
@@ -149,7 +152,7 @@ bool SurfaceTree::IsInsideFrom(int triangle, double side) const
 // 1 where the patch's triangles look outwards or have no area, -1 where they look inwards, 0 where
 // they bound nothing. Larger triangles are judged first; one that lies on another body's has the
 // same on both sides and says nothing.
-int SurfaceTree::JudgePatch(const std::vector<int>& patch) const
+int SurfaceOrientation::JudgePatch(const SurfaceTree& tree, const std::vector<int>& patch) const
 {
   std::vector<std::pair<double, int>> sizes;
   sizes.reserve(patch.size());
@@ -162,8 +165,8 @@ int SurfaceTree::JudgePatch(const std::vector<int>& patch) const
   {
     if (size < 0.0)
     {
-      const bool above = this->IsInsideFrom(triangle, 1.0);
-      if (above != this->IsInsideFrom(triangle, -1.0))
+      const bool above = this->IsInsideFrom(tree, triangle, 1.0);
+      if (above != this->IsInsideFrom(tree, triangle, -1.0))
       {
         return above ? -1 : 1;
       }
@@ -173,8 +176,7 @@ int SurfaceTree::JudgePatch(const std::vector<int>& patch) const
 }
 
 //------------------------------------------------------------------------------
-// Patch by patch; those that bound nothing vanish.
-void SurfaceTree::OrientOutwards()
+void SurfaceOrientation::OrientOutwards(const SurfaceTree& tree)
 {
   std::vector<std::vector<int>> patches(this->PatchCount);
   for (size_t i = 0; i < this->Triangles.size(); ++i)
@@ -184,7 +186,7 @@ void SurfaceTree::OrientOutwards()
   std::vector<Triangle> kept;
   for (const std::vector<int>& patch : patches)
   {
-    const int looks = this->JudgePatch(patch);
+    const int looks = this->JudgePatch(tree, patch);
     for (int i : patch)
     {
       const Triangle& t = this->Triangles[i];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Region/AirlightSurfaceTree.h"
 
-#include "Integration/AirlightMath.h"
+#include "Region/AirlightSurfaceOrientation.h"
 #include "Region/AirlightTriangulate.h"
 
 #include "vtkCellArray.h"
@@ -30,12 +30,17 @@ constexpr size_t MostTriangles = 4000000;
 std::shared_ptr<const SurfaceTree> SurfaceTree::Build(vtkPolyData* mesh, std::string& error)
 {
   auto tree = std::make_shared<SurfaceTree>();
-  if (!tree->ReadMesh(mesh, error) || !tree->OrientAlike(error))
+  if (!tree->ReadMesh(mesh, error))
+  {
+    return nullptr;
+  }
+  SurfaceOrientation orientation(tree->Points, tree->GetCentre(), tree->Triangles);
+  if (!orientation.OrientAlike(error))
   {
     return nullptr;
   }
   tree->Pack();
-  tree->OrientOutwards();
+  orientation.OrientOutwards(*tree);
   if (tree->Triangles.empty())
   {
     error = "encloses nothing: all of it is flat or there twice";

@@ -38,19 +38,12 @@ public:
 private:
   bool ReadMesh(vtkPolyData* mesh, std::string& error);
   void DropPairs();
-  bool OrientAlike(std::string& error);
-  void OrientOutwards();
-  int JudgePatch(const std::vector<int>& patch) const;
   void Pack();
   void PackNodes(
     std::vector<int>& order, int begin, int end, const std::vector<glm::dvec3>& centres);
-  bool IsInsideFrom(int triangle, double side) const;
-  glm::dvec3 GetAreaVector(int triangle) const;
 
   std::vector<glm::dvec3> Points; // from the centre
   std::vector<Triangle> Triangles;
-  std::vector<int> Patches; // of triangles that are oriented alike, by triangle
-  int PatchCount = 0;
   glm::dvec3 Least{ 0.0 };
   glm::dvec3 Greatest{ 0.0 };
   int NodeCount = 0;

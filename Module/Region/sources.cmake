@@ -3,7 +3,6 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightRegionKinds
+    AirlightSurfaceOrientation
     AirlightSurfaceTree
-    AirlightTriangulate
-  SOURCES
-    AirlightSurfaceOrientation.cxx)
+    AirlightTriangulate)
