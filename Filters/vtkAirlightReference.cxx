@@ -2,19 +2,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlightReference.h"
 
+#include "Medium/AirlightMediaList.h"
 #include "Medium/AirlightMediaMethods.h"
-#include "Reference/vtkAirlightReferenceInternals.h"
+#include "Photometry/AirlightLightSwitches.h"
+#include "Reference/AirlightReferencePicture.h"
+#include "Reference/AirlightReferenceTracer.h"
+#include "Scene/AirlightAbort.h"
+
 #include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkLightCollection.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkParticipatingMedium.h"
 #include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkWindow.h"
 
 #include <algorithm>
+
+using namespace airlight;
 
 namespace
 {
 constexpr int MostPixels = 32768; // along a side
 }
+
+// What it was given.
+class vtkAirlightReference::Internals
+{
+public:
+  MediaList Media;
+  vtkNew<vtkParticipatingMedium> Vacuum;
+  LightSwitches Switches;
+  bool WarnedCameraLights = false;
+  vtkSmartPointer<vtkRenderer> Renderer;
+};
 
 vtkStandardNewMacro(vtkAirlightReference);
 
@@ -126,4 +153,121 @@ void vtkAirlightReference::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
+}
+
+//------------------------------------------------------------------------------
+// The size to compute. False, with an error, where nobody knows it.
+bool vtkAirlightReference::FindSize(int size[2])
+{
+  std::copy_n(this->Size, 2, size);
+  vtkRenderer* renderer = this->Impl->Renderer;
+  if (size[0] == 0 && renderer && renderer->GetVTKWindow())
+  {
+    renderer->GetTiledSize(&size[0], &size[1]);
+  }
+  if (size[0] < 1 || size[1] < 1)
+  {
+    vtkErrorMacro("The renderer has no size, as it has no window or a closed one: call SetSize().");
+    return false;
+  }
+  return true;
+}
+
+bool vtkAirlightReference::Check()
+{
+  if (!this->Impl->Renderer)
+  {
+    vtkErrorMacro("There is no renderer: call SetRenderer().");
+    return false;
+  }
+  const std::string text = this->Impl->Media.Check();
+  if (!text.empty())
+  {
+    vtkErrorMacro(<< text);
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkAirlightReference::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  int size[2] = { 0, 0 };
+  if (!this->Check() || !this->FindSize(size))
+  {
+    std::fill_n(size, 2, 0);
+  }
+  const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
+  const double spacing[3] = { 1.0, 1.0, 1.0 };
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), spacing, 3);
+  info->Set(vtkDataObject::ORIGIN(), origin, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_DOUBLE, 3);
+  return size[0] > 0 ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkAirlightReference::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  image->Initialize();
+
+  ReferenceSettings settings;
+  settings.Width = extent[1] + 1;
+  settings.Height = extent[3] + 1;
+  settings.LightRadius = this->LightRadius;
+  settings.SurfaceShadows = this->SurfaceShadows;
+  settings.Switches = this->Impl->Switches;
+  std::vector<vtkParticipatingMedium*> media = this->Impl->Media.GetAll();
+  if (media.empty())
+  {
+    media.push_back(this->Impl->Vacuum);
+  }
+  const ReferenceTracer tracer(this->Impl->Renderer, media, settings);
+  if (!tracer.IsValid())
+  {
+    vtkErrorMacro("The camera's matrices are not finite or cannot be inverted: give it a position "
+                  "apart from its focal point, and angles and a clipping range above 0.");
+    return 0;
+  }
+  const std::string unsupported = tracer.GetScene().GetUnsupported();
+  if (!unsupported.empty())
+  {
+    vtkWarningMacro(<< "Not computed, or not as VTK draws it: " << unsupported << ".");
+  }
+  if (tracer.GetLights().HasInvalid())
+  {
+    vtkWarningMacro(<< InvalidLightText);
+  }
+  const std::string leftOut = tracer.DescribeLeftOut();
+  if (!leftOut.empty() && !this->Impl->WarnedCameraLights)
+  {
+    this->Impl->WarnedCameraLights = true;
+    vtkWarningMacro(<< leftOut);
+  }
+
+  image->SetExtent(extent);
+  image->SetSpacing(1.0, 1.0, 1.0);
+  image->SetOrigin(0.0, 0.0, 0.0);
+  ReferencePicture picture(image);
+  // Some rows at a time: progress is for this thread to tell.
+  const int step = std::max(1, settings.Height / 50);
+  for (int row = 0; row < settings.Height && !IsAborted(this); row += step)
+  {
+    const int rows = std::min(step, settings.Height - row);
+    picture.Trace(tracer, row, rows);
+    this->UpdateProgress(static_cast<double>(row + rows) / settings.Height);
+  }
+  if (IsAborted(this))
+  {
+    image->Initialize();
+  }
+  return 1;
 }

@@ -4,9 +4,6 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightReferenceLights
     AirlightReferenceMesh
+    AirlightReferencePicture
     AirlightReferenceScene
-    AirlightReferenceTracer
-  SOURCES
-    vtkAirlightReferencePicture.cxx
-  HEADERS
-    vtkAirlightReferenceInternals.h)
+    AirlightReferenceTracer)
