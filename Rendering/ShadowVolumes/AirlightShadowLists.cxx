@@ -1,8 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The drawing of a light's shadow planes.
-
 #include "ShadowVolumes/AirlightShadowLists.h"
 
 #include "AirlightCameraShader.h"
@@ -37,6 +34,32 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
+std::string ShadowLists::GetBoundariesSource(bool sorted) const
+{
+  return this->Sorting.GetBoundariesSource(sorted);
+}
+
+std::string ShadowLists::GetPackedSource(bool sorted) const
+{
+  return this->Sorting.GetPackedSource(sorted);
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::SetVolumes(int light, const ShadowVolumes& volumes)
+{
+  const bool ok = this->Planes.SetVolumes(light, volumes);
+  this->Error = ok ? this->Error : this->Planes.GetError();
+  return ok;
+}
+
+bool ShadowLists::SetTruncationPlanes(const Source& source)
+{
+  const bool ok = this->Planes.SetTruncationPlanes(source.TruncationPlanes);
+  this->Error = ok ? this->Error : this->Planes.GetError();
+  return ok;
+}
+
+//------------------------------------------------------------------------------
 bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height,
   bool transmitsShadows, size_t edges, std::uint64_t memoryLimit, bool budgeted)
 {
@@ -45,10 +68,6 @@ bool ShadowLists::Prepare(vtkOpenGLRenderWindow* window, int width, int height,
   this->Height = height;
   this->Budgeted = budgeted;
   this->OverBudget = false;
-  if (this->VertexArray == 0)
-  {
-    glGenVertexArrays(1, &this->VertexArray);
-  }
   if (!this->Store.Prepare(width, height, transmitsShadows, edges, memoryLimit))
   {
     this->Error = this->Store.GetError();
@@ -97,42 +116,9 @@ std::string ShadowLists::GetPlanesSource(const CameraUniforms& view) const
 }
 
 //------------------------------------------------------------------------------
-// By parts that a storage block of any driver holds. Front faces are seen from outside the volume.
-// By indices, a plane takes four vertices instead of six, and software renderers take few planes at
-// a time: after every fifty vertices that they have clipped they go through all that they took.
-void ShadowLists::DrawRecords(PlaneKind kind, const Buffer& buffer) const
-{
-  const bool planes = kind == PlaneKind::Plane;
-  const size_t size = kind == PlaneKind::Near ? sizeof(NearEdge)
-    : planes                                  ? sizeof(ShadowEdge)
-                                              : sizeof(ShadowCap);
-  const int most = planes ? PlanesPerDraw : RecordsPerDraw;
-  glBindVertexArray(this->VertexArray);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Corners.Handle);
-  for (int first = 0; first < buffer.Count; first += most)
-  {
-    const int count = std::min(buffer.Count - first, most);
-    BindStorage(StorageBinding::SilhouetteEdges, buffer.Handle, static_cast<GLintptr>(first * size),
-      static_cast<GLsizeiptr>(count * size));
-    if (planes)
-    {
-      glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_SHORT, nullptr);
-    }
-    else
-    {
-      glDrawArrays(GL_TRIANGLES, 0, 3 * count);
-    }
-  }
-  glBindVertexArray(0);
-}
-
-//------------------------------------------------------------------------------
 bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, int rows)
 {
-  const Buffer* const buffers[3] = { &this->Edges[source.LightNumber],
-    &this->Caps[source.LightNumber], &this->NearEdges[source.LightNumber] };
-  const Buffer& buffer = *buffers[static_cast<int>(kind)];
-  if (buffer.Count == 0)
+  if (this->Planes.IsEmpty(kind, source.LightNumber))
   {
     return true;
   }
@@ -146,9 +132,7 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
   program->SetUniformi("inParallel", source.Rays.IsParallel() ? 1 : 0);
   this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
   this->Store.Use(program);
-  BindStorage(StorageBinding::CasterThickness, this->Layers[source.LightNumber].Handle);
-  BindStorage(StorageBinding::TruncationPlanes, this->TruncationPlanes.Handle);
-  this->DrawRecords(kind, buffer);
+  this->Planes.Draw(kind, source.LightNumber);
   return true;
 }
 
@@ -169,7 +153,8 @@ bool ShadowLists::TryDraw(const Source& source, int row, int rows, BoundaryBuffe
   {
     return ok;
   }
-  const bool spilled = this->MergeOverflow(row, rows);
+  const bool spilled = this->Sorting.MergeOverflow({ this->Window, this->Width, row, rows });
+  this->Error = spilled ? this->Error : this->Sorting.GetError();
   counts = this->Store.ReadCounts();
   return spilled;
 }
@@ -191,8 +176,7 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
     if (needed <= this->Store.GetCapacity())
     {
       this->Longest = counts.Longest;
-      this->FirstRow = row;
-      this->Rows = rows;
+      this->Filled = { this->Window, this->Width, row, rows };
       return rows;
     }
     if (this->Budgeted && needed * all / rows > MostBands * most)
@@ -219,7 +203,7 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
 //------------------------------------------------------------------------------
 int ShadowLists::Fill(const Source& source, int row, int rows)
 {
-  if (!this->UploadTruncationPlanes(source))
+  if (!this->SetTruncationPlanes(source))
   {
     return 0;
   }
@@ -248,7 +232,7 @@ int ShadowLists::Fill(const Source& source, int row, int rows)
 bool ShadowLists::DrawWireframe(const Source& source)
 {
   vtkShaderProgram* program = this->GetPlanesProgram(PlaneKind::Plane, AirlightOutlineFS, source);
-  if (!program || !this->UploadTruncationPlanes(source))
+  if (!program || !this->SetTruncationPlanes(source))
   {
     return false;
   }
@@ -258,11 +242,36 @@ bool ShadowLists::DrawWireframe(const Source& source)
   state->vtkglDepthMask(GL_FALSE);
   glEnable(GL_DEPTH_CLAMP);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  BindStorage(StorageBinding::TruncationPlanes, this->TruncationPlanes.Handle);
-  this->DrawRecords(PlaneKind::Plane, this->Edges[source.LightNumber]);
+  this->Planes.Draw(PlaneKind::Plane, source.LightNumber);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_DEPTH_CLAMP);
   state->vtkglDepthMask(GL_TRUE);
   return true;
+}
+
+//------------------------------------------------------------------------------
+int ShadowLists::GetLongDraws()
+{
+  if (!this->HasKBuffer())
+  {
+    this->Longest = this->Store.ReadCounts().Longest;
+  }
+  return BoundarySort::CountLongDraws(this->Longest);
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::Sort()
+{
+  const bool ok = this->Sorting.Sort(this->Filled, this->Longest);
+  this->Error = ok ? this->Error : this->Sorting.GetError();
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+void ShadowLists::Release()
+{
+  this->Store.Release();
+  this->Planes.Release();
+  this->Sorting.Release();
 }
 }

@@ -9,9 +9,10 @@
 #ifndef AirlightShadowLists_h
 #define AirlightShadowLists_h
 
-#include "OpenGL/AirlightQuad.h"
+#include "OpenGL/AirlightProgram.h"
 #include "ShadowVolumes/AirlightBoundaryBuffer.h"
-#include "ShadowVolumes/AirlightShadowVolumes.h"
+#include "ShadowVolumes/AirlightBoundarySort.h"
+#include "ShadowVolumes/AirlightShadowPlaneBuffers.h"
 
 #include <cstdint>
 #include <string>
@@ -31,11 +32,6 @@ class ShadowLists
 {
 public:
   static constexpr std::uint64_t MostBands = 16;
-  // What indices of 16 bits reach, four vertices a plane. Multiples of 16 records are aligned as
-  // parts of a storage buffer have to be.
-  static constexpr int PlanesPerDraw = 16368;
-  // Caps and near planes, up to 64 bytes each: what the smallest storage blocks hold.
-  static constexpr int RecordsPerDraw = 1 << 18;
 
   // Whether the window's OpenGL has what this needs: 4.3.
   static bool IsSupported(vtkOpenGLRenderWindow* window);
@@ -101,33 +97,13 @@ public:
   void Release();
 
 private:
-  struct Buffer
-  {
-    unsigned int Handle = 0;
-    int Count = 0;
-  };
-
-  bool Upload(Buffer& buffer, const void* data, size_t count, size_t size);
-  bool UploadTruncationPlanes(const Source& source);
-  bool UploadLayers(Buffer& buffer, const std::vector<CasterOpticalThickness>& layers);
-  // As in AirlightPlanesVS.glsl.
-  enum class PlaneKind
-  {
-    Plane,
-    Cap,
-    Near
-  };
-
   vtkShaderProgram* GetPlanesProgram(
     PlaneKind kind, const std::string& fragment, const Source& source);
-  bool MakeCorners();
-  void DrawRecords(PlaneKind kind, const Buffer& buffer) const;
+  bool SetTruncationPlanes(const Source& source);
   std::string GetPlanesSource(const CameraUniforms& view) const;
   bool DrawFragments(const Source& source, PlaneKind kind, int row, int rows);
   bool TryDraw(const Source& source, int row, int rows, BoundaryBuffer::Counts& counts);
   int DrawRows(const Source& source, int row, int rows);
-  bool MergeOverflow(int row, int rows);
-  vtkShaderProgram* GetListsProgram(Quad& quad, const std::string& fragment);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   int Width = 0;
@@ -135,19 +111,11 @@ private:
   bool Budgeted = false;
   bool OverBudget = false;
   std::uint32_t Longest = 0; // list
-  int FirstRow = 0;          // of those that the lists are of
-  int Rows = 0;
-  unsigned int VertexArray = 0;
-  Buffer Corners; // of how many planes
-  Buffer TruncationPlanes;
-  std::vector<Buffer> Edges; // by light
-  std::vector<Buffer> NearEdges;
-  std::vector<Buffer> Caps;
-  std::vector<Buffer> Layers;
+  BoundarySort::Rows Filled; // that the lists are of
+  ShadowPlaneBuffers Planes;
   BoundaryBuffer Store;
+  BoundarySort Sorting{ this->Store };
   ProgramMaker PlanePrograms;
-  Quad SortQuad;
-  Quad OverflowQuad;
   std::string Error;
 };
 }

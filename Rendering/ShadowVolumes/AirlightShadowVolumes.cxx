@@ -5,12 +5,14 @@
 #include "Casters/AirlightCasterBox.h"
 #include "Scene/AirlightCameraUniforms.h"
 #include "ShadowVolumes/AirlightClippedRegions.h"
+#include "ShadowVolumes/AirlightRayStart.h"
 #include "ShadowVolumes/AirlightSilhouetteExchange.h"
 #include "Silhouette/AirlightSilhouette.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace airlight
 {
@@ -211,6 +213,40 @@ void ShadowVolumes::CollectRemoteSilhouettes()
 }
 
 //------------------------------------------------------------------------------
+// Moves the edges on whose planes rays start to a list of their own. True where there are any.
+bool ShadowVolumes::SplitNearEdges(const RayStart& start)
+{
+  const auto split = std::stable_partition(this->Edges.begin(), this->Edges.end(),
+    [&](const ShadowEdge& edge) { return !start.IsOnPlane(edge); });
+  this->NearEdges.clear();
+  std::transform(split, this->Edges.end(), std::back_inserter(this->NearEdges),
+    [&](const ShadowEdge& edge) { return start.MakeNear(edge); });
+  this->Edges.erase(split, this->Edges.end());
+  return !this->NearEdges.empty();
+}
+
+//------------------------------------------------------------------------------
+void ShadowVolumes::CountAtStart(const RayStart& start)
+{
+  this->StartCount = 0;
+  this->StartLayers = CasterOpticalThickness{};
+  for (const Part& part : this->Parts)
+  {
+    const glm::dmat4 toLocal = glm::inverse(part.Source.ToWorld);
+    const int count =
+      CountShadowsAt(*part.Source.Mesh, toLocal * this->Light, toLocal * start.GetPosition());
+    this->StartCount += count;
+    this->StartLayers.Blocks += count * part.Source.OpticalThickness.Blocks;
+    this->StartLayers.Thickness += count * part.Source.OpticalThickness.Thickness;
+  }
+  for (const auto& remote : this->Remote)
+  {
+    this->StartCount += remote->StartCount;
+    this->StartLayers.Blocks += remote->StartCount;
+  }
+}
+
+//------------------------------------------------------------------------------
 bool ShadowVolumes::Update(const std::vector<Caster>& casters, const glm::dvec4& givenLight,
   const CameraUniforms& view, bool anyPicture)
 {
@@ -233,8 +269,11 @@ bool ShadowVolumes::Update(const std::vector<Caster>& casters, const glm::dvec4&
   }
   if (changed || viewMoved)
   {
-    changed = this->SplitNearEdges(view) || changed;
-    this->CountAtStart(view);
+    const RayStart start(view, this->Light, this->Anchor);
+    // Only a light that TurnLightAside() has turned has planes on which a parallel view starts.
+    const bool onPlanes = !view.IsParallel() || this->Light.w != 0.0;
+    changed = (onPlanes && this->SplitNearEdges(start)) || changed;
+    this->CountAtStart(start);
   }
   return changed;
 }

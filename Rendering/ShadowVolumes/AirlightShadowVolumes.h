@@ -10,6 +10,7 @@
 #define AirlightShadowVolumes_h
 
 #include "Casters/AirlightCasters.h"
+#include "ShadowVolumes/AirlightShadowRecords.h"
 
 #include <glm/glm.hpp>
 
@@ -20,31 +21,8 @@ namespace airlight
 {
 class ClippedRegions;
 class CameraUniforms;
+class RayStart;
 struct LightSilhouettes;
-
-// As glsl/AirlightPlanesVS.glsl reads it. Positions are relative to the anchor.
-struct ShadowEdge
-{
-  glm::vec4 A;      // w: weight
-  glm::vec4 B;      // w: number of the caster in Update(), after the last one for those of others
-  glm::vec4 Normal; // w: index of the layer
-};
-
-// An edge on whose plane rays start: at the eye, or in parallel projection at infinity.
-struct NearEdge
-{
-  ShadowEdge Edge; // B.w: the plane's offset from the start
-  glm::vec4 Sides; // the start's place: from the sides that begin at A and B, and beyond the edge
-};
-
-// A caster's triangle, for rays that go through it: where its front faces are culled, where it is
-// cut away, and before the near clipping plane.
-struct ShadowCap
-{
-  glm::vec4 A; // w: 1 where the light is on the side of the normal, -1 behind, 0 edge-on
-  glm::vec4 B;
-  glm::vec4 C; // w: index of the layer
-};
 
 class ShadowVolumes
 {
@@ -104,11 +82,8 @@ private:
   void CollectRemoteSilhouettes();
   float GetLayerIndex(const CasterOpticalThickness& layer);
   bool UpdateParts(const std::vector<Caster>& casters, const ClippedRegions& view, bool moved);
-  static bool TurnLightAside(glm::dvec4& light, const CameraUniforms& view);
-  bool IsOnPlane(const ShadowEdge& edge, const glm::dvec4& start) const;
-  NearEdge MakeNear(const ShadowEdge& edge, const glm::dvec4& start) const;
-  bool SplitNearEdges(const CameraUniforms& view);
-  void CountAtStart(const CameraUniforms& view);
+  bool SplitNearEdges(const RayStart& start);
+  void CountAtStart(const RayStart& start);
 
   glm::dvec4 Light{ 0.0 };
   bool AgainstView = false;

@@ -3,15 +3,16 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightBoundaryBuffer
+    AirlightBoundarySort
     AirlightClippedRegions
     AirlightPlanarOccluders
+    AirlightRayStart
     AirlightShadowLists
+    AirlightShadowPlaneBuffers
     AirlightShadowVolumes
     AirlightSilhouetteExchange
-  SOURCES
-    AirlightShadowListsBuffers.cxx
-    AirlightShadowListsSort.cxx
-    AirlightShadowVolumesEye.cxx
+  HEADERS
+    AirlightShadowRecords.h
   GLSL
     glsl/AirlightBoundaries.glsl
     glsl/AirlightKBuffer.glsl

@@ -1,16 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Where rays start, in perspective at the eye and in parallel projection at infinity: on some of a
-// light's shadow planes, and within shadows.
-
-#include "ShadowVolumes/AirlightShadowVolumes.h"
+#include "ShadowVolumes/AirlightRayStart.h"
 
 #include "Scene/AirlightCameraUniforms.h"
-#include "ShadowVolumes/AirlightSilhouetteExchange.h"
-#include "Silhouette/AirlightSilhouette.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace airlight
 {
@@ -46,8 +40,7 @@ glm::dvec3 GetSides(const ShadowEdge& edge, const glm::dvec4& light, const glm::
 }
 
 //------------------------------------------------------------------------------
-// Against a directional light, all rays of a parallel view start on all of the light's planes.
-bool ShadowVolumes::TurnLightAside(glm::dvec4& light, const CameraUniforms& view)
+bool TurnLightAside(glm::dvec4& light, const CameraUniforms& view)
 {
   if (!view.IsParallel() || light.w != 0.0)
   {
@@ -64,13 +57,21 @@ bool ShadowVolumes::TurnLightAside(glm::dvec4& light, const CameraUniforms& view
 }
 
 //------------------------------------------------------------------------------
-// Whether the start of rays, relative to the anchor, lies on the plane beyond its edge, within
-// tolerance.
-bool ShadowVolumes::IsOnPlane(const ShadowEdge& edge, const glm::dvec4& start) const
+RayStart::RayStart(const CameraUniforms& view, const glm::dvec4& light, const glm::dvec3& anchor)
+  : Light(light)
+  , World(view.GetStart())
+  , FromAnchor(this->World - this->World.w * glm::dvec4(anchor, 0.0))
+  , Aside(AsideLength * glm::length(glm::dvec3(this->FromAnchor)) * glm::dvec4(AsideDirection, 0.0))
+{
+}
+
+//------------------------------------------------------------------------------
+bool RayStart::IsOnPlane(const ShadowEdge& edge) const
 {
   const glm::dvec3 a(edge.A);
   const glm::dvec3 b(edge.B);
   const glm::dvec3 n(edge.Normal);
+  const glm::dvec4& start = this->FromAnchor;
   const glm::dvec3 point(start);
   const bool isPoint = this->Light.w != 0.0;
   const glm::dvec3 toStart = isPoint ? point : point - start.w * a;
@@ -90,10 +91,9 @@ bool ShadowVolumes::IsOnPlane(const ShadowEdge& edge, const glm::dvec4& start) c
 }
 
 //------------------------------------------------------------------------------
-// With all that single precision could not find out of a start so near: on which side of the plane
-// it is, and in it of the edge's ends, where the light, a vertex and the start lie on a line.
-NearEdge ShadowVolumes::MakeNear(const ShadowEdge& edge, const glm::dvec4& start) const
+NearEdge RayStart::MakeNear(const ShadowEdge& edge) const
 {
+  const glm::dvec4 start = this->FromAnchor + this->Aside;
   const glm::dvec3 a(edge.A);
   const glm::dvec3 b(edge.B);
   const bool isPoint = this->Light.w != 0.0;
@@ -105,52 +105,5 @@ NearEdge ShadowVolumes::MakeNear(const ShadowEdge& edge, const glm::dvec4& start
   near.Edge.B.w = static_cast<float>(glm::dot(normal, start.w * a - glm::dvec3(start)));
   near.Sides = glm::vec4(glm::vec3(GetSides(edge, this->Light, start, normal)), 0.0f);
   return near;
-}
-
-//------------------------------------------------------------------------------
-// Moves the edges on whose planes rays start to a list of their own. True where there are any.
-bool ShadowVolumes::SplitNearEdges(const CameraUniforms& view)
-{
-  // Only a light that TurnLightAside() has turned has planes on which a parallel view starts.
-  if (view.IsParallel() && this->Light.w == 0.0)
-  {
-    return false;
-  }
-  glm::dvec4 start = view.GetStart();
-  start -= start.w * glm::dvec4(this->Anchor, 0.0);
-  const auto split = std::stable_partition(this->Edges.begin(), this->Edges.end(),
-    [&](const ShadowEdge& edge) { return !this->IsOnPlane(edge, start); });
-  const double distance = glm::length(glm::dvec3(start));
-  start += AsideLength * distance * glm::dvec4(AsideDirection, 0.0);
-  this->NearEdges.clear();
-  for (auto edge = split; edge != this->Edges.end(); ++edge)
-  {
-    this->NearEdges.push_back(this->MakeNear(*edge, start));
-  }
-  this->Edges.erase(split, this->Edges.end());
-  return !this->NearEdges.empty();
-}
-
-//------------------------------------------------------------------------------
-void ShadowVolumes::CountAtStart(const CameraUniforms& view)
-{
-  const double distance = view.IsParallel() ? 1.0 : glm::length(view.GetEye() - this->Anchor);
-  const glm::dvec4 start =
-    view.GetStart() + AsideLength * distance * glm::dvec4(AsideDirection, 0.0);
-  this->StartCount = 0;
-  this->StartLayers = CasterOpticalThickness{};
-  for (const Part& part : this->Parts)
-  {
-    const glm::dmat4 toLocal = glm::inverse(part.Source.ToWorld);
-    const int count = CountShadowsAt(*part.Source.Mesh, toLocal * this->Light, toLocal * start);
-    this->StartCount += count;
-    this->StartLayers.Blocks += count * part.Source.OpticalThickness.Blocks;
-    this->StartLayers.Thickness += count * part.Source.OpticalThickness.Thickness;
-  }
-  for (const auto& remote : this->Remote)
-  {
-    this->StartCount += remote->StartCount;
-    this->StartLayers.Blocks += remote->StartCount;
-  }
 }
 }

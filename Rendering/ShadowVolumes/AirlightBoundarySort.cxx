@@ -1,10 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// How boundaries are read in order: slots, lists that the reader sorts, and lists sorted
-// beforehand.
-
-#include "ShadowVolumes/AirlightShadowLists.h"
+#include "ShadowVolumes/AirlightBoundarySort.h"
 
 #include "AirlightBoundaries.h"
 #include "AirlightOverflowFS.h"
@@ -36,25 +32,32 @@ std::string DefineLengths()
 }
 
 //------------------------------------------------------------------------------
-std::string ShadowLists::GetPackedSource(bool sorted) const
+BoundarySort::BoundarySort(BoundaryBuffer& store)
+  : Store(store)
+{
+}
+
+//------------------------------------------------------------------------------
+std::string BoundarySort::GetPackedSource(bool sorted) const
 {
   return this->Store.GetSource() + (sorted ? AirlightSortedList : AirlightSortedKBuffer);
 }
 
 //------------------------------------------------------------------------------
-std::string ShadowLists::GetBoundariesSource(bool sorted) const
+std::string BoundarySort::GetBoundariesSource(bool sorted) const
 {
   // Long lists are read from where Sort() has put them in order, slots or not.
-  const bool slots = !sorted && this->HasKBuffer();
+  const bool slots = !sorted && this->Store.GetKBufferSize() > 0;
   return (slots ? this->GetPackedSource(false) : this->Store.GetSource()) + DefineLengths() +
     (sorted ? "#define AIRLIGHT_SORTED\n" : "") + AirlightBoundaries;
 }
 
 //------------------------------------------------------------------------------
 // A program that changes lists; nothing is drawn into the framebuffer.
-vtkShaderProgram* ShadowLists::GetListsProgram(Quad& quad, const std::string& fragment)
+vtkShaderProgram* BoundarySort::GetProgram(
+  const Rows& rows, Quad& quad, const std::string& fragment)
 {
-  vtkShaderProgram* program = quad.GetOrCompile(this->Window,
+  vtkShaderProgram* program = quad.GetOrCompile(rows.Window,
     GetShaderVersion(true) + BoundaryBuffer::DefineNodes(this->Store.HasShadowTransmittance()) +
       this->Store.GetSource() + fragment);
   if (!program)
@@ -63,24 +66,23 @@ vtkShaderProgram* ShadowLists::GetListsProgram(Quad& quad, const std::string& fr
     return nullptr;
   }
   this->Store.Use(program);
-  vtkOpenGLState* state = this->Window->GetState();
+  vtkOpenGLState* state = rows.Window->GetState();
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   state->vtkglDisable(GL_DEPTH_TEST);
   return program;
 }
 
 //------------------------------------------------------------------------------
-// Where a pixel has more boundaries than slots, those in the slots join the others in its list.
-bool ShadowLists::MergeOverflow(int row, int rows)
+bool BoundarySort::MergeOverflow(const Rows& rows)
 {
-  vtkOpenGLState* state = this->Window->GetState();
+  vtkOpenGLState* state = rows.Window->GetState();
   vtkOpenGLState::ScopedglColorMask maskSaver(state);
-  if (!this->GetListsProgram(
-        this->OverflowQuad, std::string(AirlightSortedKBuffer) + AirlightOverflowFS))
+  if (!this->GetProgram(
+        rows, this->OverflowQuad, std::string(AirlightSortedKBuffer) + AirlightOverflowFS))
   {
     return false;
   }
-  state->vtkglScissor(0, row, this->Width, rows);
+  state->vtkglScissor(0, rows.First, rows.Width, rows.Count);
   this->OverflowQuad.Draw({});
   // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -88,31 +90,26 @@ bool ShadowLists::MergeOverflow(int row, int rows)
 }
 
 //------------------------------------------------------------------------------
-int ShadowLists::GetLongDraws()
+int BoundarySort::CountLongDraws(std::uint32_t longest)
 {
-  if (!this->HasKBuffer())
-  {
-    this->Longest = this->Store.ReadCounts().Longest;
-  }
   // One more, for lists whose length is a multiple of the chunk.
-  return this->Longest > 0 ? static_cast<int>(this->Longest / Chunk) + 1 : 0;
+  return longest > 0 ? static_cast<int>(longest / Chunk) + 1 : 0;
 }
 
 //------------------------------------------------------------------------------
-bool ShadowLists::Sort()
+bool BoundarySort::Sort(const Rows& rows, std::uint32_t longest)
 {
-  vtkOpenGLState::ScopedglColorMask maskSaver(this->Window->GetState());
-  vtkShaderProgram* program = this->GetListsProgram(this->SortQuad, AirlightSortFS);
+  vtkOpenGLState::ScopedglColorMask maskSaver(rows.Window->GetState());
+  vtkShaderProgram* program = this->GetProgram(rows, this->SortQuad, AirlightSortFS);
   if (!program)
   {
     return false;
   }
-  // Other rows have no heads.
-  vtkOpenGLState* state = this->Window->GetState();
+  vtkOpenGLState* state = rows.Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(0, this->FirstRow, this->Width, this->Rows);
+  state->vtkglScissor(0, rows.First, rows.Width, rows.Count);
   // MergeOverflow() has put runs in order.
-  for (std::uint64_t run = std::max(this->Store.GetKBufferSize(), 1); run < this->Longest; run *= 2)
+  for (std::uint64_t run = std::max(this->Store.GetKBufferSize(), 1); run < longest; run *= 2)
   {
     glUniform1ui(glGetUniformLocation(program->GetHandle(), "run"), static_cast<GLuint>(run));
     // No test fails without it, see AirlightOpenGL.h.
@@ -122,5 +119,12 @@ bool ShadowLists::Sort()
   // No test fails without it, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void BoundarySort::Release()
+{
+  this->SortQuad.Release();
+  this->OverflowQuad.Release();
 }
 }
