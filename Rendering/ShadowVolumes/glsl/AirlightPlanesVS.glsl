@@ -18,7 +18,7 @@ uniform mat4 anchorToClip;
 uniform vec3 anchor;     // from the eye
 uniform vec4 fromLight;  // directional: the light's direction and w 0; point: w 1
 uniform int inParallel;  // 1: the projection is parallel
-uniform int againstView; // 1: and the light shines against it, so that all planes are behind the view
+uniform int againstView; // 1: and the light shines against it: all planes are behind the view
 // what all fragments need, see AirlightKBuffer.glsl and AirlightListHeads.glsl
 uniform ivec3 givenListLayout;
 // As in AirlightCameraShader.glsl.
