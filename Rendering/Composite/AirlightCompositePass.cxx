@@ -6,6 +6,7 @@
 #include "AirlightCompositeFS.h"
 #include "AirlightCopyFS.h"
 #include "AirlightDisplay.h"
+#include "AirlightShadowingLight.h"
 #include "Composite/AirlightUnshadowedLights.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "Scene/AirlightEquiangularLights.h"
@@ -49,7 +50,9 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     "#define AIRLIGHT_FULL_SCREEN\n" + GetScatteringSource(scene.Media, kind, false) +
     AirlightCameraShader +
     (equiangular ? GetEquiangularSource() : "uniform AirlightMedia media;\n") +
-    (options.Unshadowed ? GetUnshadowedSource(lights) : "") + AirlightDisplay + AirlightCompositeFS;
+    (options.Unshadowed ? GetUnshadowedSource(lights) : "") +
+    (options.ShadowingLight >= 0 ? AirlightShadowingLight : "") + AirlightDisplay +
+    AirlightCompositeFS;
 }
 }
 

@@ -7,4 +7,5 @@ airlight_sources(
   GLSL
     glsl/AirlightCompositeFS.glsl
     glsl/AirlightCopyFS.glsl
+    glsl/AirlightShadowingLight.glsl
     glsl/AirlightUnshadowedRays.glsl)

@@ -8,16 +8,7 @@ uniform sampler2D scene;
 uniform sampler2D sceneDepth;
 uniform int blended; // over what the framebuffer holds
 #endif
-#ifndef AIRLIGHT_UNSHADOWED_LIGHTS
-uniform sampler2D scattered;
-#endif
-#if AIRLIGHT_SHADOWING_LIGHT >= 0
-// The scene without the one light that casts shadows on it, and where that light reaches surfaces.
-uniform sampler2D withoutLight;
-#if AIRLIGHT_SHADOWING_LIGHT >= AIRLIGHT_BITS
-uniform sampler2D lit;
-#endif
-#endif
+uniform sampler2D scattered; // and bits of lights that reach the surface
 
 layout(location = 0) out vec4 radiance;
 #if defined(AIRLIGHT_RECORD) || AIRLIGHT_DEBUG_VIEW == 2
@@ -28,18 +19,6 @@ uniform float error; // of what the media scatter of the ambient light, relative
 layout(location = 1) out vec4 airlight; // radiance; error bound
 layout(location = 2) out vec4 surface;
 layout(location = 3) out vec4 transmittance; // and the distance along the unit ray
-#endif
-
-#if AIRLIGHT_SHADOWING_LIGHT >= 0
-bool airlightIsLit(ivec2 pixel)
-{
-#if AIRLIGHT_SHADOWING_LIGHT >= AIRLIGHT_BITS
-  float bits = texelFetch(lit, pixel, 0)[AIRLIGHT_SHADOWING_LIGHT / AIRLIGHT_BITS - 1];
-#else
-  float bits = texelFetch(scattered, pixel, 0).a;
-#endif
-  return ((uint(bits) >> uint(AIRLIGHT_SHADOWING_LIGHT % AIRLIGHT_BITS)) & 1u) != 0u;
-}
 #endif
 
 void main()
@@ -54,7 +33,8 @@ void main()
   vec4 colour = texelFetch(scene, pixel, 0);
   float unit = airlightRayUnit(p);
 #if AIRLIGHT_SHADOWING_LIGHT >= 0
-  colour = parameter >= 0.0 && !airlightIsLit(pixel) ? texelFetch(withoutLight, pixel, 0) : colour;
+  float bits = texelFetch(scattered, pixel, 0).a;
+  colour = parameter >= 0.0 ? airlightInShadow(pixel, bits, colour) : colour;
 #endif
   // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
   colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
