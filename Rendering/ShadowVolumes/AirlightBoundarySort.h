@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How boundaries are read in order: slots, lists that the reader sorts, and lists sorted beforehand.
+ * How boundaries are read in order: slots, lists that the reader sorts, and lists sorted
+ * beforehand.
  */
 
 #ifndef AirlightBoundarySort_h

@@ -14,8 +14,8 @@ namespace airlight
 {
 class CameraUniforms;
 
-// Against a directional light, all rays of a parallel view start on all of the light's planes. Turns
-// such a light aside by too little to see, and returns whether it was one.
+// Against a directional light, all rays of a parallel view start on all of the light's planes.
+// Turns such a light aside by too little to see, and returns whether it was one.
 bool TurnLightAside(glm::dvec4& light, const CameraUniforms& view);
 
 class RayStart

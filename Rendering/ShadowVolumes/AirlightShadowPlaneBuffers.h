@@ -37,8 +37,8 @@ public:
   // for them.
   bool SetVolumes(int light, const ShadowVolumes& volumes);
 
-  // The planes behind which a caster hides all, by caster (FindTruncationPlanes()). They change with
-  // the view, and are few.
+  // The planes behind which a caster hides all, by caster (FindTruncationPlanes()). They change
+  // with the view, and are few.
   bool SetTruncationPlanes(const std::vector<glm::vec4>& planes);
 
   bool IsEmpty(PlaneKind kind, int light) const { return this->Get(kind, light).Count == 0; }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a light's shadow planes are drawn from, as glsl/AirlightPlanesVS.glsl reads it. Positions are
- * relative to the light's anchor, see AirlightShadowVolumes.h.
+ * What a light's shadow planes are drawn from, as glsl/AirlightPlanesVS.glsl reads it. Positions
+ * are relative to the light's anchor, see AirlightShadowVolumes.h.
  */
 
 #ifndef AirlightShadowRecords_h

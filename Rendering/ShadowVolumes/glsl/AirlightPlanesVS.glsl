@@ -1,8 +1,8 @@
 // Shadow planes: each silhouette edge, pulled out of a buffer, becomes the quadrilateral from the
 // edge to infinity, away from the light, or to where all that follows is hidden. AIRLIGHT_CAPS: a
 // caster's own triangles, where rays go through them. AIRLIGHT_NEAR_PLANES: those on which rays
-// start, which the eye would see edge-on; a triangle over the whole view lets the fragments find out
-// which rays cross them.
+// start, which the eye would see edge-on; a triangle over the whole view lets the fragments find
+// out which rays cross them.
 
 // Relative to the anchor (the light itself, or for a directional light any point). Per edge: A and
 // its weight, B and the number of its caster, the plane's normal. Per cap: A and the side of the
