@@ -159,6 +159,6 @@ check_shell
 check_python
 check_cpp
 ((!with_tidy)) || check_tidy
-((!findings)) || die "there are findings; see above. Mend them, or say at the place why they are none."
+((!findings)) || die "there are findings; see above. Fix them, or give the reason in a comment there."
 ((!missing)) || exit 125
 echo "no findings"

@@ -1,7 +1,7 @@
 #!/usr/bin/env pvpython
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView's Wavelet in fog: depth is seen at once. ParaView's own lights light surfaces and, as asked here, fog.
+"""ParaView's Wavelet in fog: depth is seen at once. ParaView's own lights light surfaces and, as set here, fog.
 
     pvpython fog_in_stock_scene.py [-o PICTURE.png] [--visibility DISTANCE]
 

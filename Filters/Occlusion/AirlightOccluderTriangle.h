@@ -11,7 +11,7 @@
 
 namespace airlight
 {
-// Large enough to be told from rounding, and of coordinates whose products are finite.
+// Large enough not to be rounding, and of coordinates whose products are finite.
 bool IsGood(const OccluderTriangle& triangle);
 
 // Where the ray's line meets the triangle; NaN where it does not. Lines through a shared edge meet

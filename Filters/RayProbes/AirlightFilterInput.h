@@ -47,7 +47,7 @@ inline bool IsUsable(const glm::dvec3& p)
 }
 
 // Calls work(begin, end) for parts of [0, count), in several threads where VTK has them. Between
-// parts it reports progress, from `progress0` to `progress1`. False where the filter was told to
+// parts it reports progress, from `progress0` to `progress1`. False if the filter was requested to
 // abort. What work() does for an element must not depend on the parts.
 template <typename Work>
 bool RunInParts(

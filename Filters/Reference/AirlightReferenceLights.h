@@ -45,7 +45,7 @@ class ReferenceLights
 {
 public:
   // The switched-on lights, in the renderer's order; creates and moves lights as VTK does before it
-  // draws. `radius` is the light radius asked for, 0 for the smallest that double precision
+  // draws. `radius` is the requested light radius, 0 for the smallest that double precision
   // resolves. `switches` says which lights the medium scatters.
   ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia& media, const glm::dvec3& eye,
     double radius, const LightSwitches& switches);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Whether a filter was told to stop.
+ * Whether a filter was requested to stop.
  */
 
 #ifndef AirlightAbort_h
@@ -12,7 +12,7 @@
 
 namespace airlight
 {
-// From VTK 9.3 on a filter also stops where one that it gets its input from was told to.
+// From VTK 9.3 on a filter also stops if one upstream was requested to.
 inline bool IsAborted(vtkAlgorithm* filter)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)

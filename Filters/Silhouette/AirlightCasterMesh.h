@@ -32,7 +32,7 @@ namespace airlight
 class VTKAIRLIGHT_EXPORT CasterMesh
 {
 public:
-  // Told of the progress between 0 and 1 a few times, by the thread that builds. Returning false
+  // Called with the progress, from 0 to 1, a few times by the thread that builds. Returning false
   // stops the work and leaves an empty mesh.
   using Progress = std::function<bool(double)>;
 

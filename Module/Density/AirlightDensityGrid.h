@@ -23,7 +23,7 @@ class vtkImageData;
 
 namespace airlight
 {
-// Immutable: it may be asked from many threads.
+// Immutable, so that many threads may use it at once.
 class VTKAIRLIGHT_EXPORT DensityGrid
 {
 public:

@@ -67,7 +67,7 @@ bool SurfaceTree::ReadMesh(vtkPolyData* mesh, std::string& error)
     {
       std::ostringstream text;
       text << "has a point " << i << " at (" << p[0] << ", " << p[1] << ", " << p[2]
-           << "); all points must be finite and below 1e15: mend or remove it";
+           << "); all points must be finite and below 1e15: fix or remove it";
       error = text.str();
       return false;
     }

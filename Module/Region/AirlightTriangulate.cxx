@@ -17,7 +17,7 @@ namespace
 // keep their numbers, comes one that has no area.
 vtkSmartPointer<vtkCellArray> MendStrips(vtkCellArray* strips)
 {
-  auto mended = vtkSmartPointer<vtkCellArray>::New();
+  auto fixed = vtkSmartPointer<vtkCellArray>::New();
   const auto strip = vtk::TakeSmartPointer(strips->NewIterator());
   for (strip->GoToFirstCell(); !strip->IsDoneWithTraversal(); strip->GoToNextCell())
   {
@@ -25,9 +25,9 @@ vtkSmartPointer<vtkCellArray> MendStrips(vtkCellArray* strips)
     vtkIdType count = 0;
     const vtkIdType* ids = nullptr;
     strip->GetCurrentCell(count, ids);
-    mended->InsertNextCell(count < 3 ? 3 : count, count < 3 ? flat : ids);
+    fixed->InsertNextCell(count < 3 ? 3 : count, count < 3 ? flat : ids);
   }
-  return mended;
+  return fixed;
 }
 
 bool HasShortStrips(vtkPolyData* mesh)

@@ -80,7 +80,7 @@ class CasterCache
 {
 public:
   // All visible polygonal actors, glyphs, parts of assemblies and blocks of composite data sets,
-  // but for those whose property keys say otherwise; those that let light through where asked for.
+  // but for those whose property keys say otherwise; translucent ones if requested.
   const std::vector<Caster>& Collect(vtkRenderer* renderer, bool translucent);
 
   // Whether the last Collect() met casters that let light through, and what is wrong with the keys

@@ -48,7 +48,7 @@ void ChooseTechnique(FramePlan& plan, const PassProperties& properties, const Sc
   }
   else if (scene.NonPolygonalCasters && casts)
   {
-    // Planes that were asked for are drawn without those.
+    // Requested planes are drawn without those.
     plan.Technique = automatic ? ShadowTechnique::Map : ShadowTechnique::Planes;
     plan.Reason = TechniqueReason::NonPolygonalCasters;
   }

@@ -87,7 +87,7 @@ struct FrameLimits
   bool PlanesOverMemory = false; // this frame's shadow planes have exceeded the memory limit
 };
 
-// Why the shadow technique is another one than asked for.
+// Why the shadow technique is not the requested one.
 enum class TechniqueReason
 {
   AsAsked,

@@ -70,7 +70,7 @@ std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int 
 
 namespace
 {
-// Of a uniform's name; that itself where it is to be asked.
+// The value for the uniform of this name; the name itself if the value is not constant.
 std::string GetConstant(
   const std::string& name, const std::string& what, const LightSpecialization& sceneLight)
 {

@@ -42,7 +42,7 @@ std::vector<LightSpecialization> SpecializeLights(const std::vector<SceneLight>&
 // `shadowingLight`: SurfaceShaderOptions::ShadowingLight.
 std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int shadowingLight);
 
-// VTK's lines in which uniforms are asked for lights' types, with what is lights in their place.
+// VTK's lines that test uniforms for lights' types, with the lights' values in their place.
 std::string SpecializeLightTypes(
   const std::string& body, const std::vector<LightSpecialization>& lights);
 }

@@ -25,7 +25,7 @@ enum class SurfaceStage
   Collect = 3      // makes the records of what will be drawn so
 };
 
-// Lights whose shadows on surfaces can be told apart: 24 bits in each of four channels of single
+// Lights whose shadows on surfaces can be kept apart: 24 bits in each of four channels of single
 // precision.
 constexpr int BitsPerChannel = 24;
 constexpr int MaximumShadowingLights = 4 * BitsPerChannel;

@@ -35,11 +35,12 @@ public:
   // An error if the media cannot all be drawn.
   void CheckMedia(const MediaList& media);
 
-  // Lights that are left out, or lack what was asked for. `scattering`: a medium scatters.
+  // Lights that are left out, or lack a requested effect. `scattering`: a medium scatters.
   void CheckLights(const std::vector<SceneLight>& sceneLights,
     const std::vector<LightOptions>& options, bool scattering, bool scatteredSurfaceLight);
 
-  // A shadow technique other than asked for, scattered light that a density image rules out.
+  // A shadow technique other than the requested one, scattered light that a density image rules
+  // out.
   void CheckPlan(
     const FramePlan& plan, const PassProperties& properties, const CasterCache& casters);
 

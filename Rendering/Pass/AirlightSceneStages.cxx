@@ -350,7 +350,7 @@ void SceneStages::SetVolumeUniforms(
 }
 
 //------------------------------------------------------------------------------
-// Volumes whose mappers asked for no uniforms are drawn without the medium before them.
+// Volumes whose mappers requested no uniforms are drawn without the medium before them.
 void SceneStages::CheckVolumes()
 {
   if (this->CurrentFrame.IsClear())

@@ -43,7 +43,7 @@ public:
   const LightGrid& GetLight(
     const f64::AirlightMedium& medium, const f64::AirlightLight& light, const glm::dvec3& eye);
 
-  // Forgets what has not been asked for in the last few frames: renderers may share a pass.
+  // Forgets what was not used in the last few frames: renderers may share a pass.
   void Forget();
 
 private:
@@ -53,7 +53,7 @@ private:
     glm::dvec3 SigmaT;
     glm::dvec3 Position;
     bool Directional;
-    int Age; // calls of Forget() since it was asked for
+    int Age; // calls of Forget() since it was used
     LightGrid Values;
   };
 

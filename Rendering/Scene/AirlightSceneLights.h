@@ -58,7 +58,7 @@ struct SceneLight
 int CommonKind(const std::vector<SceneLight>& sceneLights);
 
 // The switched-on lights, in the order in which VTK's mappers number them. `radius` is the light
-// radius asked for, 0 for the smallest that single precision resolves.
+// requested radius, 0 for the smallest that single precision resolves.
 std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
   const CameraUniforms& view, double radius, const LightSwitches& switches,
   const std::vector<LightOptions>& options);

@@ -115,8 +115,8 @@ bool ComesBefore(const Candidate& a, const Candidate& b)
 }
 
 //------------------------------------------------------------------------------
-// What is asked of places and of directions is linear in them, and the rays from a light through a
-// box before a plane meet that inside the outline of where those through its corners do: if the
+// The conditions on places and on directions are linear in them, and the rays from a light through
+// a box before a plane meet that inside the outline of where those through its corners do: if the
 // corners' are hidden, all are.
 bool HidesShadow(const PlanarOccluder& face, const std::array<glm::dvec3, 8>& box,
   const glm::dvec4& light, const glm::dvec3& eye)

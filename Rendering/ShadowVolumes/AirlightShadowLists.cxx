@@ -183,7 +183,7 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
     {
       break;
     }
-    // A quarter more than asked for, so that a scene in motion does not grow it each frame.
+    // A quarter more than needed, so that a scene in motion does not grow it each frame.
     if (needed <= most && this->Store.Reserve(std::min(needed + needed / 4, most)))
     {
       continue;

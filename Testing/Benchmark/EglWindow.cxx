@@ -30,7 +30,7 @@ struct EglContext
   }
 };
 
-// Contexts belong to the process: EGL's displays cannot be had twice either.
+// Contexts belong to the process, and so does an EGL display.
 EglContext& GetContext()
 {
   static EglContext context;

@@ -74,7 +74,7 @@ double FitExponent(std::vector<double> x, std::vector<double> y)
 }
 
 //------------------------------------------------------------------------------
-// The march that is as good as asked for, beside the planes.
+// The march that is as good as requested, beside the planes.
 void AddMarch(const Rows& rows, std::vector<Figure>& figures)
 {
   for (const Row& march : rows.GetAll())

@@ -32,7 +32,7 @@ struct Options
 
 void AddOptions(CLI::App& app, Options& options);
 
-// The recipes that were asked for, of the size that was.
+// The requested recipes, of the requested size.
 std::vector<SceneRecipe> ChooseRecipes(const Options& options);
 
 // The first name that is no scene's; empty if there is none.

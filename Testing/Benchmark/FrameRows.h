@@ -42,7 +42,7 @@ struct Row
 class Rows
 {
 public:
-  // Rows are in the order in which they are first asked for here.
+  // Rows are in the order in which they are first requested.
   Row& Get(const std::string& scene, const std::string& way);
 
   // Null where there is none.

@@ -89,7 +89,7 @@ struct Trial
       what + ": the error names the cause, not: " + text);
   }
 
-  // All objects of the pass are made anew.
+  // All objects of the pass are made again.
   void Forget() { this->Stage.Pass->ReleaseGraphicsResources(this->Stage.Window); }
 
   Scene& Stage;

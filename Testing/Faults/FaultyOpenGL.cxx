@@ -11,7 +11,7 @@ namespace
 using airlight_test::Function;
 using airlight_test::Refusal;
 
-// The functions of OpenGL are global, and so is what they are told.
+// The functions of OpenGL are global, and so are their settings.
 struct
 {
   Refusal What = Refusal::None;

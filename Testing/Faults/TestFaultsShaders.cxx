@@ -38,7 +38,7 @@ void TryShader(Trial& trial, const std::string& what, const std::string& word)
   RefuseShaders("");
   trial.Stage.Window->Render();
   trial.Stage.Window->Render();
-  trial.CheckGood(what + ", mended");
+  trial.CheckGood(what + ", fixed");
 }
 
 //------------------------------------------------------------------------------

@@ -167,7 +167,7 @@ void CheckScene(const std::string& name)
   const std::string digest = TakeDigest(scene);
   CheckEqual(digest, TakeDigest(scene), name + ", once more");
   scene.Pass->ReleaseGraphicsResources(scene.Window);
-  CheckEqual(digest, TakeDigest(scene), name + ", everything made anew");
+  CheckEqual(digest, TakeDigest(scene), name + ", everything made again");
   ReorderActors(scene);
   CheckEqual(digest, TakeDigest(scene), name + ", actors in another order");
   std::cout << name << " " << digest << std::endl;
@@ -183,7 +183,7 @@ void RunDigests(const Options& options)
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   Check(
     !threads || std::min(std::atoi(threads), cores) == vtkSMPTools::GetEstimatedNumberOfThreads(),
-    "as many threads as were asked for");
+    "as many threads as were requested");
   for (const char* name : Names)
   {
     if (options.Scene.empty() || options.Scene == name)

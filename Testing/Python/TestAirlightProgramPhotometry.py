@@ -74,7 +74,7 @@ class TestPhotometry(SceneTest):
                                        atol=1e-5, err_msg=f"{path} {options}")
 
     def test_air(self):
-        """A lamp that hangs, unless it is told otherwise; airlight by the midpoint rule over
+        """A lamp that hangs, unless options turn it; airlight by the midpoint rule over
         t = tL + h tan(phi), in which 1/r^2 dt = dphi/h."""
         position = np.array([0.3, 1.6, -0.2])
         lamp = Lamp(STREETLIGHT)

@@ -170,8 +170,8 @@ class TestView(ProgramTest):
         dragged = moved(nearer, 54 / SIZE[1], -27 / SIZE[1])
         places = first, nearer, dragged, eye + 1.1 * (dragged - eye)
         for place, text, picture in zip(places, texts, pictures, strict=True):
-            told = re.search(r"lamp 1 of 1 at ([^;]*);", text)[1].split(",")
-            np.testing.assert_allclose(np.array(told, float), place, atol=1e-5)
+            shown = re.search(r"lamp 1 of 1 at ([^;]*);", text)[1].split(",")
+            np.testing.assert_allclose(np.array(shown, float), place, atol=1e-5)
             self.assertLess(np.abs(picture - lit_wall(0.05, place)).max(), HALF)
         self.assertGreater(np.abs(pictures[0] - pictures[1]).max(), 0.05)
 
@@ -190,10 +190,10 @@ class TestView(ProgramTest):
         turned = (sun * np.cos(turn) + np.cross(up, sun) * np.sin(turn)
                   + up * (up @ sun) * (1 - np.cos(turn)))
         self.assertGreater(np.abs(turned - sun).max(), 0.1)
-        told = [re.search(r"lamp (\d) of 2 (\w+) ([^;]*);", text).groups() for text in texts]
-        self.assertEqual([(number, word) for number, word, _ in told],
+        shown = [re.search(r"lamp (\d) of 2 (\w+) ([^;]*);", text).groups() for text in texts]
+        self.assertEqual([(number, word) for number, word, _ in shown],
                          [("1", "from"), ("2", "at")])
-        np.testing.assert_allclose(np.array(told[0][2].split(","), float), turned, atol=1e-5)
+        np.testing.assert_allclose(np.array(shown[0][2].split(","), float), turned, atol=1e-5)
         for picture in pictures:
             self.assertLess(np.abs(picture - 2 / np.pi * turned[2] * ALBEDO).max(), HALF)
 

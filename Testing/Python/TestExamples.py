@@ -198,7 +198,7 @@ class TestExamples(ExampleTest):
         self.assertAlmostEqual(arrays["extinction"], 4 / level, delta=1e-6 * 4 / level)
         self.assertEqual(tuple(arrays["bounds"]), image.GetBounds())
 
-        # What was asked for: equal mean transmittance of the pixels that see the plume.
+        # As requested: equal mean transmittance of the pixels that see the plume.
         seen = arrays["seen"]
         np.testing.assert_array_equal(seen, arrays["plume_t"][..., 0] < 0.99)
         self.assertTrue(0.1 < seen.mean() < 0.6)

@@ -25,7 +25,7 @@ namespace airlight_test
 class RandomScene
 {
 public:
-  // Empties the scene and fills it anew. The reference has to be given the same media and the
+  // Empties the scene and fills it again. The reference has to be given the same media and the
   // pass's settings.
   RandomScene(std::uint64_t seed, airlight_test::Scene& scene);
 

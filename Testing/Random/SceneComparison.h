@@ -172,7 +172,7 @@ private:
   std::vector<Buffer> Buffers;
   std::vector<char> Excused; // pixels explained by edges
   std::vector<double> Largest;
-  // Made when first asked.
+  // Made at the first call.
   std::unique_ptr<airlight::ReferenceTracer> Tracer;
   std::unique_ptr<airlight::ReferenceTracer> Unshadowed;
   std::unique_ptr<ScreenTriangles> Triangles;

@@ -60,7 +60,7 @@ void CompareScene(const std::string& name, Scene& scene, int rays, const Limits&
 {
   scene.Window->Render();
   Check(scene.Pass->GetEffectiveShadowTechnique() == limits.Technique,
-    name + ": drawn with the technique asked for");
+    name + ": drawn with the requested technique");
   if (!Check(scene.GetBuffer("Airlight") != nullptr, name + ": buffers are recorded"))
   {
     return;

@@ -22,8 +22,7 @@ namespace airlight
 {
 
 /**
- * One value of a JSON file. All members throw UserError where the file does not hold what is asked
- * for.
+ * One value of a JSON file. All members throw UserError if the file does not hold what they return.
  */
 class LocatedJson
 {

@@ -169,7 +169,7 @@ AIRLIGHT_FN real airlightMostFading(
 
 // Where the part may end that begins at psi. What limits it is where the integrand is not smooth:
 // the asymptote, which it nears as exp(-2 tau/angle), and a phase function's peaks. Of later parts
-// less is asked where little of the angle is left, or of the light.
+// the tolerance is larger where little of the angle is left, or of the light.
 AIRLIGHT_FN real airlightEquiangularPanelEnd(
   AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightEquiangular) arc, real psi)
 {

@@ -2,7 +2,7 @@
 // the camera's axis in full single precision, at any ratio of the clipping range, where a depth
 // buffer keeps 24 bits of a hyperbola.
 //
-// To the last bit the same in all shaders, where drivers can be told so: what is drawn with one
+// To the last bit the same in all shaders, if drivers support that: what is drawn with one
 // shader is compared with what another drew.
 #ifdef GL_ARB_gpu_shader5
 #define AIRLIGHT_SAME_EVERYWHERE precise

@@ -265,7 +265,7 @@ void CheckProgress()
   });
   reference->AddObserver(vtkCommand::ProgressEvent, command);
   reference->Update();
-  Check(watch.Calls > 20 && watch.Ascends && watch.Last == 1.0, "progress is told, up to 1");
+  Check(watch.Calls > 20 && watch.Ascends && watch.Last == 1.0, "progress is reported, up to 1");
   vtkDataArray* radiance = reference->GetOutput()->GetPointData()->GetArray("Radiance");
   Check(radiance->GetComponent(399, 0) == 0.5, "the background is seen");
   watch = Watch();

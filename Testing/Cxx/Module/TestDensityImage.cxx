@@ -296,7 +296,7 @@ void CheckUpdates()
     return -std::log(rgb[1]);
   };
   const auto isNear = [](double x, double y) { return std::abs(x - y) < 1e-12; };
-  Check(isNear(depth(), 5.0), "an image that is not asked for has no effect");
+  Check(isNear(depth(), 5.0), "an image that is not in use has no effect");
   medium->SetDensityToImage();
   Check(medium->GetDensity() == vtkParticipatingMedium::IMAGE, "the density is the image's");
   Check(isNear(depth(), 1.0), "20 % of the way are in the image");

@@ -63,7 +63,7 @@ void TestTechnique()
   plan = scene.Make();
   Check(plan.Shadows == ShadowMethod::Planes &&
       plan.Reason == TechniqueReason::NonPolygonalCasters && !plan.LimitPlanes,
-    "planes that were asked for leave them out, whatever memory they take");
+    "requested planes leave them out, whatever memory they take");
   scene.Scene.Lights[0].CastsShadows = false;
   Check(scene.Make().Reason == TechniqueReason::AsAsked, "nothing casts: no reason");
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Surfaces that close nothing: an error that says what and what to do, once, and a medium that is
-// nowhere, in numbers and in pictures, until it is mended. Surfaces that only look bad are taken.
+// ignored, in numbers and in pictures, until it is fixed. Surfaces that only look bad are taken.
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestErrors.h"
@@ -103,7 +103,7 @@ void TestRefused()
   CheckRefused("empty", empty, { "no polygons", "update its source" });
   CheckRefused("lines and vertices", MakeLines(), { "no polygons" });
   CheckRefused("open box", MakeOpenBox(), { "not closed", "4 edges", "vtkFillHolesFilter" });
-  CheckRefused("point at NaN", MakeBoxWithPoint(nan), { "point 3", "nan", "finite", "mend" });
+  CheckRefused("point at NaN", MakeBoxWithPoint(nan), { "point 3", "nan", "finite", "fix" });
   CheckRefused("point at infinity", MakeBoxWithPoint(inf), { "point 3", "inf", "finite" });
   CheckRefused("point at 1e20", MakeBoxWithPoint(1e20), { "point 3", "1e+20", "1e15" });
   CheckRefused("one polygon twice",
@@ -159,13 +159,13 @@ void TestMissing()
   Check(errors.Take() == 1, "none: one error however often it is used");
   Check(errors.GetText().find("SetSurface()") != std::string::npos, "none: the error has a remedy");
   medium->SetSurface(MakeBoxMesh(Unit));
-  Check(IsNear(Pass(medium), ThroughBox) && errors.Take() == 0, "none: mended");
+  Check(IsNear(Pass(medium), ThroughBox) && errors.Take() == 0, "none: fixed");
   medium->SetSurface(nullptr);
   Check(Pass(medium) == 1.0 && errors.Take() == 1, "taken away: an error, and nowhere");
 }
 
 //------------------------------------------------------------------------------
-// Good when set, open later, mended at last.
+// Good when set, open later, fixed at last.
 void TestChanged()
 {
   vtkNew<vtkParticipatingMedium> medium;
@@ -185,7 +185,7 @@ void TestChanged()
     "changed: the error says what and what is done");
   mesh->ShallowCopy(MakeBoxMesh(Unit));
   mesh->Modified();
-  Check(IsNear(Pass(medium), ThroughBox) && errors.Take() == 0, "changed: mended");
+  Check(IsNear(Pass(medium), ThroughBox) && errors.Take() == 0, "changed: fixed");
 }
 
 //------------------------------------------------------------------------------
@@ -225,7 +225,7 @@ void TestPicture()
   Check(errors.Take() == 1, "picture: one error for two frames");
   mesh->ShallowCopy(MakeBoxMesh(Unit));
   mesh->Modified();
-  Check(Render(scene) == good && errors.Take() == 0, "picture: the same when mended");
+  Check(Render(scene) == good && errors.Take() == 0, "picture: the same when fixed");
   scene.Medium->SetSurface(nullptr);
   Check(Render(scene) == 0.0 && errors.Take() == 1, "picture: no surface, no medium, one error");
 }

@@ -78,7 +78,7 @@ void TestGrowth()
 
   Scene limited(300, 200);
   AddStrips(limited, 40);
-  // Asked for; the automatic technique takes shadow maps where there are so many bands.
+  // On request; the automatic technique takes shadow maps where there are so many bands.
   limited.Pass->SetShadowTechniqueToShadowPlanes();
   limited.Pass->SetMemoryLimit(1);
   limited.Window->Render();

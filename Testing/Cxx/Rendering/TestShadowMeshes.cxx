@@ -34,7 +34,7 @@ vtkSmartPointer<vtkPolyData> MakeSphere(const glm::dvec3& centre, double radius,
   return Make(sphere);
 }
 
-// Each triangle alone, with its own points, wound at random where asked for.
+// Each triangle alone, with its own points, wound at random on request.
 vtkSmartPointer<vtkPolyData> Scatter(vtkPolyData* data, bool flip)
 {
   vtkNew<vtkMatrix4x4> identity;

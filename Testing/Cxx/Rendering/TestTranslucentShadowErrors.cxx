@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Shadows of translucent casters asked for in vain: bad keys, and techniques that have none.
+// Shadows of translucent casters requested in vain: bad keys, and techniques that have none.
 
 #include "AirlightTestBodies.h"
 #include "AirlightTestErrors.h"
@@ -62,7 +62,7 @@ void TestMaps(Scene& scene, vtkActor* pane)
   scene.Pass->TranslucentShadowsOff();
   scene.Pass->SetShadowTechniqueToShadowMap();
   const Buffers off = scene.Render();
-  Check(warnings.Take() == 0, "no warning where none are asked for");
+  Check(warnings.Take() == 0, "no warning if none are requested");
   scene.Pass->TranslucentShadowsOn();
   CheckSame(off, scene.Render(), "shadow maps leave translucent casters out");
   Check(warnings.Take() == 1 && Names(warnings, "SetShadowTechniqueToShadowPlanes"),
