@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The program `AnimatedFog`: lamp, object and medium of a scene in motion at once, in numbered
- * pictures or in a window. See FogAnimation.
+ * The program `AnimatedFog` moves a light, an object and the medium of a scene at once. It writes
+ * numbered pictures or shows a window. See FogAnimation.
  *
  *   AnimatedFog figure1.json --frames 240 -o frame_%04d.png
  *   AnimatedFog figure1.json --frame 60 -o frame60.png

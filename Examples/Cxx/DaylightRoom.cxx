@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The sun through the windows of a dusty room, in a window or, with -o, in a picture (.png).
- * Prints how much of the sight line in the picture's middle is in the sun.
- * Examples/Python/daylight_room.py is the same room, and measures its floor.
+ * Prints how much of the view ray through the centre of the picture is in the sun.
+ * Examples/Python/daylight_room.py shows the same room and measures its floor.
  */
 
 #include "ExampleScene.h"
@@ -39,7 +39,7 @@ constexpr double Table[][6] = { { -1.9, -0.2, 0.7, 0.75, -2.5, -1.1 },
   { -1.85, -1.78, 0, 0.7, -2.45, -2.38 }, { -1.85, -1.78, 0, 0.7, -1.22, -1.15 },
   { -0.32, -0.25, 0, 0.7, -2.45, -2.38 }, { -0.32, -0.25, 0, 0.7, -1.22, -1.15 } };
 
-// Skylight comes to every surface alike.
+// Adds a surface. All surfaces receive the same skylight.
 void Add(vtkRenderer* renderer, vtkAlgorithm* source, const example::Colour& albedo)
 {
   vtkProperty* property = example::Add(renderer, source, albedo)->GetProperty();

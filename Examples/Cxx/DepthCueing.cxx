@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A molecule in a haze that tells near from far: DNA, four turns of the double helix; in a window
- * or, with -o, in a picture (.png). A colour at the distance d keeps exp(-d/Range) of its contrast
- * with the background; prints that at the nearest and the farthest part. Lengths are in nanometres.
- * Examples/Python/depth_cueing.py is the same.
+ * A molecule in a haze that shows depth: DNA, four turns of the double helix; in a window or, with
+ * -o, in a picture (.png). A colour at distance d keeps exp(-d/Range) of its contrast with the
+ * background. Prints this fraction for the nearest and the farthest part. Lengths are in
+ * nanometres. Examples/Python/depth_cueing.py is the same example in Python.
  */
 
 #include "ExampleScene.h"
@@ -38,14 +38,14 @@ using Point = std::array<double, 3>;
 using Polyline = std::vector<Point>;
 
 const std::string Sequence = "CAGCAGGGGGGCGTGACTGATCAAGCCTGAGATAATGCGGGT";
-constexpr double Range = 8.0; // where a colour has lost 63 % of its contrast
+constexpr double Range = 8.0; // distance at which a colour has lost 63 % of its contrast
 constexpr double Pi = 3.14159265358979323846;
-// B-DNA: places from the axis, a pair's rise and turn, and the angle across the minor groove.
+// B-DNA: radius, rise and twist of a pair, and the angle across the minor groove.
 constexpr double Radius = 0.9, Rise = 0.332, Twist = 2.0 * Pi / 10.5, Groove = 133.0 * Pi / 180.0;
 
 struct Base
 {
-  // They are used, through the map.
+  // Both are used through the map.
   char Partner;           // cppcheck-suppress unusedStructMember
   example::Colour Albedo; // cppcheck-suppress unusedStructMember
 };
@@ -53,7 +53,7 @@ const std::map<char, Base> Bases = { { 'A', { 'T', { 0.75, 0.2, 0.15 } } },
   { 'T', { 'A', { 0.85, 0.65, 0.15 } } }, { 'G', { 'C', { 0.15, 0.5, 0.25 } } },
   { 'C', { 'G', { 0.15, 0.3, 0.7 } } } };
 
-// Places along one strand, at this angle from the other, the helix along -z.
+// Points along one strand of a helix along -z, rotated by an angle about its axis.
 Polyline Strand(double offset)
 {
   Polyline strand;

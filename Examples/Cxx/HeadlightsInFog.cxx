@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a driver sees in fog at night by high beam and, with --low, by low beam, for which a shield
- * before each lamp cuts off what it would send higher than 1 % below the horizon; in a window or,
- * with -o, in a picture (.png). Prints the veil of fog before people on the road and their
- * contrast. Examples/Python/headlights_in_fog.py shows both beams.
+ * What a driver sees in fog at night by high beam and, with --low, by low beam; in a window or,
+ * with -o, in a picture (.png). For the low beam, a shield in front of each lamp blocks the light
+ * that would go higher than 1 % below the horizon. Prints the veil of fog in front of people on the
+ * road and their contrast. Examples/Python/headlights_in_fog.py shows both beams.
  */
 
 #include "ExampleScene.h"
@@ -74,7 +74,7 @@ void AddLamp(vtkRenderer* renderer, double x, bool low)
   renderer->AddLight(lamp);
   if (low)
   {
-    // 1 % comes through its two sides: stray light above the road.
+    // Its two sides transmit 1 %: stray light above the road.
     vtkActor* shield = Add(renderer,
       MakeBox(x - 0.05, x + 0.05, Y - 0.0005, Y + 0.04, -0.051, -0.05), { 0.0, 0.0, 0.0 });
     vtkAirlightPass::SetShadowOpacity(shield, 0.9, 0.9, 0.9);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * A laser's light sheet through the smoke of a wind tunnel, past a cylinder and its shadow; in a
- * window or, with -o, in a picture (.png). Prints, where the middle line meets the sheet, its
- * thickness along the view and its radiance, as drawn and by hand, and how much of the floor's
- * middle line the cylinder keeps dark. Examples/Python/laser_sheet.py is the same.
+ * window or, with -o, in a picture (.png). At the point where the middle line meets the sheet, it
+ * prints the thickness of the sheet along the view and its radiance, as drawn and by hand. It also
+ * prints how much of the floor's middle line the cylinder shadows.
+ * Examples/Python/laser_sheet.py is the same example in Python.
  */
 
 #include "ExampleScene.h"
@@ -100,7 +101,7 @@ void AddTunnel(vtkRenderer* renderer)
   Add(renderer, MakeBox(-0.6, 0.9, -0.4, 0.4, -0.31, -0.3), { 0.02, 0.02, 0.02 });
 }
 
-// The dark part of the floor's middle line, as the line itself is seen from the lens.
+// Length of the cylinder's shadow on the floor's middle line, seen from the lens.
 double MeasureShadow(vtkLight* lens, vtkParticipatingMedium* smoke)
 {
   vtkNew<vtkLineSource> line;
@@ -117,7 +118,7 @@ double MeasureShadow(vtkLight* lens, vtkParticipatingMedium* smoke)
   return data->GetArray("Start")->GetTuple1(1) - data->GetArray("End")->GetTuple1(0);
 }
 
-// The pixel that sees Probe, and where its middle's ray meets the sheet, which is the plane z = 0.
+// The pixel that shows Probe, and the point at which its ray meets the sheet, the plane z = 0.
 struct Place
 {
   explicit Place(vtkRenderer* renderer)
@@ -147,7 +148,7 @@ void Report(vtkRenderer* renderer, vtkAirlightPass* pass, vtkLight* lens)
   const auto get = [&](const char* name, int channel) {
     return pass->GetBuffer(name)->GetScalarComponentAsDouble(place.Column, place.Row, 0, channel);
   };
-  // By hand: the sheet widens from the lens through the slit, and the view goes through it aslant.
+  // By hand: the sheet widens from the lens through the slit, and the view crosses it obliquely.
   const double across = Slit * (Lens[1] - place.Point[1]) / SlitDepth;
   const double thickness =
     across * std::sqrt(vtkMath::Distance2BetweenPoints(Eye, place.Point)) / Eye[2];

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * How far exit signs can be read in a corridor full of smoke, in a window or, with -o, in a picture
- * (.png). Prints the contrast of letters that shine and of letters that are lit, and where it has
- * fallen to 2 %. Examples/Python/smoke_corridor.py is the same, and tells of the measured rule.
+ * (.png). Prints the contrast of letters that shine and of letters that are lit, and the distance
+ * at which it has fallen to 2 %. Examples/Python/smoke_corridor.py is the same example in Python
+ * and states the measured rule.
  */
 
 #include "ExampleScene.h"
@@ -31,8 +32,8 @@ using example::MakeBox;
 
 namespace
 {
-constexpr double Extinction = 0.12 + 0.08; // per metre: what smoke scatters and absorbs
-constexpr double Ambient = 0.06;         // W/(m^2 sr), of smoke and walls, more than once scattered
+constexpr double Extinction = 0.12 + 0.08; // per metre: scattering plus absorption of the smoke
+constexpr double Ambient = 0.06;         // W/(m^2 sr), scattered more than once by smoke and walls
 constexpr double Letters = 8.0;          // W/(m^2 sr), of letters that shine
 constexpr double Albedo = 0.8;           // of letters that do not
 constexpr double Eye = 1.6, Sign = 2.26; // m: heights; the corridor goes along -z
@@ -82,7 +83,7 @@ void Report(const char* name, const std::vector<double>& contrast)
   std::printf("\n  readable to %.1f m, K times that %.1f\n", reach, reach * Extinction);
 }
 
-// Signs every 5 m, seen from the camera: what arrives of their light, and the smoke's before it.
+// Signs every 5 m from the camera: their light that arrives, and that of the smoke in front.
 void MeasureSigns(vtkAirlightProbeFilter* probe)
 {
   vtkNew<vtkPoints> places;
@@ -134,7 +135,7 @@ void AddWalls(vtkRenderer* renderer)
   Add(renderer, MakeBox(-1.3, 1.3, 2.6, 2.7, far, near), { 0.7, 0.7, 0.7 });
   for (const double side : { -1.0, 1.0 })
   {
-    // A wall, its skirting board, and a rail for the hand.
+    // A wall, its skirting board and its handrail.
     const double x = side * 1.25;
     Add(renderer, MakeBox(x - 0.05, x + 0.05, 0.0, 2.6, far, near), { 0.6, 0.58, 0.5 });
     const double board = side * 1.185;

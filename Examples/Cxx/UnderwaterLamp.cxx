@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * How far an underwater vehicle's camera sees by its lamp, and why the lamp is mounted aside; in a
- * window or, with -o, in a picture (.png). Prints the contrast of a white board against the veil of
- * water before it, and the range at which that is 2 %. Examples/Python/underwater_lamp.py is the
- * same, and tells where the numbers of the water are from.
+ * window or, with -o, in a picture (.png). Prints the contrast of a white board with the veil of
+ * water in front of it, and the range at which the contrast is 2 %.
+ * Examples/Python/underwater_lamp.py is the same example in Python and gives the sources of the
+ * water's coefficients.
  */
 
 #include "ExampleScene.h"
@@ -37,7 +38,7 @@ constexpr Vector LampBeside = { 0.15, 0.1, 0.0 };
 constexpr Vector Intensity = { 240.0, 228.0, 204.0 }; // W/sr
 constexpr double Albedo = 0.9;                        // of the board
 
-// Of a white board's light that arrives, divided by the light of the water before it.
+// Light of a white board that arrives, divided by the light of the water in front of it.
 Vector Contrast(vtkParticipatingMedium* water, const Vector& lamp, double distance)
 {
   const double eye[3] = { 0.0, 0.0, 0.0 };
@@ -61,7 +62,7 @@ Vector Contrast(vtkParticipatingMedium* water, const Vector& lamp, double distan
   return contrast;
 }
 
-// Where the contrast, which falls with the distance, is 2 %.
+// Distance at which the contrast is 2 %; the contrast falls with the distance.
 double FindRange(vtkParticipatingMedium* water, const Vector& lamp, int channel)
 {
   double near = 0.5;
@@ -86,7 +87,7 @@ void Report(vtkParticipatingMedium* water, const char* name, const Vector& lamp)
     FindRange(water, lamp, 1), FindRange(water, lamp, 2));
 }
 
-// A sandy sea floor, 1.5 m below, with waves of 5 cm, which casts no shadows of itself.
+// A sandy sea floor, 1.5 m below, with ripples of 5 cm. It casts no shadows.
 void AddFloor(vtkRenderer* renderer)
 {
   vtkNew<vtkPlaneSource> plane;

@@ -1,11 +1,11 @@
 #!/usr/bin/env pvpython
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fog comes up: ParaView animates the visibility as any other property.
+"""Fog thickens: ParaView animates the visibility like any other property.
 
     pvpython animation.py [-o FOLDER] [--frames N]
 
-Writes fog.0000.png and so on. AIRLIGHT_PLUGIN is the plugin's file.
+Writes fog.0000.png and so on. The variable AIRLIGHT_PLUGIN names the plugin's file.
 """
 
 import argparse

@@ -1,11 +1,12 @@
 #!/usr/bin/env pvpython
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView's Wavelet in fog: depth is seen at once. ParaView's own lights light surfaces and, as set here, fog.
+"""ParaView's Wavelet in fog, which shows depth.
 
     pvpython fog_in_stock_scene.py [-o PICTURE.png] [--visibility DISTANCE]
 
-AIRLIGHT_PLUGIN is the plugin's file.
+ParaView's own lights illuminate the surfaces; CameraLightsScatter makes them illuminate the fog
+too. The variable AIRLIGHT_PLUGIN names the plugin's file.
 """
 
 import argparse

@@ -1,11 +1,12 @@
 #!/usr/bin/env pvbatch
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A mesh spread over the ranks of a parallel ParaView, in fog; shadows know no ranks.
+"""A mesh distributed over the ranks of a parallel ParaView, in fog, with shadows across ranks.
 
     mpirun -n 2 pvbatch parallel.py MESH.ply [-o PICTURE.png]
 
-One rank or several draw the same picture. AIRLIGHT_PLUGIN is the plugin's file.
+The picture is the same with one rank and with several. The variable AIRLIGHT_PLUGIN names the
+plugin's file.
 """
 
 import argparse

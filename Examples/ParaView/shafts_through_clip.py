@@ -1,12 +1,12 @@
 #!/usr/bin/env pvpython
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A lamp inside a scanned mesh that is cut open: its light leaves through the cut as a shaft.
+"""A light inside a scanned mesh that is cut open: its light leaves through the cut as a shaft.
 
     pvpython shafts_through_clip.py MESH.ply [-o PICTURE.png]
 
-Any closed mesh will do, for example Examples/Data/meshes/bunny.ply. AIRLIGHT_PLUGIN is the plugin's
-file.
+Any closed mesh will do, for example Examples/Data/meshes/bunny.ply. The variable AIRLIGHT_PLUGIN
+names the plugin's file.
 """
 
 import argparse
@@ -32,7 +32,7 @@ x = reader.GetDataInformation().GetBounds()
 centre = [(x[0] + x[1]) / 2, (x[2] + x[3]) / 2, (x[4] + x[5]) / 2]
 size = max(x[1] - x[0], x[3] - x[2], x[5] - x[4])
 
-# Away goes what is above a tilted plane a bit higher than the lamp.
+# Removes the part above a tilted plane, which is slightly higher than the light.
 clip = Clip(Input=reader, ClipType="Plane", Invert=1)
 clip.ClipType.Origin = [centre[0], centre[1] + 0.06 * size, centre[2]]
 clip.ClipType.Normal = [0.35, 1, 0.1]
@@ -46,7 +46,7 @@ lamp.ConeAngle = 180
 lamp.DiffuseColor = [1, 0.85, 0.6]
 lamp.Intensity = 5 * size**2
 lamp.Attenuation = [0, 0, 1]
-view.UseLight = 1  # ParaView's own, weak, to see the outside
+view.UseLight = 1  # ParaView's own light, weak, shows the outside
 view.KeyLightIntensity = 0.6
 
 view.VisibilityDistance = 5 * size

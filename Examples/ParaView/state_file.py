@@ -1,12 +1,13 @@
 #!/usr/bin/env pvpython
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The medium is a part of ParaView's state files.
+"""Saves and loads the medium with a ParaView state file.
 
     pvpython state_file.py [-o FOLDER]
 
-Writes fog.pvsm, the picture before it was saved and the picture after all was deleted and loaded
-again. AIRLIGHT_PLUGIN is the plugin's file; ParaView must have loaded it before the state.
+Writes fog.pvsm, a picture before the state was saved, and a picture after everything was deleted
+and loaded again. The variable AIRLIGHT_PLUGIN names the plugin's file; ParaView must load it before
+the state.
 """
 
 import argparse

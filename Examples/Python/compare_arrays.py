@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How far one numpy array is from another, by the metrics of the reference scenes.
+"""Compares two numpy arrays by the metrics of the reference scenes.
 
     compare_arrays.py [A.npy B.npy]      arrays [height, width, channels]
 """
@@ -16,7 +16,7 @@ import airlight
 
 
 def make_image(array):
-    """A vtkImageData of an array; its row 0 becomes the bottom row."""
+    """Converts an array to a vtkImageData. Row 0 becomes the bottom row."""
     height, width, channels = array.shape
     image = vtkImageData()
     image.SetDimensions(width, height, 1)

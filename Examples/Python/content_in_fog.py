@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every kind of content that VTK draws, in the same fog and the same lamp's light.
+"""Many kinds of VTK content in the same fog and the same light.
 
     content_in_fog.py FOLDER [NAME ...]
 
-writes FOLDER/content-NAME.png for each kind of content, or for those named. The pictures are those
-of Documentation/gallery.md. Each kind is one function below that adds its props to a renderer; fog
-and lamp are the same for all, and no prop knows of them.
+Writes FOLDER/content-NAME.png for each kind of content, or only for the named kinds.
+Documentation/gallery.md shows the pictures. Each kind is one function below, which adds its props
+to a renderer. Fog and light are the same for all kinds, and the props are not prepared for them.
 """
 
 import math
@@ -40,7 +40,7 @@ import airlight
 
 
 def add(renderer, source, colour=(0.8, 0.45, 0.2), place=(0, 0, 0)):
-    """An actor of what the source makes."""
+    """Adds an actor with the output of the source."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
     mapper.ScalarVisibilityOff()
@@ -138,7 +138,7 @@ def scalars(renderer):
 
 
 def translucent(renderer):
-    """Translucent surfaces before and behind an opaque one."""
+    """Translucent surfaces in front of and behind an opaque one."""
     add(renderer, sphere(0.35), (0.9, 0.9, 0.9), (0, 1.2, 0))
     for i, colour in enumerate([(0.9, 0.2, 0.1), (0.1, 0.7, 0.2), (0.2, 0.3, 0.9)]):
         actor = add(renderer, sphere(0.8), colour, (0.8 * (i - 1), 1.2, 0.6 * (i - 1)))
@@ -146,7 +146,7 @@ def translucent(renderer):
 
 
 def glyphs(renderer):
-    """Glyphs, each of which casts."""
+    """Glyphs of two sources; each casts a shadow."""
     points = vtkPolyData()
     points.SetPoints(vtkPoints())
     directions = vtkFloatArray()
@@ -177,7 +177,7 @@ def glyphs(renderer):
 
 
 def composite(renderer):
-    """A composite data set: all its blocks in one mapper."""
+    """A composite data set, with all blocks in one mapper."""
     blocks = vtkMultiBlockDataSet()
     for i in range(4):
         block = box(0.5, 0.5 + 0.4 * i, 0.5)
@@ -213,7 +213,7 @@ def lines(renderer):
 
 
 def splats(renderer):
-    """Point Gaussians, each behind the fog that is before it."""
+    """Point Gaussians, each seen through the fog in front of it."""
     cloud = vtkPointSource()
     cloud.SetNumberOfPoints(400)
     cloud.SetRadius(1.1)
@@ -229,7 +229,7 @@ def splats(renderer):
 
 
 def cutaway(renderer):
-    """A clipping plane: what it cuts away casts no shadow."""
+    """A clipping plane; clipped parts cast no shadow."""
     plane = vtkPlane()
     plane.SetOrigin(0, 1.2, 0)
     plane.SetNormal(-0.6, -0.5, -0.6)
@@ -239,7 +239,7 @@ def cutaway(renderer):
 
 
 def unlit(renderer):
-    """Unlit props and wireframes: only dimmed."""
+    """Unlit props and wireframes: the fog attenuates them, but no light shades them."""
     actor = add(renderer, sphere(0.7, 24), place=(-0.9, 1.2, 0))
     actor.GetProperty().LightingOff()
     actor = add(renderer, sphere(0.7, 24), (0.2, 0.5, 0.9), (0.9, 1.2, 0))
@@ -248,7 +248,7 @@ def unlit(renderer):
 
 
 def volume(renderer):
-    """A vtkVolume beside a surface."""
+    """A vtkVolume next to a surface."""
     function = vtkSphere()
     function.SetRadius(0.2)
     sample = vtkSampleFunction()
@@ -279,7 +279,7 @@ def volume(renderer):
 
 
 def annotations(renderer):
-    """Axes in the scene are fogged; what is drawn over the picture is not."""
+    """Axes in the scene are in the fog; 2D annotations are not."""
     axes = vtkAxesActor()
     axes.SetTotalLength(1.5, 1.5, 1.5)
     renderer.AddActor(axes)
@@ -307,11 +307,11 @@ CONTENTS = [
     cutaway, unlit, volume, annotations]
 
 
-# ---- Fog, lamp and window -----------------------------------------------------------------------
+# ---- Fog, light and window ----------------------------------------------------------------------
 
 
 def make_renderer():
-    """A floor and a wall, a lamp above, a weak light from the eye that does not scatter, fog."""
+    """Floor, wall, fog, a light above, and a weak headlight that does not scatter."""
     renderer = vtkRenderer()
     renderer.AutomaticLightCreationOff()
     grey = (0.75, 0.75, 0.75)
@@ -345,7 +345,7 @@ def make_renderer():
 
 
 def render(content, path):
-    """Writes the picture of one content."""
+    """Renders one kind of content and writes the picture."""
     renderer = make_renderer()
     content(renderer)
     window = vtkRenderWindow()

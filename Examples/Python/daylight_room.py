@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The sun through the windows of a dusty room: where it falls, and how much comes in.
 
-Printed are the area of the sunlit floor, the irradiance there and the power that warms it, from
-sensors every 5 cm, and how much of the sight line in the picture's middle is in the sun.
+The program prints the area of the sunlit floor, the irradiance there and the power that warms it,
+from sensors every 5 cm. It also prints how much of the view ray through the centre of the picture
+is in the sun.
 """
 
 import argparse
@@ -19,11 +20,11 @@ import airlight.display
 
 ROOM = (-3.5, 3.5, 0.0, 3.2, -6.0, 5.0)  # m: x, y and z inside the walls, which are 0.2 thick
 TO_SUN = (-1.0, 0.72, -0.3)
-SUN = (800.0, 720.0, 600.0)  # W/m^2 on what faces it; red, green, blue
+SUN = (800.0, 720.0, 600.0)  # W/m^2 on a surface that faces it; red, green, blue
 SCATTERING, ABSORPTION, ANISOTROPY = 0.07, 0.007, 0.6  # of the dust, per metre
 SKYLIGHT = (4.5, 5.0, 5.6)  # W/(m^2 sr), from all sides, in the room
 SENSOR = 0.05  # m
-WHITE = 45.0  # W/(m^2 sr), what the picture shows as white
+WHITE = 45.0  # W/(m^2 sr), shown as white in the picture
 EYE, TARGET = (2.9, 1.5, 3.6), (-2.4, 1.0, -1.5)
 
 # Boxes: the wall with three windows, from 0.9 to 2.7 m, and the bars in them; walls and ceiling.
@@ -44,7 +45,7 @@ def box(bounds):
 
 
 def measure_floor(sun, dust):
-    """Irradiances at the middles of squares of the floor, behind wall and table."""
+    """Irradiances at the centres of squares of the floor, in the shadows of walls and table."""
     floor = vtkPlaneSource()
     x0, x1, y, _, z0, z1 = ROOM
     half = SENSOR / 2

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A molecule in a haze that tells near from far: DNA, four turns of the double helix.
+"""A molecule in a haze that shows depth: DNA, four turns of the double helix.
 
-The haze is of the background's colour everywhere, and the lamp does not light it: a colour at the
-distance d keeps exp(-d/RANGE) of its contrast with the background. How much that is at the nearest
-and at the farthest part in the picture is printed. Lengths are in nanometres; B-DNA has 10.5 pairs
-a turn, 0.332 apart, and its phosphates 0.9 from the axis, 133 degrees across the minor groove.
+The haze has the colour of the background everywhere, and the light does not scatter in it. A colour
+at distance d therefore keeps exp(-d/RANGE) of its contrast with the background. The program prints
+this fraction for the nearest and the farthest part in the picture. Lengths are in nanometres. B-DNA
+has 10.5 pairs a turn, 0.332 apart. Its phosphates are 0.9 from the axis, 133 degrees apart across
+the minor groove.
 """
 
 import argparse
@@ -26,7 +27,7 @@ import airlight.display
 SEQUENCE = "CAGCAGGGGGGCGTGACTGATCAAGCCTGAGATAATGCGGGT"
 RADIUS, RISE, TWIST, GROOVE = 0.9, 0.332, 2 * np.pi / 10.5, np.radians(133)
 PHOSPHATE = 0.2  # radius of the balls
-RANGE = 8.0  # where a colour has lost 63 % of its contrast
+RANGE = 8.0  # distance at which a colour has lost 63 % of its contrast
 HAZE = (0.02, 0.04, 0.09)
 EYE, TARGET = (-2.3, 2.1, 5.0), (-0.15, 0.12, -0.5)
 BASES = {"A": (0.75, 0.2, 0.15), "T": (0.85, 0.65, 0.15), "G": (0.15, 0.5, 0.25),
@@ -34,14 +35,14 @@ BASES = {"A": (0.75, 0.2, 0.15), "T": (0.85, 0.65, 0.15), "G": (0.15, 0.5, 0.25)
 
 
 def strand(offset, radius=RADIUS):
-    """Places along one strand, at this angle from the other, the helix along -z."""
+    """Points along one strand of a helix along -z, rotated by an angle about its axis."""
     steps = np.arange(len(SEQUENCE))
     angle = steps * TWIST + offset
     return np.stack((radius * np.cos(angle), radius * np.sin(angle), 1 - steps * RISE), axis=1)
 
 
 def make_lines(lines):
-    """A vtkPolyData of polylines, each an array of points."""
+    """Converts lines, each an array of points, to a vtkPolyData."""
     points, cells = vtkPoints(), vtkCellArray()
     points.SetData(numpy_to_vtk(np.concatenate(lines), deep=True))
     start = 0

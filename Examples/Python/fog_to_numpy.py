@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A ball and a lamp in fog, drawn off the screen, and the pass's buffers as numpy arrays.
+"""A ball and a light in fog, rendered off screen; the buffers of the pass as numpy arrays.
 
     fog_to_numpy.py [OUT.npz]
 """

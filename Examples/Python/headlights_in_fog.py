@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a driver sees in fog at night by low and by high beam.
 
-Fog throws the headlights' light back: a veil over the road. For people on the road so far ahead the
-program prints, for both beams, the luminance of the veil before them and their contrast, their own
-luminance as it arrives divided by the veil's. For the low beam a shield before each lamp cuts off
-what it would send higher than 1 % below the horizon. The picture shows low beam above, high below.
+Fog scatters the light of the headlights back: a veil lies over the road. For both beams and for
+people on the road at several distances, the program prints the luminance of the veil in front of
+them and their contrast. The contrast is their own luminance as it arrives, divided by that of the
+veil. For the low beam, a shield in front of each lamp blocks the light that would go higher than
+1 % below the horizon. The picture shows the low beam at the top and the high beam at the bottom.
 """
 
 import argparse
@@ -25,7 +26,7 @@ LAMPS = [(-0.62, 0.65, 0.0), (0.62, 0.65, 0.0)]  # m; the car drives along -z
 EYE = (-0.35, 1.25, 1.6)
 VISIBILITY, ANISOTROPY = 100.0, 0.85  # of the fog: metres, and its droplets' mean cosine
 PEOPLE = [(1.0, 12.0), (-0.4, 22.0), (-2.2, 34.0), (0.4, 48.0)]  # m to the right, and ahead
-WHITE = 10.0  # cd/m^2, what the picture shows as white
+WHITE = 10.0  # cd/m^2, shown as white in the picture
 
 
 def add(renderer, source, albedo):
@@ -63,7 +64,7 @@ def add_road(renderer):
 
 
 def make_view(beam, viewport):
-    """Renderer and pass of the road by one of the beams."""
+    """Renderer and pass of the road in the light of one beam."""
     renderer = vtkRenderer()
     renderer.SetViewport(viewport)
     fog = airlight.vtkParticipatingMedium()

@@ -3,10 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A laser's light sheet through the smoke of a wind tunnel, past a cylinder and its shadow.
 
-The sheet comes from a lens, a point, through a slit between two plates. Smoke wires make streaks
-along the streamlines of potential flow past the cylinder. Printed are, where the middle line meets
-the sheet, its thickness along the view and its radiance, as drawn and by hand, and how much of the
-floor's middle line the cylinder keeps from being seen in the sheet.
+The sheet spreads from a lens, a point, through a slit between two plates. Smoke wires make streaks
+along the streamlines of potential flow past the cylinder. At the point where the middle line meets
+the sheet, the program prints the thickness of the sheet along the view and its radiance, as drawn
+and by hand. It also prints how much of the floor's middle line the cylinder shadows.
 """
 
 import argparse
@@ -64,7 +64,7 @@ def make_cylinder():
 
 
 def make_smoke():
-    """Density 1 in streaks of equal stream function y (1 - R^2/r^2), 0 between them."""
+    """Density 1 in streaks of equal stream function y (1 - R^2/r^2), 0.15 between them."""
     x0, x1, y0, y1, z0, z1 = TUNNEL
     x, y = np.meshgrid(np.linspace(x0, x1, 301), np.linspace(y0, y1, 161))
     r2 = np.maximum(x**2 + y**2, RADIUS**2)
@@ -103,7 +103,7 @@ def make_scene():
 
 
 def measure_shadow(lens):
-    """The dark part of the floor's middle line, as the line itself is seen from the lens."""
+    """Length of the cylinder's shadow on the floor's middle line, seen from the lens."""
     line = vtkLineSource()
     line.SetPoint1(TUNNEL[0], TUNNEL[2] + 0.01, 0)
     line.SetPoint2(TUNNEL[1], TUNNEL[2] + 0.01, 0)
@@ -119,7 +119,7 @@ def measure_shadow(lens):
 
 
 def radiance_by_hand(smoke, place, thickness):
-    """Of a thin sheet: sigma_s/(4 pi) I/r^2 T thickness; green."""
+    """Green radiance of a thin sheet: sigma_s/(4 pi) I/r^2 T thickness."""
     there, back = np.zeros((2, 3))
     airlight.vtkAirlight.Transmittance(smoke, LENS, place, there)
     airlight.vtkAirlight.Transmittance(smoke, place, EYE, back)
@@ -128,7 +128,7 @@ def radiance_by_hand(smoke, place, thickness):
 
 
 def look_at(renderer, point):
-    """The pixel that sees a point of the sheet, and where its middle's ray meets the sheet."""
+    """The pixel that shows a point of the sheet, and the point at which its ray meets the sheet."""
     renderer.SetWorldPoint(*point, 1)
     renderer.WorldToDisplay()
     column, row = (int(place) for place in renderer.GetDisplayPoint()[:2])

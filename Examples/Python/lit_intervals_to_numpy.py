@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which parts of a fan of sight lines through a smoky hall a lamp lights, as numpy arrays.
+"""The lit parts of a fan of view rays through a smoky hall, as numpy arrays.
 
     lit_intervals_to_numpy.py [OUT.npz]
 
-The lamp hangs behind a row of pillars, whose shadows cut the lines into parts. For each part there
-are its length, the light that its smoke sends to the eye, and what begins and ends it.
+The light hangs behind a row of pillars. Their shadows cut the rays into parts. For each part there
+are its length, the light that its smoke sends to the eye, and the causes of its start and its end.
 """
 
 import sys

@@ -24,7 +24,7 @@ if len(sys.argv) > 2:
 reader.Update()
 image = reader.GetOutput()
 if image.GetNumberOfPoints() == 0:
-    sys.exit(1)  # VTK has said why
+    sys.exit(1)  # VTK has reported the reason
 
 nx, ny, nz = image.GetDimensions()
 scalars = image.GetPointData().GetScalars()
@@ -32,6 +32,6 @@ density = vtk_to_numpy(scalars).reshape(nz, ny, nx)  # x is fastest
 print(f"{scalars.GetName()}: {nx} x {ny} x {nz} points, {density.min():g} to {density.max():g}")
 print("one corner at", image.GetPoint(0), "steps", image.GetSpacing())
 
-# The image ends with the background: the sum is the integral by the trapezoidal rule, too.
+# The border of the image is background: the sum is also the integral by the trapezoidal rule.
 depth = density.sum(axis=0) * image.GetSpacing()[2]
 print(f"largest integral of the density along the third axis: {depth.max():g}")

@@ -5,12 +5,12 @@
 
     plume_as_fog.py PLUME.vdb [GRID] [-o PICTURE.png]
 
-The sun shines on the plume. Its picture is computed from the density, cell by cell, and then that
-of a box of homogeneous smoke with the plume's bounds. Of equal optical depth means: over the pixels
-that see the plume, the mean transmittance is the same. In a box in the sun airlight has a closed
-form, which vtkAirlightPass draws and vtkAirlightReference computes. Times and differences are
-printed side by side; the picture shows density, homogeneous box, and where the box is brighter
-(orange) or darker (blue).
+The sun shines on the plume. The program computes a picture from the density, cell by cell, and one
+of a box of homogeneous smoke with the plume's bounds. Equal optical depth means that the mean
+transmittance is the same over the pixels that see the plume. In a box in the sun, airlight has a
+closed form, which vtkAirlightPass draws and vtkAirlightReference computes. The program prints times
+and differences side by side. The picture shows the density, the homogeneous box, and their
+difference: orange if the box is brighter, blue if it is darker.
 """
 
 import argparse
@@ -39,7 +39,7 @@ def read_density(path, grid):
     reader.Update()
     image = reader.GetOutput()
     if image.GetNumberOfPoints() == 0:
-        raise SystemExit(1)  # VTK has said why
+        raise SystemExit(1)  # VTK has reported the reason
     values = vtk_to_numpy(image.GetPointData().GetScalars())
     np.maximum(values, 0, out=values)  # simulations overshoot
     image.Modified()
@@ -47,7 +47,7 @@ def read_density(path, grid):
 
 
 def longest_way(image):
-    """The largest integral of the density along the grid's axis where that is least."""
+    """The largest integral of the density along the grid axis for which it is least."""
     density = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1])
     return min(density.sum(axis=2 - i).max() * image.GetSpacing()[i] for i in range(3))
 
@@ -98,7 +98,7 @@ def make_renderer(bounds):
 
 
 def render_reference(renderer, medium, size):
-    """Radiance and transmittance, and the seconds that they took."""
+    """Radiance and transmittance of the reference, and its computing time in seconds."""
     reference = airlight.vtkAirlightReference()
     reference.SetRenderer(renderer)
     reference.SetMedium(medium)
@@ -112,7 +112,7 @@ def render_reference(renderer, medium, size):
 
 
 def render_pass(renderer, medium, size):
-    """The same, drawn; a first frame, which makes the shaders, is not timed."""
+    """The same for the pass. The first frame compiles the shaders and is not timed."""
     fog_pass = airlight.vtkAirlightPass()
     fog_pass.SetMedium(medium)
     fog_pass.RecordBuffersOn()
@@ -167,11 +167,11 @@ def write_picture(path, plume, box):
 
 
 def match_extinction(lengths, transmittance):
-    """The extinction of rays of these lengths whose mean transmittance is this."""
+    """The extinction that gives rays of these lengths this mean transmittance."""
     low, high = 0.0, 1 / lengths.mean()
     while np.exp(-high * lengths).mean() > transmittance:
         high *= 2
-    for _ in range(60):  # halves it down to the last bit
+    for _ in range(60):  # bisects down to the last bit
         middle = (low + high) / 2
         if np.exp(-middle * lengths).mean() > transmittance:
             low = middle
@@ -205,7 +205,7 @@ def main():
         parser.error("no pixel sees the plume: increase --depth or --size")
     mean = plume_t[seen, 0].mean()
 
-    # How long rays are in the box: what a thin medium takes from them.
+    # The transmittance of a thin medium gives the length of each ray in the box.
     thin = 1e-3 * extinction
     _, thin_t, _ = render_reference(renderer, make_box(bounds, thin), size)
     matched = match_extinction(-np.log(thin_t[seen, 0]) / thin, mean)

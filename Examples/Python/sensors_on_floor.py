@@ -5,9 +5,9 @@
 
     sensors_on_floor.py [OUT.npz]
 
-A lamp hangs above a table. For each sensor: the irradiance that arrives directly, that the smoke
-scatters onto it, and the contrast of the floor there, the share of what the eye sees that is the
-floor and not the smoke before it.
+A light hangs above a table. For each sensor, the program computes the direct irradiance, the
+irradiance that the smoke scatters onto it, and the contrast of the floor. The contrast is the
+floor's share of the light that the eye sees; the rest comes from the smoke in front of the floor.
 """
 
 import sys

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows the shadow planes of a model in the light of a lamp, drawn as translucent polygons.
+"""Shows the shadow planes of a model in the light of a point light, as translucent polygons.
 
 Usage: shadow_planes.py [MODEL.ply] [-o PICTURE.png]
 
-Without -o the window stays open. Blue: the planes, cut to a box that stands on the floor. Red: the
-silhouette that they start from. Dark: their far caps on the floor, the model's shadow.
+Without -o the window stays open. Blue: the planes, clipped to a box that stands on the floor. Red:
+the silhouette from which they start. Dark: their far caps on the floor, the shadow of the model.
 """
 
 import argparse

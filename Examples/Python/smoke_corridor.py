@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How far exit signs can be read in a corridor full of smoke.
 
-A sign can be read while its letters stand out from their dark ground by a contrast of 2 %: of the
-letters' light what comes through, divided by what the smoke before the sign scatters. How far that
-is, times the smoke's extinction K, is printed beside the measured rule (T. Jin, "Visibility through
-fire smoke", J. Fire & Flammability 9, 1978): 5 to 10 for signs that shine, 2 to 4 for signs that
-are lit. Where all smoke is lit alike the contrast is B exp(-K d)/(A (1 - exp(-K d))).
+A sign can be read while the contrast of its letters with their dark ground is at least 2 %. The
+contrast is the light of the letters that comes through the smoke, divided by the light that the
+smoke in front of the sign scatters. The program prints the largest such distance times the
+extinction K of the smoke, beside the measured rule (T. Jin, "Visibility through fire smoke", J.
+Fire & Flammability 9, 1978): 5 to 10 for signs that shine, 2 to 4 for signs that are lit. In
+uniformly lit smoke the contrast is B exp(-K d)/(A (1 - exp(-K d))).
 """
 
 import argparse
@@ -27,7 +28,7 @@ SCATTERING, ABSORPTION = 0.12, 0.08  # per metre; their sum is K
 EYE, SIGN, END = 1.6, 2.26, 45.0  # m: heights, and the length of the corridor along -z
 LAMPS = [(0.0, 2.45, -2.5 - 5 * i) for i in range(8)]
 POWER = (7.5, 6.8, 5.7)  # W/sr, of each lamp, within 80 degrees around straight down
-AMBIENT = 0.06  # W/(m^2 sr), what smoke and walls scatter more than once
+AMBIENT = 0.06  # W/(m^2 sr), scattered more than once by smoke and walls
 LETTERS = 8.0  # W/(m^2 sr), of letters that shine
 ALBEDO = 0.8  # of letters that do not
 
@@ -44,7 +45,7 @@ def make_lamps():
 
 
 def measure(smoke, lamps, signs):
-    """Contrasts of letters that shine and that are lit, so far before the eye."""
+    """Contrasts of letters that shine and of letters that are lit, at distances from the eye."""
     places, normals = np.zeros((2, len(signs), 3))
     places[:, 1], places[:, 2], normals[:, 2] = SIGN, -signs, 1
     points = vtkPoints()

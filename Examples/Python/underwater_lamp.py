@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How far an underwater vehicle's camera sees by its lamp, and why the lamp is mounted aside.
 
-Water takes the red out of light within metres, and what it scatters veils the target. For a white
-board straight ahead the program prints its contrast against the veil by distance, and the range at
-which that has fallen to 2 %, for each colour, with the lamp beside the camera and on an arm.
-Coastal water: absorption of pure water (Pope and Fry, Applied Optics 36, 1997) at 620, 540 and
-470 nm and of what is dissolved in it, particles that scatter 0.15/m forward.
+Water absorbs the red of the light within metres, and the light that it scatters veils the target.
+For a white board straight ahead, the program prints the contrast with the veil at several
+distances, and the range at which the contrast has fallen to 2 %. It does so for each colour, with
+the lamp beside the camera and on an arm. The water is coastal: it has the absorption of pure water
+(Pope and Fry, Applied Optics 36, 1997) at 620, 540 and 470 nm and of dissolved matter, and
+particles that scatter 0.15/m forward.
 """
 
 import argparse
@@ -30,7 +31,7 @@ ALBEDO = 0.9  # of the board
 
 
 def contrast(water, lamp, distance):
-    """Of a white board's light that arrives, divided by the light of the water before it."""
+    """Light of a white board that arrives, divided by the light of the water in front of it."""
     board = np.array((0, 0, -distance))
     way = np.subtract(lamp, board)
     r = np.linalg.norm(way)
@@ -42,7 +43,7 @@ def contrast(water, lamp, distance):
 
 
 def find_range(water, lamp, channel):
-    """Where the contrast, which falls with the distance, is 2 %."""
+    """Distance at which the contrast is 2 %; the contrast falls with the distance."""
     near, far = 0.5, 500.0
     while far - near > 1e-6:
         middle = (near + far) / 2
@@ -73,7 +74,7 @@ def box(*bounds):
 
 
 def make_floor():
-    """A sandy sea floor, 1.5 m below, with waves of 5 cm."""
+    """A sandy sea floor, 1.5 m below, with ripples of 5 cm."""
     plane = vtkPlaneSource()
     plane.SetOrigin(-12, 0, 2)
     plane.SetPoint1(12, 0, 2)
