@@ -4,15 +4,16 @@
 
 #include "Medium/AirlightMediaList.h"
 #include "Medium/AirlightMediaMethods.h"
-#include "Photometry/AirlightLightSwitches.h"
 #include "Reference/AirlightReferencePicture.h"
 #include "Reference/AirlightReferenceTracer.h"
 #include "Scene/AirlightAbort.h"
+#include "vtkAirlightLight.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -38,7 +39,6 @@ class vtkAirlightReference::Internals
 public:
   MediaList Media;
   vtkNew<vtkParticipatingMedium> Vacuum;
-  LightSwitches Switches;
   bool WarnedCameraLights = false;
   vtkSmartPointer<vtkRenderer> Renderer;
 };
@@ -96,15 +96,12 @@ void vtkAirlightReference::SetLightScatters(vtkLight* light, bool scatters)
     vtkErrorMacro("SetLightScatters() needs a light; it got null.");
     return;
   }
-  if (this->Impl->Switches.Set(light, scatters))
-  {
-    this->Modified();
-  }
+  vtkAirlightLight::SetScatters(light, scatters);
 }
 
 bool vtkAirlightReference::GetLightScatters(vtkLight* light)
 {
-  return this->Impl->Switches.Scatters(light);
+  return vtkAirlightLight::GetScatters(light);
 }
 
 //------------------------------------------------------------------------------
@@ -224,7 +221,6 @@ int vtkAirlightReference::RequestData(
   settings.Height = extent[3] + 1;
   settings.LightRadius = this->LightRadius;
   settings.SurfaceShadows = this->SurfaceShadows;
-  settings.Switches = this->Impl->Switches;
   std::vector<vtkParticipatingMedium*> media = this->Impl->Media.GetAll();
   if (media.empty())
   {

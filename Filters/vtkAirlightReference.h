@@ -114,9 +114,7 @@ public:
 
   ///@{
   /**
-   * Whether the medium scatters this light, as in vtkAirlightPass::SetLightScatters(). Default:
-   * true for lights fixed to the scene, false for lights fixed to the camera, which then cast no
-   * shadows.
+   * The same as vtkAirlightLight::SetScatters(): the light keeps the value.
    */
   void SetLightScatters(vtkLight* light, bool scatters);
   bool GetLightScatters(vtkLight* light);

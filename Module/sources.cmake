@@ -3,6 +3,7 @@
 airlight_sources(
   CLASSES
     vtkAirlight
+    vtkAirlightLight
     vtkCornetteShanksPhaseFunction
     vtkDrainePhaseFunction
     vtkHenyeyGreensteinPhaseFunction

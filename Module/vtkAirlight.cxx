@@ -201,6 +201,11 @@ bool vtkAirlight::Ambient(vtkParticipatingMedium* medium, const double origin[3]
 //------------------------------------------------------------------------------
 void vtkAirlight::SetRadiantIntensity(vtkLight* light, const double rgb[3])
 {
+  if (!light)
+  {
+    vtkGenericWarningMacro("vtkAirlight: the light is null; give it a vtkLight.");
+    return;
+  }
   light->SwitchOn();
   light->PositionalOn();
   light->SetConeAngle(180.0); // at 90 VTK shades volumes as in the light of a spot
@@ -212,6 +217,12 @@ void vtkAirlight::SetRadiantIntensity(vtkLight* light, const double rgb[3])
 //------------------------------------------------------------------------------
 void vtkAirlight::GetRadiantIntensity(vtkLight* light, double rgb[3])
 {
+  if (!light)
+  {
+    vtkGenericWarningMacro("vtkAirlight: the light is null; give it a vtkLight.");
+    std::fill_n(rgb, 3, 0.0);
+    return;
+  }
   light->GetDiffuseColor(rgb);
   for (int i = 0; i < 3; ++i)
   {
@@ -223,8 +234,11 @@ void vtkAirlight::GetRadiantIntensity(vtkLight* light, double rgb[3])
 void vtkAirlight::SetIrradiance(vtkLight* light, const double rgb[3])
 {
   SetRadiantIntensity(light, rgb);
-  light->PositionalOff();
-  light->SetAttenuationValues(1.0, 0.0, 0.0);
+  if (light)
+  {
+    light->PositionalOff();
+    light->SetAttenuationValues(1.0, 0.0, 0.0);
+  }
 }
 
 //------------------------------------------------------------------------------

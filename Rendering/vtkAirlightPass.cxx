@@ -4,7 +4,9 @@
 
 #include "Medium/AirlightMediaMethods.h"
 #include "Pass/AirlightPassRenderer.h"
+#include "Photometry/AirlightLightProperties.h"
 #include "Scene/AirlightCasterKeys.h"
+#include "vtkAirlightLight.h"
 
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkImageData.h"
@@ -19,33 +21,6 @@
 #include <cstdint>
 
 using namespace airlight;
-
-namespace
-{
-// Those of lights that are gone are forgotten.
-LightOptions& GetOptions(std::vector<LightOptions>& lights, vtkLight* light)
-{
-  lights.erase(std::remove_if(lights.begin(), lights.end(),
-                 [](const LightOptions& options) { return !options.Light; }),
-    lights.end());
-  const auto it = std::find_if(lights.begin(), lights.end(),
-    [light](const LightOptions& options) { return options.Light == light; });
-  if (it != lights.end())
-  {
-    return *it;
-  }
-  lights.emplace_back();
-  lights.back().Light = light;
-  return lights.back();
-}
-
-const LightOptions* FindOptions(const std::vector<LightOptions>& lights, vtkLight* light)
-{
-  const auto it = std::find_if(lights.begin(), lights.end(),
-    [light](const LightOptions& options) { return options.Light == light; });
-  return light && it != lights.end() ? &*it : nullptr;
-}
-}
 
 vtkStandardNewMacro(vtkAirlightPass);
 
@@ -263,7 +238,9 @@ void vtkAirlightPass::SetLightScatters(vtkLight* light, bool scatters)
     vtkErrorMacro("SetLightScatters() needs a light; it got null.");
     return;
   }
-  if (this->Impl->GetSwitches().Set(light, scatters))
+  const vtkMTimeType time = light->GetMTime();
+  vtkAirlightLight::SetScatters(light, scatters);
+  if (light->GetMTime() != time)
   {
     this->Modified();
   }
@@ -271,7 +248,7 @@ void vtkAirlightPass::SetLightScatters(vtkLight* light, bool scatters)
 
 bool vtkAirlightPass::GetLightScatters(vtkLight* light)
 {
-  return this->Impl->GetSwitches().Scatters(light);
+  return vtkAirlightLight::GetScatters(light);
 }
 
 //------------------------------------------------------------------------------
@@ -282,56 +259,46 @@ bool vtkAirlightPass::SetLightPhotometry(vtkLight* light, const char* file)
     vtkErrorMacro("SetLightPhotometry() needs a light; it got null.");
     return false;
   }
-  const std::string name = file ? file : "";
-  std::shared_ptr<const Photometry> photometry;
-  std::string error;
-  if (!name.empty() && !(photometry = Photometry::Read(name, error)))
+  const std::string error = airlight::SetPhotometry(light, file);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< "The light keeps its photometry: " << error);
+    vtkErrorMacro(<< error);
     return false;
   }
-  LightOptions& options = GetOptions(this->Impl->GetLightOptions(), light);
-  options.PhotometryFile = name;
-  options.Goniometry = photometry;
-  options.Table =
-    photometry ? std::make_shared<std::vector<glm::dvec4>>(photometry->Pack()) : nullptr;
   this->Modified();
   return true;
 }
 
 const char* vtkAirlightPass::GetLightPhotometry(vtkLight* light)
 {
-  const LightOptions* options = FindOptions(this->Impl->GetLightOptions(), light);
-  return options && options->Goniometry ? options->PhotometryFile.c_str() : nullptr;
+  return vtkAirlightLight::GetPhotometry(light);
 }
 
 double vtkAirlightPass::GetLightPhotometryMaximum(vtkLight* light)
 {
-  const LightOptions* options = FindOptions(this->Impl->GetLightOptions(), light);
-  return options && options->Goniometry ? options->Goniometry->GetMaximum() : 0.0;
+  return vtkAirlightLight::GetPhotometryMaximum(light);
 }
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetLightPhotometryUp(vtkLight* light, double x, double y, double z)
 {
-  const glm::dvec3 up(x, y, z);
-  if (!light || !IsModerate(up) || up == glm::dvec3(0.0))
+  if (!light)
   {
-    vtkErrorMacro(
-      << "SetLightPhotometryUp() needs a light and a finite direction that is not 0; it "
-         "got "
-      << (light ? "(" : "null and (") << x << ", " << y << ", " << z << ").");
+    vtkErrorMacro("SetLightPhotometryUp() needs a light; it got null.");
     return;
   }
-  GetOptions(this->Impl->GetLightOptions(), light).Up = up;
+  const std::string error = airlight::SetPhotometryUp(light, { x, y, z });
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< "SetLightPhotometryUp(): " << error);
+    return;
+  }
   this->Modified();
 }
 
 void vtkAirlightPass::GetLightPhotometryUp(vtkLight* light, double up[3])
 {
-  const LightOptions* options = FindOptions(this->Impl->GetLightOptions(), light);
-  const glm::dvec3 direction = options ? options->Up : LightOptions().Up;
-  std::copy_n(&direction.x, 3, up);
+  vtkAirlightLight::GetPhotometryUp(light, up);
 }
 
 //------------------------------------------------------------------------------

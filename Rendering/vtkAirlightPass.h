@@ -283,48 +283,15 @@ public:
 
   ///@{
   /**
-   * Whether the medium scatters this light. When off, the light illuminates surfaces only,
-   * attenuated by the medium. Lights fixed to the scene then still cast shadows on surfaces; lights
-   * fixed to the camera (headlights, camera lights, those of vtkLightKit, and the light that a
-   * renderer creates by itself) cast none. Default: true for lights fixed to the scene, false for
-   * lights fixed to the camera. One warning counts those that a medium leaves out, until this is
-   * called for them.
+   * The same as vtkAirlightLight::SetScatters(), SetPhotometry() and SetPhotometryUp(), which
+   * document units, ranges and defaults. The light keeps the values: they apply in all passes.
+   * Errors are this pass's.
    */
   void SetLightScatters(vtkLight* light, bool scatters);
   bool GetLightScatters(vtkLight* light);
-  ///@}
-
-  ///@{
-  /**
-   * Makes a positional light emit as a photometric file of IES LM-63 (*.ies) says, for medium and
-   * surfaces: colour and intensity of the light are those of the brightest direction, and the file
-   * gives the fraction in all others. The light aims from its position at its focal point.
-   * Photometric types A, B and C, linear between the file's angles, zero beyond them; the light is
-   * a point, its tilt is ignored. A spotlight's cone and exponent also apply. Airlight is
-   * integrated by quadrature, within 1e-3, cell by cell of the file's table. Directional lights,
-   * and lights whose focal point is their position, ignore the file, with one warning.
-   *
-   * Returns false, with an error that names file, line and cause, for an invalid file; the light is
-   * then unchanged. Null or an empty name removes the file, the default.
-   */
   bool SetLightPhotometry(vtkLight* light, const char* file);
   const char* GetLightPhotometry(vtkLight* light);
-  ///@}
-
-  /**
-   * The largest intensity in the light's photometric file, candela; 0 without one. For
-   * vtkAirlight::SetRadiantIntensity() with the intensity of the file.
-   */
   double GetLightPhotometryMaximum(vtkLight* light);
-
-  ///@{
-  /**
-   * The rotation of the photometric file about the light's axis: the direction, made perpendicular
-   * to the axis, of its horizontal angle 0 (type C, counted counter-clockwise when looking along
-   * the axis) or of its vertical angle 90 (types A and B). World coordinates; for headlights and
-   * camera lights those of the camera. Range: finite, not 0. Default: (0, 1, 0), or (0, 0, 1) if
-   * that is along the axis.
-   */
   void SetLightPhotometryUp(vtkLight* light, double x, double y, double z);
   void GetLightPhotometryUp(vtkLight* light, double up[3]);
   ///@}

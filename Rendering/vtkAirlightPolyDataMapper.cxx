@@ -5,6 +5,7 @@
 #include "Integration/AirlightMatrix.h"
 #include "MapperShaders/AirlightPolyDataMapperShader.h"
 #include "Medium/AirlightMediaMethods.h"
+#include "vtkAirlightLight.h"
 #include "vtkAirlightPass.h"
 
 #include "vtkActor.h"
@@ -83,15 +84,12 @@ void vtkAirlightPolyDataMapper::SetLightScatters(vtkLight* light, bool scatters)
     vtkErrorMacro("SetLightScatters() needs a light; it got null.");
     return;
   }
-  if (this->Impl->Switches.Set(light, scatters))
-  {
-    this->Modified();
-  }
+  vtkAirlightLight::SetScatters(light, scatters);
 }
 
 bool vtkAirlightPolyDataMapper::GetLightScatters(vtkLight* light)
 {
-  return this->Impl->Switches.Scatters(light);
+  return vtkAirlightLight::GetScatters(light);
 }
 
 //------------------------------------------------------------------------------
@@ -100,7 +98,6 @@ void vtkAirlightPolyDataMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (auto* other = vtkAirlightPolyDataMapper::SafeDownCast(mapper))
   {
     this->Impl->Media = other->Impl->Media;
-    this->Impl->Switches = other->Impl->Switches;
     this->SetEvaluation(other->GetEvaluation());
     this->SetLightRadius(other->GetLightRadius());
   }

@@ -103,16 +103,15 @@ public:
 
   ///@{
   /**
-   * Whether the medium scatters this light, as in vtkAirlightPass::SetLightScatters(). Default:
-   * true for lights fixed to the scene, false for lights fixed to the camera, with one warning.
+   * The same as vtkAirlightLight::SetScatters(): the light keeps the value.
    */
   void SetLightScatters(vtkLight* light, bool scatters);
   bool GetLightScatters(vtkLight* light);
   ///@}
 
   /**
-   * As vtkMapper's; also copies media (shared), evaluation, light radius and SetLightScatters() of
-   * another vtkAirlightPolyDataMapper.
+   * As vtkMapper's; also copies media (shared), evaluation and light radius of another
+   * vtkAirlightPolyDataMapper.
    */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/AirlightReferenceLights.h"
 
+#include "Photometry/AirlightLightProperties.h"
 #include "Reference/AirlightReferenceMesh.h"
+#include "vtkAirlightLight.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -25,8 +27,8 @@ constexpr double RelativeRadius = 1e-12;
 constexpr double LeastToHeadlight = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0) ? 1e-6 : 0.0;
 constexpr double LeastReflection = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 1e-5 : 0.0;
 
-ReferenceLight Convert(vtkLight* light, const f64::AirlightMedia& media, const glm::dvec3& eye,
-  double radius, const LightSwitches& switches)
+ReferenceLight Convert(
+  vtkLight* light, const f64::AirlightMedia& media, const glm::dvec3& eye, double radius)
 {
   ReferenceLight result;
   result.Support = ConvertLight(media, light, eye, result.Values);
@@ -40,9 +42,10 @@ ReferenceLight Convert(vtkLight* light, const f64::AirlightMedia& media, const g
     // A headlight sees what the camera sees: all its shadows lie behind what casts them.
     result.CastsShadows = !light->LightTypeIsHeadlight();
   }
-  if (!switches.Scatters(light))
+  if (!vtkAirlightLight::GetScatters(light))
   {
-    result.LeftOut = result.Support == LightSupport::Scatters && !switches.IsSet(light);
+    result.LeftOut =
+      result.Support == LightSupport::Scatters && !GetProperties(light).ScattersIsSet;
     result.CastsShadows = result.CastsShadows && !IsFixedToCamera(light);
     result.Values.intensity = glm::dvec3(0.0);
   }
@@ -112,8 +115,8 @@ glm::dvec3 GetDirection(
 }
 
 //------------------------------------------------------------------------------
-ReferenceLights::ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
-  const glm::dvec3& eye, double radius, const LightSwitches& switches)
+ReferenceLights::ReferenceLights(
+  vtkRenderer* renderer, const f64::AirlightMedia& media, const glm::dvec3& eye, double radius)
 {
   vtkLightCollection* lights = renderer->GetLights();
   const auto visit = [&](const std::function<void(vtkLight*)>& use) {
@@ -138,7 +141,7 @@ ReferenceLights::ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia
     renderer->UpdateLightsGeometryToFollowCamera();
   }
   visit([&](vtkLight* light) {
-    this->Lights.push_back(Convert(light, media, eye, radius, switches));
+    this->Lights.push_back(Convert(light, media, eye, radius));
     this->IsHeadlight =
       this->Lights.size() == 1 && light->LightTypeIsHeadlight() && !light->GetPositional();
   });

@@ -9,7 +9,6 @@
 #define AirlightReferenceLights_h
 
 #include "Medium/AirlightConvert.h"
-#include "Photometry/AirlightLightSwitches.h"
 #include "Reference/AirlightReferenceScene.h"
 #include "Silhouette/AirlightSilhouette.h" // for HomogeneousPoint
 
@@ -46,9 +45,9 @@ class ReferenceLights
 public:
   // The switched-on lights, in the renderer's order; creates and moves lights as VTK does before it
   // draws. `radius` is the requested light radius, 0 for the smallest that double precision
-  // resolves. `switches` says which lights the medium scatters.
-  ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia& media, const glm::dvec3& eye,
-    double radius, const LightSwitches& switches);
+  // resolves.
+  ReferenceLights(
+    vtkRenderer* renderer, const f64::AirlightMedia& media, const glm::dvec3& eye, double radius);
 
   const std::vector<ReferenceLight>& GetAll() const { return this->Lights; }
   bool HasInvalid() const;

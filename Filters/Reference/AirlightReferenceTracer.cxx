@@ -49,7 +49,7 @@ ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
       settings.Width, settings.Height)
   , Media(ConvertMedia(media, this->Rays.GetEye()))
   , Scene(renderer)
-  , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius, settings.Switches)
+  , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius)
 {
   renderer->GetBackground(&this->Bottom.x);
   this->Top = this->Bottom;

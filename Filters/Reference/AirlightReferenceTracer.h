@@ -37,7 +37,6 @@ struct ReferenceSettings
   int Height = 0;
   double LightRadius = 0.0;
   bool SurfaceShadows = true;
-  LightSwitches Switches;
 };
 
 // What is otherwise on a ray, to find out what rounding does to pictures.

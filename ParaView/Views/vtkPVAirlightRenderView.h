@@ -55,7 +55,7 @@ public:
   ///@{
   /**
    * Whether lights that are fixed to the camera, such as the light kit, illuminate the medium and
-   * cast shadows; see vtkAirlightPass::SetLightScatters(). Default: false.
+   * cast shadows; see vtkAirlightLight::SetScatters(). Default: false.
    */
   vtkSetMacro(CameraLightsScatter, bool);
   vtkGetMacro(CameraLightsScatter, bool);

@@ -58,8 +58,7 @@ bool PolyDataMapperShader::Prepare(vtkRenderer* renderer, double radius)
   }
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   this->Converted = ConvertMedia(media, this->Rays->GetEye());
-  this->SceneLights =
-    CollectSceneLights(renderer, this->Converted, *this->Rays, radius, this->Switches, {});
+  this->SceneLights = CollectSceneLights(renderer, this->Converted, *this->Rays, radius, false);
   if (!UploadData(this->Data, nullptr, window, media, this->Converted, this->SceneLights))
   {
     this->Error = this->Data.GetError();
@@ -94,8 +93,8 @@ void PolyDataMapperShader::CheckShaders(vtkObject* mapper)
 {
   if (this->NotCompiled && !this->ReportedShaders)
   {
-    vtkErrorWithObjectMacro(mapper, << "The surface is drawn without the medium: its shader"
-                                  << ProgramMaker::GetReason() << ".");
+    vtkErrorWithObjectMacro(mapper,
+      << "The surface is drawn without the medium: its shader" << ProgramMaker::GetReason() << ".");
   }
   this->ReportedShaders = this->NotCompiled;
 }

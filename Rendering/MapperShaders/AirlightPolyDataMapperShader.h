@@ -71,7 +71,6 @@ public:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   MediaList Media;
-  LightSwitches Switches;
   SceneData Data;
   SurfaceShaderOptions Options;
   int OptionsVersion = 0;

@@ -5,6 +5,7 @@
 #include "Casters/AirlightCasters.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
 #include "Medium/AirlightMediaList.h"
+#include "Photometry/AirlightLightProperties.h"
 #include "ShadowVolumes/AirlightShadowLists.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -87,8 +88,8 @@ void PassMessages::CheckMedia(const MediaList& media)
 }
 
 //------------------------------------------------------------------------------
-void PassMessages::CheckLights(const std::vector<SceneLight>& sceneLights,
-  const std::vector<LightOptions>& options, bool scattering, bool scatteredSurfaceLight)
+void PassMessages::CheckLights(
+  const std::vector<SceneLight>& sceneLights, bool scattering, bool scatteredSurfaceLight)
 {
   if (scattering && std::any_of(sceneLights.begin(), sceneLights.end(), IsLeftOut))
   {
@@ -103,12 +104,11 @@ void PassMessages::CheckLights(const std::vector<SceneLight>& sceneLights,
   }
   for (const SceneLight& sceneLight : sceneLights)
   {
-    const auto own = std::find_if(options.begin(), options.end(),
-      [&sceneLight](const LightOptions& option) { return option.Light == sceneLight.Light; });
-    if (own != options.end() && own->Table && sceneLight.Scatters() && !sceneLight.Table)
+    const LightProperties& properties = GetProperties(sceneLight.Light);
+    if (properties.Table && sceneLight.Scatters() && !sceneLight.Table)
     {
       this->WarnOnce(PhotometryUnused,
-        "A light's photometric file " + own->PhotometryFile +
+        "A light's photometric file " + properties.PhotometryFile +
           " is not used: it needs a positional light whose focal point, at which it aims, is apart "
           "from its position.");
     }

@@ -36,8 +36,8 @@ public:
   void CheckMedia(const MediaList& media);
 
   // Lights that are left out, or lack a requested effect. `scattering`: a medium scatters.
-  void CheckLights(const std::vector<SceneLight>& sceneLights,
-    const std::vector<LightOptions>& options, bool scattering, bool scatteredSurfaceLight);
+  void CheckLights(
+    const std::vector<SceneLight>& sceneLights, bool scattering, bool scatteredSurfaceLight);
 
   // A shadow technique other than the requested one, scattered light that a density image rules
   // out.

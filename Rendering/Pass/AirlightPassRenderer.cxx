@@ -203,10 +203,10 @@ bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& setting
     scene.Media.push_back(this->Vacuum);
   }
   scene.Converted = ConvertMedia(scene.Media, scene.Rays.GetEye());
-  scene.Lights = CollectSceneLights(s->GetRenderer(), scene.Converted, scene.Rays,
-    settings.LightRadius, this->Switches, this->Options);
-  this->Messages.CheckLights(scene.Lights, this->Options, HasScattering(scene.Converted),
-    settings.Properties.ScatteredSurfaceLight);
+  scene.Lights =
+    CollectSceneLights(s->GetRenderer(), scene.Converted, scene.Rays, settings.LightRadius, true);
+  this->Messages.CheckLights(
+    scene.Lights, HasScattering(scene.Converted), settings.Properties.ScatteredSurfaceLight);
   return true;
 }
 
@@ -304,8 +304,8 @@ bool PassRenderer::CollectSilhouettes(
     return false;
   }
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
-  const std::vector<SceneLight> lights = CollectSceneLights(
-    renderer, ConvertMedia(media, view.GetEye()), view, lightRadius, this->Switches, this->Options);
+  const std::vector<SceneLight> lights =
+    CollectSceneLights(renderer, ConvertMedia(media, view.GetEye()), view, lightRadius, true);
   this->CurrentFrame.FindCasters(renderer, false);
   this->OwnShadows.resize(lights.size());
   std::vector<LightSilhouettes> silhouettes(lights.size());

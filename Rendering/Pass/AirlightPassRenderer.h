@@ -64,8 +64,6 @@ public:
   // Frees all OpenGL objects, in whichever window they are.
   void Release() { this->Context->SetContext(nullptr); }
 
-  LightSwitches& GetSwitches() { return this->Switches; }
-  std::vector<LightOptions>& GetLightOptions() { return this->Options; }
   Frame& GetFrame() { return this->CurrentFrame; }
   MapperHooks& GetMappers() { return this->Mappers; }
   SceneStages& GetStages() { return this->Stages; }
@@ -83,8 +81,6 @@ private:
   bool Draw(const vtkRenderState* s, const FramePlan& plan, Scene& scene, const Viewport& viewport);
   void Recover();
 
-  LightSwitches Switches;
-  std::vector<LightOptions> Options; // of lights with photometric files
   Frame CurrentFrame;
   PassMessages Messages;
   MapperHooks Mappers;

@@ -4,8 +4,11 @@
 
 #include "Integration/AirlightMatrix.h"
 #include "Phase/AirlightPhaseShape.h"
+#include "Photometry/AirlightLightProperties.h"
 #include "Region/AirlightSurfaceTree.h"
 #include "Scene/AirlightCameraUniforms.h"
+#include "vtkAirlightLight.h"
+
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -69,42 +72,43 @@ glm::dvec3 MakeAcross(glm::dvec3 up, const glm::dvec3& axis)
 }
 
 // A light without power in the medium still lights surfaces: those have its colour from VTK.
-void Apply(const LightSwitches& switches, SceneLight& sceneLight)
+void LeaveOut(SceneLight& sceneLight)
 {
-  if (switches.Scatters(sceneLight.Light))
+  if (vtkAirlightLight::GetScatters(sceneLight.Light))
   {
     return;
   }
-  sceneLight.LeftOut = sceneLight.HasPower() && !switches.IsSet(sceneLight.Light);
+  sceneLight.LeftOut = sceneLight.HasPower() && !GetProperties(sceneLight.Light).ScattersIsSet;
   sceneLight.CastsShadows = sceneLight.CastsShadows && !IsFixedToCamera(sceneLight.Light);
   sceneLight.Values.intensity = glm::dvec3(0.0);
 }
 
-void Apply(const LightOptions& options, vtkRenderer* renderer, SceneLight& sceneLight)
+void ApplyPhotometry(vtkRenderer* renderer, SceneLight& sceneLight)
 {
+  const LightProperties& properties = GetProperties(sceneLight.Light);
   glm::dvec3 position;
   glm::dvec3 focalPoint;
   sceneLight.Light->GetTransformedPosition(&position.x);
   sceneLight.Light->GetTransformedFocalPoint(&focalPoint.x);
   const glm::dvec3 axis = focalPoint - position;
-  if (!options.Table || !sceneLight.Scatters() || f64::airlightIsDirectional(sceneLight.Values) ||
-    !(glm::length(axis) > 0.0))
+  if (!properties.Table || !sceneLight.Scatters() ||
+    f64::airlightIsDirectional(sceneLight.Values) || !(glm::length(axis) > 0.0))
   {
     return;
   }
-  sceneLight.Table = options.Table;
+  sceneLight.Table = properties.Table;
   sceneLight.Values.kind = AIRLIGHT_POINT_QUADRATURE;
   sceneLight.Values.goniometric = 1;
   sceneLight.Values.photometry.axis = glm::normalize(axis);
-  sceneLight.Values.photometry.up = MakeAcross(
-    TransformDirection(sceneLight.Light, renderer, options.Up), sceneLight.Values.photometry.axis);
+  sceneLight.Values.photometry.up =
+    MakeAcross(TransformDirection(sceneLight.Light, renderer, properties.PhotometryUp),
+      sceneLight.Values.photometry.axis);
 }
 }
 
 //------------------------------------------------------------------------------
 std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
-  const CameraUniforms& view, double radius, const LightSwitches& switches,
-  const std::vector<LightOptions>& options)
+  const CameraUniforms& view, double radius, bool photometric)
 {
   std::vector<SceneLight> sceneLights;
   vtkLightCollection* lights = renderer->GetLights();
@@ -115,12 +119,10 @@ std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::Air
     if (light->GetSwitch())
     {
       sceneLights.push_back(MakeSceneLight(light, media, view, radius));
-      Apply(switches, sceneLights.back());
-      const auto own = std::find_if(options.begin(), options.end(),
-        [light](const LightOptions& option) { return option.Light == light; });
-      if (own != options.end())
+      LeaveOut(sceneLights.back());
+      if (photometric)
       {
-        Apply(*own, renderer, sceneLights.back());
+        ApplyPhotometry(renderer, sceneLights.back());
       }
     }
   }

@@ -8,8 +8,6 @@
 #define AirlightSceneLights_h
 
 #include "Medium/AirlightConvert.h"
-#include "Photometry/AirlightLightSwitches.h"
-#include "Photometry/AirlightPhotometry.h"
 #include "Scene/AirlightLightGrid.h"
 #include "Scene/AirlightSceneData.h"
 #include "vtkWeakPointer.h"
@@ -28,16 +26,6 @@ class vtkRenderer;
 namespace airlight
 {
 class CameraUniforms;
-
-// What the pass, rather than the light itself, says of a light.
-struct LightOptions
-{
-  vtkWeakPointer<vtkLight> Light;
-  std::string PhotometryFile;
-  std::shared_ptr<const Photometry> Goniometry; // null: the same intensity in all directions
-  Texels Table;                                 // the packed goniometry
-  glm::dvec3 Up{ 0.0, 1.0, 0.0 };               // of the goniometry
-};
 
 struct SceneLight
 {
@@ -58,10 +46,10 @@ struct SceneLight
 int CommonKind(const std::vector<SceneLight>& sceneLights);
 
 // The switched-on lights, in the order in which VTK's mappers number them. `radius` is the light
-// requested radius, 0 for the smallest that single precision resolves.
+// requested radius, 0 for the smallest that single precision resolves. `photometric`: lights with
+// photometric files emit by them.
 std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
-  const CameraUniforms& view, double radius, const LightSwitches& switches,
-  const std::vector<LightOptions>& options);
+  const CameraUniforms& view, double radius, bool photometric);
 
 // GetCameraLightsText() of these lights.
 inline bool IsLeftOut(const SceneLight& sceneLight) { return sceneLight.LeftOut; }

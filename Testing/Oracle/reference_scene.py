@@ -5,7 +5,7 @@
 
 Reads the scenes of Testing/Data/Reference/scenes and writes OUTPUT_PREFIX.PART.pfm for the parts
 total, inscatter, surface, transmittance, depth, mask and shadowmask (see README.md beside this
-file). Takes about a minute a scene.
+file). Takes one to three minutes a scene.
 """
 
 import json

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkAirlightPass.SetLightScatters(): a light that lights surfaces and not the air."""
+"""vtkAirlightLight.SetScatters(): a light that lights surfaces and not the air."""
 
 import unittest
 
@@ -60,6 +60,28 @@ class TestLightScatters(unittest.TestCase):
         np.testing.assert_array_equal(total, second)
         self.render_pass.SetLightScatters(self.lights[0], True)
         self.assertGreater(self.buffers("Airlight:0")[0].min(), 0)
+
+    def test_the_light_keeps_it(self):
+        """Passes, mappers and the reference read it from the light, and set it there."""
+        light = self.lights[0]
+        others = [airlight.vtkAirlightPass(), airlight.vtkAirlightPolyDataMapper(),
+                  airlight.vtkAirlightReference()]
+        airlight.vtkAirlightLight.SetScatters(light, False)
+        for other in [self.render_pass] + others:
+            self.assertFalse(other.GetLightScatters(light))
+        self.assertEqual(self.buffers("Airlight:0")[0].max(), 0)
+        reference = airlight.vtkAirlightReference()
+        reference.SetRenderer(self.renderer)
+        reference.AddMedium(self.render_pass.GetMedium(0))
+        reference.SetSize(12, 10)
+        reference.Update()
+        one = vtk_to_numpy(reference.GetOutput().GetPointData().GetArray("Airlight")).sum()
+        others[2].SetLightScatters(light, True)
+        self.assertTrue(airlight.vtkAirlightLight.GetScatters(light))
+        self.assertGreater(self.buffers("Airlight:0")[0].min(), 0)
+        reference.Update()
+        two = vtk_to_numpy(reference.GetOutput().GetPointData().GetArray("Airlight")).sum()
+        self.assertGreater(two, 1.5 * one)
 
     def test_own_light(self):
         """The light that a renderer makes, a headlight: surfaces only, until it is switched on."""

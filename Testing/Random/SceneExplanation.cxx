@@ -52,10 +52,6 @@ std::unique_ptr<airlight::ReferenceTracer> SceneComparison::MakeTracer()
   settings.Height = this->Scene.Height;
   settings.LightRadius = this->Scene.Pass->GetLightRadius();
   settings.SurfaceShadows = this->Scene.Pass->GetSurfaceShadows();
-  for (vtkLight* light : this->GetLights())
-  {
-    settings.Switches.Set(light, this->Scene.Pass->GetLightScatters(light));
-  }
   return std::make_unique<airlight::ReferenceTracer>(this->Scene.Renderer, this->Media, settings);
 }
 

@@ -61,7 +61,7 @@ struct LightSource
   /// Point and spot: a photometric file, empty for none. A point shines along Direction then, and
   /// Power is that of its brightest direction.
   std::string PhotometryFile;
-  Vector3 PhotometryUp = { 0.0, 1.0, 0.0 }; ///< vtkAirlightPass::SetLightPhotometryUp()
+  Vector3 PhotometryUp = { 0.0, 1.0, 0.0 }; ///< vtkAirlightLight::SetPhotometryUp()
 };
 
 struct Surface

@@ -29,7 +29,7 @@ namespace airlight
  *    {type: spot, position, direction, cone_half_angle_deg, exponent, intensity} and
  *    {type: directional, direction, irradiance}. Point and spot may have `photometry`, a file of
  *    IES LM-63 (*.ies); `intensity` is that of its brightest direction. With it go `photometry_up`
- *    (0, 1, 0), see vtkAirlightPass::SetLightPhotometryUp(), and a point's `direction` (0, -1, 0),
+ *    (0, 1, 0), see vtkAirlightLight::SetPhotometryUp(), and a point's `direction` (0, -1, 0),
  *    where the lamp's axis aims;
  *  - `surfaces`, a list of {mesh, albedo};
  *  - optional: `scattered_surface_light`, true or false (false), see

@@ -124,8 +124,8 @@ void TestLeftOut(const Kind& kind)
   Check(warnings.GetText().find(Text(kind.Count, kind.Count == 1 ? " light is" : " lights are",
           " fixed to the camera")) != std::string::npos,
     name + ": the warning counts them");
-  Check(warnings.GetText().find("SetLightScatters(light, true)") != std::string::npos &&
-      warnings.GetText().find("add a lamp") != std::string::npos,
+  Check(warnings.GetText().find("SetScatters(light, true)") != std::string::npos &&
+      warnings.GetText().find("add a vtkLight") != std::string::npos,
     name + ": the warning says what to do");
   Check(static_cast<int>(stage.GetLights().size()) == kind.Count, name + ": all are there");
   Check(!stage.Pass->GetLightScatters(stage.GetLights()[0]), name + ": the switch is off");
@@ -191,7 +191,7 @@ void TestMessages()
   stage.Medium->SetScattering(0.1, 0.1, 0.1);
   stage.Window->Render();
   Check(warnings.Take() == 1, "one warning");
-  Check(warnings.GetText().find("add a lamp") == std::string::npos, "there is a lamp");
+  Check(warnings.GetText().find("add a vtkLight") == std::string::npos, "there is a light");
   Check(stage.CompareReference("Airlight") < 1e-3, "the lamp's airlight");
   Check(referenceWarnings.Take() == 1 &&
       referenceWarnings.GetText().find("1 light is fixed to the camera") != std::string::npos,

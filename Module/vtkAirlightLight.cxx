@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAirlightLight.h"
+
+#include "Photometry/AirlightLightProperties.h"
+#include "vtkAirlight.h"
+
+#include "vtkLight.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+using namespace airlight;
+
+namespace
+{
+bool CheckLight(const vtkLight* light, const char* function)
+{
+  if (!light)
+  {
+    vtkGenericWarningMacro("vtkAirlightLight::" << function << " needs a light; it got null.");
+  }
+  return light != nullptr;
+}
+}
+
+vtkStandardNewMacro(vtkAirlightLight);
+
+//------------------------------------------------------------------------------
+void vtkAirlightLight::SetRadiantIntensity(vtkLight* light, const double rgb[3])
+{
+  if (CheckLight(light, "SetRadiantIntensity()"))
+  {
+    vtkAirlight::SetRadiantIntensity(light, rgb);
+  }
+}
+
+void vtkAirlightLight::GetRadiantIntensity(vtkLight* light, double rgb[3])
+{
+  std::fill_n(rgb, 3, 0.0);
+  if (CheckLight(light, "GetRadiantIntensity()"))
+  {
+    vtkAirlight::GetRadiantIntensity(light, rgb);
+  }
+}
+
+void vtkAirlightLight::SetIrradiance(vtkLight* light, const double rgb[3])
+{
+  if (CheckLight(light, "SetIrradiance()"))
+  {
+    vtkAirlight::SetIrradiance(light, rgb);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightLight::SetScatters(vtkLight* light, bool scatters)
+{
+  if (!CheckLight(light, "SetScatters()"))
+  {
+    return;
+  }
+  airlight::SetScatters(light, scatters);
+}
+
+bool vtkAirlightLight::GetScatters(vtkLight* light)
+{
+  const LightProperties& properties = GetProperties(light);
+  return properties.ScattersIsSet ? properties.Scatters : light && !IsFixedToCamera(light);
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlightLight::SetPhotometry(vtkLight* light, const char* file)
+{
+  if (!CheckLight(light, "SetPhotometry()"))
+  {
+    return false;
+  }
+  const std::string error = airlight::SetPhotometry(light, file);
+  if (!error.empty())
+  {
+    vtkErrorWithObjectMacro(light, << error);
+  }
+  return error.empty();
+}
+
+const char* vtkAirlightLight::GetPhotometry(vtkLight* light)
+{
+  const LightProperties& properties = GetProperties(light);
+  return properties.Goniometry ? properties.PhotometryFile.c_str() : nullptr;
+}
+
+double vtkAirlightLight::GetPhotometryMaximum(vtkLight* light)
+{
+  const LightProperties& properties = GetProperties(light);
+  return properties.Goniometry ? properties.Goniometry->GetMaximum() : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightLight::SetPhotometryUp(vtkLight* light, double x, double y, double z)
+{
+  if (!CheckLight(light, "SetPhotometryUp()"))
+  {
+    return;
+  }
+  const std::string error = airlight::SetPhotometryUp(light, { x, y, z });
+  if (!error.empty())
+  {
+    vtkErrorWithObjectMacro(light, << error);
+  }
+}
+
+void vtkAirlightLight::GetPhotometryUp(vtkLight* light, double up[3])
+{
+  std::copy_n(&GetProperties(light).PhotometryUp.x, 3, up);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightLight::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAirlightLight
+ * @brief   properties of a vtkLight that VTK does not have
+ *
+ * Units, scattering and photometric files of lights. The properties are stored in the light itself
+ * (vtkLight::GetInformation()), so that everything that meets the light uses the same: passes,
+ * mappers, vtkAirlightReference. vtkLight::DeepCopy() copies them. All functions are static.
+ *
+ * Errors: a null light and invalid values give an error, and the old value is kept.
+ *
+ * @sa vtkAirlight vtkAirlightPass
+ */
+
+#ifndef vtkAirlightLight_h
+#define vtkAirlightLight_h
+
+#include "vtkAirlightModule.h" // for export macro
+#include "vtkObject.h"
+
+class vtkLight;
+
+class VTKAIRLIGHT_EXPORT vtkAirlightLight : public vtkObject
+{
+public:
+  static vtkAirlightLight* New();
+  vtkTypeMacro(vtkAirlightLight, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Physical units: W/sr and W/m^2 per RGB channel. The same functions as in vtkAirlight, which
+   * documents them.
+   */
+  static void SetRadiantIntensity(vtkLight* light, const double rgb[3]);
+  static void GetRadiantIntensity(vtkLight* light, double rgb[3]);
+  static void SetIrradiance(vtkLight* light, const double rgb[3]);
+  ///@}
+
+  ///@{
+  /**
+   * Whether media scatter this light. When off, the light illuminates surfaces only, attenuated by
+   * the medium. Lights fixed to the scene then still cast shadows on surfaces; lights fixed to the
+   * camera (headlights, camera lights, those of vtkLightKit, and the light that a renderer creates
+   * by itself) cast none. Default: true for lights fixed to the scene, false for lights fixed to
+   * the camera. A warning counts those that a medium leaves out, until this is called for them.
+   */
+  static void SetScatters(vtkLight* light, bool scatters);
+  static bool GetScatters(vtkLight* light);
+  ///@}
+
+  ///@{
+  /**
+   * Makes a positional light emit as a photometric file of IES LM-63 (*.ies) says, for medium and
+   * surfaces: colour and intensity of the light are those of the brightest direction, and the file
+   * gives the fraction in all others. The light aims from its position at its focal point.
+   * Photometric types A, B and C, linear between the file's angles, zero beyond them; the light is
+   * a point, its tilt is ignored. A spotlight's cone and exponent also apply. Airlight is
+   * integrated by quadrature, within 1e-3, cell by cell of the file's table. Directional lights,
+   * and lights whose focal point is their position, ignore the file, with one warning. Photometric
+   * files apply in vtkAirlightPass only.
+   *
+   * Returns false, with an error that names file, line and cause, for an invalid file; the light is
+   * then unchanged. Null or an empty name removes the file, the default.
+   */
+  static bool SetPhotometry(vtkLight* light, const char* file);
+  static const char* GetPhotometry(vtkLight* light);
+  ///@}
+
+  /**
+   * The largest intensity in the light's photometric file, candela; 0 without one. For
+   * SetRadiantIntensity() with the intensity of the file.
+   */
+  static double GetPhotometryMaximum(vtkLight* light);
+
+  ///@{
+  /**
+   * The rotation of the photometric file about the light's axis: the direction, made perpendicular
+   * to the axis, of its horizontal angle 0 (type C, counted counter-clockwise when looking along
+   * the axis) or of its vertical angle 90 (types A and B). World coordinates; for headlights and
+   * camera lights those of the camera. Range: finite, not 0. Default: (0, 1, 0), or (0, 0, 1) if
+   * that is along the axis.
+   */
+  static void SetPhotometryUp(vtkLight* light, double x, double y, double z);
+  static void GetPhotometryUp(vtkLight* light, double up[3]);
+  ///@}
+
+protected:
+  vtkAirlightLight() = default;
+  ~vtkAirlightLight() override = default;
+
+private:
+  vtkAirlightLight(const vtkAirlightLight&) = delete;
+  void operator=(const vtkAirlightLight&) = delete;
+};
+
+#endif
