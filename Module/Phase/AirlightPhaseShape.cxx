@@ -26,15 +26,12 @@ std::shared_ptr<const PhaseShape> MakePhaseShape(const PhaseFit& fit)
 std::shared_ptr<const PhaseShape> MakePhaseShape(
   const PhaseFit& fit, const PhaseTable& table, double tolerance)
 {
-  auto shape = std::make_shared<PhaseShape>();
   if (IsGoodEnough(fit, tolerance))
   {
-    shape->Fit = fit;
+    return MakePhaseShape(fit);
   }
-  else
-  {
-    shape->Rows = table.GetRows();
-  }
+  auto shape = std::make_shared<PhaseShape>();
+  shape->Rows = table.GetRows();
   return shape;
 }
 
@@ -42,15 +39,12 @@ std::shared_ptr<const PhaseShape> MakePhaseShape(
 std::shared_ptr<const PhaseShape> MakePhaseShape(
   const PhaseFit& fit, const PhaseFunction& function, double tolerance)
 {
-  auto shape = std::make_shared<PhaseShape>();
   if (IsGoodEnough(fit, tolerance))
   {
-    shape->Fit = fit;
+    return MakePhaseShape(fit);
   }
-  else
-  {
-    shape->Rows = SamplePhase(function, shape->Fit.ErrorBound);
-  }
+  auto shape = std::make_shared<PhaseShape>();
+  shape->Rows = SamplePhase(function, shape->Fit.ErrorBound);
   return shape;
 }
 }
