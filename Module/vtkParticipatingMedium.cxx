@@ -34,10 +34,10 @@ struct vtkParticipatingMedium::Internals
 {
   airlight::MediumPhase Phase;
   airlight::DerivedData<vtkPolyData, airlight::SurfaceTree> Surface{ "surface", "surface",
-    "The region is a surface and there is none: call SetSurface(). The medium is nowhere until "
+    "The region is a surface and there is none: call SetSurface(). The medium is ignored until "
     "then." };
   airlight::DerivedData<vtkImageData, airlight::DensityGrid> Image{ "density image", "image",
-    "The density is an image and there is none: call SetDensityImage(). The medium is nowhere "
+    "The density is an image and there is none: call SetDensityImage(). The medium is ignored "
     "until then." };
 };
 

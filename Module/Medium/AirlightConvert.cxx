@@ -26,7 +26,7 @@ void MakeEmpty(f64::AirlightMedium& medium)
   medium.sigmaT = glm::dvec3(0.0);
 }
 
-// A medium whose image is missing or no good is nowhere. Boxes shrink to where the image is.
+// A medium whose image is missing or no good is ignored. Boxes shrink to where the image is.
 void ConvertGrid(
   vtkParticipatingMedium* medium, const glm::dvec3& origin, f64::AirlightMedium& result)
 {
