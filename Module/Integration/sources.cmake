@@ -8,4 +8,5 @@ airlight_sources(
   HEADERS
     AirlightFunctions.inl
     AirlightMath.h
+    AirlightMembers.h
     AirlightMatrix.h)

@@ -9,6 +9,7 @@
 #include "AirlightShadowingLight.h"
 #include "Composite/AirlightUnshadowedLights.h"
 #include "OpenGL/AirlightOpenGL.h"
+#include "OpenGL/AirlightShaderLibrary.h"
 #include "Scene/AirlightEquiangularLights.h"
 
 #include "vtkOpenGLRenderWindow.h"

@@ -3,7 +3,7 @@
 #include "Composite/AirlightUnshadowedLights.h"
 
 #include "AirlightUnshadowedRays.h"
-#include "OpenGL/AirlightQuad.h"
+#include "OpenGL/AirlightShaderLibrary.h"
 
 #include "vtkShaderProgram.h"
 

@@ -15,6 +15,7 @@
 #include "Integration/AirlightIntegrate.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
 #include "OpenGL/AirlightOpenGL.h"
+#include "OpenGL/AirlightShaderLibrary.h"
 #include "Scene/AirlightEquiangularLights.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 

@@ -14,7 +14,7 @@
 #include "AirlightTranslucentLists.h"
 #include "AirlightTransmittanceBuffer.h"
 #include "AirlightVertexMedium.h"
-#include "OpenGL/AirlightQuad.h"
+#include "OpenGL/AirlightShaderLibrary.h"
 #include "OpenGL/AirlightStorageBinding.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperShaders/AirlightSurfaceUniforms.h"
 
-#include "OpenGL/AirlightQuad.h"
+#include "OpenGL/AirlightShaderLibrary.h"
 #include "Scene/AirlightCameraUniforms.h"
 #include "Translucency/AirlightShadowTransmittance.h"
 #include "Translucency/AirlightTranslucentFragments.h"

@@ -19,30 +19,6 @@ class vtkTextureObject;
 
 namespace airlight
 {
-namespace f64
-{
-struct AirlightLight;
-struct AirlightMedia;
-struct AirlightPhotometry;
-}
-
-// The texts of the mathematics in the order in which they need one another, compiled for as many
-// media, and where there is one for as many poles, as there are. `lightKind` is the kind of light
-// that the text is to handle, below 0 for all; `photometry` tells whether lights may shine by
-// tables.
-std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, bool photometry);
-
-// What airlightScatteredIrradiance() needs beyond them.
-std::string GetScatteredIrradianceSource();
-
-// Sets a uniform AirlightMedia or AirlightLight of this name.
-void SetMediaUniforms(
-  vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media);
-void SetPhotometryUniforms(
-  vtkShaderProgram* program, const std::string& name, const f64::AirlightPhotometry& photometry);
-void SetLightUniforms(
-  vtkShaderProgram* program, const std::string& name, const f64::AirlightLight& light);
-
 class Quad
 {
 public:

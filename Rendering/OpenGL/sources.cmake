@@ -4,6 +4,7 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightProgram
     AirlightQuad
+    AirlightShaderLibrary
     AirlightStorageBinding
   HEADERS
     AirlightOpenGL.h

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/AirlightShaderLibrary.h"
+
+#include "AirlightAmbient.h"
+#include "AirlightClosedSurface.h"
+#include "AirlightExponentialIntegral.h"
+#include "AirlightGauss.h"
+#include "AirlightGoniometric.h"
+#include "AirlightGoniometricRay.h"
+#include "AirlightGrid.h"
+#include "AirlightGridRay.h"
+#include "AirlightHeightFog.h"
+#include "AirlightIrradianceRay.h"
+#include "AirlightKinks.h"
+#include "AirlightLight.h"
+#include "AirlightMedia.h"
+#include "AirlightMedium.h"
+#include "AirlightPath.h"
+#include "AirlightPhase.h"
+#include "AirlightPieces.h"
+#include "AirlightPointLight.h"
+#include "AirlightPrelude.h"
+#include "AirlightQuadrature.h"
+#include "AirlightRegion.h"
+#include "AirlightScatteredIrradiance.h"
+#include "AirlightScattering.h"
+#include "Integration/AirlightIntegrate.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace airlight
+{
+namespace
+{
+std::string Define(const std::string& name, int value)
+{
+  return "#define " + name + " " + std::to_string(value) + "\n";
+}
+
+// What all media have in common, said when shaders are compiled.
+std::string DefineCommon(const f64::AirlightMedia& media)
+{
+  const auto* first = media.item;
+  const auto* end = media.item + media.count;
+  const bool sameRegion = std::all_of(
+    first, end, [first](const auto& medium) { return medium.region.kind == first->region.kind; });
+  const bool sameDensity = std::all_of(
+    first, end, [first](const auto& medium) { return medium.density == first->density; });
+  const bool power =
+    std::any_of(first, end, [](const auto& medium) { return medium.phase.power.x > 0.0; });
+  const bool grey =
+    std::all_of(first, end, [](const auto& medium) { return f64::airlightIsGrey(medium); });
+  const bool isotropic = std::all_of(first, end, [](const auto& medium) {
+    const f64::AirlightPhase& phase = medium.phase;
+    return phase.rows == 0 && phase.power.x <= 0.0 && phase.poleCount == 1 && phase.order == 1 &&
+      phase.pole[0].x == 1.0;
+  });
+  int kinds = 0; // bit i: a region is of kind i
+  for (const auto* medium = first; medium != end; ++medium)
+  {
+    kinds |= 1 << medium->region.kind;
+  }
+  return (sameRegion ? Define("AIRLIGHT_REGION_KIND(region)", first->region.kind) : "") +
+    Define("AIRLIGHT_REGION_KINDS", kinds) +
+    (sameDensity ? Define("AIRLIGHT_DENSITY_KIND(medium)", first->density) : "") +
+    Define("AIRLIGHT_HAS_POWER", power) + Define("AIRLIGHT_GREY", grey) +
+    (isotropic ? Define("AIRLIGHT_ISOTROPIC", 1) : "");
+}
+
+// Sets the members of a uniform of this name.
+class UniformSetter
+{
+public:
+  UniformSetter(vtkShaderProgram* program, const std::string& name)
+    : Program(program)
+    , Name(name)
+  {
+  }
+
+  void operator()(const Member& member, int value) const
+  {
+    this->Program->SetUniformi(this->GetName(member).c_str(), value);
+  }
+  void operator()(const Member& member, double value) const
+  {
+    this->Program->SetUniformf(this->GetName(member).c_str(), static_cast<float>(value));
+  }
+  void operator()(const Member& member, const glm::dvec2& value) const
+  {
+    this->Program->SetUniform2f(this->GetName(member).c_str(), &glm::vec2(value)[0]);
+  }
+  void operator()(const Member& member, const glm::dvec3& value) const
+  {
+    this->Program->SetUniform3f(this->GetName(member).c_str(), &glm::vec3(value)[0]);
+  }
+  void operator()(const Member& member, const glm::dmat3& value) const
+  {
+    glm::mat3 single(value);
+    this->Program->SetUniformMatrix3x3(this->GetName(member).c_str(), &single[0].x);
+  }
+  template <std::size_t Count>
+  void operator()(const Member& member, const glm::dvec4 (&values)[Count]) const
+  {
+    glm::vec4 single[Count];
+    std::copy(values, values + Count, single);
+    this->Program->SetUniform4fv(
+      this->GetName(member).c_str(), static_cast<int>(Count), &single[0].x);
+  }
+
+private:
+  std::string GetName(const Member& member) const { return this->Name + "." + member.Name; }
+
+  vtkShaderProgram* Program;
+  const std::string& Name;
+};
+}
+
+//------------------------------------------------------------------------------
+std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, bool photometry)
+{
+  const auto* end = media.item + media.count;
+  const bool surface = std::any_of(media.item, end,
+    [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
+  const bool table =
+    std::any_of(media.item, end, [](const auto& medium) { return medium.phase.rows > 0; });
+  const bool grid = HasGrid(media);
+  return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_GRID", grid) +
+    Define("AIRLIGHT_HAS_TABLE", table) + Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
+    Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
+    Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", media.count) +
+    Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
+    (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
+          Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)
+                      : "") +
+    DefineCommon(media) + (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") +
+    AirlightExponentialIntegral + AirlightGauss + AirlightGoniometric + AirlightPhase +
+    AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + AirlightMedium +
+    AirlightClosedSurface + AirlightPath + AirlightHeightFog + AirlightMedia + AirlightAmbient +
+    AirlightLight + AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces +
+    (grid ? AirlightGridRay : "") + AirlightScattering;
+}
+
+//------------------------------------------------------------------------------
+std::string GetScatteredIrradianceSource()
+{
+  return std::string(AirlightIrradianceRay) + AirlightScatteredIrradiance;
+}
+
+//------------------------------------------------------------------------------
+GridUniforms GetGridUniforms(const f64::AirlightMedium& medium)
+{
+  return { medium.grid->GetAxes(), medium.grid->ToSamples(medium.gridOrigin),
+    medium.grid->GetLast(), medium.gridFirst };
+}
+
+//------------------------------------------------------------------------------
+void SetMediaUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media)
+{
+  VisitMediaUniforms(UniformSetter(program, name), media);
+}
+
+//------------------------------------------------------------------------------
+void SetPhotometryUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightPhotometry& photometry)
+{
+  VisitPhotometry(UniformSetter(program, name), photometry);
+}
+
+//------------------------------------------------------------------------------
+void SetLightUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightLight& light)
+{
+  VisitLight(UniformSetter(program, name), light);
+}
+}

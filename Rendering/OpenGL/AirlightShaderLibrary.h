@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The shaders' common texts, and the uniforms of the structures in them. A member of a structure is
+ * listed once, by its visitor (Integration/AirlightMembers.h).
+ */
+
+#ifndef AirlightShaderLibrary_h
+#define AirlightShaderLibrary_h
+
+#include "Integration/AirlightMembers.h"
+#include "vtkAirlightModule.h" // for export macro
+
+#include <string>
+
+class vtkShaderProgram;
+
+namespace airlight
+{
+// The texts of the mathematics in the order in which they need one another, compiled for as many
+// media, and where there is one for as many poles, as there are. `lightKind` is the kind of light
+// that the text is to handle, below 0 for all; `photometry` tells whether lights may shine by
+// tables.
+VTKAIRLIGHT_EXPORT std::string GetScatteringSource(
+  const f64::AirlightMedia& media, int lightKind, bool photometry);
+
+// What airlightScatteredIrradiance() needs beyond them.
+std::string GetScatteredIrradianceSource();
+
+// What shaders have of a medium's image: AirlightGrid.glsl.
+struct GridUniforms
+{
+  glm::dmat3 axes;
+  glm::dvec3 start;
+  glm::dvec3 last;
+  int first;
+};
+
+VTKAIRLIGHT_EXPORT GridUniforms GetGridUniforms(const f64::AirlightMedium& medium);
+
+template <typename Visitor>
+void VisitGrid(Visitor&& visit, const GridUniforms& grid)
+{
+  visit(Member{ "axes" }, grid.axes);
+  visit(Member{ "start" }, grid.start);
+  visit(Member{ "last" }, grid.last);
+  visit(Member{ "first" }, grid.first);
+}
+
+// VisitMedia() and, in place of what C++ alone has of images, what shaders have of them.
+template <typename Visitor>
+void VisitMediaUniforms(Visitor&& visit, const f64::AirlightMedia& media)
+{
+  VisitMedia(visit, media);
+  for (int i = 0; i < media.count; ++i)
+  {
+    if (media.item[i].density == AIRLIGHT_DENSITY_GRID)
+    {
+      VisitGrid(
+        VisitIn("item[" + std::to_string(i) + "].grid", visit), GetGridUniforms(media.item[i]));
+    }
+  }
+}
+
+// Sets a uniform AirlightMedia, AirlightPhotometry or AirlightLight of this name.
+void SetMediaUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media);
+void SetPhotometryUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightPhotometry& photometry);
+void SetLightUniforms(
+  vtkShaderProgram* program, const std::string& name, const f64::AirlightLight& light);
+}
+
+#endif
