@@ -16,32 +16,6 @@ class vtkParticipatingMedium;
 
 namespace airlight
 {
-// The fields of a region in shaders, except those of closed surfaces.
-struct RegionVector
-{
-  const char* Name;
-  glm::dvec3 f64::AirlightRegion::*Field;
-  bool IsPosition; // relative to the origin of coordinates
-};
-
-inline constexpr RegionVector RegionVectors[] = {
-  { "boxMin", &f64::AirlightRegion::boxMin, true },
-  { "boxMax", &f64::AirlightRegion::boxMax, true },
-  { "centre", &f64::AirlightRegion::centre, true },
-  { "axis", &f64::AirlightRegion::axis, false },
-};
-
-struct RegionNumber
-{
-  const char* Name;
-  double f64::AirlightRegion::*Field;
-};
-
-inline constexpr RegionNumber RegionNumbers[] = {
-  { "radius", &f64::AirlightRegion::radius },
-  { "halfHeight", &f64::AirlightRegion::halfHeight },
-};
-
 // The name of a vtkParticipatingMedium::RegionType, empty for an unknown one.
 std::string GetRegionName(int type);
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/AirlightLightGrid.h"
 
-#include "Region/AirlightRegionKinds.h"
+#include "Integration/AirlightMembers.h"
 #include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace airlight
 {
@@ -201,19 +202,50 @@ bool IsNear(const glm::dvec3& a, const glm::dvec3& b, double near)
   return glm::length(a - b) <= near;
 }
 
-// Positions may be `near` each other, as a moving eye rounds them.
+// Whether regions are the same but for positions, which may be `near` each other, as a moving eye
+// rounds them.
+class RegionComparison
+{
+public:
+  explicit RegionComparison(double near)
+    : Near(near)
+  {
+  }
+  bool IsSame() const { return this->Same; }
+
+  void operator()(const Member& member, const glm::dvec3& a, const glm::dvec3& b)
+  {
+    this->Same = this->Same && IsNear(a, b, member.IsPosition ? this->Near : 0.0);
+  }
+  template <typename Number>
+  void operator()(const Member&, Number a, Number b)
+  {
+    this->Same = this->Same && a == b;
+  }
+
+private:
+  double Near;
+  bool Same = true;
+};
+
 bool IsSame(const f64::AirlightRegion& a, const f64::AirlightRegion& b, double near)
 {
-  bool same = a.kind == b.kind;
-  for (const RegionVector& vector : RegionVectors)
-  {
-    same = same && IsNear(a.*vector.Field, b.*vector.Field, vector.IsPosition ? near : 0.0);
-  }
-  for (const RegionNumber& number : RegionNumbers)
-  {
-    same = same && a.*number.Field == b.*number.Field;
-  }
-  return same;
+  RegionComparison comparison(near);
+  VisitRegion(comparison, a, b);
+  return comparison.IsSame();
+}
+
+f64::AirlightRegion Translate(f64::AirlightRegion region, const glm::dvec3& way)
+{
+  VisitRegion(
+    [&way](const Member& member, auto& value) {
+      if constexpr (std::is_same_v<decltype(value), glm::dvec3&>)
+      {
+        value += member.IsPosition ? way : glm::dvec3(0.0);
+      }
+    },
+    region);
+  return region;
 }
 }
 
@@ -285,10 +317,7 @@ const LightGrid& LightGrids::GetLight(
   // Back in the world, where a moving eye rounds a little.
   f64::AirlightMedium there = medium;
   there.gridOrigin = glm::dvec3(0.0);
-  for (const RegionVector& vector : RegionVectors)
-  {
-    there.region.*vector.Field += vector.IsPosition ? eye : glm::dvec3(0.0);
-  }
+  there.region = Translate(medium.region, eye);
   f64::AirlightLight sceneLight = light;
   sceneLight.position += directional ? glm::dvec3(0.0) : eye;
   const double near =
