@@ -10,6 +10,7 @@
 // heights and mean free paths by up to 1e8, and eyes are up to 60 scale heights above a fog.
 
 #include "AirlightTestQuadrature.h"
+#include "AirlightTestSingle.h"
 #include "AirlightTestTools.h"
 
 #include "Integration/AirlightMath.h"
@@ -188,26 +189,6 @@ private:
 
   std::vector<vtkSmartPointer<vtkParticipatingMedium>> Given;
 };
-
-f32::AirlightMedia ToSingle(const f64::AirlightMedia& media)
-{
-  f32::AirlightMedia result{};
-  result.count = media.count;
-  for (int i = 0; i < media.count; ++i)
-  {
-    const f64::AirlightMedium& from = media.item[i];
-    f32::AirlightMedium& to = result.item[i];
-    to.sigmaS = from.sigmaS;
-    to.sigmaT = from.sigmaT;
-    to.ambient = from.ambient;
-    to.region.kind = from.region.kind;
-    to.density = from.density;
-    to.up = from.up;
-    to.inverseScaleHeight = static_cast<float>(from.inverseScaleHeight);
-    to.originHeight = static_cast<float>(from.originHeight);
-  }
-  return result;
-}
 }
 
 //------------------------------------------------------------------------------

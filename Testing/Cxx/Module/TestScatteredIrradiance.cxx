@@ -6,6 +6,7 @@
 // optical distance 0.01 to 10, any normal. The pass with it is in TestScatteredSurfaceLight.
 
 #include "AirlightTestIrradiance.h"
+#include "AirlightTestSingle.h"
 #include "AirlightTestTools.h"
 #include "Integration/AirlightMath.h"
 #include "Medium/AirlightConvert.h"
@@ -59,46 +60,6 @@ const Family& GetFamily(int kind)
     { "point light outside the box", 4, 1, 0.03 },
   };
   return families[kind];
-}
-
-// The same numbers in single precision.
-airlight::f32::AirlightMedia ToSingle(const airlight::f64::AirlightMedia& media)
-{
-  airlight::f32::AirlightMedia result{};
-  result.count = media.count;
-  for (int i = 0; i < media.count; ++i)
-  {
-    const airlight::f64::AirlightMedium& from = media.item[i];
-    airlight::f32::AirlightMedium& to = result.item[i];
-    to.sigmaS = from.sigmaS;
-    to.sigmaT = from.sigmaT;
-    to.phase.poleCount = from.phase.poleCount;
-    for (int k = 0; k < from.phase.poleCount; ++k)
-    {
-      to.phase.pole[k] = from.phase.pole[k];
-    }
-    to.region.kind = from.region.kind;
-    to.region.boxMin = from.region.boxMin;
-    to.region.boxMax = from.region.boxMax;
-    to.region.centre = from.region.centre;
-    to.region.radius = static_cast<float>(from.region.radius);
-    to.density = from.density;
-  }
-  return result;
-}
-
-airlight::f32::AirlightLight ToSingle(const airlight::f64::AirlightLight& light)
-{
-  airlight::f32::AirlightLight result{};
-  result.kind = light.kind;
-  result.position = light.position;
-  result.intensity = light.intensity;
-  result.attenuation = light.attenuation;
-  result.radius = static_cast<float>(light.radius);
-  result.axis = light.axis;
-  result.cosCone = static_cast<float>(light.cosCone);
-  result.exponent = static_cast<float>(light.exponent);
-  return result;
 }
 
 //------------------------------------------------------------------------------
