@@ -131,11 +131,10 @@ bool Frame::PrepareCasters()
   {
     return this->Fail(this->Shadows.GetError());
   }
-  const int words = this->Shadows.TransmitsLight()
-    ? 9 + 2 * this->Shadows.GetSurfaceTransmittance().GetSlotCount()
-    : 8;
+  const bool transmits = this->Shadows.TransmitsLight();
   return !this->Plan.TranslucentFragments ||
-    this->FragmentLists.Prepare(this->Width, this->Height, words) ||
+    this->FragmentLists.Prepare(this->Width, this->Height, transmits,
+      transmits ? this->Shadows.GetSurfaceTransmittance().GetSlotCount() : 0) ||
     this->Fail(this->FragmentLists.GetError());
 }
 

@@ -9,7 +9,6 @@
 #include "AirlightResolveOutputs.h"
 #include "AirlightResolveTranslucent.h"
 #include "AirlightShadowCounts.h"
-#include "AirlightTranslucentLists.h"
 #include "AirlightTransmittanceBuffer.h"
 #include "Inscatter/AirlightLightShadows.h"
 #include "Integration/AirlightIntegrate.h"
@@ -28,6 +27,8 @@ namespace airlight
 namespace
 {
 const char* GivenUniforms = "uniform AirlightMedia media;\nuniform AirlightLight light;\n";
+
+static_assert(MaximumShadowingLights <= translucent_record::LightBits, "a bit for each light");
 
 bool IsQuadrature(const f64::AirlightLight& light)
 {
@@ -83,7 +84,7 @@ std::string InscatterShader::GetSource(const InscatterDraw& draw, bool fragments
   const bool records = this->Options.Records != nullptr;
   const bool transmits = this->Shadows.TransmitsLight();
   const std::string fragments =
-    records ? std::string(AirlightTranslucentLists) + AirlightResolveTranslucent : std::string();
+    records ? TranslucentFragments::GetSource() + AirlightResolveTranslucent : std::string();
   return this->GetHead(this->Shadow.UsesStorage() || records || transmits) +
     (records ? "#define AIRLIGHT_TRANSLUCENT_FRAGMENTS\n" : "") + GivenUniforms +
     (transmits ? AirlightTransmittanceBuffer : "") + AirlightShadowCounts +

@@ -11,11 +11,11 @@
 #include "AirlightSurfaceIrradiance.h"
 #include "AirlightSurfaceLights.h"
 #include "AirlightSurfaceMedium.h"
-#include "AirlightTranslucentLists.h"
 #include "AirlightTransmittanceBuffer.h"
 #include "AirlightVertexMedium.h"
 #include "OpenGL/AirlightShaderLibrary.h"
 #include "OpenGL/AirlightStorageBinding.h"
+#include "Translucency/AirlightTranslucentFragments.h"
 
 #include <algorithm>
 #include <regex>
@@ -83,7 +83,7 @@ std::string CommonDeclarations(const SurfaceShaderOptions& options)
 std::string StorageDeclarations(const SurfaceShaderOptions& options)
 {
   return (HasRecords(options) || HasShadowTransmittance(options) ? DefineStorageBindings() : "") +
-    (HasRecords(options) ? AirlightTranslucentLists : "") +
+    (HasRecords(options) ? TranslucentFragments::GetSource() : "") +
     (HasShadowTransmittance(options) ? AirlightTransmittanceBuffer : "");
 }
 

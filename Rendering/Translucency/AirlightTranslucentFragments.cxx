@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Translucency/AirlightTranslucentFragments.h"
 
+#include "AirlightTranslucentLists.h"
+#include "AirlightTranslucentRecord.h"
 #include "OpenGL/AirlightStorageBinding.h"
 
 #include "vtkShaderProgram.h"
@@ -23,10 +25,22 @@ std::string NoMemory(const std::string& what)
 }
 
 //------------------------------------------------------------------------------
+std::string TranslucentFragments::GetSource()
+{
+  return std::string(AirlightTranslucentRecord) + AirlightTranslucentLists;
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t TranslucentFragments::GetRecordBytes() const
+{
+  return sizeof(std::uint32_t) * static_cast<std::uint32_t>(this->Words);
+}
+
+//------------------------------------------------------------------------------
 bool TranslucentFragments::Reserve(std::uint32_t records)
 {
-  const bool ok = AllocateStorageBlock(
-    this->Records, static_cast<GLsizeiptr>(records) * this->Words * 4, nullptr, GL_DYNAMIC_COPY);
+  const bool ok = AllocateStorageBlock(this->Records,
+    static_cast<GLsizeiptr>(records) * this->GetRecordBytes(), nullptr, GL_DYNAMIC_COPY);
   this->Capacity = ok ? records : 0;
   this->Error = ok ? "" : NoMemory(std::to_string(records) + " translucent fragments");
   return ok;
@@ -43,8 +57,12 @@ void TranslucentFragments::Clear()
 }
 
 //------------------------------------------------------------------------------
-bool TranslucentFragments::Prepare(int width, int height, int words)
+bool TranslucentFragments::Prepare(int width, int height, bool transmitsShadows, int dimmedLights)
 {
+  using namespace translucent_record;
+  const int words = transmitsShadows
+    ? AIRLIGHT_TRANSLUCENT_TRANSMITTANCE + AIRLIGHT_TRANSMITTANCE_WORDS * dimmedLights
+    : AIRLIGHT_TRANSLUCENT_PLAIN_WORDS;
   if (this->Records == 0)
   {
     glGenBuffers(1, &this->Records);
@@ -100,7 +118,7 @@ TranslucentFragments::Outcome TranslucentFragments::Check()
   {
     return Outcome::Done;
   }
-  const std::uint32_t most = MostBytes / (4u * static_cast<std::uint32_t>(this->Words));
+  const std::uint32_t most = MostBytes / this->GetRecordBytes();
   if (count >= most)
   {
     this->Error = NoMemory(std::to_string(count) + " translucent fragments");

@@ -20,18 +20,30 @@ class vtkShaderProgram;
 
 namespace airlight
 {
+// Words of a record.
+namespace translucent_record
+{
+using uint = std::uint32_t;
+#include "Translucency/glsl/AirlightTranslucentRecord.glsl"
+constexpr uint LightBits = 32 * (AIRLIGHT_TRANSLUCENT_PLAIN_WORDS - AIRLIGHT_TRANSLUCENT_LIT);
+}
+
 class TranslucentFragments
 {
 public:
-  static constexpr std::uint32_t RecordSize = 32; // bytes, where no caster lets light through
+  // Bytes, where no caster lets light through.
+  static constexpr std::uint32_t RecordSize =
+    sizeof(std::uint32_t) * translucent_record::AIRLIGHT_TRANSLUCENT_PLAIN_WORDS;
 
-  // Empty lists for this viewport, with records of so many words (see
-  // glsl/AirlightTranslucentLists.glsl). False with a reason in GetError() where a buffer cannot be
-  // had.
-  bool Prepare(int width, int height, int words);
+  // What shaders that have records begin with, after DefineStorageBindings().
+  static std::string GetSource();
+
+  // Empty lists for this viewport. `transmitsShadows`: whether casters let light through; and the
+  // number of lights that they dim. False with a reason in GetError() if OpenGL refuses a buffer.
+  bool Prepare(int width, int height, bool transmitsShadows, int dimmedLights);
   const std::string& GetError() const { return this->Error; }
 
-  // For a program with the source AirlightTranslucentLists: binds the lists and sets its uniforms.
+  // For a program with that source: binds the lists and sets its uniforms.
   void Use(vtkShaderProgram* program) const;
 
   // After a draw that made records: whether there was room for all of them. If not, there is now,
@@ -47,6 +59,7 @@ public:
   void Release();
 
 private:
+  std::uint32_t GetRecordBytes() const;
   bool Reserve(std::uint32_t records);
   void Clear();
 
@@ -54,7 +67,7 @@ private:
   unsigned int Heads = 0;
   int Width = 0;
   int Height = 0;
-  int Words = 8;
+  int Words = translucent_record::AIRLIGHT_TRANSLUCENT_PLAIN_WORDS;
   std::uint32_t Capacity = 0; // the unused one at index 0 included
   std::string Error;
 };

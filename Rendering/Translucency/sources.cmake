@@ -7,4 +7,5 @@ airlight_sources(
   GLSL
     glsl/AirlightTransmittanceBuffer.glsl
     glsl/AirlightTranslucentLists.glsl
+    glsl/AirlightTranslucentRecord.glsl
     glsl/AirlightInscatterToTranslucent.glsl)

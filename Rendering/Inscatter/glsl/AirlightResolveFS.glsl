@@ -118,9 +118,7 @@ void main()
   airlightRunStart = runStart;
   if (state == AIRLIGHT_END && transmittanceSlot >= 0)
   {
-    uvec2 kept = airlightPack(passing);
-    shadowTransmittance[airlightTransmittanceWord(transmittanceSlot, pixel)] = kept.x;
-    shadowTransmittance[airlightTransmittanceWord(transmittanceSlot, pixel) + 1u] = kept.y;
+    airlightSetSurfaceTransmittance(transmittanceSlot, pixel, airlightPack(passing));
   }
 #endif
   airlightCloseBoundaries(pixel, state, from, shadows);

@@ -4,17 +4,6 @@
 
 uniform int lightBit; // of the light, -1 without surface shadows
 
-void addToFragment(uint fragment, vec3 part)
-{
-  uint word = AIRLIGHT_TRANSLUCENT_WORDS * fragment;
-  translucentFragments[word + 2u] =
-    floatBitsToUint(uintBitsToFloat(translucentFragments[word + 2u]) + part.r);
-  translucentFragments[word + 3u] =
-    floatBitsToUint(uintBitsToFloat(translucentFragments[word + 3u]) + part.g);
-  translucentFragments[word + 4u] =
-    floatBitsToUint(uintBitsToFloat(translucentFragments[word + 4u]) + part.b);
-}
-
 void addToFragments(AirlightMedia media, AirlightLight light, ivec2 pixel, AirlightRay ray,
   AirlightPassing passing, float runStart, float runEnd, float from,
   vec3 fromTail, float to, vec3 sum)
@@ -24,7 +13,6 @@ void addToFragments(AirlightMedia media, AirlightLight light, ivec2 pixel, Airli
   for (int guard = 0; fragment != 0u && guard < airlightTranslucentCapacity; guard++)
   {
     float t = airlightTranslucentDistance(fragment);
-    uint word = AIRLIGHT_TRANSLUCENT_WORDS * fragment;
     if (isLit && t > from && to > from)
     {
       vec3 part = sum;
@@ -33,22 +21,20 @@ void addToFragments(AirlightMedia media, AirlightLight light, ivec2 pixel, Airli
         part = airlightInterval3(
           media, light, ray, from, fromTail, t, airlightTail3(media, light, ray, t));
       }
-      addToFragment(fragment, airlightApplyTransmittance(part, passing));
+      airlightAddTranslucentRadiance(fragment, airlightApplyTransmittance(part, passing));
     }
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
-    t = uintBitsToFloat(translucentFragments[word + 8u]);
+    t = airlightTranslucentLitDistance(fragment);
     if (transmittanceSlot >= 0 && t > runStart && t <= runEnd)
     {
-      uvec2 kept = airlightPack(passing);
-      translucentFragments[word + 9u + 2u * uint(transmittanceSlot)] = kept.x;
-      translucentFragments[word + 10u + 2u * uint(transmittanceSlot)] = kept.y;
+      airlightSetTranslucentTransmittance(fragment, transmittanceSlot, airlightPack(passing));
     }
 #endif
     if (isLit && lightBit >= 0 && t > runStart && t <= runEnd)
     {
-      translucentFragments[word + 5u + uint(lightBit / 32)] |= 1u << uint(lightBit % 32);
+      airlightSetTranslucentLit(fragment, lightBit);
     }
-    fragment = translucentFragments[word];
+    fragment = airlightNextTranslucent(fragment);
   }
 }
 
@@ -62,9 +48,9 @@ void addStepToFragments(ivec2 pixel, float from, float to, vec3 sum, vec3 part)
     float t = airlightTranslucentDistance(fragment);
     if (t > from && t <= to)
     {
-      addToFragment(fragment, sum + (t - from) / (to - from) * part);
+      airlightAddTranslucentRadiance(fragment, sum + (t - from) / (to - from) * part);
     }
-    fragment = translucentFragments[AIRLIGHT_TRANSLUCENT_WORDS * fragment];
+    fragment = airlightNextTranslucent(fragment);
   }
 }
 
@@ -75,16 +61,15 @@ void finishFragments(ivec2 pixel, AirlightRay ray, float end, vec3 sum)
   for (int guard = 0; fragment != 0u && guard < airlightTranslucentCapacity; guard++)
   {
     float t = airlightTranslucentDistance(fragment);
-    uint word = AIRLIGHT_TRANSLUCENT_WORDS * fragment;
     if (t > end)
     {
-      addToFragment(fragment, sum);
+      airlightAddTranslucentRadiance(fragment, sum);
     }
     if (lightBit >= 0 && airlightIsSurfaceLit(ray.origin + t * ray.direction))
     {
-      translucentFragments[word + 5u + uint(lightBit / 32)] |= 1u << uint(lightBit % 32);
+      airlightSetTranslucentLit(fragment, lightBit);
     }
-    fragment = translucentFragments[word];
+    fragment = airlightNextTranslucent(fragment);
   }
 }
 #endif

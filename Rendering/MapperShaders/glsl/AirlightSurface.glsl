@@ -93,15 +93,6 @@ vec3 airlightTransmittanceOver(float way)
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
 uniform int airlightTransmittanceSlots[AIRLIGHT_SCENE_LIGHTS]; // place of light k, -1: not dimmed
 
-#if AIRLIGHT_TRANSLUCENT_FRAGMENTS
-// What translucent casters leave of the light in this place at a record's point.
-vec3 airlightTranslucentTransmittance(uint fragment, int slot)
-{
-  uint word = AIRLIGHT_TRANSLUCENT_WORDS * fragment + 9u + 2u * uint(slot);
-  return airlightUnpack(translucentFragments[word], translucentFragments[word + 1u]);
-}
-#endif
-
 // What translucent casters leave of light k.
 vec3 airlightShadowTransmittance(int k)
 {
@@ -113,12 +104,11 @@ vec3 airlightShadowTransmittance(int k)
 #if AIRLIGHT_TRANSLUCENT_FRAGMENTS
   if (airlightStage == AIRLIGHT_STAGE_TRANSLUCENT)
   {
-    return airlightTranslucentTransmittance(airlightTranslucent, slot);
+    return airlightUnpack(airlightTranslucentTransmittance(airlightTranslucent, slot));
   }
 #endif
-  uint word = airlightTransmittanceWord(slot, ivec2(airlightPixel()));
   return airlightStage == AIRLIGHT_STAGE_COLOUR
-    ? airlightUnpack(shadowTransmittance[word], shadowTransmittance[word + 1u])
+    ? airlightUnpack(airlightSurfaceTransmittance(slot, ivec2(airlightPixel())))
     : vec3(1.0);
 }
 #endif
@@ -129,8 +119,7 @@ vec3 airlightApplyShadows(int k, vec3 passed)
 #if AIRLIGHT_TRANSLUCENT_FRAGMENTS
   if (airlightUseLit != 0 && airlightStage == AIRLIGHT_STAGE_TRANSLUCENT && k < 4 * AIRLIGHT_BITS)
   {
-    uint word = AIRLIGHT_TRANSLUCENT_WORDS * airlightTranslucent + 5u + uint(k / 32);
-    if ((translucentFragments[word] & (1u << uint(k % 32))) == 0u)
+    if (!airlightIsTranslucentLit(airlightTranslucent, k))
     {
       return vec3(0.0);
     }

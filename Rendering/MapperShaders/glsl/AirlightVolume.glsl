@@ -45,20 +45,8 @@ void airlightCollectNodes()
     atomicExchange(translucentHeads[airlightTranslucentHead(airlightVolumePixel())], first);
   for (uint k = 0u; k < count; k++)
   {
-    uint word = AIRLIGHT_TRANSLUCENT_WORDS * (first + k);
-    translucentFragments[word] = k + 1u < count ? first + k + 1u : next;
-    translucentFragments[word + 1u] =
-      floatBitsToUint(airlightFirstNode + float(k) * airlightNodeStep);
-    for (uint i = 2u; i < AIRLIGHT_TRANSLUCENT_WORDS; i++)
-    {
-      translucentFragments[word + i] = 0u;
-    }
-#if AIRLIGHT_SHADOW_TRANSMITTANCE
-    if (AIRLIGHT_TRANSLUCENT_WORDS > 8u)
-    {
-      translucentFragments[word + 8u] = translucentFragments[word + 1u];
-    }
-#endif
+    float t = airlightFirstNode + float(k) * airlightNodeStep;
+    airlightMakeTranslucent(first + k, k + 1u < count ? first + k + 1u : next, t, t);
   }
 }
 
@@ -82,7 +70,7 @@ void airlightFindNodes()
       airlightNodeTranslucent[i] = fragment;
       nearest[i] = apart;
     }
-    fragment = translucentFragments[AIRLIGHT_TRANSLUCENT_WORDS * fragment];
+    fragment = airlightNextTranslucent(fragment);
   }
 }
 #endif
@@ -221,13 +209,12 @@ vec3 airlightNodeLight(int i, int k)
   {
     return vec3(1.0);
   }
-  uint word = AIRLIGHT_TRANSLUCENT_WORDS * airlightNodeTranslucent[i] + 5u + uint(k / 32);
-  vec3 light = vec3((translucentFragments[word] & (1u << uint(k % 32))) != 0u ? 1.0 : 0.0);
+  vec3 light = vec3(airlightIsTranslucentLit(airlightNodeTranslucent[i], k) ? 1.0 : 0.0);
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
   if (airlightTransmittanceSlots[k] >= 0)
   {
-    light *=
-      airlightTranslucentTransmittance(airlightNodeTranslucent[i], airlightTransmittanceSlots[k]);
+    light *= airlightUnpack(
+      airlightTranslucentTransmittance(airlightNodeTranslucent[i], airlightTransmittanceSlots[k]));
   }
 #endif
   return light;

@@ -9,24 +9,14 @@ void airlightCollect()
   // A surface does not shadow its own lit side: light is taken before it, by more than the rounding
   // of its distance, which grows with its slope.
   float before = 1e-5 * t + fwidth(t) / 128.0;
+#else
+  const float before = 0.0;
 #endif
   uint fragment = airlightAddTranslucent(1u);
   if (fragment < uint(airlightTranslucentCapacity))
   {
-    uint word = AIRLIGHT_TRANSLUCENT_WORDS * fragment;
-    translucentFragments[word] =
-      atomicExchange(translucentHeads[airlightTranslucentHead(pixel)], fragment);
-    translucentFragments[word + 1u] = floatBitsToUint(t);
-    for (uint i = 2u; i < AIRLIGHT_TRANSLUCENT_WORDS; i++)
-    {
-      translucentFragments[word + i] = 0u;
-    }
-#if AIRLIGHT_SHADOW_TRANSMITTANCE
-    if (AIRLIGHT_TRANSLUCENT_WORDS > 8u)
-    {
-      translucentFragments[word + 8u] = floatBitsToUint(t - before);
-    }
-#endif
+    uint next = atomicExchange(translucentHeads[airlightTranslucentHead(pixel)], fragment);
+    airlightMakeTranslucent(fragment, next, t, t - before);
   }
 }
 
@@ -41,16 +31,13 @@ void airlightFindTranslucent()
     float apart = abs(airlightTranslucentDistance(fragment) - t);
     airlightTranslucent = apart < nearest ? fragment : airlightTranslucent;
     nearest = min(apart, nearest);
-    fragment = translucentFragments[AIRLIGHT_TRANSLUCENT_WORDS * fragment];
+    fragment = airlightNextTranslucent(fragment);
   }
 }
 
 // Scattered into the ray before the fragment.
 vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
 {
-  uint word = AIRLIGHT_TRANSLUCENT_WORDS * airlightTranslucent;
   return airlightAmbient(airlightMedia, origin, direction, t) +
-    vec3(uintBitsToFloat(translucentFragments[word + 2u]),
-      uintBitsToFloat(translucentFragments[word + 3u]),
-      uintBitsToFloat(translucentFragments[word + 4u]));
+    airlightTranslucentRadiance(airlightTranslucent);
 }

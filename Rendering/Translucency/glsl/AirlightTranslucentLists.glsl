@@ -1,18 +1,15 @@
 // What is drawn over the medium: a list of records for each pixel, one for each translucent
 // fragment. The fragments make them in a first draw; each light's resolve adds what it scatters
 // into the ray before the fragment, and whether it reaches it; the fragments look for theirs in the
-// last draw.
+// last draw. A record's words are those of AirlightTranslucentRecord.glsl.
 
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
-uniform int airlightTranslucentWords; // 8 where no caster lets light through
+uniform int airlightTranslucentWords; // a record's
 #define AIRLIGHT_TRANSLUCENT_WORDS uint(airlightTranslucentWords)
 #else
-const uint AIRLIGHT_TRANSLUCENT_WORDS = 8u;
+const uint AIRLIGHT_TRANSLUCENT_WORDS = AIRLIGHT_TRANSLUCENT_PLAIN_WORDS;
 #endif
 
-// Eight words a record: index of the next, 0 at the end; t; radiance; bits of the lights that reach
-// it, 32 a word. With AIRLIGHT_SHADOW_TRANSMITTANCE nine and two for each light that is dimmed: the
-// distance just before the fragment at which it is lit, and what passes.
 layout(std430, binding = AIRLIGHT_BINDING_TRANSLUCENT_FRAGMENTS) buffer AirlightTranslucentLists
 {
   uint translucentFragments[];
@@ -42,7 +39,95 @@ uint airlightTranslucentHead(ivec2 pixel)
   return uint(1 + pixel.y * airlightTranslucentWidth + pixel.x);
 }
 
+// The first word of a value of a record.
+uint airlightTranslucentWord(uint fragment, uint value)
+{
+  return AIRLIGHT_TRANSLUCENT_WORDS * fragment + value;
+}
+
+uint airlightNextTranslucent(uint fragment)
+{
+  return translucentFragments[airlightTranslucentWord(fragment, AIRLIGHT_TRANSLUCENT_NEXT)];
+}
+
 float airlightTranslucentDistance(uint fragment)
 {
-  return uintBitsToFloat(translucentFragments[AIRLIGHT_TRANSLUCENT_WORDS * fragment + 1u]);
+  return uintBitsToFloat(
+    translucentFragments[airlightTranslucentWord(fragment, AIRLIGHT_TRANSLUCENT_DISTANCE)]);
 }
+
+// Writes a record that no light has reached, before `next` in its list; it is lit at `litDistance`.
+void airlightMakeTranslucent(uint fragment, uint next, float t, float litDistance)
+{
+  uint word = airlightTranslucentWord(fragment, 0u);
+  translucentFragments[word + AIRLIGHT_TRANSLUCENT_NEXT] = next;
+  translucentFragments[word + AIRLIGHT_TRANSLUCENT_DISTANCE] = floatBitsToUint(t);
+  for (uint i = AIRLIGHT_TRANSLUCENT_RADIANCE; i < AIRLIGHT_TRANSLUCENT_WORDS; i++)
+  {
+    translucentFragments[word + i] = 0u;
+  }
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
+  if (AIRLIGHT_TRANSLUCENT_WORDS > AIRLIGHT_TRANSLUCENT_PLAIN_WORDS)
+  {
+    translucentFragments[word + AIRLIGHT_TRANSLUCENT_LIT_DISTANCE] = floatBitsToUint(litDistance);
+  }
+#endif
+}
+
+vec3 airlightTranslucentRadiance(uint fragment)
+{
+  uint word = airlightTranslucentWord(fragment, AIRLIGHT_TRANSLUCENT_RADIANCE);
+  return vec3(uintBitsToFloat(translucentFragments[word]),
+    uintBitsToFloat(translucentFragments[word + 1u]),
+    uintBitsToFloat(translucentFragments[word + 2u]));
+}
+
+void airlightAddTranslucentRadiance(uint fragment, vec3 radiance)
+{
+  uint word = airlightTranslucentWord(fragment, AIRLIGHT_TRANSLUCENT_RADIANCE);
+  for (uint i = 0u; i < 3u; i++)
+  {
+    translucentFragments[word + i] =
+      floatBitsToUint(uintBitsToFloat(translucentFragments[word + i]) + radiance[i]);
+  }
+}
+
+bool airlightIsTranslucentLit(uint fragment, int light)
+{
+  uint word = airlightTranslucentWord(fragment, AIRLIGHT_TRANSLUCENT_LIT + uint(light / 32));
+  return (translucentFragments[word] & (1u << uint(light % 32))) != 0u;
+}
+
+void airlightSetTranslucentLit(uint fragment, int light)
+{
+  uint word = airlightTranslucentWord(fragment, AIRLIGHT_TRANSLUCENT_LIT + uint(light / 32));
+  translucentFragments[word] |= 1u << uint(light % 32);
+}
+
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
+float airlightTranslucentLitDistance(uint fragment)
+{
+  return uintBitsToFloat(
+    translucentFragments[airlightTranslucentWord(fragment, AIRLIGHT_TRANSLUCENT_LIT_DISTANCE)]);
+}
+
+// Of what casters leave of the light in place `slot`.
+uint airlightTranslucentTransmittanceWord(uint fragment, int slot)
+{
+  return airlightTranslucentWord(fragment,
+    AIRLIGHT_TRANSLUCENT_TRANSMITTANCE + AIRLIGHT_TRANSMITTANCE_WORDS * uint(slot));
+}
+
+uvec2 airlightTranslucentTransmittance(uint fragment, int slot)
+{
+  uint word = airlightTranslucentTransmittanceWord(fragment, slot);
+  return uvec2(translucentFragments[word], translucentFragments[word + 1u]);
+}
+
+void airlightSetTranslucentTransmittance(uint fragment, int slot, uvec2 bits)
+{
+  uint word = airlightTranslucentTransmittanceWord(fragment, slot);
+  translucentFragments[word] = bits.x;
+  translucentFragments[word + 1u] = bits.y;
+}
+#endif

@@ -12,9 +12,10 @@ uvec2 airlightPack(vec3 passing)
   return uvec2(q.r | (q.g << 21), (q.g >> 11) | (q.b << 10));
 }
 
-vec3 airlightUnpack(uint low, uint high)
+vec3 airlightUnpack(uvec2 bits)
 {
-  uvec3 q = uvec3(low & 0x1fffffu, (low >> 21) | ((high & 0x3ffu) << 11), high >> 10);
+  uvec3 q = uvec3(
+    bits.x & 0x1fffffu, (bits.x >> 21) | ((bits.y & 0x3ffu) << 11), bits.y >> 10);
   return vec3(q) / 2097151.0;
 }
 
@@ -23,4 +24,17 @@ uint airlightTransmittanceWord(int slot, ivec2 pixel)
 {
   return 2u *
     uint((slot * airlightTransmittanceSize.y + pixel.y) * airlightTransmittanceSize.x + pixel.x);
+}
+
+uvec2 airlightSurfaceTransmittance(int slot, ivec2 pixel)
+{
+  uint word = airlightTransmittanceWord(slot, pixel);
+  return uvec2(shadowTransmittance[word], shadowTransmittance[word + 1u]);
+}
+
+void airlightSetSurfaceTransmittance(int slot, ivec2 pixel, uvec2 bits)
+{
+  uint word = airlightTransmittanceWord(slot, pixel);
+  shadowTransmittance[word] = bits.x;
+  shadowTransmittance[word + 1u] = bits.y;
 }
