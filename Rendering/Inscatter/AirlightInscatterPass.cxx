@@ -28,17 +28,17 @@ bool InscatterPass::Draw(const FrameScene& scene, const InscatterOptions& option
   LightShadow& shadow = shadows.Get(scene, light);
   const InscatterShader shader(scene, options, shadows, shadow, light);
   const bool records = options.Records != nullptr;
-  const bool packed = shader.IsEquiangular();
+  const bool counted = shader.IsEquiangular();
   bool failed = false;
   const auto draw = [&](const InscatterDraw& pixels) {
     const bool rest = pixels.Pixels == BoundaryPixels::LongRest;
     const bool done =
-      ((packed && rest) || this->DrawPixels(scene, targets, shader, shadow, pixels, false)) &&
-      (!records || !packed || this->DrawPixels(scene, targets, shader, shadow, pixels, true));
+      ((counted && rest) || this->DrawPixels(scene, targets, shader, shadow, pixels, false)) &&
+      (!records || !counted || this->DrawPixels(scene, targets, shader, shadow, pixels, true));
     failed = failed || !done;
     return done;
   };
-  const bool ok = shadow.ForEachDraw(scene, light, targets, packed && !records, draw);
+  const bool ok = shadow.ForEachDraw(scene, light, targets, counted && !records, draw);
   return ok || (!failed && this->Fail(shadow.GetError()));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inscatter/AirlightInscatterShader.h"
 
+#include "AirlightBoundaryReader.h"
 #include "AirlightCameraShader.h"
 #include "AirlightEquiangularFS.h"
 #include "AirlightEquiangularRay.h"
@@ -45,7 +46,7 @@ InscatterShader::InscatterShader(const FrameScene& scene, const InscatterOptions
   , Shadow(shadow)
   , Light(light)
   , Equiangular(airlight::IsEquiangular(scene, light) && !shadows.TransmitsLight() &&
-      shadow.HasPackedSource())
+      shadow.CountsBoundaries())
 {
 }
 
@@ -70,8 +71,8 @@ std::string InscatterShader::GetEquiangularSource(const InscatterDraw& draw) con
   // AirlightConstants.glsl sets a part of the light.
   return this->GetHead(this->Shadow.UsesStorage()) +
     "uniform AirlightLight givenLight;\nAirlightLight light;\n" + airlight::GetEquiangularSource() +
-    AirlightShadowCounts + this->Shadow.GetPackedSource(draw) + AirlightEquiangularRay +
-    AirlightResolveOutputs + AirlightEquiangularFS;
+    AirlightShadowCounts + AirlightBoundaryReader + this->Shadow.GetBoundarySource(draw, true) +
+    AirlightEquiangularRay + AirlightResolveOutputs + AirlightEquiangularFS;
 }
 
 //------------------------------------------------------------------------------
@@ -83,12 +84,12 @@ std::string InscatterShader::GetSource(const InscatterDraw& draw, bool fragments
   }
   const bool records = this->Options.Records != nullptr;
   const bool transmits = this->Shadows.TransmitsLight();
-  const std::string fragments =
-    records ? TranslucentFragments::GetSource() + AirlightResolveTranslucent : std::string();
   return this->GetHead(this->Shadow.UsesStorage() || records || transmits) +
     (records ? "#define AIRLIGHT_TRANSLUCENT_FRAGMENTS\n" : "") + GivenUniforms +
-    (transmits ? AirlightTransmittanceBuffer : "") + AirlightShadowCounts +
-    this->Shadow.GetBoundarySource(draw, fragments) + AirlightResolveOutputs + AirlightResolveFS;
+    (transmits ? AirlightTransmittanceBuffer : "") + AirlightShadowCounts + AirlightBoundaryReader +
+    this->Shadow.GetBoundarySource(draw, false) +
+    (records ? TranslucentFragments::GetSource() + AirlightResolveTranslucent : "") +
+    AirlightResolveOutputs + AirlightResolveFS;
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,6 @@
 #include "Inscatter/AirlightLightShadow.h"
 
 #include "AirlightNoBoundaries.h"
-#include "AirlightNoPackedBoundaries.h"
 
 namespace airlight
 {
@@ -28,15 +27,9 @@ bool LightShadow::ForEachDraw(
 }
 
 //------------------------------------------------------------------------------
-std::string LightShadow::GetBoundarySource(const InscatterDraw&, const std::string& fragments) const
+std::string LightShadow::GetBoundarySource(const InscatterDraw&, bool) const
 {
-  return AirlightNoBoundaries + fragments;
-}
-
-//------------------------------------------------------------------------------
-std::string LightShadow::GetPackedSource(const InscatterDraw&) const
-{
-  return AirlightNoPackedBoundaries;
+  return AirlightNoBoundaries;
 }
 
 //------------------------------------------------------------------------------

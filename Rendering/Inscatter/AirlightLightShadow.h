@@ -84,29 +84,26 @@ public:
   virtual bool HasShadow() const { return false; }
 
   // Makes the boundaries, row by row as memory allows, and calls `draw` for each draw of the
-  // inscatter shader. `packed`: the draws read packed boundaries.
+  // inscatter shader. `counted`: the draws count boundaries.
   using Draw = std::function<bool(const InscatterDraw&)>;
   virtual bool ForEachDraw(const FrameScene& scene, int light, const InscatterTargets& targets,
-    bool packed, const Draw& draw);
+    bool counted, const Draw& draw);
 
   // Whether the program needs storage buffers.
   virtual bool UsesStorage() const { return false; }
 
-  // The source that reads the boundaries one after the other (glsl/AirlightNoBoundaries.glsl).
-  // `fragments`: the source of translucent fragments, which a ray march wants behind its own
-  // boundaries.
-  virtual std::string GetBoundarySource(
-    const InscatterDraw& draw, const std::string& fragments) const;
+  // Whether a pixel's boundaries can be counted before they are read, as equiangular quadrature
+  // needs them.
+  virtual bool CountsBoundaries() const { return true; }
 
-  // The source that reads packed boundaries (glsl/AirlightNoPackedBoundaries.glsl), for
-  // equiangular quadrature; only where HasPackedSource() holds.
-  virtual bool HasPackedSource() const { return true; }
-  virtual std::string GetPackedSource(const InscatterDraw& draw) const;
+  // The source that reads the boundaries (glsl/AirlightBoundaryReader.glsl). `counted`: by a reader
+  // that counts. A ray march has its integrator instead (ShadowMaps/glsl/AirlightRayMarch.glsl).
+  virtual std::string GetBoundarySource(const InscatterDraw& draw, bool counted) const;
 
   // The number of silhouette edges, by which boundaries get their room.
   virtual size_t GetEdgeCount() const { return 0; }
 
-  // Sets what these sources read.
+  // Sets what this source reads.
   virtual void Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw& draw);
 
   // The shadow map, or null.

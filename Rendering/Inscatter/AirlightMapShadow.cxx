@@ -4,7 +4,6 @@
 
 #include "AirlightMapBoundaries.h"
 #include "AirlightMapMarch.h"
-#include "AirlightNoBoundaries.h"
 #include "AirlightRayMarch.h"
 
 #include "vtkShaderProgram.h"
@@ -87,11 +86,11 @@ bool MapShadow::DrawMap(
 }
 
 //------------------------------------------------------------------------------
-std::string MapShadow::GetBoundarySource(const InscatterDraw&, const std::string& fragments) const
+std::string MapShadow::GetBoundarySource(const InscatterDraw&, bool) const
 {
-  return this->March ? std::string("#define AIRLIGHT_RAY_MARCH\n") + AirlightMapMarch +
-      AirlightNoBoundaries + fragments + AirlightRayMarch
-                     : std::string(AirlightMapMarch) + AirlightMapBoundaries + fragments;
+  return this->March
+    ? std::string("#define AIRLIGHT_RAY_MARCH\n") + AirlightMapMarch + AirlightRayMarch
+    : std::string(AirlightMapMarch) + AirlightMapBoundaries;
 }
 
 //------------------------------------------------------------------------------

@@ -29,9 +29,8 @@ public:
   bool Update(const FrameScene& scene, int light, const ShadowCasters& casters,
     const InscatterTargets& targets) override;
   bool HasShadow() const override { return this->March || this->Map.HasCasters(); }
-  std::string GetBoundarySource(
-    const InscatterDraw& draw, const std::string& fragments) const override;
-  bool HasPackedSource() const override { return false; }
+  bool CountsBoundaries() const override { return false; }
+  std::string GetBoundarySource(const InscatterDraw& draw, bool counted) const override;
   void Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw& draw) override;
   vtkTextureObject* GetMap() override
   {

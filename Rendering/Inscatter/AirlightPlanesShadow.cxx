@@ -59,7 +59,7 @@ ShadowLists::Source PlanesShadow::GetSource(
 
 //------------------------------------------------------------------------------
 bool PlanesShadow::ForEachDraw(const FrameScene& scene, int light, const InscatterTargets& targets,
-  bool packed, const Draw& draw)
+  bool counted, const Draw& draw)
 {
   const ShadowLists::Source source = this->GetSource(scene, light, targets.Distances);
   for (int row = 0; row < scene.Height;)
@@ -74,7 +74,7 @@ bool PlanesShadow::ForEachDraw(const FrameScene& scene, int light, const Inscatt
     {
       return this->Fail(this->Lists.GetError());
     }
-    if (!draw({ BoundaryPixels::Short, row, rows }) || !this->DrawLong(packed, row, rows, draw))
+    if (!draw({ BoundaryPixels::Short, row, rows }) || !this->DrawLong(counted, row, rows, draw))
     {
       return false;
     }
@@ -84,8 +84,8 @@ bool PlanesShadow::ForEachDraw(const FrameScene& scene, int light, const Inscatt
 }
 
 //------------------------------------------------------------------------------
-// The pixels whose lists are long: packed boundaries in one draw, the closed form in several.
-bool PlanesShadow::DrawLong(bool packed, int row, int rows, const Draw& draw)
+// The pixels whose lists are long: counted boundaries in one draw, others in several.
+bool PlanesShadow::DrawLong(bool counted, int row, int rows, const Draw& draw)
 {
   const int draws = this->Lists.GetLongDraws();
   if (draws == 0)
@@ -97,7 +97,7 @@ bool PlanesShadow::DrawLong(bool packed, int row, int rows, const Draw& draw)
     return this->Fail(this->Lists.GetError());
   }
   bool ok = draw({ BoundaryPixels::Long, row, rows });
-  for (int i = 1; i < draws && ok && !packed; ++i)
+  for (int i = 1; i < draws && ok && !counted; ++i)
   {
     ok = draw({ BoundaryPixels::LongRest, row, rows });
   }
@@ -105,16 +105,9 @@ bool PlanesShadow::DrawLong(bool packed, int row, int rows, const Draw& draw)
 }
 
 //------------------------------------------------------------------------------
-std::string PlanesShadow::GetBoundarySource(
-  const InscatterDraw& draw, const std::string& fragments) const
+std::string PlanesShadow::GetBoundarySource(const InscatterDraw& draw, bool counted) const
 {
-  return this->Lists.GetBoundariesSource(draw.Pixels != BoundaryPixels::Short) + fragments;
-}
-
-//------------------------------------------------------------------------------
-std::string PlanesShadow::GetPackedSource(const InscatterDraw& draw) const
-{
-  return this->Lists.GetPackedSource(draw.Pixels != BoundaryPixels::Short);
+  return this->Lists.GetBoundarySource(draw.Pixels != BoundaryPixels::Short, counted);
 }
 
 //------------------------------------------------------------------------------

@@ -24,13 +24,11 @@ public:
   bool Update(const FrameScene& scene, int light, const ShadowCasters& casters,
     const InscatterTargets& targets) override;
   bool HasShadow() const override { return this->Volumes.HasShadows(); }
-  bool ForEachDraw(const FrameScene& scene, int light, const InscatterTargets& targets, bool packed,
-    const Draw& draw) override;
+  bool ForEachDraw(const FrameScene& scene, int light, const InscatterTargets& targets,
+    bool counted, const Draw& draw) override;
   bool UsesStorage() const override { return true; }
-  std::string GetBoundarySource(
-    const InscatterDraw& draw, const std::string& fragments) const override;
-  bool HasPackedSource() const override { return this->Lists.HasKBuffer(); }
-  std::string GetPackedSource(const InscatterDraw& draw) const override;
+  bool CountsBoundaries() const override { return this->Lists.HasKBuffer(); }
+  std::string GetBoundarySource(const InscatterDraw& draw, bool counted) const override;
   void Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw& draw) override;
   int GetStartCount() const override { return this->Volumes.GetStartCount(); }
   CasterOpticalThickness GetStartThickness() const override
@@ -45,7 +43,7 @@ public:
 
 private:
   ShadowLists::Source GetSource(const FrameScene& scene, int light, vtkTextureObject* distances);
-  bool DrawLong(bool packed, int row, int rows, const Draw& draw);
+  bool DrawLong(bool counted, int row, int rows, const Draw& draw);
 
   ShadowLists& Lists;
   ShadowVolumes Volumes;

@@ -11,8 +11,8 @@ airlight_sources(
   HEADERS
     AirlightShadowMethod.h
   GLSL
+    glsl/AirlightBoundaryReader.glsl
     glsl/AirlightNoBoundaries.glsl
-    glsl/AirlightNoPackedBoundaries.glsl
     glsl/AirlightResolveFS.glsl
     glsl/AirlightResolveOutputs.glsl
     glsl/AirlightResolveTranslucent.glsl

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowVolumes/AirlightBoundaryBuffer.h"
 
+#include "AirlightBoundaryNodes.h"
 #include "AirlightKBuffer.h"
 #include "AirlightListHeads.h"
 #include "OpenGL/AirlightStorageBinding.h"
@@ -161,7 +162,7 @@ std::string BoundaryBuffer::DefineNodes(bool transmitsShadows)
 std::string BoundaryBuffer::GetSource() const
 {
   return "#define AIRLIGHT_K_BUFFER_SIZE " + std::to_string(this->GetKBufferSize()) + "\n" +
-    AirlightListHeads + (this->GetKBufferSize() > 0 ? AirlightKBuffer : "");
+    AirlightListHeads + (this->GetKBufferSize() > 0 ? AirlightKBuffer : "") + AirlightBoundaryNodes;
 }
 
 //------------------------------------------------------------------------------

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowVolumes/AirlightBoundarySort.h"
 
-#include "AirlightBoundaries.h"
+#include "AirlightCountedListReader.h"
+#include "AirlightKBufferReader.h"
 #include "AirlightOverflowFS.h"
+#include "AirlightShortListReader.h"
 #include "AirlightSortFS.h"
 #include "AirlightSortedKBuffer.h"
-#include "AirlightSortedList.h"
+#include "AirlightSortedListReader.h"
+#include "AirlightStoredBoundaries.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -38,18 +41,17 @@ BoundarySort::BoundarySort(BoundaryBuffer& store)
 }
 
 //------------------------------------------------------------------------------
-std::string BoundarySort::GetPackedSource(bool sorted) const
+std::string BoundarySort::GetBoundarySource(bool sorted, bool counted) const
 {
-  return this->Store.GetSource() + (sorted ? AirlightSortedList : AirlightSortedKBuffer);
-}
-
-//------------------------------------------------------------------------------
-std::string BoundarySort::GetBoundariesSource(bool sorted) const
-{
+  const std::string start = this->Store.GetSource() + DefineLengths() + AirlightStoredBoundaries;
   // Long lists are read from where Sort() has put them in order, slots or not.
-  const bool slots = !sorted && this->Store.GetKBufferSize() > 0;
-  return (slots ? this->GetPackedSource(false) : this->Store.GetSource()) + DefineLengths() +
-    (sorted ? "#define AIRLIGHT_SORTED\n" : "") + AirlightBoundaries;
+  if (sorted)
+  {
+    return start + (counted ? AirlightCountedListReader : AirlightSortedListReader);
+  }
+  return start +
+    (this->Store.GetKBufferSize() > 0 ? std::string(AirlightSortedKBuffer) + AirlightKBufferReader
+                                      : AirlightShortListReader);
 }
 
 //------------------------------------------------------------------------------

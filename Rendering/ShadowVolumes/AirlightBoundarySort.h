@@ -34,9 +34,8 @@ public:
   // The boundaries have to live as long as this.
   explicit BoundarySort(BoundaryBuffer& store);
 
-  // As ShadowLists' methods of these names.
-  std::string GetBoundariesSource(bool sorted) const;
-  std::string GetPackedSource(bool sorted) const;
+  // As ShadowLists' method of this name.
+  std::string GetBoundarySource(bool sorted, bool counted) const;
 
   // How many draws read the lists that the first draw leaves out, the longest of which has this
   // length; 0 where it leaves out none.

@@ -34,14 +34,9 @@ bool ShadowLists::IsSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::string ShadowLists::GetBoundariesSource(bool sorted) const
+std::string ShadowLists::GetBoundarySource(bool sorted, bool counted) const
 {
-  return this->Sorting.GetBoundariesSource(sorted);
-}
-
-std::string ShadowLists::GetPackedSource(bool sorted) const
-{
-  return this->Sorting.GetPackedSource(sorted);
+  return this->Sorting.GetBoundarySource(sorted, counted);
 }
 
 //------------------------------------------------------------------------------

@@ -36,16 +36,12 @@ public:
   // Whether the window's OpenGL has what this needs: 4.3.
   static bool IsSupported(vtkOpenGLRenderWindow* window);
 
-  // Fragment source that reads the boundaries, after a GetShaderVersion(true) and
-  // BoundaryBuffer::DefineNodes(). A first draw does the pixels with few. Where GetLongDraws() is
-  // above 0 afterwards, there are others: Sort() puts them in order and that many draws of the
-  // source for sorted lists do them, all but the first with the uniform "resume" set.
-  std::string GetBoundariesSource(bool sorted) const;
-
-  // Where there are slots: functions that read a pixel's boundaries in order, from its slots, or
-  // from its list once that is sorted (glsl/AirlightSortedKBuffer.glsl,
-  // glsl/AirlightSortedList.glsl).
-  std::string GetPackedSource(bool sorted) const;
+  // Source that reads the boundaries (Inscatter/glsl/AirlightBoundaryReader.glsl), after a
+  // GetShaderVersion(true) and BoundaryBuffer::DefineNodes(). A first draw does the pixels with
+  // few. If GetLongDraws() is above 0 afterwards, there are others: Sort() puts them in order, and
+  // the source for sorted lists reads them. It takes one draw if `counted`, which needs a k-buffer,
+  // otherwise GetLongDraws(), all but the first with the uniform "resume" set.
+  std::string GetBoundarySource(bool sorted, bool counted) const;
 
   // As BoundaryBuffer::Prepare(); with `budgeted`, Fill() gives up where all rows at once would
   // need more than MostBands times the memory limit.

@@ -14,13 +14,17 @@ airlight_sources(
   HEADERS
     AirlightShadowRecords.h
   GLSL
-    glsl/AirlightBoundaries.glsl
+    glsl/AirlightBoundaryNodes.glsl
+    glsl/AirlightCountedListReader.glsl
     glsl/AirlightKBuffer.glsl
+    glsl/AirlightKBufferReader.glsl
     glsl/AirlightListHeads.glsl
     glsl/AirlightOutlineFS.glsl
     glsl/AirlightOverflowFS.glsl
     glsl/AirlightPlanesFS.glsl
     glsl/AirlightPlanesVS.glsl
+    glsl/AirlightShortListReader.glsl
     glsl/AirlightSortFS.glsl
     glsl/AirlightSortedKBuffer.glsl
-    glsl/AirlightSortedList.glsl)
+    glsl/AirlightSortedListReader.glsl
+    glsl/AirlightStoredBoundaries.glsl)

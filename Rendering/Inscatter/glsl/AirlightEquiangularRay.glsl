@@ -9,31 +9,32 @@ struct AirlightEquiangularPixel
   bool surfaceLit;
 };
 
-// Below, the boundaries' distances have this unit; all that depends on the pixel's boundaries
-// alone is there.
+// Below, all that depends on the pixel's boundaries alone is there.
 #ifdef AIRLIGHT_ISOTROPIC
 
 // From boundary to boundary. One loop, in which each pass ends at a boundary or where the nodes
 // end: loops in loops take software renderers longer than what is in them, as all that they leave
 // as it is has to be kept for the pixels that have left.
-void airlightEquiangularRay(AirlightRay ray, float unit, inout AirlightEquiangularPixel pixel)
+void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixel)
 {
   AirlightEquiangular arc = airlightEquiangularFrom(media.item[0], ray, ray.lit.x);
   float least = airlightLeastDepthPerTangent(media.item[0], arc.h);
   float reach = airlightHalfAngleReach(arc, ray, ray.lit.y);
-  int shadows = startCount;
-  bool lit = shadows <= 0;
-  float litLength = lit ? -ray.lit.x : 0.0;
+  float from = ray.lit.x;
+  AirlightCounts shadows = airlightStartCounts();
+  airlightBeginBoundaries(ray, from, shadows);
+  bool lit = airlightPassing(shadows);
+  float litLength = lit ? -from : 0.0;
   AirlightSpectrum sum = AirlightSpectrum(0.0);
   float done = 0.0;
   bool open = false; // what is left is taken in closed form
   bool more = true;
-  uint boundary = airlightNextPacked();
+  float boundary;
+  AirlightCounts weight;
+  bool ends = airlightNextBoundary(boundary, weight) == AIRLIGHT_END;
   for (int left = pixel.boundaries + AIRLIGHT_MAXIMUM_PANELS; more && left > 0; left--)
   {
-    bool ends = packedLeft < 0;
-    float t =
-      ends ? ray.lit.y : clamp(unit * airlightPackedDistance(boundary), ray.lit.x, ray.lit.y);
+    float t = ends ? ray.lit.y : clamp(boundary, ray.lit.x, ray.lit.y);
     float to = clamp(airlightHalfAngleReach(arc, ray, t), done, reach);
     open = ends && least * (to - done) > AIRLIGHT_NEGLIGIBLE_DEPTH;
     bool shines = lit && least * done <= AIRLIGHT_NEGLIGIBLE_DEPTH;
@@ -43,11 +44,11 @@ void airlightEquiangularRay(AirlightRay ray, float unit, inout AirlightEquiangul
     more = !open && !(ends && next >= to);
     if (!ends && next >= to)
     {
-      shadows += airlightPackedWeight(boundary);
+      shadows = airlightAdd(shadows, weight);
       bool was = lit;
-      lit = shadows <= 0;
+      lit = airlightPassing(shadows);
       litLength += was == lit ? 0.0 : lit ? -t : t;
-      boundary = airlightNextPacked();
+      ends = airlightNextBoundary(boundary, weight) == AIRLIGHT_END;
     }
   }
   sum *= airlightPhaseHalves(media.item[0].phase, 0.5, 0.5);
@@ -68,17 +69,20 @@ void airlightEquiangularRay(AirlightRay ray, float unit, inout AirlightEquiangul
 #else
 
 // Part by part, and in each its boundaries.
-void airlightEquiangularRay(AirlightRay ray, float unit, inout AirlightEquiangularPixel pixel)
+void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixel)
 {
   AirlightEquiangular arc = airlightEquiangularRange(media.item[0], ray, ray.lit.x, ray.lit.y);
-  int shadows = startCount;
-  bool lit = shadows <= 0;
-  float litLength = lit ? -ray.lit.x : 0.0;
+  float from = ray.lit.x;
+  AirlightCounts shadows = airlightStartCounts();
+  airlightBeginBoundaries(ray, from, shadows);
+  bool lit = airlightPassing(shadows);
+  float litLength = lit ? -from : 0.0;
   AirlightSpectrum all = AirlightSpectrum(0.0);
   AirlightSpectrum sum = AirlightSpectrum(0.0);
   float psi = 0.0;
-  uint boundary = airlightNextPacked();
-  float t = unit * airlightPackedDistance(boundary);
+  float t;
+  AirlightCounts weight;
+  bool ends = airlightNextBoundary(t, weight) == AIRLIGHT_END;
   float at = airlightAngleAt(arc, ray, t);
   for (int i = 0; i < AIRLIGHT_MAXIMUM_PANELS && psi < arc.end; i++)
   {
@@ -86,18 +90,17 @@ void airlightEquiangularRay(AirlightRay ray, float unit, inout AirlightEquiangul
     AirlightEquiangularPanel part = airlightEquiangularPanel(media.item[0], arc, psi, end);
     psi = end;
     // The last part takes what lies beyond the ray's end, too.
-    while (packedLeft >= 0 && (at <= end || end >= arc.end))
+    while (!ends && (at <= end || end >= arc.end))
     {
-      shadows += airlightPackedWeight(boundary);
-      bool next = shadows <= 0;
+      shadows = airlightAdd(shadows, weight);
+      bool next = airlightPassing(shadows);
       AirlightSpectrum before = airlightEquiangularPanelTo(part, at);
       float parameter = clamp(t, ray.lit.x, ray.lit.y);
       float turns = lit == next ? 0.0 : next ? -1.0 : 1.0;
       sum += turns * before;
       litLength += turns * parameter;
       lit = next;
-      boundary = airlightNextPacked();
-      t = unit * airlightPackedDistance(boundary);
+      ends = airlightNextBoundary(t, weight) == AIRLIGHT_END;
       at = airlightAngleAt(arc, ray, t);
     }
     AirlightSpectrum full = part.whole + part.whole;
@@ -111,22 +114,23 @@ void airlightEquiangularRay(AirlightRay ray, float unit, inout AirlightEquiangul
 
 #endif
 
-// Of pixel p, whose ray ends at `surface` on the boundaries' unit, where that is not below 0. False
-// where its boundaries are elsewhere.
+// Of pixel p, whose ray ends at `surface` on the unit of airlightDirection(); below 0: nowhere.
+// False where the pixel is another draw's.
 bool airlightEquiangularPixel(vec2 p, float unit, float surface, out AirlightEquiangularPixel pixel)
 {
   pixel = AirlightEquiangularPixel(vec3(0.0), vec3(0.0), 0.0, 0, false);
-  if (!airlightOpenPacked(ivec2(p), surface >= 0.0 ? surface : 1e37))
+  if (!airlightOpenBoundaries(ivec2(p), unit, surface))
   {
     return false;
   }
-  pixel.boundaries = packedLeft;
-  pixel.surfaceLit = startCount + packedWeights <= 0;
+  pixel.boundaries = airlightBoundaryCount;
+  pixel.surfaceLit =
+    airlightPassing(airlightAdd(airlightStartCounts(), airlightBoundaryWeights));
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
   AirlightRay ray = airlightRayBeside(media, light, origin, direction,
     surface >= 0.0 ? unit * surface : AIRLIGHT_FAR,
     airlightOwnMoment(0, p, unit, light, origin, direction));
-  airlightEquiangularRay(ray, unit, pixel);
+  airlightEquiangularRay(ray, pixel);
   return true;
 }

@@ -2,15 +2,15 @@
 // second time it would take compilers twice as long.
 #define AIRLIGHT_NO_BOUNDARIES
 
-const int AIRLIGHT_MORE = 0;
-const int AIRLIGHT_PAUSE = 1;
-const int AIRLIGHT_END = 2;
+const int airlightBoundaryCount = 0;
+const int airlightBoundaryWeights = 0;
 
-bool airlightOpenBoundaries(
-  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout AirlightCounts shadows)
+bool airlightOpenBoundaries(ivec2 pixel, float unit, float surface)
 {
   return true;
 }
+
+void airlightBeginBoundaries(AirlightRay ray, inout float from, inout AirlightCounts shadows) {}
 
 int airlightNextBoundary(out float t, out AirlightCounts weight)
 {

@@ -47,13 +47,11 @@ void main()
   float from = ray.lit.x;
   float runStart = -1.0; // of what is lit, or not, as a whole
   AirlightCounts shadows = airlightStartCounts();
-#ifdef AIRLIGHT_K_BUFFER_SIZE
-  airlightEndBoundaries(parameter, unit);
-#endif
-  if (!airlightOpenBoundaries(pixel, ray, surface, from, shadows))
+  if (!airlightOpenBoundaries(pixel, unit, parameter))
   {
     discard;
   }
+  airlightBeginBoundaries(ray, from, shadows);
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
   runStart = airlightRunStart;

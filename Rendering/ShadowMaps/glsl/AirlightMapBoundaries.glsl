@@ -2,10 +2,6 @@
 // shadow or back within a step, the place by bisection. What begins and ends within one step is
 // missed.
 
-const int AIRLIGHT_MORE = 0;
-const int AIRLIGHT_PAUSE = 1;
-const int AIRLIGHT_END = 2;
-
 // A step is halved so often.
 const int AIRLIGHT_HALVINGS = 8;
 
@@ -15,11 +11,15 @@ int marchNext;  // step; one more than the last: the surface
 float marchAt;  // where the last step ended
 bool marchLit;  // and whether that is lit
 
-bool airlightOpenBoundaries(
-  ivec2 pixel, AirlightRay ray, float surface, inout float from, inout int shadows)
+bool airlightOpenBoundaries(ivec2 pixel, float unit, float surface)
+{
+  marchEnd = unit * surface;
+  return true;
+}
+
+void airlightBeginBoundaries(AirlightRay ray, inout float from, inout int shadows)
 {
   march = airlightMarch(ray, true);
-  marchEnd = surface;
   // Nothing to march over where all is lit.
   marchNext = march.to > march.from && mapKind != 0 ? 1 : marchSteps + 1;
   marchAt = airlightMarchStep(march, 0);
@@ -27,7 +27,6 @@ bool airlightOpenBoundaries(
   marchLit = (!march.point && march.from > ray.lit.x) || mapKind == 0 ||
     airlightIsLit(airlightMarchPoint(march, marchAt));
   shadows = marchLit ? 0 : 1;
-  return true;
 }
 
 int airlightNextBoundary(out float t, out int weight)

@@ -1,6 +1,12 @@
 // The usual ray march, for comparison: the same steps as with a shadow map's boundaries, the
 // integrand taken in the middle of each.
 
+#ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
+// Of AirlightResolveTranslucent.glsl.
+void addStepToFragments(ivec2 pixel, float from, float to, vec3 sum, vec3 part);
+void finishFragments(ivec2 pixel, AirlightRay ray, float end, vec3 sum);
+#endif
+
 // The light that a step scatters into the ray, from parameter a to b.
 vec3 airlightMarchedStep(AirlightMarch march, float middle, float t, float a, float b)
 {

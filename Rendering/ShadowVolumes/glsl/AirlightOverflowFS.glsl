@@ -2,11 +2,6 @@
 // many boundaries as there are slots is put in order, in the registers of
 // AirlightSortedKBuffer.glsl, for AirlightSortFS.glsl to merge.
 
-layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
-{
-  uint nodes[];
-};
-
 // Puts a run of the list in order. Returns what follows it.
 uint sortRun(uint node)
 {
@@ -15,11 +10,11 @@ uint sortRun(uint node)
   for (int i = 0; i < AIRLIGHT_K_BUFFER_SIZE && next != 0u; i++)
   {
     airlightInsertFar(airlightInsertNear(nodes[AIRLIGHT_NODE_WORDS * next]));
-    next = nodes[AIRLIGHT_NODE_WORDS * next + 2u];
+    next = airlightNextNode(next);
   }
-  for (uint at = node; at != next; at = nodes[AIRLIGHT_NODE_WORDS * at + 2u])
+  for (uint at = node; at != next; at = airlightNextNode(at))
   {
-    nodes[AIRLIGHT_NODE_WORDS * at] = airlightNextPacked();
+    nodes[AIRLIGHT_NODE_WORDS * at] = airlightTakeNearest();
   }
   return next;
 }
@@ -35,8 +30,9 @@ void sortSlots(uint first, uint index, uint next)
   for (uint i = 0u; i < uint(AIRLIGHT_K_BUFFER_SIZE); i++)
   {
     uint word = AIRLIGHT_NODE_WORDS * (index + i);
-    nodes[word] = airlightNextPacked();
-    nodes[word + 2u] = i + 1u < uint(AIRLIGHT_K_BUFFER_SIZE) ? index + i + 1u : next;
+    nodes[word] = airlightTakeNearest();
+    bool last = i + 1u == uint(AIRLIGHT_K_BUFFER_SIZE);
+    nodes[word + AIRLIGHT_NODE_NEXT] = last ? next : index + i + 1u;
   }
 }
 

@@ -6,12 +6,6 @@
 
 layout(early_fragment_tests) in;
 
-// The words of a boundary are those of AirlightBoundaries.glsl; index 0 ends a list.
-layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
-{
-  uint nodes[];
-};
-
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
 // By kind of caster: the thickness of a layer, and a bit for each channel that it blocks.
 layout(std430, binding = AIRLIGHT_BINDING_CASTER_THICKNESS) readonly buffer AirlightShadowLayers
@@ -91,20 +85,20 @@ void addBoundary(ivec2 pixel, float t, int weight)
   if (index < uint(nodes.length()) / AIRLIGHT_NODE_WORDS)
   {
     uint word = AIRLIGHT_NODE_WORDS * index;
-    nodes[word + 2u] = atomicExchange(listHeads[airlightHeadIndex(pixel)], index);
+    nodes[word + AIRLIGHT_NODE_NEXT] = atomicExchange(listHeads[airlightHeadIndex(pixel)], index);
 #if AIRLIGHT_K_BUFFER_SIZE > 0
     nodes[word] = boundary;
 #else
     nodes[word] = floatBitsToUint(t);
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
     ivec4 layer = shadowLayers[planeLayer];
-    nodes[word + 1u] = uint(8 * weight + layer.w);
+    nodes[word + AIRLIGHT_NODE_WEIGHT] = uint(8 * weight + layer.w);
     for (uint i = 0u; i < 3u; i++)
     {
-      nodes[word + 3u + i] = uint(weight * layer[i]);
+      nodes[word + AIRLIGHT_NODE_THICKNESS + i] = uint(weight * layer[i]);
     }
 #else
-    nodes[word + 1u] = uint(weight);
+    nodes[word + AIRLIGHT_NODE_WEIGHT] = uint(weight);
 #endif
 #endif
   }

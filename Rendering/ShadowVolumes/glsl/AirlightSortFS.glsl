@@ -4,24 +4,20 @@
 // is the logarithm of the longest list's length. Split into draws because some software renderers
 // bound the iterations of all loops of one shader run together.
 
-layout(std430, binding = AIRLIGHT_BINDING_BOUNDARIES) buffer AirlightNodes
-{
-  uint nodes[];
-};
-
 uniform uint run;
 
 // By distance; at one distance entries before exits.
-bool airlightInscatterToFragment(uint a, uint b)
+bool airlightIsBefore(uint a, uint b)
 {
 #if AIRLIGHT_K_BUFFER_SIZE > 0
   return nodes[AIRLIGHT_NODE_WORDS * a] <= nodes[AIRLIGHT_NODE_WORDS * b];
 #else
-  float ta = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * a]);
-  float tb = uintBitsToFloat(nodes[AIRLIGHT_NODE_WORDS * b]);
+  float ta = airlightNodeDistance(a);
+  float tb = airlightNodeDistance(b);
   return ta < tb ||
     (ta == tb &&
-      int(nodes[AIRLIGHT_NODE_WORDS * a + 1u]) >= int(nodes[AIRLIGHT_NODE_WORDS * b + 1u]));
+      int(nodes[AIRLIGHT_NODE_WORDS * a + AIRLIGHT_NODE_WEIGHT]) >=
+        int(nodes[AIRLIGHT_NODE_WORDS * b + AIRLIGHT_NODE_WEIGHT]));
 #endif
 }
 
@@ -42,22 +38,22 @@ void main()
     uint leftSize = 0u;
     for (; leftSize < run && right != 0u; leftSize++)
     {
-      right = nodes[AIRLIGHT_NODE_WORDS * right + 2u];
+      right = airlightNextNode(right);
     }
     uint rightSize = run;
     while (leftSize > 0u || (rightSize > 0u && right != 0u))
     {
       bool takeLeft = leftSize > 0u &&
-        (rightSize == 0u || right == 0u || airlightInscatterToFragment(left, right));
+        (rightSize == 0u || right == 0u || airlightIsBefore(left, right));
       uint taken = takeLeft ? left : right;
       if (takeLeft)
       {
-        left = nodes[AIRLIGHT_NODE_WORDS * left + 2u];
+        left = airlightNextNode(left);
         leftSize--;
       }
       else
       {
-        right = nodes[AIRLIGHT_NODE_WORDS * right + 2u];
+        right = airlightNextNode(right);
         rightSize--;
       }
       if (tail == 0u)
@@ -66,12 +62,12 @@ void main()
       }
       else
       {
-        nodes[AIRLIGHT_NODE_WORDS * tail + 2u] = taken;
+        nodes[AIRLIGHT_NODE_WORDS * tail + AIRLIGHT_NODE_NEXT] = taken;
       }
       tail = taken;
     }
     left = right;
   }
-  nodes[AIRLIGHT_NODE_WORDS * tail + 2u] = 0u;
+  nodes[AIRLIGHT_NODE_WORDS * tail + AIRLIGHT_NODE_NEXT] = 0u;
   listHeads[headIndex] = head;
 }

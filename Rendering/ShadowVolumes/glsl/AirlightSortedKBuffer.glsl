@@ -1,4 +1,5 @@
-// The boundaries in a pixel's slots, in order of distance.
+// Boundaries in order of distance, as many as a pixel has slots, in the form that slots have
+// (AirlightKBuffer.glsl).
 
 const uint AIRLIGHT_NO_BOUNDARY = 0xffffffffu;
 
@@ -14,11 +15,9 @@ uvec4 sortedF;
 uvec4 sortedG;
 uvec4 sortedH;
 #endif
-int packedLeft;  // of boundaries that are left
-int packedWeights; // sum of all weights
 
 // Boundaries that do not decrease, and another one: `boundary` becomes what is left over.
-void airlightInsertPacked(inout uvec4 boundaries, inout uint boundary)
+void airlightInsertBoundary(inout uvec4 boundaries, inout uint boundary)
 {
   uvec4 less;
   less.x = min(boundaries.x, boundary);
@@ -49,10 +48,10 @@ void airlightClearSorted()
 // Puts a boundary among the nearest 16; returns what is left over.
 uint airlightInsertNear(uint boundary)
 {
-  airlightInsertPacked(sortedA, boundary);
-  airlightInsertPacked(sortedB, boundary);
-  airlightInsertPacked(sortedC, boundary);
-  airlightInsertPacked(sortedD, boundary);
+  airlightInsertBoundary(sortedA, boundary);
+  airlightInsertBoundary(sortedB, boundary);
+  airlightInsertBoundary(sortedC, boundary);
+  airlightInsertBoundary(sortedD, boundary);
   return boundary;
 }
 
@@ -60,56 +59,15 @@ uint airlightInsertNear(uint boundary)
 void airlightInsertFar(uint boundary)
 {
 #if AIRLIGHT_K_BUFFER_SIZE > 16
-  airlightInsertPacked(sortedE, boundary);
-  airlightInsertPacked(sortedF, boundary);
-  airlightInsertPacked(sortedG, boundary);
-  airlightInsertPacked(sortedH, boundary);
+  airlightInsertBoundary(sortedE, boundary);
+  airlightInsertBoundary(sortedF, boundary);
+  airlightInsertBoundary(sortedG, boundary);
+  airlightInsertBoundary(sortedH, boundary);
 #endif
-}
-
-// What a slot holds; AIRLIGHT_NO_BOUNDARY if that lies beyond `end`.
-uint airlightReadKBuffer(uint slot, float end)
-{
-  uint boundary = kBuffer[slot];
-  bool before = airlightPackedDistance(boundary) < end;
-  packedWeights += before ? airlightPackedWeight(boundary) : 0;
-  packedLeft += before ? 1 : 0;
-  return before ? boundary : AIRLIGHT_NO_BOUNDARY;
-}
-
-// False where there are more boundaries than slots. What lies beyond `end`, on the unit of
-// airlightDirection(), is left out.
-bool airlightOpenPacked(ivec2 pixel, float end)
-{
-  airlightClearSorted();
-  packedWeights = 0;
-  packedLeft = 0;
-  int all = int(listHeads[airlightCountIndex(pixel)]);
-  // Without min(count, 16): compilers unroll loops whose greatest length they see, and software
-  // renderers run through all of an unrolled one for every pixel.
-  int count = all * int(all <= AIRLIGHT_K_BUFFER_SIZE);
-  uint first = airlightKBufferStart(pixel);
-#if AIRLIGHT_K_BUFFER_SIZE > 16
-  int near = min(count, 16);
-#else
-  int near = count;
-#endif
-  for (int i = 0; i < near; i++)
-  {
-    airlightInsertNear(airlightReadKBuffer(airlightKBufferIndex(first, uint(i)), end));
-  }
-#if AIRLIGHT_K_BUFFER_SIZE > 16
-  for (int i = near; i < count; i++)
-  {
-    airlightInsertFar(
-      airlightInsertNear(airlightReadKBuffer(airlightKBufferIndex(first, uint(i)), end)));
-  }
-#endif
-  return all <= AIRLIGHT_K_BUFFER_SIZE;
 }
 
 // The nearest one; AIRLIGHT_NO_BOUNDARY where none is left.
-uint airlightNextPacked()
+uint airlightTakeNearest()
 {
   uint boundary = sortedA.x;
   sortedA = uvec4(sortedA.yzw, sortedB.x);
@@ -124,6 +82,5 @@ uint airlightNextPacked()
 #else
   sortedD = uvec4(sortedD.yzw, AIRLIGHT_NO_BOUNDARY);
 #endif
-  packedLeft--;
   return boundary;
 }
