@@ -3,9 +3,8 @@
 #include "Reference/AirlightReferenceScene.h"
 
 #include "Reference/AirlightReferenceMesh.h"
-#include "Scene/AirlightCasterKeys.h"
 #include "Scene/AirlightClassTraits.h"
-#include "Scene/AirlightPropParts.h"
+#include "Scene/AirlightSceneProps.h"
 #include "vtkActor.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -17,10 +16,8 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
-#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -55,10 +52,8 @@ ReferenceMaterial::ReferenceMaterial(vtkProperty* property)
 //------------------------------------------------------------------------------
 ReferenceScene::ReferenceScene(vtkRenderer* renderer)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it = nullptr;
-  props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
+  const SceneProps props(renderer);
+  for (const SceneProp& prop : props.GetProps())
   {
     this->AddProp(prop);
   }
@@ -103,19 +98,20 @@ bool ReferenceScene::IsHidden(const OccluderTriangle& triangle, const glm::dvec3
 }
 
 //------------------------------------------------------------------------------
-void ReferenceScene::AddProp(vtkProp* prop)
+void ReferenceScene::AddProp(const SceneProp& prop)
 {
-  if (!prop->GetVisibility() || prop->IsA("vtkActor2D"))
+  if (prop.Prop->IsA("vtkActor2D"))
   {
     return;
   }
-  const bool casts = CastsShadow(prop);
-  VisitParts(
-    prop,
-    [&](vtkActor* actor, vtkMatrix4x4* matrix) {
-      this->AddActor(actor, matrix, casts && CastsShadow(actor));
-    },
-    [&](vtkProp* part) { this->Unsupported.insert(part->GetClassName()); });
+  for (const ScenePart& part : prop.Parts)
+  {
+    this->AddActor(part.Actor, part.ToWorld, part.Casts);
+  }
+  for (vtkProp* part : prop.OtherParts)
+  {
+    this->Unsupported.insert(part->GetClassName());
+  }
 }
 
 //------------------------------------------------------------------------------

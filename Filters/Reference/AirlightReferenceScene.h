@@ -20,12 +20,13 @@ class vtkActor;
 class vtkDataObject;
 class vtkMatrix4x4;
 class vtkPolyData;
-class vtkProp;
 class vtkProperty;
 class vtkRenderer;
 
 namespace airlight
 {
+struct SceneProp;
+
 // A property as VTK's Phong shading takes it, colours times their coefficients.
 struct ReferenceMaterial
 {
@@ -79,7 +80,7 @@ public:
     const glm::dvec3& direction, double t) const;
 
 private:
-  void AddProp(vtkProp* prop);
+  void AddProp(const SceneProp& prop);
   void AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool casts);
   bool CanDraw(vtkActor* actor);
   void AddDataObject(vtkDataObject* data, vtkActor* actor, vtkMatrix4x4* matrix, bool casts);

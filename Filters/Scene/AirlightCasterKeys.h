@@ -3,10 +3,14 @@
 /**
  * The property keys that say whether a prop casts a shadow, and how opaque the shadow is. The
  * renderer and the CPU reference read them here; users know them as keys of vtkAirlightPass.
+ *
+ * Not installed; exported for the module's own tests.
  */
 
 #ifndef AirlightCasterKeys_h
 #define AirlightCasterKeys_h
+
+#include "vtkAirlightModule.h" // for export macro
 
 #include <glm/glm.hpp>
 
@@ -31,7 +35,7 @@ bool ReadShadowOpacity(vtkProp* prop, glm::dvec3& opacity, std::string& error);
 
 // Set the keys of a prop and keep its other keys. Props may share their keys; the others keep
 // theirs. SetShadowOpacity() changes nothing and returns a text if a value is not valid.
-void SetCastsShadow(vtkProp* prop, bool casts);
+VTKAIRLIGHT_EXPORT void SetCastsShadow(vtkProp* prop, bool casts);
 std::string SetShadowOpacity(vtkProp* prop, const glm::dvec3& opacity);
 }
 

@@ -5,7 +5,7 @@ airlight_sources(
     AirlightCameraRays
     AirlightCasterKeys
     AirlightClassTraits
-    AirlightPropParts
+    AirlightSceneProps
   HEADERS
     AirlightAbort.h
     AirlightGeometryTimes.h)

@@ -3,12 +3,11 @@
 #include "Casters/AirlightCasters.h"
 
 #include "Casters/AirlightCasterBlocks.h"
-#include "Casters/AirlightCasterKinds.h"
 #include "Casters/AirlightGlyphs.h"
 #include "Integration/AirlightMatrix.h"
 #include "Scene/AirlightCasterKeys.h"
 #include "Scene/AirlightClassTraits.h"
-#include "Scene/AirlightPropParts.h"
+#include "Scene/AirlightSceneProps.h"
 #include "vtkActor.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -20,9 +19,7 @@
 #include "vtkNew.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
-#include "vtkPropCollection.h"
 #include "vtkProperty.h"
-#include "vtkRenderer.h"
 
 #include <cmath>
 #include <iterator>
@@ -46,10 +43,30 @@ bool HasVolume(const glm::dmat4& toWorld)
   const double determinant = glm::determinant(toWorld);
   return std::isfinite(determinant) && determinant != 0.0;
 }
+
+// Whether what the mapper draws can be made of polygons.
+bool HasPolygons(vtkMapper* mapper)
+{
+  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
+  if (!glyphs || glyphs->GetNumberOfInputConnections(0) == 0)
+  {
+    return glyphs || DrawsItsPolygons(mapper);
+  }
+  glyphs->Update();
+  return HasSupportedGlyphs(glyphs);
+}
+
+// Whether a mapper draws all cells of this input. Of blocks, some may look otherwise than the
+// actor.
+bool ShowsAll(vtkDataObject* input)
+{
+  auto* data = vtkDataSet::SafeDownCast(input);
+  return data && !data->HasAnyGhostCells() && !data->HasAnyBlankCells();
+}
 }
 
 //------------------------------------------------------------------------------
-const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer, bool translucent)
+const std::vector<Caster>& CasterCache::Collect(const SceneProps& props, bool translucent)
 {
   this->Translucent = false;
   this->TakesTranslucent = translucent;
@@ -65,10 +82,7 @@ const std::vector<Caster>& CasterCache::Collect(vtkRenderer* renderer, bool tran
   {
     surface.second.Used = false;
   }
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it = nullptr;
-  props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
+  for (const SceneProp& prop : props.GetProps())
   {
     this->AddProp(prop);
   }
@@ -87,28 +101,27 @@ void CasterCache::Clear()
 }
 
 //------------------------------------------------------------------------------
-void CasterCache::AddProp(vtkProp* prop)
+void CasterCache::AddProp(const SceneProp& prop)
 {
-  if (!MayCast(prop))
+  if (!prop.Casts)
   {
     return;
   }
-  VisitParts(
-    prop,
-    [&](vtkActor* actor, vtkMatrix4x4* matrix) {
-      vtkMapper* mapper = actor->GetMapper();
-      if (MayCast(actor))
-      {
-        mapper && !HasPolygons(mapper) ? this->AddOther(actor, prop, matrix)
-                                       : this->AddActor(actor, prop, matrix);
-      }
-    },
-    [&](vtkProp* part) {
-      if (part->IsA("vtkLODProp3D") && MayCast(part))
-      {
-        this->UnsupportedProp = part->GetClassName();
-      }
-    });
+  for (const ScenePart& part : prop.Parts)
+  {
+    vtkMapper* mapper = part.Actor->GetMapper();
+    if (mapper && part.Casts)
+    {
+      HasPolygons(mapper) ? this->AddActor(part, prop.Prop) : this->AddOther(part, prop.Prop);
+    }
+  }
+  for (vtkProp* part : prop.OtherParts)
+  {
+    if (part->IsA("vtkLODProp3D") && CastsShadow(part))
+    {
+      this->UnsupportedProp = part->GetClassName();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -127,17 +140,16 @@ std::vector<glm::dvec3> NonPolygonalCaster::GetCorners() const
 }
 
 //------------------------------------------------------------------------------
-void CasterCache::AddOther(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix)
+void CasterCache::AddOther(const ScenePart& part, vtkProp* owner)
 {
   NonPolygonalCaster other;
-  other.Actor = actor;
+  other.Actor = part.Actor;
   other.Owner = owner;
-  if (actor != owner)
+  if (part.Actor != owner)
   {
-    other.PartToWorld = vtkSmartPointer<vtkMatrix4x4>::New();
-    other.PartToWorld->DeepCopy(matrix);
+    other.PartToWorld = part.ToWorld;
   }
-  if (actor->HasOpaqueGeometry() && !other.GetCorners().empty())
+  if (part.Actor->HasOpaqueGeometry() && !other.GetCorners().empty())
   {
     this->NonPolygonal.push_back(other);
   }
@@ -167,12 +179,12 @@ CasterCache::Appearance CasterCache::GetAppearance(vtkActor* actor, vtkProp* own
 }
 
 //------------------------------------------------------------------------------
-void CasterCache::AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix)
+void CasterCache::AddActor(const ScenePart& part, vtkProp* owner)
 {
+  vtkActor* actor = part.Actor;
+  vtkMatrix4x4* matrix = part.ToWorld;
   vtkMapper* mapper = actor->GetMapper();
-  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
-  if (!mapper || !(glyphs || DrawsItsPolygons(mapper)) ||
-    mapper->GetNumberOfInputConnections(0) == 0)
+  if (mapper->GetNumberOfInputConnections(0) == 0)
   {
     return;
   }
@@ -184,7 +196,7 @@ void CasterCache::AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix
     return;
   }
   Appearance appearance = this->GetAppearance(actor, owner);
-  if (glyphs)
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
     this->AddGlyphs(glyphs, matrix, appearance);
     return;

@@ -29,10 +29,13 @@ class vtkGeometryFilter;
 class vtkGlyph3DMapper;
 class vtkPolyData;
 class vtkProp;
-class vtkRenderer;
 
 namespace airlight
 {
+class SceneProps;
+struct ScenePart;
+struct SceneProp;
+
 // A mesh in its place.
 struct Caster
 {
@@ -81,7 +84,7 @@ class CasterCache
 public:
   // All visible polygonal actors, glyphs, parts of assemblies and blocks of composite data sets,
   // but for those whose property keys say otherwise; translucent ones if requested.
-  const std::vector<Caster>& Collect(vtkRenderer* renderer, bool translucent);
+  const std::vector<Caster>& Collect(const SceneProps& props, bool translucent);
 
   // Whether the last Collect() met casters that let light through, and what is wrong with the keys
   // of one of the props.
@@ -128,9 +131,9 @@ private:
     bool ShowsAll = false; // the mapper's input and nothing else
   };
 
-  void AddProp(vtkProp* prop);
-  void AddOther(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix);
-  void AddActor(vtkActor* actor, vtkProp* owner, vtkMatrix4x4* matrix);
+  void AddProp(const SceneProp& prop);
+  void AddOther(const ScenePart& part, vtkProp* owner);
+  void AddActor(const ScenePart& part, vtkProp* owner);
   Appearance GetAppearance(vtkActor* actor, vtkProp* owner);
   void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Appearance& appearance);
   void AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Appearance& appearance);

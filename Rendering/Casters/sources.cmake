@@ -4,7 +4,6 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightCasterBlocks
     AirlightCasterBox
-    AirlightCasterKinds
     AirlightCasters
     AirlightPlanarFaces
     AirlightGlyphs

@@ -51,6 +51,7 @@ class vtkWindow;
 namespace airlight
 {
 class SceneDrawer;
+class SceneProps;
 
 // Whether the media neither scatter nor absorb.
 bool IsClear(const f64::AirlightMedia& media);
@@ -66,9 +67,9 @@ public:
 
   // Finds what casts shadows, before Begin(), with what lets light through or without; and what of
   // it has no polygons to draw planes from.
-  void FindCasters(vtkRenderer* renderer, bool translucent)
+  void FindCasters(const SceneProps& props, bool translucent)
   {
-    this->Casters.Collect(renderer, translucent);
+    this->Casters.Collect(props, translucent);
   }
   // Whether there was something that lets light through.
   bool MetTranslucent() const { return this->Casters.MetTranslucent(); }

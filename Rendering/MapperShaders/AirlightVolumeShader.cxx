@@ -5,13 +5,9 @@
 #include "AirlightVolume.h"
 #include "Integration/AirlightMatrix.h"
 #include "Scene/AirlightCameraUniforms.h"
-#include "Scene/AirlightClassTraits.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
-#include "vtkAbstractVolumeMapper.h"
 #include "vtkLight.h"
-#include "vtkNew.h"
-#include "vtkPropCollection.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
 
@@ -147,39 +143,6 @@ void SetVolumeUniforms(vtkShaderProgram* program, vtkVolume* volume, const Surfa
   program->SetUniform2f("airlightVolumeSize", size);
   program->SetUniformi("airlightNodeCount", values.VolumeNodes);
   SetSortedSceneLights(program, *values.SceneLights);
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkVolume*> GetVolumes(vtkProp** props, int count)
-{
-  vtkNew<vtkPropCollection> found;
-  for (int i = 0; i < count; ++i)
-  {
-    if (props[i]->GetVisibility())
-    {
-      props[i]->GetVolumes(found);
-    }
-  }
-  std::vector<vtkVolume*> volumes;
-  vtkCollectionSimpleIterator it = nullptr;
-  found->InitTraversal(it);
-  while (vtkProp* prop = found->GetNextProp(it))
-  {
-    auto* volume = vtkVolume::SafeDownCast(prop);
-    if (volume && volume->GetVisibility() && volume->GetMapper())
-    {
-      volumes.push_back(volume);
-    }
-  }
-  return volumes;
-}
-
-//------------------------------------------------------------------------------
-bool HasRayCastVolume(vtkProp* prop)
-{
-  const std::vector<vtkVolume*> volumes = GetVolumes(&prop, 1);
-  return std::any_of(volumes.begin(), volumes.end(),
-    [](vtkVolume* volume) { return MayCastRays(volume->GetMapper()); });
 }
 
 //------------------------------------------------------------------------------

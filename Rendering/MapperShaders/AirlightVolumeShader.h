@@ -12,10 +12,7 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
-class vtkProp;
-class vtkRenderState;
 class vtkShaderProgram;
 class vtkVolume;
 
@@ -36,13 +33,6 @@ bool IsVolumeProgram(vtkShaderProgram* program);
 
 // After SetSurfaceUniforms().
 void SetVolumeUniforms(vtkShaderProgram* program, vtkVolume* volume, const SurfaceUniforms& values);
-
-// The visible volumes among some props and their parts.
-std::vector<vtkVolume*> GetVolumes(vtkProp** props, int count);
-
-// Whether a prop holds volumes whose mappers use shaders of the graphics card, and may be
-// rewritten.
-bool HasRayCastVolume(vtkProp* prop);
 
 // How many nodes a ray gets, so that the records of this many volumes over all pixels fit into the
 // memory limit.

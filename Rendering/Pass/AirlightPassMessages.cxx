@@ -5,17 +5,13 @@
 #include "Casters/AirlightCasters.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
 #include "Medium/AirlightMediaList.h"
+#include "Pass/AirlightSceneSupport.h"
 #include "Photometry/AirlightLightProperties.h"
 #include "ShadowVolumes/AirlightShadowLists.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMapper.h"
-#include "vtkOpenGLRenderPass.h"
-#include "vtkProp.h"
-#include "vtkRenderState.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -211,23 +207,13 @@ void PassMessages::ReportVolumeMapper(vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
-// Passes that take part in the mappers' shaders are named in the props' keys while they draw.
-void PassMessages::CheckOutside(const vtkRenderState* s)
+void PassMessages::CheckSupport(const SceneSupport& support)
 {
-  vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  if (support.OcclusionOutside)
   {
-    vtkInformation* keys = s->GetPropArray()[i]->GetPropertyKeys();
-    for (int k = 0; keys && keys->Has(key) && k < key->Length(keys); ++k)
-    {
-      if (key->Get(keys, k)->IsA("vtkSSAOPass"))
-      {
-        this->WarnOnce(OcclusionOutside,
-          "A vtkSSAOPass draws this pass, which gives it no positions and normals of surfaces: "
-          "what it darkens is arbitrary. Make it the delegate: pass->SetDelegatePass(ssao).");
-        return;
-      }
-    }
+    this->WarnOnce(OcclusionOutside,
+      "A vtkSSAOPass draws this pass, which gives it no positions and normals of surfaces: "
+      "what it darkens is arbitrary. Make it the delegate: pass->SetDelegatePass(ssao).");
   }
 }
 

@@ -16,13 +16,13 @@
 #include <vector>
 
 class vtkObject;
-class vtkRenderState;
 class vtkVolume;
 
 namespace airlight
 {
 class CasterCache;
 class MediaList;
+struct SceneSupport;
 
 class PassMessages
 {
@@ -53,7 +53,7 @@ public:
   void ReportVolumeMapper(vtkVolume* volume);
 
   // A pass outside that needs what this one does not give.
-  void CheckOutside(const vtkRenderState* s);
+  void CheckSupport(const SceneSupport& support);
 
   // FXAA that VTK's filter cannot do, in a target of this size.
   void ReportAntialiasing(const int size[2], bool floatingPoint);

@@ -3,11 +3,11 @@
 #include "Pass/AirlightPassRenderer.h"
 
 #include "Integration/AirlightIntegrate.h"
-#include "MapperShaders/AirlightVolumeShader.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightStorageBinding.h"
 #include "Pass/AirlightErrorRecovery.h"
 #include "Pass/AirlightSceneSupport.h"
+#include "Scene/AirlightSceneProps.h"
 
 #include "vtkCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -17,6 +17,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace airlight
 {
@@ -34,6 +35,8 @@ struct PassRenderer::Scene
   std::vector<vtkParticipatingMedium*> Media;
   f64::AirlightMedia Converted{};
   std::vector<SceneLight> Lights;
+  SceneProps Props;
+  std::optional<SceneSupport> Support;
 };
 
 namespace
@@ -139,21 +142,6 @@ void PassRenderer::Render(
 bool PassRenderer::RenderFrame(
   const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
 {
-  FrameLimits limits;
-  bool ok = this->RenderPlan(s, settings, viewport, limits);
-  if (!ok && this->CurrentFrame.IsOverBudget() &&
-    settings.Properties.Technique == ShadowTechnique::Automatic)
-  {
-    limits.PlanesOverMemory = true;
-    ok = this->RenderPlan(s, settings, viewport, limits);
-  }
-  return ok;
-}
-
-//------------------------------------------------------------------------------
-bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
-  const Viewport& viewport, const FrameLimits& limits)
-{
   vtkRenderer* renderer = s->GetRenderer();
   this->Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   this->Stages.GetScenePass()->PrepareLights(renderer);
@@ -162,14 +150,25 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
   {
     return false;
   }
-  const PassProperties& properties = settings.Properties;
-  if (properties.Technique != ShadowTechnique::None)
+  this->CollectProps(s, settings, scene);
+  FrameLimits limits;
+  limits.StorageBuffers = ShadowLists::IsSupported(scene.Window);
+  bool ok = this->RenderPlan(s, settings, viewport, limits, scene);
+  if (!ok && this->CurrentFrame.IsOverBudget() &&
+    settings.Properties.Technique == ShadowTechnique::Automatic)
   {
-    this->CurrentFrame.FindCasters(renderer, properties.TranslucentShadows);
+    limits.PlanesOverMemory = true;
+    ok = this->RenderPlan(s, settings, viewport, limits, scene);
   }
-  FrameLimits own = limits;
-  own.StorageBuffers = ShadowLists::IsSupported(scene.Window);
-  const FramePlan plan = MakeFramePlan(properties, this->GetFacts(s, settings, scene), own);
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
+  const Viewport& viewport, const FrameLimits& limits, Scene& scene)
+{
+  const PassProperties& properties = settings.Properties;
+  const FramePlan plan = MakeFramePlan(properties, this->GetFacts(scene), limits);
   this->CurrentFrame.SetPlan(plan);
   this->Messages.CheckPlan(plan, properties, this->CurrentFrame.GetCasters());
   if (plan.Plain)
@@ -179,7 +178,7 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
     return true;
   }
   this->Mappers.Update(plan, scene.Converted, scene.Lights,
-    { scene.Window, own.StorageBuffers, scene.Rays.IsParallel(), settings.Delegate != nullptr,
+    { scene.Window, limits.StorageBuffers, scene.Rays.IsParallel(), settings.Delegate != nullptr,
       s->GetPropArray(), s->GetPropArrayCount() });
   return this->Draw(s, plan, scene, viewport);
 }
@@ -211,8 +210,19 @@ bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& setting
 }
 
 //------------------------------------------------------------------------------
-SceneFacts PassRenderer::GetFacts(
-  const vtkRenderState* s, const Settings& settings, const Scene& scene)
+// What casts brings its pipelines up to date, on which depends what of it is opaque.
+void PassRenderer::CollectProps(const vtkRenderState* s, const Settings& settings, Scene& scene)
+{
+  scene.Props = SceneProps(s->GetRenderer(), s->GetPropArray(), s->GetPropArrayCount());
+  if (settings.Properties.Technique != ShadowTechnique::None)
+  {
+    this->CurrentFrame.FindCasters(scene.Props, settings.Properties.TranslucentShadows);
+  }
+  scene.Support.emplace(scene.Props, s->GetRenderer(), settings.Delegate);
+}
+
+//------------------------------------------------------------------------------
+SceneFacts PassRenderer::GetFacts(const Scene& scene) const
 {
   SceneFacts facts;
   facts.Clear = IsClear(scene.Converted);
@@ -226,12 +236,12 @@ SceneFacts PassRenderer::GetFacts(
     facts.Lights.push_back(
       { light.Scatters(), light.CastsShadows, light.Values.kind, light.Values.goniometric != 0 });
   }
-  facts.AllShadersInjectable = HasInjectableShaders(s, settings.Delegate);
-  facts.AllOpaque = HidesAllBehind(s, settings.Delegate);
-  facts.DrawsOverMedium = AirlightScenePass::HasTransparent(s);
+  facts.AllShadersInjectable = scene.Support->AllShadersInjectable;
+  facts.AllOpaque = scene.Support->AllOpaque;
+  facts.DrawsOverMedium = scene.Support->DrawsOverMedium;
   facts.NonPolygonalCasters = !this->CurrentFrame.GetNonPolygonalCasters().empty();
   facts.TranslucentCasters = this->CurrentFrame.MetTranslucent();
-  facts.Volumes = GetVolumes(s->GetPropArray(), s->GetPropArrayCount()).size();
+  facts.Volumes = scene.Support->Volumes.size();
   facts.Width = scene.Rays.GetWidth();
   facts.Height = scene.Rays.GetHeight();
   return facts;
@@ -243,8 +253,7 @@ bool PassRenderer::Draw(
 {
   vtkRenderer* renderer = s->GetRenderer();
   StateSaver saver(scene.Window, ShadowLists::IsSupported(scene.Window));
-  Frame::Input input{ renderer, scene.Converted, scene.Lights, scene.Rays,
-    FindSolidProps(s, this->Stages.GetDelegate()),
+  Frame::Input input{ renderer, scene.Converted, scene.Lights, scene.Rays, scene.Support->Solids,
     [this](const std::vector<NonPolygonalCaster>& casters, vtkCamera* camera, int x, int y,
       int side) { this->Stages.DrawInMap(casters, camera, x, y, side); } };
   bool ok = this->CurrentFrame.Upload(scene.Window, scene.Media, input.Media, input.SceneLights) &&
@@ -254,7 +263,7 @@ bool PassRenderer::Draw(
     vtkRenderState inner(renderer);
     inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
     inner.SetFrameBuffer(this->CurrentFrame.GetFramebuffer());
-    this->Stages.Begin(&inner);
+    this->Stages.Begin(&inner, *scene.Support);
     ok = this->CurrentFrame.Draw(this->Stages);
     this->Stages.End();
     ok = ok && (!plan.KeepBuffers || this->CurrentFrame.Record());
@@ -306,7 +315,7 @@ bool PassRenderer::CollectSilhouettes(
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   const std::vector<SceneLight> lights =
     CollectSceneLights(renderer, ConvertMedia(media, view.GetEye()), view, lightRadius, true);
-  this->CurrentFrame.FindCasters(renderer, false);
+  this->CurrentFrame.FindCasters(SceneProps(renderer), false);
   this->OwnShadows.resize(lights.size());
   std::vector<LightSilhouettes> silhouettes(lights.size());
   for (size_t k = 0; k < lights.size(); ++k)

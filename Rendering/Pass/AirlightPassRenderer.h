@@ -75,9 +75,10 @@ private:
 
   bool RenderFrame(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderPlan(const vtkRenderState* s, const Settings& settings, const Viewport& viewport,
-    const FrameLimits& limits);
+    const FrameLimits& limits, Scene& scene);
   bool CollectScene(const vtkRenderState* s, const Settings& settings, Scene& scene);
-  SceneFacts GetFacts(const vtkRenderState* s, const Settings& settings, const Scene& scene);
+  void CollectProps(const vtkRenderState* s, const Settings& settings, Scene& scene);
+  SceneFacts GetFacts(const Scene& scene) const;
   bool Draw(const vtkRenderState* s, const FramePlan& plan, Scene& scene, const Viewport& viewport);
   void Recover();
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pass/AirlightScenePass.h"
 
-#include "MapperShaders/AirlightVolumeShader.h"
-
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkDualDepthPeelingPass.h"
@@ -100,18 +98,8 @@ bool AirlightScenePass::IsEmissive(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-// Assemblies and the like may hold volumes.
-bool AirlightScenePass::HasTransparent(const vtkRenderState* s)
-{
-  vtkProp** props = s->GetPropArray();
-  return std::any_of(props, props + s->GetPropArrayCount(), [](vtkProp* prop) {
-    return prop->HasTranslucentPolygonalGeometry() || IsPointGaussians(prop) ||
-      !(prop->IsA("vtkActor") || prop->IsA("vtkActor2D"));
-  });
-}
-
-//------------------------------------------------------------------------------
-void AirlightScenePass::RenderFragments(const vtkRenderState* s)
+void AirlightScenePass::RenderFragments(
+  const vtkRenderState* s, const std::vector<vtkProp*>& rayCast)
 {
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
@@ -121,7 +109,7 @@ void AirlightScenePass::RenderFragments(const vtkRenderState* s)
       prop->RenderOpaqueGeometry(s->GetRenderer());
     }
     prop->RenderTranslucentPolygonalGeometry(s->GetRenderer());
-    if (airlight::HasRayCastVolume(prop))
+    if (std::find(rayCast.begin(), rayCast.end(), prop) != rayCast.end())
     {
       prop->RenderVolumetricGeometry(s->GetRenderer());
     }

@@ -12,6 +12,7 @@
 #include "vtkRenderPass.h"
 
 #include <functional>
+#include <vector>
 
 class vtkDualDepthPeelingPass;
 class vtkFrameBufferObjectBase;
@@ -47,11 +48,8 @@ public:
   static bool IsPointGaussians(vtkProp* prop);
   static bool IsEmissive(vtkProp* prop);
 
-  // Whether RenderTransparent() would draw anything.
-  static bool HasTransparent(const vtkRenderState* s);
-
-  // The surfaces and the ray cast volumes among that, plainly.
-  static void RenderFragments(const vtkRenderState* s);
+  // Point Gaussians, translucent surfaces, and of these props the volumes, plainly.
+  static void RenderFragments(const vtkRenderState* s, const std::vector<vtkProp*>& rayCast);
 
   // Opaque point Gaussians, translucent surfaces with this pass or, without one, as the renderer's
   // settings say, then volumes.

@@ -7,6 +7,7 @@
 #include "OpenGL/AirlightOpenGL.h"
 #include "Pass/AirlightMapperHooks.h"
 #include "Pass/AirlightPassMessages.h"
+#include "Pass/AirlightSceneSupport.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -70,11 +71,12 @@ vtkRenderPass* SceneStages::GetScenePass(bool opaqueOnly)
 }
 
 //------------------------------------------------------------------------------
-void SceneStages::Begin(const vtkRenderState* s)
+void SceneStages::Begin(const vtkRenderState* s, const SceneSupport& support)
 {
   this->State = s;
+  this->Support = &support;
   this->Props.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
-  this->Messages.CheckOutside(s);
+  this->Messages.CheckSupport(support);
   this->Hooks.PreRender(s);
 }
 
@@ -83,6 +85,7 @@ void SceneStages::End()
   this->ProxyProps.Clear();
   this->Hooks.PostRender(this->State);
   this->State = nullptr;
+  this->Support = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -142,12 +145,8 @@ bool SceneStages::MayAntialias(const vtkRenderState* s)
 void SceneStages::DrawDistances()
 {
   this->DrawStage(SurfaceStage::Distance, [this] {
-    const vtkRenderState& state = *this->State;
-    const bool hidesLines = state.GetRenderer()->GetUseHiddenLineRemoval() &&
-      !HasOpaquePass(this->Delegate) &&
-      vtkHiddenLineRemovalPass::WireframePropsExist(
-        state.GetPropArray(), state.GetPropArrayCount());
-    hidesLines ? this->HiddenLinePass->Render(&state) : this->OpaquePass->Render(&state);
+    const bool hidesLines = this->Support->HidesLines && !HasOpaquePass(this->Delegate);
+    hidesLines ? this->HiddenLinePass->Render(this->State) : this->OpaquePass->Render(this->State);
   });
 }
 
@@ -185,8 +184,8 @@ void SceneStages::UpdateCasters()
 //------------------------------------------------------------------------------
 void SceneStages::CollectFragments()
 {
-  this->DrawStage(
-    SurfaceStage::Collect, [this] { AirlightScenePass::RenderFragments(this->State); });
+  this->DrawStage(SurfaceStage::Collect,
+    [this] { AirlightScenePass::RenderFragments(this->State, this->Support->RayCast); });
 }
 
 //------------------------------------------------------------------------------
@@ -357,8 +356,7 @@ void SceneStages::CheckVolumes()
   {
     return;
   }
-  for (vtkVolume* volume :
-    GetVolumes(this->State->GetPropArray(), this->State->GetPropArrayCount()))
+  for (vtkVolume* volume : this->Support->Volumes)
   {
     const double* bounds = volume->GetBounds();
     if (this->VolumesSeen.count(volume) == 0 && bounds && vtkMath::AreBoundsInitialized(bounds))

@@ -39,6 +39,7 @@ class Frame;
 class MapperHooks;
 class PassMessages;
 struct NonPolygonalCaster;
+struct SceneSupport;
 
 class SceneStages : public SceneDrawer
 {
@@ -57,7 +58,7 @@ public:
   vtkRenderPass* GetDelegate() const { return this->Delegate; }
 
   // Before a frame and after it: takes hold of the props' shaders, and leaves them.
-  void Begin(const vtkRenderState* s);
+  void Begin(const vtkRenderState* s, const SceneSupport& support);
   void End();
 
   // The scene as if the pass were not there.
@@ -108,7 +109,8 @@ private:
 
   // This frame's.
   const vtkRenderState* State = nullptr; // into the frame's targets
-  std::vector<vtkProp*> Props;           // those that the frame began with
+  const SceneSupport* Support = nullptr; // of the props that the frame began with
+  std::vector<vtkProp*> Props;           // these
   SurfaceStage Stage = SurfaceStage::Colour;
   DelegateProps ProxyProps;  // what a delegate is shown of them
   std::set<vtkProp*> Hidden; // those kept from the stage of colours

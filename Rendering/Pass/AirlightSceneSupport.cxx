@@ -4,6 +4,7 @@
 
 #include "Pass/AirlightScenePass.h"
 #include "Scene/AirlightClassTraits.h"
+#include "Scene/AirlightSceneProps.h"
 
 #include "vtkActor.h"
 #include "vtkHiddenLineRemovalPass.h"
@@ -12,14 +13,13 @@
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkProperty.h"
-#include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 
 namespace airlight
 {
@@ -74,51 +74,80 @@ bool DrawsAllOfIt(vtkProp* prop)
     !shader->HasVertexShaderCode() && !shader->HasGeometryShaderCode();
 }
 
-// As far as that does not depend on single props.
-bool MayHideAllBehind(const vtkRenderState* s, const vtkRenderPass* delegate)
+// Passes that take part in the mappers' shaders are named in the props' keys while they draw.
+bool HasOcclusionPass(vtkProp* prop)
 {
-  vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
+  vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
+  vtkInformation* keys = prop->GetPropertyKeys();
+  for (int k = 0; keys && keys->Has(key) && k < key->Length(keys); ++k)
+  {
+    if (key->Get(keys, k)->IsA("vtkSSAOPass"))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// As far as that does not depend on single props.
+bool MayHideAllBehind(vtkRenderer* renderer, const vtkRenderPass* delegate)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
   return !delegate && !window->GetLineSmoothing() && !window->GetPointSmoothing() &&
     !window->GetPolygonSmoothing();
 }
 }
 
 //------------------------------------------------------------------------------
-bool HidesAllBehind(const vtkRenderState* s, const vtkRenderPass* delegate)
+SceneSupport::SceneSupport(
+  const SceneProps& props, vtkRenderer* renderer, const vtkRenderPass* delegate)
 {
-  vtkProp** first = s->GetPropArray();
-  return MayHideAllBehind(s, delegate) &&
-    std::all_of(first, first + s->GetPropArrayCount(), [](vtkProp* prop) {
-      return HasSupportedMapper(prop) && IsSolidProp(prop) &&
-        !AirlightScenePass::IsPointGaussians(prop);
-    });
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkProp*> FindSolidProps(const vtkRenderState* s, const vtkRenderPass* delegate)
-{
-  std::vector<vtkProp*> solids;
-  if (MayHideAllBehind(s, delegate) && !s->GetRenderer()->GetUseHiddenLineRemoval())
+  for (const SceneProp& item : props.GetProps())
   {
-    vtkProp** first = s->GetPropArray();
-    std::copy_if(first, first + s->GetPropArrayCount(), std::back_inserter(solids), DrawsAllOfIt);
-    std::sort(solids.begin(), solids.end(), std::less<const vtkProp*>());
+    if (item.InView)
+    {
+      this->AddProp(item.Prop);
+      this->AddVolumes(item);
+    }
   }
-  return solids;
+  const bool removesLines = renderer->GetUseHiddenLineRemoval() != 0;
+  this->HidesLines = this->HidesLines && removesLines;
+  this->AllShadersInjectable =
+    this->AllShadersInjectable && !delegate && !renderer->GetUseSSAO() && !this->HidesLines;
+  const bool mayHide = MayHideAllBehind(renderer, delegate);
+  this->AllOpaque = this->AllOpaque && mayHide;
+  if (!mayHide || removesLines)
+  {
+    this->Solids.clear();
+  }
+  std::sort(this->Solids.begin(), this->Solids.end(), std::less<const vtkProp*>());
 }
 
 //------------------------------------------------------------------------------
-bool HasInjectableShaders(const vtkRenderState* s, const vtkRenderPass* delegate)
+void SceneSupport::AddProp(vtkProp* prop)
 {
-  vtkRenderer* renderer = s->GetRenderer();
-  vtkProp** first = s->GetPropArray();
-  const int count = s->GetPropArrayCount();
-  return !delegate && !renderer->GetUseSSAO() &&
-    !(renderer->GetUseHiddenLineRemoval() &&
-      vtkHiddenLineRemovalPass::WireframePropsExist(first, count)) &&
-    std::all_of(first, first + count, [](vtkProp* prop) {
-      return HasSupportedMapper(prop) && !HasForeignPass(prop) &&
-        !AirlightScenePass::IsPointGaussians(prop);
-    });
+  const bool gaussians = AirlightScenePass::IsPointGaussians(prop);
+  const bool supported = HasSupportedMapper(prop) && !gaussians;
+  this->AllShadersInjectable = this->AllShadersInjectable && supported && !HasForeignPass(prop);
+  this->AllOpaque = this->AllOpaque && supported && IsSolidProp(prop);
+  this->DrawsOverMedium = this->DrawsOverMedium || gaussians ||
+    prop->HasTranslucentPolygonalGeometry() || !(prop->IsA("vtkActor") || prop->IsA("vtkActor2D"));
+  this->HidesLines = this->HidesLines || vtkHiddenLineRemovalPass::WireframePropsExist(&prop, 1);
+  this->OcclusionOutside = this->OcclusionOutside || HasOcclusionPass(prop);
+  if (DrawsAllOfIt(prop))
+  {
+    this->Solids.push_back(prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneSupport::AddVolumes(const SceneProp& prop)
+{
+  this->Volumes.insert(this->Volumes.end(), prop.Volumes.begin(), prop.Volumes.end());
+  if (std::any_of(prop.Volumes.begin(), prop.Volumes.end(),
+        [](vtkVolume* volume) { return MayCastRays(volume->GetMapper()); }))
+  {
+    this->RayCast.push_back(prop.Prop);
+  }
 }
 }

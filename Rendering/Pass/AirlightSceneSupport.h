@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the props of a scene allow the frame to do.
+ * What the props in view allow a frame to do.
  */
 
 #ifndef AirlightSceneSupport_h
@@ -11,19 +11,48 @@
 
 class vtkProp;
 class vtkRenderPass;
-class vtkRenderState;
+class vtkRenderer;
+class vtkVolume;
 
 namespace airlight
 {
-// Whether all that is drawn as opaque is drawn by shaders that the pass can add to. `delegate`: the
-// user's pass that draws the scene, or null.
-bool HasInjectableShaders(const vtkRenderState* s, const vtkRenderPass* delegate);
+class SceneProps;
+struct SceneProp;
 
-// Whether each fragment of the opaque surfaces hides all that is behind it, as far as is known.
-bool HidesAllBehind(const vtkRenderState* s, const vtkRenderPass* delegate);
+struct SceneSupport
+{
+  // Once the pipelines of what casts are up to date. `delegate`: the user's pass that draws the
+  // scene, or null.
+  SceneSupport(const SceneProps& props, vtkRenderer* renderer, const vtkRenderPass* delegate);
 
-// Actors that are drawn as their mappers' inputs are, opaque everywhere; in the order of pointers.
-std::vector<vtkProp*> FindSolidProps(const vtkRenderState* s, const vtkRenderPass* delegate);
+  // All that is drawn as opaque is drawn by shaders that the pass can add to.
+  bool AllShadersInjectable = true;
+
+  // Each fragment of the opaque surfaces hides all that is behind it, as far as is known.
+  bool AllOpaque = true;
+
+  // Something blends over the medium. Assemblies and the like may hold volumes.
+  bool DrawsOverMedium = false;
+
+  // There are wireframes of which VTK removes hidden lines.
+  bool HidesLines = false;
+
+  // A vtkSSAOPass around this pass takes part in the props' shaders.
+  bool OcclusionOutside = false;
+
+  // Actors that are drawn as their mappers' inputs are, opaque everywhere; in the order of
+  // pointers.
+  std::vector<vtkProp*> Solids;
+
+  std::vector<vtkVolume*> Volumes;
+
+  // Props that hold volumes whose mappers use shaders of the graphics card, and may be rewritten.
+  std::vector<vtkProp*> RayCast;
+
+private:
+  void AddProp(vtkProp* prop);
+  void AddVolumes(const SceneProp& prop);
+};
 }
 
 #endif
