@@ -5,6 +5,7 @@
 // at random in one process, against the plain VTK frame of the same scene. Only ratios within one run
 // mean anything: the milliseconds are this machine's, and of what else it did meanwhile.
 
+#include "FrameContent.h"
 #include "FrameErrors.h"
 #include "FrameOptions.h"
 #include "FrameOutput.h"
@@ -87,14 +88,24 @@ struct ReadyScene
 {
   SceneRecipe Recipe;
   std::unique_ptr<FrameScene> Scene;
+  std::unique_ptr<FrameScene> Base; // in the same window, if any
 };
 
+// Frames that take long are fewer: one takes as much as two for each repetition.
+constexpr double MostSeconds = 20.0;
+
+int ChooseRepetitions(FrameScene& scene, const Way& way, int frames)
+{
+  const double each = 2.0 * scene.Time(way).Clock;
+  return std::clamp(static_cast<int>(MostSeconds / std::max(each, 1e-6)), 1, frames);
+}
+
 //------------------------------------------------------------------------------
-void AddFrames(const SceneRecipe& recipe, FrameScene& scene, int frames)
+void AddFrames(const SceneRecipe& recipe, FrameScene& scene, const std::string& prefix, int frames)
 {
   for (const Way& way : recipe.Ways)
   {
-    benchmark::RegisterBenchmark((recipe.Name + "|" + way.Name).c_str(),
+    benchmark::RegisterBenchmark((recipe.Name + "|" + prefix + way.Name).c_str(),
       [&scene, way](benchmark::State& state) {
         for (auto iteration : state)
         {
@@ -111,7 +122,7 @@ void AddFrames(const SceneRecipe& recipe, FrameScene& scene, int frames)
       })
       ->UseManualTime()
       ->Iterations(1)
-      ->Repetitions(frames);
+      ->Repetitions(recipe.Base ? ChooseRepetitions(scene, way, frames) : frames);
   }
 }
 
@@ -120,7 +131,11 @@ void TimeFrames(const std::vector<ReadyScene>& scenes, int frames, Rows& rows)
 {
   for (const ReadyScene& ready : scenes)
   {
-    AddFrames(ready.Recipe, *ready.Scene, frames);
+    AddFrames(ready.Recipe, *ready.Scene, "", frames);
+    if (ready.Base)
+    {
+      AddFrames(ready.Recipe, *ready.Base, benchmarks::BallAndFloor, frames);
+    }
   }
   benchmarks::RowReporter reporter(rows);
   benchmark::RunSpecifiedBenchmarks(&reporter);
@@ -131,7 +146,8 @@ ReadyScene MakeScene(
   SceneRecipe recipe, const benchmarks::WindowMaker& windows, const Options& options, Rows& rows)
 {
   std::cerr << recipe.Name << " ...\n";
-  auto scene = std::make_unique<FrameScene>(windows.Make(recipe.Width, recipe.Height));
+  const vtkSmartPointer<vtkRenderWindow> window = windows.Make(recipe.Width, recipe.Height);
+  auto scene = std::make_unique<FrameScene>(window);
   recipe.Fill(*scene);
   std::unique_ptr<benchmarks::FrameErrors> errors; // before the camera turns
   if (options.Errors)
@@ -140,7 +156,13 @@ ReadyScene MakeScene(
   }
   FindSteps(errors.get(), recipe.Ways);
   MakeRows(recipe, *scene, errors.get(), rows);
-  return { std::move(recipe), std::move(scene) };
+  std::unique_ptr<FrameScene> base;
+  if (recipe.Base)
+  {
+    base = std::make_unique<FrameScene>(window);
+    recipe.Base(*base);
+  }
+  return { std::move(recipe), std::move(scene), std::move(base) };
 }
 
 // Scenes that are timed together, lest the machine's speed changes between them. With EGL there is one

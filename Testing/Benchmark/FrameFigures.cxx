@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameFigures.h"
 
+#include "FrameContent.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -207,6 +209,54 @@ void AddMoving(const Rows& rows, std::vector<Figure>& figures)
 }
 
 //------------------------------------------------------------------------------
+// Extra of a scene in units of that of the ball and floor.
+double GetContentCost(const Rows& rows, const Row& row, Kind kind)
+{
+  const Row* plain = rows.Find(row.Scene, std::string(BallAndFloor) + PlainWay);
+  const Row* base = rows.Find(row.Scene, BallAndFloor + row.Way);
+  return plain && base ? Divide(GetExcess(rows, row, PlainWay, kind),
+                           (base->*kind).GetMedian() - (plain->*kind).GetMedian())
+                       : NoValue;
+}
+
+bool IsContent(const Row& row)
+{
+  return row.Scene.compare(0, 7, "content") == 0 && row.Way.compare(0, 4, "ball") != 0 &&
+    row.Way != PlainWay && row.Scene.find("/nothing") == std::string::npos;
+}
+
+// The worst first, then the median.
+void AddContent(const Rows& rows, const std::string& way, std::vector<Figure>& figures)
+{
+  std::vector<Figure> costs;
+  for (const Row& row : rows.GetAll())
+  {
+    if (IsContent(row) && row.Way == way)
+    {
+      Add(costs, row.Scene + ": extra / that of the ball and floor, " + way,
+        [&](Kind kind) { return GetContentCost(rows, row, kind); });
+    }
+  }
+  const auto known = [](double value) { return value > 0.0 ? value : 0.0; };
+  std::sort(costs.begin(), costs.end(), [known](const Figure& a, const Figure& b) {
+    return known(a.Processors) > known(b.Processors);
+  });
+  Times clock;
+  Times processors;
+  for (const Figure& figure : costs)
+  {
+    clock.Seconds.push_back(known(figure.Clock));
+    processors.Seconds.push_back(known(figure.Processors));
+  }
+  figures.insert(figures.end(), costs.begin(), costs.end());
+  if (costs.size() > 1)
+  {
+    figures.push_back(
+      { "content: median of these, " + way, clock.GetMedian(), processors.GetMedian() });
+  }
+}
+
+//------------------------------------------------------------------------------
 std::vector<Figure> DeriveFigures(const Rows& rows)
 {
   std::vector<Figure> figures;
@@ -218,6 +268,8 @@ std::vector<Figure> DeriveFigures(const Rows& rows)
   AddGrowth(rows, "triangles", "triangles", figures);
   AddGrowth(rows, "edges", "edges", figures);
   AddMoving(rows, figures);
+  AddContent(rows, Unshadowed, figures);
+  AddContent(rows, "automatic", figures);
   return figures;
 }
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FrameContent.h"
 #include "FrameScene.h"
 
 #include "vtkActor.h"
@@ -231,50 +232,59 @@ std::vector<SceneRecipe> MakeRecipes()
   const std::vector<Way> brief = { MakePlain(), MakeUnshadowed(), MakePlanes() };
   const std::vector<Way> moving = { MakePlain(), MakePlanes(), MakePlanes(true) };
   std::vector<SceneRecipe> recipes;
+  const auto add = [&recipes](const std::string& name, const std::function<void(FrameScene&)>& fill,
+                     const std::vector<Way>& ways, SceneGroup group = SceneGroup::None) {
+    recipes.push_back({ name, fill, nullptr, 800, 600, ways, group });
+  };
   std::vector<Way> ways = AllWays({ 32, 64, 256, 1024, 2048 });
   ways.push_back(MakeRayMarchTo(2e-3));
-  recipes.push_back({ "small", FillSmall, 800, 600, ways });
-  recipes.push_back({ "heavy", FillHeavy, 800, 600, AllWays({ 64, 256 }) });
-  recipes.push_back({ "shafts", FillShafts, 800, 600, AllWays({ 64, 256 }) });
+  add("small", FillSmall, ways);
+  add("heavy", FillHeavy, AllWays({ 64, 256 }));
+  add("shafts", FillShafts, AllWays({ 64, 256 }));
   const std::vector<Way> errors = { MakePlain(), MakeUnshadowed(), MakePlanes(), MakeRayMarch(64),
     MakeRayMarchTo(2e-3) };
   const auto addShade = [&](const std::string& name, double x, double y, double z) {
-    recipes.push_back({ "shade/" + name,
-      [x, y, z](FrameScene& scene) { FillShade(scene, x, y, z); }, 800, 600, errors });
+    add(
+      "shade/" + name, [x, y, z](FrameScene& scene) { FillShade(scene, x, y, z); }, errors);
   };
   addShade("above", 0.6, 3.0, -0.8);
   addShade("among", 0.8, 1.2, 0.8);
   addShade("close", 0.0, 2.2, -0.8);
   for (int count : { 1, 4, 16 })
   {
-    recipes.push_back(
-      { "lights/" + std::to_string(count), [count](FrameScene& scene) { FillLights(scene, count); },
-        800, 600, brief, SceneGroup::Lights });
+    add(
+      "lights/" + std::to_string(count), [count](FrameScene& scene) { FillLights(scene, count); },
+      brief, SceneGroup::Lights);
   }
   const int sizes[4][2] = { { 400, 300 }, { 800, 600 }, { 1280, 960 }, { 1920, 1080 } };
   for (const auto& size : sizes)
   {
     recipes.push_back({ "sizes/" + std::to_string(size[0]) + "x" + std::to_string(size[1]),
-      FillSmall, size[0], size[1], brief, SceneGroup::Sizes });
+      FillSmall, nullptr, size[0], size[1], brief, SceneGroup::Sizes });
   }
   for (int triangles : { 10000, 100000, 1000000, 3000000 })
   {
-    recipes.push_back({ "mesh/" + std::to_string(triangles),
-      [triangles](FrameScene& scene) { FillMesh(scene, triangles); }, 800, 600, brief });
+    add(
+      "mesh/" + std::to_string(triangles),
+      [triangles](FrameScene& scene) { FillMesh(scene, triangles); }, brief);
   }
   for (int triangles : { 10000, 100000, 1000000, 3000000 })
   {
-    recipes.push_back({ "triangles/" + std::to_string(triangles),
-      [triangles](FrameScene& scene) { FillDisc(scene, 256, triangles); }, 800, 600, brief });
+    add(
+      "triangles/" + std::to_string(triangles),
+      [triangles](FrameScene& scene) { FillDisc(scene, 256, triangles); }, brief);
   }
   for (int edges : { 256, 2048, 16384, 131072 })
   {
-    recipes.push_back({ "edges/" + std::to_string(edges),
-      [edges](FrameScene& scene) { FillDisc(scene, edges, 1000000); }, 800, 600, brief });
+    add(
+      "edges/" + std::to_string(edges),
+      [edges](FrameScene& scene) { FillDisc(scene, edges, 1000000); }, brief);
   }
-  recipes.push_back(
-    { "crowd", [](FrameScene& scene) { FillCrowd(scene, 30, 24); }, 800, 600, brief });
-  recipes.push_back({ "moving", FillHeavy, 800, 600, moving });
+  add(
+    "crowd", [](FrameScene& scene) { FillCrowd(scene, 30, 24); }, brief);
+  add("moving", FillHeavy, moving);
+  const std::vector<SceneRecipe> content = MakeContentRecipes();
+  recipes.insert(recipes.end(), content.begin(), content.end());
   return recipes;
 }
 }

@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRendererCollection.h"
 #include "vtkSilhouetteEdgesFilter.h"
 
 #include <chrono>
@@ -24,9 +25,16 @@ namespace benchmarks
 {
 namespace
 {
+// Null where the mapper draws anything else.
 vtkPolyData* GetData(vtkActor* actor)
 {
-  return vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper || mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return nullptr;
+  }
+  mapper->Update();
+  return vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
 }
 
 // "2e-3" for 0.002.
@@ -49,6 +57,8 @@ Way MakePlain()
 }
 
 Way MakeUnshadowed() { return { "no shadows", false, vtkAirlightPass::NONE }; }
+
+Way MakeAutomatic() { return { "automatic", false, vtkAirlightPass::AUTOMATIC }; }
 
 Way MakePlanes(bool moves)
 {
@@ -122,8 +132,11 @@ vtkIdType FrameScene::CountTriangles()
   actors->InitTraversal(it);
   while (vtkActor* actor = actors->GetNextActor(it))
   {
-    vtkCellArray* polys = GetData(actor)->GetPolys(); // of n corners n - 2 triangles
-    count += polys->GetNumberOfConnectivityIds() - 2 * polys->GetNumberOfCells();
+    if (vtkPolyData* data = GetData(actor))
+    {
+      vtkCellArray* polys = data->GetPolys(); // of n corners n - 2 triangles
+      count += polys->GetNumberOfConnectivityIds() - 2 * polys->GetNumberOfCells();
+    }
   }
   return count;
 }
@@ -138,12 +151,25 @@ vtkIdType FrameScene::CountSilhouetteEdges()
   actors->InitTraversal(it);
   while (vtkActor* actor = actors->GetNextActor(it))
   {
-    vtkNew<vtkSilhouetteEdgesFilter> filter;
-    filter->SetInputData(GetData(actor));
-    vtkLightCollection* lights = this->Renderer->GetLights();
-    for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+    vtkPolyData* data = GetData(actor);
+    count += data && data->GetNumberOfPolys() > 0 ? this->CountSilhouetteEdges(data) : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType FrameScene::CountSilhouetteEdges(vtkPolyData* data)
+{
+  vtkIdType count = 0;
+  vtkNew<vtkSilhouetteEdgesFilter> filter;
+  filter->SetInputData(data);
+  vtkLightCollection* lights = this->Renderer->GetLights();
+  for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+  {
+    auto* light = vtkLight::SafeDownCast(lights->GetItemAsObject(i));
+    if (light->LightTypeIsSceneLight())
     {
-      filter->SetLight(vtkLight::SafeDownCast(lights->GetItemAsObject(i)));
+      filter->SetLight(light);
       filter->Update();
       count += filter->GetOutput()->GetNumberOfLines();
     }
@@ -152,8 +178,16 @@ vtkIdType FrameScene::CountSilhouetteEdges()
 }
 
 //------------------------------------------------------------------------------
+// Scenes that share a window are drawn one at a time.
 void FrameScene::Set(const Way& way)
 {
+  vtkRendererCollection* renderers = this->Window->GetRenderers();
+  vtkCollectionSimpleIterator it = nullptr;
+  renderers->InitTraversal(it);
+  while (vtkRenderer* renderer = renderers->GetNextRenderer(it))
+  {
+    renderer->SetDraw(renderer == this->Renderer);
+  }
   this->Renderer->SetPass(way.Plain ? nullptr : this->Pass.Get());
   this->Pass->SetShadowTechnique(way.Technique);
   if (way.Steps > 0)
@@ -202,7 +236,8 @@ FrameTime FrameScene::Time(const Way& way)
 //------------------------------------------------------------------------------
 bool FrameScene::IsDrawnAs(const Way& way)
 {
-  return way.Plain || this->Pass->GetEffectiveShadowTechnique() == way.Technique;
+  return way.Plain || way.Technique == vtkAirlightPass::AUTOMATIC ||
+    this->Pass->GetEffectiveShadowTechnique() == way.Technique;
 }
 
 //------------------------------------------------------------------------------

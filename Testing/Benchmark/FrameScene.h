@@ -40,6 +40,7 @@ struct Way
 
 Way MakePlain();
 Way MakeUnshadowed();
+Way MakeAutomatic();
 Way MakePlanes(bool moves = false);
 Way MakeShadowMap(int steps);
 Way MakeRayMarch(int steps);
@@ -60,7 +61,7 @@ struct FrameTime
 class FrameScene
 {
 public:
-  // Draws into the window, which is its own alone.
+  // Draws into the window, alone or in turn with others.
   explicit FrameScene(vtkRenderWindow* window);
   ~FrameScene();
   FrameScene(const FrameScene&) = delete;
@@ -81,7 +82,8 @@ public:
 
   vtkIdType CountTriangles();
 
-  // Of all actors in all lights, as vtkSilhouetteEdgesFilter finds them.
+  // Of all actors that draw vtkPolyData in all lights of the scene, as vtkSilhouetteEdgesFilter
+  // finds them.
   vtkIdType CountSilhouetteEdges();
 
   vtkNew<vtkRenderer> Renderer;
@@ -89,6 +91,7 @@ public:
   const vtkSmartPointer<vtkRenderWindow> Window;
 
 private:
+  vtkIdType CountSilhouetteEdges(vtkPolyData* data);
   void Set(const Way& way);
   void Turn(const Way& way);
   void Draw();
@@ -110,6 +113,7 @@ struct SceneRecipe
 {
   std::string Name;
   std::function<void(FrameScene&)> Fill;
+  std::function<void(FrameScene&)> Base; // a scene whose frames are timed in turn, if any
   int Width = 800;
   int Height = 600;
   std::vector<Way> Ways;

@@ -181,6 +181,36 @@ class TestBenchmark(unittest.TestCase):
                                 if line.startswith(f"| {name} |"))
                     self.assertIn(f" {cell} ", line)
 
+    def test_content(self):
+        """Every kind of content is drawn beside the ball and floor; the worst is on top."""
+        ways = ["plain", "no shadows", "automatic"]
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "content.json"
+            done = run("content", "--frames=1", "--size", "64", "48", f"--json={path}")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            results = json.loads(path.read_text(encoding="utf-8"))
+        scenes = [name for name in run("--list").stdout.splitlines() if name.startswith("content/")]
+        self.assertGreaterEqual(len(scenes), 25)
+        rows = {(row["scene"], row["technique"]): row["processors"]["median"]
+                for row in results["rows"]}
+        self.assertEqual(sorted(rows), sorted((scene, prefix + way) for scene in scenes
+                                              for prefix in ("", "ball and floor, ")
+                                              for way in ways))
+        found = [figure for figure in results["figures"] if figure["name"].endswith(", automatic")]
+        costs = [figure["processors"] for figure in found[:-1]]
+        self.assertEqual(len(costs), len(scenes) - 1)  # one has nothing beside the ball and floor
+        known = [cost for cost in costs if cost is not None]
+        self.assertEqual(known, sorted(known, reverse=True))
+        for figure in found[:-1]:
+            scene = figure["name"].split(":")[0]
+            extra, base = (rows[scene, prefix + "automatic"] - rows[scene, prefix + "plain"]
+                           for prefix in ("", "ball and floor, "))
+            if min(extra, base) > 0:
+                self.assertAlmostEqual(figure["processors"] * base / extra, 1, places=6)
+            else:
+                self.assertIsNone(figure["processors"])
+        self.assertEqual(found[-1]["name"], "content: median of these, automatic")
+
     def test_user_errors(self):
         done = run("nosuch")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
