@@ -22,30 +22,20 @@ struct AirlightMapPosition
   bool inside;
 };
 
-AirlightMapPosition airlightMapPosition(vec3 point)
+// Of a point relative to mapOrigin.
+AirlightMapPosition airlightMapPosition(vec3 p)
 {
   AirlightMapPosition position;
-  vec3 p = point - mapOrigin;
   vec3 q;
   int face = 0;
   if (mapKind == 1)
   {
     vec3 a = abs(p);
-    if (a.x >= a.y && a.x >= a.z)
-    {
-      q = vec3(p.y, p.z, a.x);
-      face = p.x < 0.0 ? 1 : 0;
-    }
-    else if (a.y >= a.z)
-    {
-      q = vec3(p.z, p.x, a.y);
-      face = p.y < 0.0 ? 3 : 2;
-    }
-    else
-    {
-      q = vec3(p.x, p.y, a.z);
-      face = p.z < 0.0 ? 5 : 4;
-    }
+    bool isX = a.x >= a.y && a.x >= a.z;
+    bool isY = !isX && a.y >= a.z;
+    q = isX ? vec3(p.y, p.z, a.x) : isY ? vec3(p.z, p.x, a.y) : vec3(p.x, p.y, a.z);
+    float side = isX ? p.x : isY ? p.y : p.z;
+    face = (isX ? 0 : isY ? 2 : 4) + (side < 0.0 ? 1 : 0);
   }
   else
   {
@@ -66,20 +56,23 @@ bool airlightMapLets(AirlightMapPosition position, ivec2 texel, float slack)
   return position.distance - slack <= texelFetch(shadowMap, position.face + inside, 0).r;
 }
 
-// Whether light reaches a point, from the eye, of the air.
-bool airlightIsLit(vec3 point)
+// Whether light reaches a point of the air, relative to mapOrigin.
+bool airlightMapIsLit(vec3 point)
 {
   AirlightMapPosition position = airlightMapPosition(point);
   return !position.inside || airlightMapLets(position, ivec2(floor(position.texel)),
                             mapSlack + mapRelativeSlack * abs(position.distance));
 }
 
+// The same of a point from the eye.
+bool airlightIsLit(vec3 point) { return airlightMapIsLit(point - mapOrigin); }
+
 // Whether light reaches a point of a surface. A point near a convex edge may lie in a texel whose
 // middle sees the face beyond the edge, so that any of the four texels around it may let the light
 // through; the view ray's end is less exact than points of the air.
 bool airlightIsSurfaceLit(vec3 point)
 {
-  AirlightMapPosition position = airlightMapPosition(point);
+  AirlightMapPosition position = airlightMapPosition(point - mapOrigin);
   float slack = 10.0 * (mapSlack + mapRelativeSlack * abs(position.distance));
   ivec2 first = ivec2(floor(position.texel - 0.5));
   bool lit = !position.inside;
