@@ -11,7 +11,7 @@
 namespace benchmarks
 {
 //------------------------------------------------------------------------------
-void FillBallAndFloor(FrameScene& scene, int lamps)
+void FillBallAndFloor(FrameScene& scene, int lights)
 {
   vtkNew<vtkSphereSource> ball;
   ball->SetCenter(0.0, 1.0, 0.0);
@@ -26,9 +26,9 @@ void FillBallAndFloor(FrameScene& scene, int lamps)
   floor->SetPoint2(-6.0, 0.0, -6.0);
   floor->Update();
   scene.Add(floor->GetOutput());
-  for (int k = 0; k < lamps; ++k)
+  for (int k = 0; k < lights; ++k)
   {
-    const double angle = 2.399963 * k; // the golden angle spreads any number of lamps
+    const double angle = 2.399963 * k; // the golden angle spreads any number of lights
     const double r = 0.9 * std::sqrt(static_cast<double>(k));
     scene.AddLamp(0.8 + r * std::cos(angle), 4.0, 0.6 + r * std::sin(angle));
   }
@@ -47,17 +47,17 @@ std::vector<SceneRecipe> MakeContentRecipes()
     contents.push_back(content);
   }
   std::vector<SceneRecipe> recipes;
-  for (int lamps : { 1, 4, 16 })
+  for (int lights : { 1, 4, 16 })
   {
     const std::string group =
-      lamps == 1 ? "content/" : "content-" + std::to_string(lamps) + "-lamps/";
+      lights == 1 ? "content/" : "content-" + std::to_string(lights) + "-lights/";
     for (const Content& content : contents)
     {
       SceneRecipe recipe;
       recipe.Name = group + content.Name;
-      recipe.Base = [lamps](FrameScene& scene) { FillBallAndFloor(scene, lamps); };
-      recipe.Fill = [lamps, add = content.Add](FrameScene& scene) {
-        FillBallAndFloor(scene, lamps);
+      recipe.Base = [lights](FrameScene& scene) { FillBallAndFloor(scene, lights); };
+      recipe.Fill = [lights, add = content.Add](FrameScene& scene) {
+        FillBallAndFloor(scene, lights);
         add(scene);
       };
       recipe.Width = 400;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Content as people draw it, one kind in each scene, beside a ball on a floor under the same lamps.
+ * Content as people draw it, one kind in each scene, beside a ball on a floor under the same lights.
  * Each scene is that ball and floor and something else; its frames and those of the ball and floor
  * alone are timed in turn.
  */
@@ -19,7 +19,7 @@ namespace benchmarks
 // How the frames of the ball and floor are named in the rows of a scene.
 const char* const BallAndFloor = "ball and floor, ";
 
-void FillBallAndFloor(FrameScene& scene, int lamps);
+void FillBallAndFloor(FrameScene& scene, int lights);
 
 // What a scene has beside the ball and floor.
 struct Content
@@ -32,7 +32,7 @@ struct Content
 std::vector<Content> GetMeshContent();
 std::vector<Content> GetPropContent();
 
-// All of them: content/NAME with one lamp, content-4-lamps/NAME and content-16-lamps/NAME.
+// All of them: content/NAME with one light, content-4-lights/NAME and content-16-lights/NAME.
 std::vector<SceneRecipe> MakeContentRecipes();
 }
 
