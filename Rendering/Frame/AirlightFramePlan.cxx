@@ -114,6 +114,15 @@ void PlanGeometryPasses(FramePlan& plan, const SceneFacts& scene)
 }
 
 //------------------------------------------------------------------------------
+std::vector<LightFacts> GetScatteringLights(const SceneFacts& scene)
+{
+  std::vector<LightFacts> lights;
+  std::copy_if(scene.Lights.begin(), scene.Lights.end(), std::back_inserter(lights),
+    [](const LightFacts& light) { return light.Scatters; });
+  return lights;
+}
+
+//------------------------------------------------------------------------------
 // The composite's shader is compiled for one kind of light without photometry. It makes frames
 // without shadows a fifth shorter (Documentation/benchmarks.md).
 bool IsUnshadowedInComposite(const FramePlan& plan, const SceneFacts& scene)
@@ -123,14 +132,23 @@ bool IsUnshadowedInComposite(const FramePlan& plan, const SceneFacts& scene)
   {
     return false;
   }
-  std::vector<LightFacts> lights;
-  std::copy_if(scene.Lights.begin(), scene.Lights.end(), std::back_inserter(lights),
-    [](const LightFacts& light) { return light.Scatters; });
+  const std::vector<LightFacts> lights = GetScatteringLights(scene);
   return std::all_of(lights.begin(), lights.end(), [&](const LightFacts& light) {
     return (plan.Shadows == ShadowMethod::None || !light.CastsShadows) &&
       light.Kind == lights[0].Kind && !light.Photometric &&
       lights.size() <= (HasClosedForm(light.Kind) ? MaximumClosedLights : 1);
   });
+}
+
+// Without shadows one closed form in the fragments' own shader takes an eighth of the time of
+// records (Documentation/benchmarks.md). Quadrature would take long to compile there.
+bool IsUnshadowedInFragments(const FramePlan& plan, const SceneFacts& scene)
+{
+  const std::vector<LightFacts> lights = GetScatteringLights(scene);
+  return plan.Shadows == ShadowMethod::None && !scene.DensityImage &&
+    std::all_of(lights.begin(), lights.end(), [&lights](const LightFacts& light) {
+      return HasClosedForm(light.Kind) && light.Kind == lights[0].Kind && !light.Photometric;
+    });
 }
 }
 
@@ -149,7 +167,8 @@ FramePlan MakeFramePlan(
   plan.ScatteredSurfaceLight = properties.ScatteredSurfaceLight && !scene.DensityImage;
   plan.MemoryLimit = properties.MemoryLimit;
   plan.Translucent = properties.View == DebugView::Shaded && scene.DrawsOverMedium;
-  plan.TranslucentFragments = plan.Translucent && limits.StorageBuffers;
+  plan.TranslucentFragments =
+    plan.Translucent && limits.StorageBuffers && !IsUnshadowedInFragments(plan, scene);
   plan.VolumeNodes =
     GetVolumeNodeCount(scene.Volumes, scene.Width, scene.Height, properties.MemoryLimit);
   plan.AllShadersInjectable = scene.AllShadersInjectable;

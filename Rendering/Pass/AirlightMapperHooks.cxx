@@ -32,7 +32,8 @@ void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia&
   const std::vector<SceneLight>& sceneLights, const FrameInput& input)
 {
   SurfaceShaderOptions& options = this->Options;
-  options.TranslucentFragments = input.StorageBuffers;
+  const bool records = input.StorageBuffers &&
+    (plan.Translucent ? plan.TranslucentFragments : options.TranslucentFragments);
   const bool translucent = plan.Translucent || options.Translucent;
   const bool hides = options.Hides || input.Delegate;
   const bool reads =
@@ -40,10 +41,11 @@ void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia&
   // Shadow maps may be drawn with the same shaders.
   const bool known = plan.SingleGeometryPass &&
     (plan.Shadows == ShadowMethod::None || plan.Shadows == ShadowMethod::Planes);
-  const bool other = hides != options.Hides || reads != options.ReadsLit ||
-    plan.SingleGeometryPass != options.SingleGeometryPass ||
+  const bool other = records != options.TranslucentFragments || hides != options.Hides ||
+    reads != options.ReadsLit || plan.SingleGeometryPass != options.SingleGeometryPass ||
     plan.ShadowingLight != options.ShadowingLight || known != options.ViewportIsTarget ||
     (known && input.Parallel != options.Parallel);
+  options.TranslucentFragments = records;
   options.ViewportIsTarget = known;
   options.Parallel = known && input.Parallel;
   options.Hides = hides;

@@ -176,6 +176,12 @@ void TestOutputs()
   scene.Properties.View = DebugView::Shaded;
   plan = scene.Make();
   Check(plan.Translucent && plan.TranslucentFragments, "fragments have records");
+  scene.Properties.Technique = ShadowTechnique::None;
+  Check(!scene.Make().TranslucentFragments, "without shadows closed forms need no records");
+  scene.Scene.Lights[0].Photometric = true;
+  Check(scene.Make().TranslucentFragments, "quadrature keeps them");
+  scene.Scene.Lights[0].Photometric = false;
+  scene.Properties.Technique = ShadowTechnique::Automatic;
   scene.Limits.StorageBuffers = false;
   Check(scene.Make().Translucent && !scene.Make().TranslucentFragments, "not below OpenGL 4.3");
 
