@@ -154,8 +154,9 @@ bool Frame::CollectFragments(SceneDrawer& scene)
     scene.CollectFragments();
     outcome = this->FragmentLists.Check();
   }
-  return outcome == TranslucentFragments::Outcome::Done ||
-    this->Fail(this->FragmentLists.GetError());
+  const bool ok = outcome == TranslucentFragments::Outcome::Done &&
+    (!this->Plan.TranslucentFragments || this->FragmentLists.Sort(this->Window));
+  return ok || this->Fail(this->FragmentLists.GetError());
 }
 
 //------------------------------------------------------------------------------

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Translucency/AirlightTranslucentFragments.h"
 
+#include "AirlightSortTranslucentFS.h"
 #include "AirlightTranslucentLists.h"
 #include "AirlightTranslucentRecord.h"
+#include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightStorageBinding.h"
 
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -33,7 +37,8 @@ std::string TranslucentFragments::GetSource()
 //------------------------------------------------------------------------------
 std::uint32_t TranslucentFragments::GetRecordBytes() const
 {
-  return sizeof(std::uint32_t) * static_cast<std::uint32_t>(this->Words);
+  return sizeof(std::uint32_t) *
+    (static_cast<std::uint32_t>(this->Words) + translucent_record::SortedWords);
 }
 
 //------------------------------------------------------------------------------
@@ -60,6 +65,7 @@ void TranslucentFragments::Clear()
 bool TranslucentFragments::Prepare(int width, int height, bool transmitsShadows, int dimmedLights)
 {
   using namespace translucent_record;
+  this->TransmitsShadows = transmitsShadows;
   const int words = transmitsShadows
     ? AIRLIGHT_TRANSLUCENT_TRANSMITTANCE + AIRLIGHT_TRANSMITTANCE_WORDS * dimmedLights
     : AIRLIGHT_TRANSLUCENT_PLAIN_WORDS;
@@ -71,7 +77,7 @@ bool TranslucentFragments::Prepare(int width, int height, bool transmitsShadows,
   if (this->Width != width || this->Height != height)
   {
     this->Width = this->Height = 0;
-    const GLsizeiptr count = static_cast<GLsizeiptr>(width) * height + 1;
+    const GLsizeiptr count = 2 * static_cast<GLsizeiptr>(width) * height + 2;
     if (!AllocateStorageBlock(
           this->Heads, count * static_cast<GLsizeiptr>(sizeof(GLuint)), nullptr, GL_DYNAMIC_COPY))
     {
@@ -84,9 +90,9 @@ bool TranslucentFragments::Prepare(int width, int height, bool transmitsShadows,
   }
   if (this->Words != words)
   {
-    this->Capacity =
-      static_cast<std::uint32_t>(static_cast<std::uint64_t>(this->Capacity) * this->Words / words);
+    const std::uint64_t bytes = static_cast<std::uint64_t>(this->Capacity) * this->GetRecordBytes();
     this->Words = words;
+    this->Capacity = static_cast<std::uint32_t>(bytes / this->GetRecordBytes());
   }
   // Room for one layer over a quarter of the pixels, at first.
   const bool ok =
@@ -99,6 +105,7 @@ bool TranslucentFragments::Prepare(int width, int height, bool transmitsShadows,
 void TranslucentFragments::Use(vtkShaderProgram* program) const
 {
   program->SetUniformi("airlightTranslucentWidth", this->Width);
+  program->SetUniformi("airlightTranslucentHeight", this->Height);
   program->SetUniformi("airlightTranslucentWords", this->Words);
   program->SetUniformi("airlightTranslucentCapacity", static_cast<int>(this->Capacity));
   BindStorage(StorageBinding::TranslucentFragments, this->Records);
@@ -133,8 +140,36 @@ TranslucentFragments::Outcome TranslucentFragments::Check()
 }
 
 //------------------------------------------------------------------------------
+bool TranslucentFragments::Sort(vtkOpenGLRenderWindow* window)
+{
+  vtkShaderProgram* program = this->SortQuad.GetOrCompile(window,
+    GetShaderVersion(true) + "#define AIRLIGHT_SHADOW_TRANSMITTANCE " +
+      std::to_string(this->TransmitsShadows) + "\n" + GetSource() + AirlightSortTranslucentFS);
+  if (!program)
+  {
+    this->Error =
+      std::string("the shader that sorts translucent fragments") + ProgramMaker::GetReason();
+    return false;
+  }
+  this->Use(program);
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglColorMask maskSaver(state);
+  vtkOpenGLState::ScopedglEnableDisable testSaver(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  // No test fails without these, see AirlightOpenGL.h.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  this->SortQuad.Draw({});
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void TranslucentFragments::Release()
 {
+  this->SortQuad.Release();
   DeleteBuffer(this->Records);
   DeleteBuffer(this->Heads);
   this->Width = this->Height = 0;

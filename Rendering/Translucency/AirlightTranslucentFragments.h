@@ -2,20 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What is drawn over the medium, translucent surfaces, as the shaders keep it: a list of records
- * for each pixel (glsl/AirlightTranslucentLists.glsl). A surface's fragments make them, each
- * light's resolve adds what it scatters before each of them, with its shadows, and the fragments
- * look theirs up when they are drawn.
+ * for each pixel (glsl/AirlightTranslucentLists.glsl). A surface's fragments make them, they are
+ * sorted by distance, each light's resolve adds what it scatters before each of them, with its
+ * shadows, and the fragments look theirs up when they are drawn.
  *
- * Memory: 32 bytes a translucent fragment, where casters let light through 36 and 8 for each light
- * that they dim, and 4 a pixel.
+ * Memory: 40 bytes a translucent fragment, where casters let light through 44 and 8 for each light
+ * that they dim, and 8 a pixel.
  */
 
 #ifndef AirlightTranslucentFragments_h
 #define AirlightTranslucentFragments_h
 
+#include "OpenGL/AirlightQuad.h"
+
 #include <cstdint>
 #include <string>
 
+class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
 namespace airlight
@@ -25,15 +28,16 @@ namespace translucent_record
 {
 using uint = std::uint32_t;
 #include "Translucency/glsl/AirlightTranslucentRecord.glsl"
+constexpr uint SortedWords = 2; // of a record in the order of distances
 constexpr uint LightBits = 32 * (AIRLIGHT_TRANSLUCENT_PLAIN_WORDS - AIRLIGHT_TRANSLUCENT_LIT);
 }
 
 class TranslucentFragments
 {
 public:
-  // Bytes, where no caster lets light through.
-  static constexpr std::uint32_t RecordSize =
-    sizeof(std::uint32_t) * translucent_record::AIRLIGHT_TRANSLUCENT_PLAIN_WORDS;
+  // Bytes, where no caster lets light through, its place in the order included.
+  static constexpr std::uint32_t RecordSize = sizeof(std::uint32_t) *
+    (translucent_record::AIRLIGHT_TRANSLUCENT_PLAIN_WORDS + translucent_record::SortedWords);
 
   // What shaders that have records begin with, after DefineStorageBindings().
   static std::string GetSource();
@@ -56,6 +60,10 @@ public:
   };
   Outcome Check();
 
+  // Then, before the resolves: puts each pixel's records in order, over a framebuffer of the
+  // viewport's size. False with a reason in GetError() where the shader does not compile.
+  bool Sort(vtkOpenGLRenderWindow* window);
+
   void Release();
 
 private:
@@ -63,6 +71,8 @@ private:
   bool Reserve(std::uint32_t records);
   void Clear();
 
+  Quad SortQuad;
+  bool TransmitsShadows = false;
   unsigned int Records = 0;
   unsigned int Heads = 0;
   int Width = 0;

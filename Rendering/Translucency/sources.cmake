@@ -5,6 +5,7 @@ airlight_sources(
     AirlightShadowTransmittance
     AirlightTranslucentFragments
   GLSL
+    glsl/AirlightSortTranslucentFS.glsl
     glsl/AirlightTransmittanceBuffer.glsl
     glsl/AirlightTranslucentLists.glsl
     glsl/AirlightTranslucentRecord.glsl

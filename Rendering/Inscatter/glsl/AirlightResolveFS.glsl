@@ -35,6 +35,9 @@ void main()
   AirlightRay ray = airlightRayBeside(
     media, light, origin, direction, surface >= 0.0 ? surface : AIRLIGHT_FAR, moment);
 
+#ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
+  beginFragments(pixel);
+#endif
 #ifdef AIRLIGHT_RAY_MARCH
   float litLength;
   int boundaries;
@@ -103,7 +106,7 @@ void main()
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
       float runEnd = more ? t : AIRLIGHT_FAR;
       addToFragments(
-        media, light, pixel, ray, passing, runStart, runEnd, from, fromTail, max(from, to), part);
+        media, light, ray, passing, runStart, runEnd, from, fromTail, max(from, to), part);
       runStart = runEnd;
 #endif
       from = max(from, to);
@@ -125,6 +128,10 @@ void main()
 #else
   bool shadowless = boundaries == 0 && startsLit;
 #endif
+#endif
+
+#ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
+  finishFragments();
 #endif
 
   // A channel that does not scatter is dark, whatever the limit of its integral.

@@ -1,75 +1,121 @@
 // Adds to the records of what is drawn over the medium: on the run [runStart, runEnd] of the ray so
 // much of the light passes; undimmed, `sum` is scattered into [from, to] of it, which lies inside
-// the media.
+// the media. Runs come in order, and the records of a pixel are sorted: each is passed once.
 
 uniform int lightBit; // of the light, -1 without surface shadows
 
-void addToFragments(AirlightMedia media, AirlightLight light, ivec2 pixel, AirlightRay ray,
-  AirlightPassing passing, float runStart, float runEnd, float from,
-  vec3 fromTail, float to, vec3 sum)
+uint airlightRadianceNext; // of the sorted records, the first that has not its radiance yet
+uint airlightLitNext;      // and that does not know yet whether it is lit
+uint airlightSortedEnd;
+vec3 airlightSumSoFar; // into the ray so far
+
+void beginFragments(ivec2 pixel)
 {
-  bool isLit = airlightPasses(passing);
-  uint fragment = translucentHeads[airlightTranslucentHead(pixel)];
-  for (int guard = 0; fragment != 0u && guard < airlightTranslucentCapacity; guard++)
-  {
-    float t = airlightTranslucentDistance(fragment);
-    if (isLit && t > from && to > from)
-    {
-      vec3 part = sum;
-      if (t < to)
-      {
-        part = airlightInterval3(
-          media, light, ray, from, fromTail, t, airlightTail3(media, light, ray, t));
-      }
-      airlightAddTranslucentRadiance(fragment, airlightApplyTransmittance(part, passing));
-    }
+  uvec2 sorted = airlightSortedTranslucent(pixel);
+  airlightRadianceNext = sorted.x;
+  airlightLitNext = sorted.x;
+  airlightSortedEnd = sorted.x + sorted.y;
+  airlightSumSoFar = vec3(0.0);
+}
+
+bool airlightHasRadianceBefore(float t)
+{
+  return airlightRadianceNext < airlightSortedEnd &&
+    airlightSortedDistance(airlightRadianceNext) <= t;
+}
+
+void airlightGiveRadiance(vec3 radiance)
+{
+  airlightAddTranslucentRadiance(airlightSortedRecord(airlightRadianceNext), radiance);
+  airlightRadianceNext++;
+}
+
+// Of the record that is next to know whether it is lit.
+float airlightLitDistance()
+{
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
-    t = airlightTranslucentLitDistance(fragment);
-    if (transmittanceSlot >= 0 && t > runStart && t <= runEnd)
+  return airlightTranslucentLitDistance(airlightSortedRecord(airlightLitNext));
+#else
+  return airlightSortedDistance(airlightLitNext);
+#endif
+}
+
+void airlightLightRun(AirlightPassing passing, float runStart, float runEnd)
+{
+  while (airlightLitNext < airlightSortedEnd && airlightLitDistance() <= runEnd)
+  {
+    uint fragment = airlightSortedRecord(airlightLitNext);
+    bool isInside = airlightLitDistance() > runStart;
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
+    if (transmittanceSlot >= 0 && isInside)
     {
       airlightSetTranslucentTransmittance(fragment, transmittanceSlot, airlightPack(passing));
     }
 #endif
-    if (isLit && lightBit >= 0 && t > runStart && t <= runEnd)
+    if (isInside && lightBit >= 0 && airlightPasses(passing))
     {
       airlightSetTranslucentLit(fragment, lightBit);
     }
-    fragment = airlightNextTranslucent(fragment);
+    airlightLitNext++;
+  }
+}
+
+void addToFragments(AirlightMedia media, AirlightLight light, AirlightRay ray,
+  AirlightPassing passing, float runStart, float runEnd, float from,
+  vec3 fromTail, float to, vec3 sum)
+{
+  if (airlightPasses(passing) && to > from)
+  {
+    while (airlightHasRadianceBefore(from))
+    {
+      airlightGiveRadiance(airlightSumSoFar);
+    }
+    while (airlightHasRadianceBefore(to))
+    {
+      float t = airlightSortedDistance(airlightRadianceNext);
+      vec3 part = airlightInterval3(
+        media, light, ray, from, fromTail, t, airlightTail3(media, light, ray, t));
+      airlightGiveRadiance(airlightSumSoFar + airlightApplyTransmittance(part, passing));
+    }
+    airlightSumSoFar += airlightApplyTransmittance(sum, passing);
+  }
+  airlightLightRun(passing, runStart, runEnd);
+}
+
+// After the last run, or the last that this draw does.
+void finishFragments()
+{
+  while (airlightRadianceNext < airlightSortedEnd)
+  {
+    airlightGiveRadiance(airlightSumSoFar);
   }
 }
 
 #ifdef AIRLIGHT_RAY_MARCH
 // The same of a march, step by step: the step [from, to] scatters `part`, those before it `sum`.
-void addStepToFragments(ivec2 pixel, float from, float to, vec3 sum, vec3 part)
+void addStepToFragments(float from, float to, vec3 sum, vec3 part)
 {
-  uint fragment = translucentHeads[airlightTranslucentHead(pixel)];
-  for (int guard = 0; fragment != 0u && guard < airlightTranslucentCapacity; guard++)
+  while (airlightHasRadianceBefore(from))
   {
-    float t = airlightTranslucentDistance(fragment);
-    if (t > from && t <= to)
-    {
-      airlightAddTranslucentRadiance(fragment, sum + (t - from) / (to - from) * part);
-    }
-    fragment = airlightNextTranslucent(fragment);
+    airlightRadianceNext++;
   }
+  while (airlightHasRadianceBefore(to))
+  {
+    float t = airlightSortedDistance(airlightRadianceNext);
+    airlightGiveRadiance(sum + (t - from) / (to - from) * part);
+  }
+  airlightSumSoFar = sum + part;
 }
 
-// After the last step, which ends at `end`.
-void finishFragments(ivec2 pixel, AirlightRay ray, float end, vec3 sum)
+// After the last step.
+void lightFragments(AirlightRay ray)
 {
-  uint fragment = translucentHeads[airlightTranslucentHead(pixel)];
-  for (int guard = 0; fragment != 0u && guard < airlightTranslucentCapacity; guard++)
+  for (uint place = airlightLitNext; place < airlightSortedEnd && lightBit >= 0; place++)
   {
-    float t = airlightTranslucentDistance(fragment);
-    if (t > end)
+    if (airlightIsSurfaceLit(ray.origin + airlightSortedDistance(place) * ray.direction))
     {
-      airlightAddTranslucentRadiance(fragment, sum);
+      airlightSetTranslucentLit(airlightSortedRecord(place), lightBit);
     }
-    if (lightBit >= 0 && airlightIsSurfaceLit(ray.origin + t * ray.direction))
-    {
-      airlightSetTranslucentLit(fragment, lightBit);
-    }
-    fragment = airlightNextTranslucent(fragment);
   }
 }
 #endif

@@ -59,10 +59,15 @@ void airlightFindNodes()
     airlightNodeTranslucent[i] = 0u;
     nearest[i] = 0.5;
   }
-  uint fragment = translucentHeads[airlightTranslucentHead(airlightVolumePixel())];
-  for (int guard = 0; fragment != 0u && guard < airlightTranslucentCapacity; guard++)
+  // Those that can be nodes: half a step more at both ends.
+  float margin = 0.5 * airlightNodeStep;
+  uvec2 sorted = airlightSortedTranslucent(airlightVolumePixel());
+  float last = airlightFirstNode + float(airlightNodeCount - 1) * airlightNodeStep + margin;
+  for (uint at = airlightFindSorted(sorted, airlightFirstNode - margin);
+       at < sorted.x + sorted.y && airlightSortedDistance(at) <= last; at++)
   {
-    float place = (airlightTranslucentDistance(fragment) - airlightFirstNode) / airlightNodeStep;
+    uint fragment = airlightSortedRecord(at);
+    float place = (airlightSortedDistance(at) - airlightFirstNode) / airlightNodeStep;
     int i = int(clamp(floor(place + 0.5), 0.0, float(airlightNodeCount - 1)));
     float apart = abs(place - float(i));
     if (apart < nearest[i])
@@ -70,7 +75,6 @@ void airlightFindNodes()
       airlightNodeTranslucent[i] = fragment;
       nearest[i] = apart;
     }
-    fragment = airlightNextTranslucent(fragment);
   }
 }
 #endif

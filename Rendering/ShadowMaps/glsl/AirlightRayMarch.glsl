@@ -3,8 +3,8 @@
 
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
 // Of AirlightResolveTranslucent.glsl.
-void addStepToFragments(ivec2 pixel, float from, float to, vec3 sum, vec3 part);
-void finishFragments(ivec2 pixel, AirlightRay ray, float end, vec3 sum);
+void addStepToFragments(float from, float to, vec3 sum, vec3 part);
+void lightFragments(AirlightRay ray);
 #endif
 
 // The light that a step scatters into the ray, from parameter a to b.
@@ -32,9 +32,6 @@ vec3 airlightMarched(
   litLength = 0.0;
   boundaries = 0;
   lit = true;
-#ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
-  float marched = airlightMarchDistance(march, airlightMarchStep(march, 0)); // up to where
-#endif
   for (int step = 0; step < marchSteps && march.to > march.from; step++)
   {
     float a = airlightMarchStep(march, step);
@@ -46,7 +43,6 @@ vec3 airlightMarched(
     boundaries += step > 0 && lit != wasLit ? 1 : 0;
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
     vec3 before = sum;
-    marched = airlightMarchDistance(march, b);
 #endif
     if (lit)
     {
@@ -55,12 +51,12 @@ vec3 airlightMarched(
         airlightMarchDistance(march, a), airlightMarchDistance(march, b));
     }
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
-    addStepToFragments(ivec2(airlightPixel()), airlightMarchDistance(march, a), marched,
+    addStepToFragments(airlightMarchDistance(march, a), airlightMarchDistance(march, b),
       light.intensity * before, light.intensity * (sum - before));
 #endif
   }
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
-  finishFragments(ivec2(airlightPixel()), ray, marched, light.intensity * sum);
+  lightFragments(ray);
 #endif
   lit = surface < 0.0 || airlightIsSurfaceLit(ray.origin + surface * ray.direction);
   return light.intensity * sum;

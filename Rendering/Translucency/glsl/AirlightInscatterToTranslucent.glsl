@@ -24,15 +24,15 @@ void airlightCollect()
 void airlightFindTranslucent()
 {
   float t = airlightFragmentDistance();
-  float nearest = AIRLIGHT_FAR;
-  uint fragment = translucentHeads[airlightTranslucentHead(ivec2(airlightPixel()))];
-  for (int guard = 0; fragment != 0u && guard < airlightTranslucentCapacity; guard++)
+  uvec2 sorted = airlightSortedTranslucent(ivec2(airlightPixel()));
+  if (sorted.y == 0u)
   {
-    float apart = abs(airlightTranslucentDistance(fragment) - t);
-    airlightTranslucent = apart < nearest ? fragment : airlightTranslucent;
-    nearest = min(apart, nearest);
-    fragment = airlightNextTranslucent(fragment);
+    return;
   }
+  uint place = min(airlightFindSorted(sorted, t), sorted.x + sorted.y - 1u);
+  uint other = max(place, sorted.x + 1u) - 1u;
+  bool isOther = abs(airlightSortedDistance(other) - t) < abs(airlightSortedDistance(place) - t);
+  airlightTranslucent = airlightSortedRecord(isOther ? other : place);
 }
 
 // Scattered into the ray before the fragment.

@@ -1,7 +1,8 @@
 // What is drawn over the medium: a list of records for each pixel, one for each translucent
-// fragment. The fragments make them in a first draw; each light's resolve adds what it scatters
-// into the ray before the fragment, and whether it reaches it; the fragments look for theirs in the
-// last draw. A record's words are those of AirlightTranslucentRecord.glsl.
+// fragment. The fragments make them in a first draw, in linked lists. AirlightSortTranslucentFS.glsl
+// then gives each pixel an array of its records in the order of distances. Each light's resolve adds
+// what it scatters into the ray before the fragment, and whether it reaches it; the fragments look
+// for theirs in the last draw. A record's words are those of AirlightTranslucentRecord.glsl.
 
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
 uniform int airlightTranslucentWords; // a record's
@@ -12,13 +13,16 @@ const uint AIRLIGHT_TRANSLUCENT_WORDS = AIRLIGHT_TRANSLUCENT_PLAIN_WORDS;
 
 layout(std430, binding = AIRLIGHT_BINDING_TRANSLUCENT_FRAGMENTS) buffer AirlightTranslucentLists
 {
-  uint translucentFragments[];
+  uint translucentFragments[]; // records; then for each of the sorted ones distance and index
 };
 layout(std430, binding = AIRLIGHT_BINDING_TRANSLUCENT_HEADS) buffer AirlightTranslucentHeads
 {
-  uint translucentHeads[]; // counter of records, one head a pixel
+  // Counter of records; for each pixel its list's head, later the first of its sorted records; for
+  // each pixel their number; counter of sorted records.
+  uint translucentHeads[];
 };
-uniform int airlightTranslucentWidth; // of the viewport, pixels
+uniform int airlightTranslucentWidth;  // of the viewport, pixels
+uniform int airlightTranslucentHeight;
 uniform int airlightTranslucentCapacity;
 
 // The first of so many new records. They are counted up to a number far beyond what any buffer
@@ -37,6 +41,46 @@ uint airlightAddTranslucent(uint count)
 uint airlightTranslucentHead(ivec2 pixel)
 {
   return uint(1 + pixel.y * airlightTranslucentWidth + pixel.x);
+}
+
+// The first and the number of a pixel's sorted records.
+uvec2 airlightSortedTranslucent(ivec2 pixel)
+{
+  uint head = airlightTranslucentHead(pixel);
+  uint pixels = uint(airlightTranslucentWidth * airlightTranslucentHeight);
+  return uvec2(translucentHeads[head], translucentHeads[head + pixels]);
+}
+
+// Of a sorted record: its distance and, one further, its index.
+uint airlightSortedWord(uint place)
+{
+  return AIRLIGHT_TRANSLUCENT_WORDS * uint(airlightTranslucentCapacity) + 2u * place;
+}
+
+float airlightSortedDistance(uint place)
+{
+  return uintBitsToFloat(translucentFragments[airlightSortedWord(place)]);
+}
+
+uint airlightSortedRecord(uint place)
+{
+  return translucentFragments[airlightSortedWord(place) + 1u];
+}
+
+// The place of the first of a pixel's sorted records that is not before t; one after the last where
+// all are.
+uint airlightFindSorted(uvec2 sorted, float t)
+{
+  uint low = sorted.x;
+  uint high = sorted.x + sorted.y;
+  while (low < high)
+  {
+    uint middle = (low + high) / 2u;
+    bool before = airlightSortedDistance(middle) < t;
+    low = before ? middle + 1u : low;
+    high = before ? high : middle;
+  }
+  return low;
 }
 
 // The first word of a value of a record.
@@ -109,6 +153,12 @@ float airlightTranslucentLitDistance(uint fragment)
 {
   return uintBitsToFloat(
     translucentFragments[airlightTranslucentWord(fragment, AIRLIGHT_TRANSLUCENT_LIT_DISTANCE)]);
+}
+
+void airlightSetTranslucentLitDistance(uint fragment, float t)
+{
+  translucentFragments[airlightTranslucentWord(fragment, AIRLIGHT_TRANSLUCENT_LIT_DISTANCE)] =
+    floatBitsToUint(t);
 }
 
 // Of what casters leave of the light in place `slot`.
