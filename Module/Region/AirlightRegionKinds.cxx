@@ -109,6 +109,9 @@ bool ConvertRegion(
 {
   const RegionKind* kind = FindKind(medium->GetRegion());
   region.kind = kind->Kind;
+  // Positions that the kind does not use are in one place of the world, too: what is kept for a
+  // region (LightGrids) is kept when the eye moves.
+  region.boxMin = region.boxMax = region.centre = -origin;
   return kind->Convert(medium, origin, region);
 }
 }

@@ -5,6 +5,8 @@
 // of bad values. Its phase functions: TestPhaseFunctions.cxx and TestPhaseErrors.cxx.
 
 #include "AirlightTestCheck.h"
+#include "Integration/AirlightMembers.h"
+#include "Medium/AirlightConvert.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
@@ -16,6 +18,7 @@
 #include <iostream>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 using airlight_test::Check;
@@ -228,6 +231,34 @@ void TestBadInput()
   m->SetBounds(1, 1, 2, 2, 3, 3);
   Check(bounds() == std::vector<double>({ 1, 1, 2, 2, 3, 3 }), "a flat box is accepted");
 }
+
+//------------------------------------------------------------------------------
+// A region is in the same place of the world wherever it is seen from, with all of its positions.
+void TestOrigins()
+{
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetBounds(1, 2, 3, 5, 7, 11);
+  medium->SetCenter(13, 17, 19);
+  const glm::dvec3 near(0.0);
+  const glm::dvec3 far(64.0, -32.0, 16.0); // sums with it are exact
+  for (const int region : { vtkParticipatingMedium::UNBOUNDED, vtkParticipatingMedium::BOX,
+         vtkParticipatingMedium::SPHERE, vtkParticipatingMedium::CYLINDER })
+  {
+    medium->SetRegion(region);
+    const auto a = airlight::ConvertMedia({ medium }, near).item[0].region;
+    const auto b = airlight::ConvertMedia({ medium }, far).item[0].region;
+    airlight::VisitRegion(
+      [&](const airlight::Member& member, const auto& first, const auto& second) {
+        if constexpr (std::is_same_v<decltype(first), const glm::dvec3&>)
+        {
+          Check(!member.IsPosition || first + near == second + far,
+            "region " + std::to_string(region) + ": " + member.Name +
+              " does not move with the eye");
+        }
+      },
+      a, b);
+  }
+}
 }
 
 int TestParticipatingMedium(int, char*[])
@@ -236,5 +267,6 @@ int TestParticipatingMedium(int, char*[])
   TestCoefficients();
   TestDistances();
   TestBadInput();
+  TestOrigins();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
