@@ -3,7 +3,7 @@
 #include "Frame/AirlightFramePlan.h"
 
 #include "Integration/AirlightMath.h"
-#include "MapperShaders/AirlightLightSpecialization.h"
+#include "MapperShaders/AirlightSpecialization.h"
 #include "MapperShaders/AirlightVolumeShader.h"
 
 #include <algorithm>

@@ -48,17 +48,6 @@ bool AreSame(const MaterialSpecialization& a, const MaterialSpecialization& b)
   return a.NoAmbient == b.NoAmbient && a.FullDiffuse == b.FullDiffuse &&
     a.NoSpecular == b.NoSpecular && a.Opaque == b.Opaque;
 }
-
-// VTK declares each of these at most once, and sets those that there are.
-void MakeConstant(std::string& shader, const std::string& uniform, const std::string& value)
-{
-  const std::string declaration = "uniform float " + uniform + ";";
-  const size_t position = shader.find(declaration);
-  if (position != std::string::npos)
-  {
-    shader.replace(position, declaration.size(), "const float " + uniform + " = " + value + ";");
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -144,28 +133,19 @@ bool MaterialSpecializations::Update(vtkProp** props, int count, bool known)
 }
 
 //------------------------------------------------------------------------------
-void MaterialSpecializations::Specialize(std::string& fragmentShader, vtkProp* prop)
+MaterialSpecialization MaterialSpecializations::Compile(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   const auto found = actor ? this->Entries.find(actor->GetMapper()) : this->Entries.end();
   if (found == this->Entries.end())
   {
-    return;
+    return {};
   }
   Entry& entry = found->second;
   vtkTimeStamp now;
   now.Modified();
   entry.Compiled = entry.Current;
   entry.CompileTime = now.GetMTime();
-  const auto specialize = [&](bool known, const char* uniform, const char* value) {
-    if (known)
-    {
-      MakeConstant(fragmentShader, uniform, value);
-    }
-  };
-  specialize(entry.Compiled.NoAmbient, "ambientIntensity", "0.0");
-  specialize(entry.Compiled.FullDiffuse, "diffuseIntensity", "1.0");
-  specialize(entry.Compiled.NoSpecular, "specularIntensity", "0.0");
-  specialize(entry.Compiled.Opaque, "opacityUniform", "1.0");
+  return entry.Compiled;
 }
 }

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the mappers' shaders know of materials when they are made: which parts of VTK's shading come
- * to nothing. A surface has no specular reflection unless its property says so, and software
- * renderers take as long for reflections that are multiplied by 0 as for others.
+ * The coefficients of materials that are known when the mappers' shaders are made
+ * (AirlightSpecialization.h), and when the shaders have to be made again.
  *
  * A mapper's shader serves all actors that share the mapper, and VTK makes it again if it is
  * drawn with a property that has changed since, but not if an actor gets another one.
@@ -12,10 +11,11 @@
 #ifndef AirlightMaterialSpecializations_h
 #define AirlightMaterialSpecializations_h
 
+#include "MapperShaders/AirlightSpecialization.h"
+
 #include "vtkType.h"
 
 #include <map>
-#include <string>
 
 class vtkAbstractMapper;
 class vtkActor;
@@ -23,15 +23,6 @@ class vtkProp;
 
 namespace airlight
 {
-// What is so of a vtkProperty.
-struct MaterialSpecialization
-{
-  bool NoAmbient = false;   // GetAmbient() is 0
-  bool FullDiffuse = false; // GetDiffuse() is 1
-  bool NoSpecular = false;  // GetSpecular() is 0
-  bool Opaque = false;      // GetOpacity() is 1
-};
-
 class MaterialSpecializations
 {
 public:
@@ -40,8 +31,8 @@ public:
   // that no frame depends on those before it.
   bool Update(vtkProp** props, int count, bool known);
 
-  // While a mapper's shader is made: puts in what is known of its actors.
-  void Specialize(std::string& fragmentShader, vtkProp* prop);
+  // While a mapper's shader is made: what is known of its actors. Remembers it as the shader's.
+  MaterialSpecialization Compile(vtkProp* prop);
 
 private:
   struct Entry

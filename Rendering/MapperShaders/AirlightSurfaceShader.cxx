@@ -2,143 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperShaders/AirlightSurfaceShader.h"
 
-#include "AirlightCameraShader.h"
-#include "AirlightDisplay.h"
-#include "AirlightFragment.h"
-#include "AirlightInscatterToFragment.h"
-#include "AirlightInscatterToTranslucent.h"
-#include "AirlightSurface.h"
-#include "AirlightSurfaceIrradiance.h"
-#include "AirlightSurfaceLights.h"
-#include "AirlightSurfaceMedium.h"
-#include "AirlightTransmittanceBuffer.h"
-#include "AirlightVertexMedium.h"
+#include "MapperShaders/AirlightMapperShader.h"
+#include "MapperShaders/AirlightSurfaceDeclarations.h"
 #include "OpenGL/AirlightShaderLibrary.h"
-#include "OpenGL/AirlightStorageBinding.h"
-#include "Translucency/AirlightTranslucentFragments.h"
 
 #include <algorithm>
-#include <regex>
 
 namespace airlight
 {
 namespace
 {
-// What VTK makes of the line for the version, with one that has storage buffers: some compilers
-// refuse them as extensions of 1.50.
-const char* StorageSystem = "#version 430\n"
-                            "#define highp\n"
-                            "#define mediump\n"
-                            "#define lowp\n"
-                            "#define texelFetchBuffer texelFetch\n"
-                            "#define texture1D texture\n"
-                            "#define texture2D texture\n"
-                            "#define texture3D texture\n"
-                            "#define varying in\n";
-
-// The prelude's words must not reach the mapper's own options.
-const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef bool3\n";
-
-std::string DefineStages()
-{
-  const auto define = [](const char* name, SurfaceStage stage) {
-    return std::string("#define AIRLIGHT_STAGE_") + name + " " +
-      std::to_string(static_cast<int>(stage)) + "\n";
-  };
-  return define("DISTANCE", SurfaceStage::Distance) + define("COLOUR", SurfaceStage::Colour) +
-    define("TRANSLUCENT", SurfaceStage::Translucent) + define("COLLECT", SurfaceStage::Collect);
-}
-
-bool HasRecords(const SurfaceShaderOptions& options)
-{
-  return options.InPass && options.Translucent && options.TranslucentFragments;
-}
-
-bool HasShadowTransmittance(const SurfaceShaderOptions& options)
-{
-  return options.InPass && options.TransmitsShadows;
-}
-
-// What both shaders begin with.
-std::string CommonDeclarations(const SurfaceShaderOptions& options)
-{
-  const auto define = [](const char* name, int value) {
-    return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
-  };
-  return options.Mathematics + DefineStages() +
-    define("TRANSLUCENT_FRAGMENTS", HasRecords(options)) +
-    define("SHADOW_TRANSMITTANCE", HasShadowTransmittance(options)) +
-    define("SCENE_LIGHTS", options.SceneLightCount) + define("BITS", BitsPerChannel) +
-    define("ONLY_COLOURS",
-      options.SingleGeometryPass && options.ViewportIsTarget && !options.Translucent) +
-    define("MORE_LIT", options.SceneLightCount > BitsPerChannel) +
-    define("IN_PASS", options.InPass) + define("READS_LIT", options.InPass && options.ReadsLit) +
-    define("AT_VERTICES", options.AtVertices) +
-    (options.ViewportIsTarget
-        ? define("PARALLEL", options.Parallel) + define("FRAGMENT_IS_PIXEL", 1)
-        : "") +
-    DefineEachLight(options.Lights, options.ShadowingLight) + AirlightSurfaceLights;
-}
-
-std::string StorageDeclarations(const SurfaceShaderOptions& options)
-{
-  return (HasRecords(options) || HasShadowTransmittance(options) ? DefineStorageBindings() : "") +
-    (HasRecords(options) ? TranslucentFragments::GetSource() : "") +
-    (HasShadowTransmittance(options) ? AirlightTransmittanceBuffer : "");
-}
-
-std::string Declarations(const SurfaceShaderOptions& options)
-{
-  const std::string scattered = options.ScatteringLightCount > 0
-    ? "#define AIRLIGHT_SCATTERING_LIGHTS " + std::to_string(options.ScatteringLightCount) + "\n" +
-      AirlightSurfaceIrradiance
-    : "";
-  const char* before = HasRecords(options) ? AirlightInscatterToTranslucent
-    : options.AtVertices                   ? ""
-                                           : AirlightInscatterToFragment;
-  const std::string medium =
-    options.Translucent ? std::string(before) + AirlightDisplay + AirlightSurfaceMedium : "";
-  return CommonDeclarations(options) + AirlightCameraShader + AirlightFragment +
-    StorageDeclarations(options) + AirlightSurface + scattered + medium + Undefine;
-}
-
 // Adds scattered light where VTK's templates add up their lighting: as a light of that colour that
 // meets the surface head on, in the diffuse part. Unlit shaders have neither place.
-std::string AddScatteredIrradiance(const std::string& body)
+void AddScatteredIrradiance(std::string& body)
 {
   const std::string scattered = "airlightScatteredColour(normalVCVSOutput)";
-  static const std::regex phong("\\bambientColor \\+ diffuse \\+ specular\\b");
-  static const std::regex physical("\\bcolor \\+= Lo;");
-  return std::regex_replace(
-    std::regex_replace(
-      body, phong, "ambientColor + diffuse + diffuseColor * " + scattered + " + specular"),
-    physical, "color += Lo + (1.0 - metallic) * DiffuseLambert(albedo) * " + scattered + ";");
+  ReplaceText(body, MapperText::PhongSum,
+    "ambientColor + diffuse + diffuseColor * " + scattered + " + specular");
+  ReplaceText(body, MapperText::PhysicalSum,
+    "color += Lo + (1.0 - metallic) * DiffuseLambert(albedo) * " + scattered + ";");
 }
 
 // Puts the fragment behind the medium, before other passes make of it what they blend.
-std::string AddMedium(const std::string& body)
+void AddMedium(std::string& body)
 {
-  const std::string marker = "//VTK::DepthPeeling::Impl";
-  const size_t position = body.find(marker);
-  return position == std::string::npos ? body
-                                       : body.substr(0, position) +
-      "\n  gl_FragData[0].rgb = airlightApplyMedium(gl_FragData[0].rgb);\n  " +
-      body.substr(position);
-}
-
-std::string WithoutComments(const std::string& body)
-{
-  static const std::regex comment("//[^\n]*");
-  return std::regex_replace(body, comment, "");
+  InsertBefore(body, MapperText::Blending,
+    "\n  gl_FragData[0].rgb = airlightApplyMedium(gl_FragData[0].rgb);\n  ");
 }
 
 // Whether nothing but the template's own test of the final opacity can discard a fragment. Then a
 // fragment of an opaque surface is as good as drawn before it is shaded. `body` without comments.
 bool MayLeaveEarly(const std::string& body)
 {
-  const size_t first = body.find("discard");
-  return (first == std::string::npos || body.find("discard", first + 1) == std::string::npos) &&
-    body.find("texture(") == std::string::npos && body.find("gl_FragDepth") == std::string::npos;
+  return CountText(body, MapperText::Discard) <= 1 && !HasText(body, MapperText::TextureLookup) &&
+    !HasText(body, MapperText::FragmentDepth);
 }
 
 // Whether the mapper's shading has the places of lights and of the fragment, which is drawn where
@@ -148,14 +45,12 @@ bool HasPositions(
 {
   for (size_t k = 0; k < known.size(); ++k)
   {
-    if (known[k].Positional &&
-      shader.find("uniform vec3 lightPositionVC" + std::to_string(k) + ";") == std::string::npos)
+    if (known[k].Positional && !HasText(shader, MapperText::LightPosition, k))
     {
       return false;
     }
   }
-  return shader.find("in vec4 vertexVCVSOutput;") != std::string::npos &&
-    body.find("gl_FragDepth") == std::string::npos;
+  return HasText(shader, MapperText::FragmentPosition) && !HasText(body, MapperText::FragmentDepth);
 }
 
 // Below 0 in green: no shader that writes colours does that.
@@ -198,89 +93,57 @@ std::string MakeSingleGeometryPass(const SurfaceShaderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-void AddExtensions(std::string& shader, const SurfaceShaderOptions& options)
-{
-  const std::string system = "//VTK::System::Dec"; // VTK's line for the version, which is 1.50
-  const size_t line = shader.find(system);
-  if (line == std::string::npos)
-  {
-    return;
-  }
-  if (HasRecords(options) || HasShadowTransmittance(options))
-  {
-    shader.replace(line, system.size(), StorageSystem);
-    return;
-  }
-  shader.insert(line + system.size(), "\n#extension GL_ARB_gpu_shader5 : enable\n");
-}
-
-//------------------------------------------------------------------------------
-std::string GetVolumeDeclarations(const SurfaceShaderOptions& options, const std::string& volume)
-{
-  return CommonDeclarations(options) + AirlightCameraShader + AirlightFragment +
-    StorageDeclarations(options) + AirlightSurface +
-    (HasRecords(options) ? AirlightInscatterToTranslucent : AirlightInscatterToFragment) +
-    AirlightDisplay + volume + Undefine;
-}
-
-//------------------------------------------------------------------------------
 void InjectSurfaceShader(
   std::string& fragmentShader, const SurfaceShaderOptions& options, bool pointGaussians)
 {
-  const size_t mainStart = fragmentShader.find("void main");
-  const size_t bodyStart = fragmentShader.find('{', mainStart);
-  const size_t bodyEnd = fragmentShader.rfind('}');
-  if (mainStart == std::string::npos || bodyStart == std::string::npos || bodyEnd < bodyStart ||
-    fragmentShader.find("airlightReceivedLight") != std::string::npos)
+  const std::optional<SplitShader> split = SplitAtMain(fragmentShader);
+  if (!split || fragmentShader.find("airlightReceivedLight") != std::string::npos)
   {
     return;
   }
-  const std::string body = fragmentShader.substr(bodyStart + 1, bodyEnd - bodyStart - 1);
-
-  // VTK names the lights lightColor0, lightColor1, ...
-  static const std::regex lightColor("\\blightColor([0-9]+)\\b");
-  const bool anyLight = std::regex_search(body, lightColor);
-  std::string lit = SpecializeLightTypes(
-    std::regex_replace(body, lightColor, "(lightColor$1 * airlightReceivedLight[$1])"),
-    options.Lights);
-  lit = options.ScatteringLightCount > 0 ? AddScatteredIrradiance(lit) : lit;
-  lit = options.Translucent ? AddMedium(lit) : lit;
+  std::string lit = split->Body;
+  const bool anyLight =
+    ReplaceText(lit, MapperText::LightColour, "($& * airlightReceivedLight[$1])");
+  if (options.ScatteringLightCount > 0)
+  {
+    AddScatteredIrradiance(lit);
+  }
+  if (options.Translucent)
+  {
+    AddMedium(lit);
+  }
   const bool records = HasRecords(options);
   const bool hides = pointGaussians || options.Hides;
   const std::string hide = hides ? "  if (airlightHidden != 0)\n  {\n    discard;\n  }\n" : "";
   const std::string find = records ? "  if (airlightStage == AIRLIGHT_STAGE_TRANSLUCENT)\n  {\n    "
                                      "airlightFindTranslucent();\n  }\n"
                                    : "";
-  const std::string bare = WithoutComments(body);
+  const std::string bare = RemoveComments(split->Body);
   const bool early = MayLeaveEarly(bare);
   const std::string others = options.InPass ? OtherStages(records, early) : "";
   const std::string shade =
     (options.SingleGeometryPass ? "void airlightShade()\n{\n" : "void main()\n{\n") + hide +
     (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
-    (early ? "" : others) + fragmentShader.substr(bodyEnd) +
+    (early ? "" : others) + split->After +
     (options.SingleGeometryPass ? MakeSingleGeometryPass(options) : "");
-  fragmentShader.replace(mainStart, fragmentShader.size(),
-    (options.UniformMedia && HasPositions(fragmentShader, bare, options.Lights)
-        ? "#define AIRLIGHT_UNIFORM_MEDIA\n"
-        : "") +
-      Declarations(options) + (hides ? "uniform int airlightHidden;\n" : "") +
-      (early && options.InPass ? DepthPrePassBranch(hide, shade) : shade));
+  const bool positions = options.UniformMedia && HasPositions(fragmentShader, bare, options.Lights);
+  fragmentShader = split->Before + (positions ? "#define AIRLIGHT_UNIFORM_MEDIA\n" : "") +
+    GetSurfaceDeclarations(options) + (hides ? "uniform int airlightHidden;\n" : "") +
+    (early && options.InPass ? DepthPrePassBranch(hide, shade) : shade);
   AddExtensions(fragmentShader, options);
 }
 
 //------------------------------------------------------------------------------
 void InjectVertexShader(std::string& vertexShader, const SurfaceShaderOptions& options)
 {
-  const size_t mainStart = vertexShader.find("void main");
-  const size_t bodyStart = vertexShader.find('{', mainStart);
-  if (mainStart == std::string::npos || bodyStart == std::string::npos)
+  const std::optional<SplitShader> split = SplitAtMain(vertexShader);
+  if (!split)
   {
     return;
   }
-  vertexShader.insert(
-    bodyStart + 1, "\n  airlightAtVertex((airlightVertexToEye * vertexMC).xyz);\n");
-  vertexShader.insert(mainStart,
-    CommonDeclarations(options) + AirlightInscatterToFragment + AirlightVertexMedium + Undefine);
+  vertexShader = split->Before + GetVertexDeclarations(options) +
+    "void main()\n{\n  airlightAtVertex((airlightVertexToEye * vertexMC).xyz);\n" + split->Body +
+    split->After;
   AddExtensions(vertexShader, options);
 }
 

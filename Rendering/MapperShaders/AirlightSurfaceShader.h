@@ -9,8 +9,10 @@
 #ifndef AirlightSurfaceShader_h
 #define AirlightSurfaceShader_h
 
-#include "MapperShaders/AirlightLightSpecialization.h"
+#include "MapperShaders/AirlightSpecialization.h"
 #include "Scene/AirlightSceneLights.h"
+
+#include "vtkAirlightModule.h" // for export macro
 
 #include <string>
 #include <vector>
@@ -62,14 +64,8 @@ struct SurfaceShaderOptions
 // Scattered light is added to the diffuse part of the models that VTK has. Shaders without main()
 // are left alone. Where fragments are put behind the medium, that is the last thing before VTK's
 // marker for the passes of translucent surfaces.
-void InjectSurfaceShader(
+VTKAIRLIGHT_EXPORT void InjectSurfaceShader(
   std::string& fragmentShader, const SurfaceShaderOptions& text, bool pointGaussians = false);
-
-// The declarations for a volume's fragment shader that come before `volume`, and that.
-std::string GetVolumeDeclarations(const SurfaceShaderOptions& text, const std::string& volume);
-
-// Asks for what the text needs, and for what it uses where there is such a thing.
-void AddExtensions(std::string& shader, const SurfaceShaderOptions& text);
 
 // Rewrites a mapper's vertex shader for SurfaceShaderOptions::AtVertices.
 void InjectVertexShader(std::string& vertexShader, const SurfaceShaderOptions& text);

@@ -4,6 +4,8 @@
 
 #include "AirlightVolume.h"
 #include "Integration/AirlightMatrix.h"
+#include "MapperShaders/AirlightMapperShader.h"
+#include "MapperShaders/AirlightSurfaceDeclarations.h"
 #include "Scene/AirlightCameraUniforms.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
@@ -13,7 +15,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <regex>
 
 namespace airlight
 {
@@ -22,67 +23,37 @@ namespace
 const std::string DeclarationMark = "//Airlight::Dec\n";
 const std::string StartMark = "//Airlight::Start\n";
 
-void Mark(std::string& shader, const std::string& tag, const std::string& mark, bool after)
-{
-  const size_t position = shader.find(tag);
-  if (position != std::string::npos)
-  {
-    shader.insert(position + (after ? tag.size() : 0), (after ? "\n" : "") + mark);
-  }
-}
-
-bool Replace(std::string& shader, const std::string& what, const std::string& with)
-{
-  const size_t position = shader.find(what);
-  if (position == std::string::npos)
-  {
-    return false;
-  }
-  shader.replace(position, what.size(), with);
-  return true;
-}
-
-// VTK's scale of colours acts on the blended sum, whose samples it can as well be applied to.
+// VTK scales and shifts the colours of the blended sum; the samples can have it as well.
 bool MoveScale(std::string& shader)
 {
-  static const std::regex line(
-    "g_fragColor\\.([rgb]) = g_fragColor\\.\\1 \\* in_scale \\+ in_bias \\* g_fragColor\\.a;");
-  const auto count =
-    std::distance(std::sregex_iterator(shader.begin(), shader.end(), line), std::sregex_iterator());
-  shader = std::regex_replace(shader, line, "");
-  return count == 3;
+  const bool complete = CountText(shader, MapperText::VolumeScale) == 3;
+  ReplaceText(shader, MapperText::VolumeScale, "");
+  return complete;
 }
 
 // Where VTK blends a sample with those before it.
 bool AddMedium(std::string& shader)
 {
-  static const std::regex blend(
-    "g_fragColor = \\(1\\.0f - g_fragColor\\.a\\) \\* (g_srcColor|tmp) \\+ g_fragColor;");
-  static const std::regex slice("g_fragColor\\.rgb \\*= opacity;");
-  const std::string scale = ".rgb = $1.rgb * in_scale + in_bias * $1.a;\n";
-  const std::string whole = shader;
-  shader = std::regex_replace(
-    shader, blend, "$1" + scale + "$1 = airlightApplyMediumToVolume($1);\n" + "$&");
-  shader = std::regex_replace(shader, slice,
+  const bool blends = ReplaceText(shader, MapperText::VolumeBlending,
+    "$1.rgb = $1.rgb * in_scale + in_bias * $1.a;\n$1 = airlightApplyMediumToVolume($1);\n$&");
+  const bool slices = ReplaceText(shader, MapperText::VolumeSlice,
     "$&\ng_fragColor.rgb = g_fragColor.rgb * in_scale + in_bias * g_fragColor.a;\n"
     "g_fragColor = airlightApplyMediumToVolume(g_fragColor);");
-  return shader != whole;
+  return blends || slices;
 }
 
 // Every mention of a light's colour in VTK's shading; where there are some, in computeLighting().
-// VTK 9.1 numbers lights as the renderer has them, 9.2 and later those with a position first.
 void AddLights(std::string& shader)
 {
-  static const std::regex colour("in_light(Diffuse|Specular)Color\\[(lightNum|0)\\]");
-  static const std::regex sorted("in_light(Diffuse|Specular)Color\\[(posNum|dirNum)\\]");
-  const std::string whole = shader;
-  shader = std::regex_replace(shader, colour, "($& * airlightReceivedLight[$2])");
-  shader = std::regex_replace(
-    shader, sorted, "($& * airlightReceivedLight[airlightSortedSceneLights[$2]])");
-  if (shader != whole)
+  const bool headlight =
+    ReplaceText(shader, MapperText::VolumeHeadlightColour, "($& * airlightReceivedLight[0])");
+  const bool numbered =
+    ReplaceText(shader, MapperText::VolumeLightColour, "($& * airlightReceivedLight[lightNum])");
+  const bool sorted = ReplaceText(shader, MapperText::VolumeSortedLightColour,
+    "($& * airlightReceivedLight[airlightSortedSceneLights[$2]])");
+  if (headlight || numbered || sorted)
   {
-    Replace(shader, "vec4 finalColor = vec4(0.0);",
-      "vec4 finalColor = vec4(0.0);\n  airlightReceiveSample();");
+    InsertAfter(shader, MapperText::VolumeLighting, "\n  airlightReceiveSample();");
   }
 }
 }
@@ -91,8 +62,8 @@ void AddLights(std::string& shader)
 void MarkVolumeShader(std::string& fragmentShader)
 {
   // After what VTK declares first, and at the end of what it does once.
-  Mark(fragmentShader, "//VTK::Termination::Dec", DeclarationMark, false);
-  Mark(fragmentShader, "//VTK::DepthPass::Init", StartMark, true);
+  InsertBefore(fragmentShader, MapperText::VolumeDeclarations, DeclarationMark);
+  InsertAfter(fragmentShader, MapperText::VolumeStart, "\n" + StartMark);
 }
 
 //------------------------------------------------------------------------------
@@ -100,8 +71,8 @@ void InjectVolumeShader(std::string& fragmentShader, const SurfaceShaderOptions&
 {
   std::string shader = fragmentShader;
   if (!options.Translucent || !AddMedium(shader) || !MoveScale(shader) ||
-    !Replace(shader, StartMark, "airlightStartVolume();\n") ||
-    !Replace(shader, DeclarationMark, GetVolumeDeclarations(options, AirlightVolume)))
+    !ReplaceFirst(shader, StartMark, "airlightStartVolume();\n") ||
+    !ReplaceFirst(shader, DeclarationMark, GetVolumeDeclarations(options, AirlightVolume)))
   {
     return;
   }

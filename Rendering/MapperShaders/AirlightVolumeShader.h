@@ -10,6 +10,8 @@
 
 #include "MapperShaders/AirlightSurfaceUniforms.h"
 
+#include "vtkAirlightModule.h" // for export macro
+
 #include <cstdint>
 #include <string>
 
@@ -22,11 +24,12 @@ namespace airlight
 constexpr int MaximumVolumeNodes = 16;
 
 // Marks places in the template of a volume's fragment shader, before VTK fills it in.
-void MarkVolumeShader(std::string& fragmentShader);
+VTKAIRLIGHT_EXPORT void MarkVolumeShader(std::string& fragmentShader);
 
 // Rewrites the shader that VTK has made of it. It is left alone where samples are not blended one
 // by one over each other (projections: maximum, minimum, average, sum), and where it is not VTK's.
-void InjectVolumeShader(std::string& fragmentShader, const SurfaceShaderOptions& options);
+VTKAIRLIGHT_EXPORT void InjectVolumeShader(
+  std::string& fragmentShader, const SurfaceShaderOptions& options);
 
 // Whether a program has been rewritten so.
 bool IsVolumeProgram(vtkShaderProgram* program);

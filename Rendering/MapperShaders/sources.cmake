@@ -3,9 +3,11 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightDepthPrePassVariants
-    AirlightLightSpecialization
+    AirlightMapperShader
     AirlightMaterialSpecializations
     AirlightPolyDataMapperShader
+    AirlightSpecialization
+    AirlightSurfaceDeclarations
     AirlightSurfaceShader
     AirlightSurfaceUniforms
     AirlightVolumeShader

@@ -97,7 +97,7 @@ void MapperHooks::ChangeShader(const std::string& vertex, const std::string& geo
   }
   else
   {
-    this->Materials.Specialize(changed, prop);
+    SpecializeShader(changed, { this->Options.Lights, this->Materials.Compile(prop) });
     this->ChangeSurfaceShader(changed, AirlightScenePass::IsPointGaussians(prop));
   }
   if (this->Window && IsLastToChange(this->Pass, prop) &&
