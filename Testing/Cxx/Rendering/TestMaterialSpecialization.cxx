@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What mappers' shaders know of materials when they are made (AirlightMaterialSpecializations.h)
+// What mappers' shaders know of materials when they are made (AirlightSpecialization.h)
 // changes no picture, whatever becomes of the materials: it is that of shaders that ask for all
 // numbers, or of a fresh scene.
 
