@@ -96,12 +96,23 @@ void AddParts(SceneProp& to)
   }
 }
 
+void AddActors(SceneProp& to)
+{
+  vtkNew<vtkPropCollection> found;
+  to.Prop->GetActors(found);
+  vtkCollectionSimpleIterator it = nullptr;
+  found->InitTraversal(it);
+  while (vtkProp* item = found->GetNextProp(it))
+  {
+    if (auto* actor = vtkActor::SafeDownCast(item))
+    {
+      to.Actors.push_back(actor);
+    }
+  }
+}
+
 void AddVolumes(SceneProp& to)
 {
-  if (to.Prop->IsA("vtkActor"))
-  {
-    return;
-  }
   vtkNew<vtkPropCollection> found;
   to.Prop->GetVolumes(found);
   vtkCollectionSimpleIterator it = nullptr;
@@ -167,10 +178,15 @@ void SceneProps::Add(vtkProp* prop, bool inView)
   if (visible)
   {
     AddParts(item);
-    if (inView)
-    {
-      AddVolumes(item);
-    }
+  }
+  if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    item.Actors.push_back(actor); // which holds no other
+  }
+  else if (inView && visible)
+  {
+    AddActors(item);
+    AddVolumes(item);
   }
   this->Props.push_back(std::move(item));
 }

@@ -42,8 +42,10 @@ struct SceneProp
   std::vector<ScenePart> Parts;
   // What draws no actor: volumes, annotations, a vtkLODProp3D that shows a volume or an image.
   std::vector<vtkProp*> OtherParts;
-  // Visible volumes with a mapper. Of props in view alone.
+  // Of props in view alone: visible volumes with a mapper, and all actors that it can draw, hidden
+  // parts and all levels of detail included.
   std::vector<vtkVolume*> Volumes;
+  std::vector<vtkActor*> Actors;
 };
 
 class VTKAIRLIGHT_EXPORT SceneProps

@@ -6,8 +6,6 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
-#include "vtkNew.h"
-#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkTimeStamp.h"
 
@@ -67,32 +65,6 @@ void MaterialSpecializations::AddActor(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-void MaterialSpecializations::AddActors(vtkProp** props, int count)
-{
-  vtkNew<vtkPropCollection> parts;
-  for (int i = 0; i < count; ++i)
-  {
-    if (auto* actor = vtkActor::SafeDownCast(props[i]))
-    {
-      this->AddActor(actor);
-    }
-    else
-    {
-      props[i]->GetActors(parts);
-    }
-  }
-  vtkCollectionSimpleIterator it = nullptr;
-  parts->InitTraversal(it);
-  while (vtkProp* part = parts->GetNextProp(it))
-  {
-    if (auto* actor = vtkActor::SafeDownCast(part))
-    {
-      this->AddActor(actor);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 // All shaders are made again when they are drawn next, and those of mappers that this frame does
 // not draw know nothing until then.
 void MaterialSpecializations::Invalidate()
@@ -105,7 +77,7 @@ void MaterialSpecializations::Invalidate()
 }
 
 //------------------------------------------------------------------------------
-bool MaterialSpecializations::Update(vtkProp** props, int count, bool known)
+bool MaterialSpecializations::Update(const std::vector<vtkActor*>& actors, bool known)
 {
   for (auto& entry : this->Entries)
   {
@@ -113,7 +85,7 @@ bool MaterialSpecializations::Update(vtkProp** props, int count, bool known)
   }
   if (known)
   {
-    this->AddActors(props, count);
+    std::for_each(actors.begin(), actors.end(), [this](vtkActor* actor) { this->AddActor(actor); });
   }
   const auto isOld = [](const auto& item) {
     const Entry& entry = item.second;
@@ -121,7 +93,7 @@ bool MaterialSpecializations::Update(vtkProp** props, int count, bool known)
       !AreSame(entry.Compiled, entry.Current);
   };
   constexpr size_t few = 100; // that are not drawn any more
-  const bool many = this->Entries.size() > 2 * static_cast<size_t>(count) + few;
+  const bool many = this->Entries.size() > 2 * actors.size() + few;
   const bool old = known != this->CoversAll || many ||
     std::any_of(this->Entries.begin(), this->Entries.end(), isOld);
   this->CoversAll = known;

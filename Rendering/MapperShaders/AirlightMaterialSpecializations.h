@@ -16,6 +16,7 @@
 #include "vtkType.h"
 
 #include <map>
+#include <vector>
 
 class vtkAbstractMapper;
 class vtkActor;
@@ -29,7 +30,7 @@ public:
   // Before a frame: of all that it draws. `known`: whether that is all of it. True where some
   // mapper's shader says something else and VTK would not make it again: then all are to be, so
   // that no frame depends on those before it.
-  bool Update(vtkProp** props, int count, bool known);
+  bool Update(const std::vector<vtkActor*>& actors, bool known);
 
   // While a mapper's shader is made: what is known of its actors. Remembers it as the shader's.
   MaterialSpecialization Compile(vtkProp* prop);
@@ -44,7 +45,6 @@ private:
     bool Drawn = false;              // in this frame
   };
   void AddActor(vtkActor* actor);
-  void AddActors(vtkProp** props, int count);
   void Invalidate();
 
   std::map<vtkAbstractMapper*, Entry> Entries; // not read through

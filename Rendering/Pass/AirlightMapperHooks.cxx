@@ -19,7 +19,7 @@ void MapperHooks::Update(const FramePlan& plan, const f64::AirlightMedia& media,
   this->Window = input.Window;
   this->NotCompiled.clear();
   this->UpdateOptions(plan, media, sceneLights, input);
-  if (this->Materials.Update(input.Props, input.NumberOfProps, plan.AllShadersInjectable))
+  if (this->Materials.Update(input.Actors, plan.AllShadersInjectable))
   {
     this->ShaderTime.Modified();
   }

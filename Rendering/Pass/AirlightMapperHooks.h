@@ -20,6 +20,7 @@
 #include <vector>
 
 class vtkAbstractMapper;
+class vtkActor;
 class vtkObjectBase;
 class vtkOpenGLRenderWindow;
 class vtkProp;
@@ -41,8 +42,7 @@ public:
     bool StorageBuffers;
     bool Parallel;
     bool Delegate;
-    vtkProp** Props;
-    int NumberOfProps;
+    const std::vector<vtkActor*>& Actors; // all that the frame can draw
   };
   void Update(const FramePlan& plan, const f64::AirlightMedia& media,
     const std::vector<SceneLight>& sceneLights, const FrameInput& input);

@@ -179,7 +179,7 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
   }
   this->Mappers.Update(plan, scene.Converted, scene.Lights,
     { scene.Window, limits.StorageBuffers, scene.Rays.IsParallel(), settings.Delegate != nullptr,
-      s->GetPropArray(), s->GetPropArrayCount() });
+      scene.Support->Actors });
   return this->Draw(s, plan, scene, viewport);
 }
 

@@ -108,6 +108,7 @@ SceneSupport::SceneSupport(
     {
       this->AddProp(item.Prop);
       this->AddVolumes(item);
+      this->Actors.insert(this->Actors.end(), item.Actors.begin(), item.Actors.end());
     }
   }
   const bool removesLines = renderer->GetUseHiddenLineRemoval() != 0;

@@ -9,6 +9,7 @@
 
 #include <vector>
 
+class vtkActor;
 class vtkProp;
 class vtkRenderPass;
 class vtkRenderer;
@@ -45,6 +46,9 @@ struct SceneSupport
   std::vector<vtkProp*> Solids;
 
   std::vector<vtkVolume*> Volumes;
+
+  // All that the props can draw.
+  std::vector<vtkActor*> Actors;
 
   // Props that hold volumes whose mappers use shaders of the graphics card, and may be rewritten.
   std::vector<vtkProp*> RayCast;

@@ -111,6 +111,7 @@ void CheckAssembly()
   Check(item->Parts[1].Actor == second && GetX(item->Parts[1]) == 12.0, "the second part's place");
   Check(item->Parts[0].Casts && !item->Parts[1].Casts, "each part by its own key");
   Check(item->Volumes.size() == 1 && item->Volumes[0] == volume, "volumes that have a mapper");
+  Check(item->Actors.size() == 3, "all actors that an assembly can draw");
 
   SetCastsShadow(assembly, false);
   const SceneProps none(renderer);
@@ -136,6 +137,7 @@ void CheckLevels()
   const SceneProp* item = Find(selected, levels);
   Check(item && item->Parts.size() == 1 && item->Parts[0].Actor->GetMapper() == coarse,
     "the level that is selected");
+  Check(item && item->Actors.size() == 2, "all levels that are actors");
   levels->SetSelectedLODID(volume);
   const SceneProps other(renderer);
   item = Find(other, levels);
