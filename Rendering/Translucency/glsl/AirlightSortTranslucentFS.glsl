@@ -1,5 +1,5 @@
-// Puts the records of each pixel's list into an array, in the order of their distances (D. L. Shell,
-// "A high-speed sorting procedure", 1959: few lines, and no list is too long for it).
+// Puts the records of each pixel's list into an array, in the order of their distances (D. L.
+// Shell, "A high-speed sorting procedure", 1959: few lines, and no list is too long for it).
 
 void airlightSetSorted(uint place, uint distance, uint record)
 {
@@ -63,7 +63,7 @@ void main()
   translucentHeads[head] = first;
   airlightSortArray(first, count);
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
-  // A record is lit at a distance just before its own. In the same order, they are passed in one go.
+  // A record is lit at a distance just before its own. These get the same order, for one cursor.
   float before = 0.0;
   for (uint i = 0u; i < count; i++)
   {

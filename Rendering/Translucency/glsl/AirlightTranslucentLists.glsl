@@ -1,8 +1,9 @@
 // What is drawn over the medium: a list of records for each pixel, one for each translucent
-// fragment. The fragments make them in a first draw, in linked lists. AirlightSortTranslucentFS.glsl
-// then gives each pixel an array of its records in the order of distances. Each light's resolve adds
-// what it scatters into the ray before the fragment, and whether it reaches it; the fragments look
-// for theirs in the last draw. A record's words are those of AirlightTranslucentRecord.glsl.
+// fragment. The fragments make them in a first draw, in linked lists.
+// AirlightSortTranslucentFS.glsl then gives each pixel an array of its records in the order of
+// distances. Each light's resolve adds what it scatters into the ray before the fragment, and
+// whether it reaches it; the fragments look for theirs in the last draw. A record's words are those
+// of AirlightTranslucentRecord.glsl.
 
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
 uniform int airlightTranslucentWords; // a record's
