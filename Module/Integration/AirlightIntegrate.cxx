@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Integration/AirlightIntegrate.h"
 
-#include "Integration/AirlightAdaptive.h"
-#include "Integration/AirlightGridQuadrature.h"
+#include "Integration/AirlightAdaptiveQuadrature.h"
+#include "Integration/AirlightRayCuts.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace airlight
 {
@@ -26,9 +25,7 @@ glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::Airligh
     return f64::airlightInterval3(media, light, ray, from,
       f64::airlightTail3(media, light, ray, from), to, f64::airlightTail3(media, light, ray, to));
   }
-  return light.intensity *
-    (HasGrid(media) ? GridQuadrature(media, light, ray, from, to)
-                    : AdaptiveQuadrature(media, light, ray, from, to));
+  return light.intensity * AdaptiveQuadrature(media, light, ray).Integrate(from, to);
 }
 
 //------------------------------------------------------------------------------
@@ -39,25 +36,10 @@ glm::dvec3 IntegrateAmbient(
   {
     return f64::airlightAmbient(media, origin, direction, to);
   }
-  std::vector<double> cuts = { 0.0, to };
-  for (int i = 0; i < media.count; ++i)
-  {
-    const f64::AirlightMedium& medium = media.item[i];
-    if (medium.density == AIRLIGHT_DENSITY_GRID)
-    {
-      medium.grid->AddCuts(medium.gridOrigin + origin, direction, 0.0, to, cuts);
-    }
-  }
-  std::sort(cuts.begin(), cuts.end());
   glm::dvec3 sum(0.0);
-  for (size_t i = 1; i < cuts.size(); ++i)
+  for (const f64::AirlightPiece& piece : FindPieces(media, origin, direction, 0.0, to))
   {
-    for (double t = cuts[i - 1]; t < cuts[i];)
-    {
-      const f64::AirlightPiece piece = f64::airlightPieceAt(media, origin, direction, t, cuts[i]);
-      sum += f64::airlightAmbientInPiece(media, piece, origin, direction);
-      t = piece.to;
-    }
+    sum += f64::airlightAmbientInPiece(media, piece, origin, direction);
   }
   return sum;
 }

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
-    AirlightAdaptive
-    AirlightGridQuadrature
+    AirlightAdaptiveQuadrature
     AirlightIntegrate
+    AirlightRayCuts
   HEADERS
     AirlightFunctions.inl
     AirlightMath.h

@@ -42,7 +42,7 @@ AIRLIGHT_FN real2 airlightGaussNode(int k)
 AIRLIGHT_FN real2 airlightRoughWeight(int k)
 {
 #ifdef AIRLIGHT_DOUBLE
-  return real2(real(0.0) * real(k)); // not needed: see AirlightAdaptive.cxx
+  return real2(real(0.0) * real(k)); // not needed: see AirlightAdaptiveQuadrature.h
 #else
   if (k == 0)
     return real2(-0.26738967142620357, -0.7849065579218125);

@@ -36,7 +36,7 @@ int airlightTries = 0;
 #endif
 
 // Whether what is between a panel's ends and its outermost nodes is looked at, too.
-#if AIRLIGHT_HAS_SURFACE && !defined(AIRLIGHT_DOUBLE) // see AirlightAdaptive.cxx
+#if AIRLIGHT_HAS_SURFACE && !defined(AIRLIGHT_DOUBLE) // see AirlightAdaptiveQuadrature.h
 #define AIRLIGHT_CHECK_ENDS 1
 #else
 #define AIRLIGHT_CHECK_ENDS 0
