@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Density/AirlightDensityGrid.h"
 
+#include "Integration/AirlightMath.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -9,15 +11,44 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
+
+// The shaders' mathematics in double precision, with samples in memory, x fastest.
+#define AIRLIGHT_FN inline
+#define AIRLIGHT_IN(T) const T&
+#define AIRLIGHT_INOUT(T) T&
+#define AIRLIGHT_SAMPLES const double*
+#define AIRLIGHT_LAYER FetchLayer
+#define AIRLIGHT_DOUBLE
 
 namespace airlight
 {
+namespace f64
+{
 namespace
 {
-// Gauss and Legendre's two nodes.
-const double Node = 1.0 / std::sqrt(3.0);
+using int3 = glm::ivec3;
+using real3x3 = glm::dmat3;
+
+// The four samples of a cell, of which there is one less along each axis, in one layer.
+inline real4 FetchLayer(const double* samples, const int3& cells, const int3& cell)
+{
+  const size_t rowLength = cells.x + 1;
+  const double* row = samples + cell.x + rowLength * (cell.y + (cells.y + size_t(1)) * cell.z);
+  return { row[0], row[1], row[rowLength], row[rowLength + 1] };
+}
+
+#include "Medium/AirlightGrid.glsl"
+}
+}
+
+namespace
+{
+// Where the first sample is the origin: far away from that of the world, it keeps more digits.
+f64::AirlightGrid MakeGrid(const DensityGrid& grid)
+{
+  return { grid.GetAxes(), glm::dvec3(0.0), grid.GetLast(), grid.GetSamples().data() };
+}
 
 bool IsFinite(const glm::dvec3& v)
 {
@@ -121,145 +152,53 @@ bool DensityGrid::ReadSamples(vtkImageData* image, std::string& error)
 }
 
 //------------------------------------------------------------------------------
-double DensityGrid::Interpolate(const glm::ivec3& cell, const glm::dvec3& position) const
-{
-  const glm::dvec3 f = position - glm::dvec3(cell);
-  const size_t rowLength = this->Size.x;
-  const size_t sliceLength = rowLength * this->Size.y;
-  const double* s = &this->Samples[cell.x + rowLength * cell.y + sliceLength * cell.z];
-  const auto along = [&](const double* row) { return row[0] + f.x * (row[1] - row[0]); };
-  const auto across = [&](const double* slice) {
-    const double low = along(slice);
-    return low + f.y * (along(slice + rowLength) - low);
-  };
-  const double low = across(s);
-  // Rounding must not make a density of zeros negative.
-  return std::max(low + f.z * (across(s + sliceLength) - low), 0.0);
-}
-
-//------------------------------------------------------------------------------
 double DensityGrid::GetDensity(const glm::dvec3& point) const
 {
-  const glm::dvec3 p = this->ToSamples(point);
-  const glm::dvec3 last = this->GetLast();
-  // Written so that NaN is outside.
-  if (!(glm::all(glm::greaterThanEqual(p, glm::dvec3(0.0))) &&
-        glm::all(glm::lessThanEqual(p, last))))
-  {
-    return 0.0;
-  }
-  return this->Interpolate(glm::min(glm::ivec3(p), this->Size - 2), p);
+  return f64::airlightGridDensity(MakeGrid(*this), point - this->First);
 }
 
 //------------------------------------------------------------------------------
 double DensityGrid::GetDensityAt(const glm::dvec3& samples) const
 {
-  const glm::dvec3 p = glm::clamp(samples, glm::dvec3(0.0), this->GetLast());
-  return this->Interpolate(glm::min(glm::ivec3(p), this->Size - 2), p);
+  const glm::dvec3 last = this->GetLast();
+  const glm::dvec3 p = glm::clamp(samples, glm::dvec3(0.0), last);
+  // Rounding must not make a density of zeros negative, here and below.
+  return std::max(f64::airlightInterpolated(this->Samples.data(), last, p), 0.0);
 }
 
 //------------------------------------------------------------------------------
 glm::dvec2 DensityGrid::GetRange(
   const glm::dvec3& origin, const glm::dvec3& direction, double from, double to) const
 {
-  Line line;
-  return this->Clip(origin, direction, from, to, line) ? glm::dvec2(line.From, line.To)
-                                                       : glm::dvec2(from, from);
-}
-
-//------------------------------------------------------------------------------
-bool DensityGrid::Clip(
-  const glm::dvec3& origin, const glm::dvec3& direction, double from, double to, Line& line) const
-{
-  line = { this->ToSamples(origin), this->Axes * direction, from, to };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double p = line.Point[axis];
-    const double slope = line.Slope[axis];
-    const double last = this->Size[axis] - 1;
-    if (slope == 0.0)
-    {
-      if (!(p >= 0.0 && p <= last))
-      {
-        return false;
-      }
-      continue;
-    }
-    line.From = std::max(line.From, (slope > 0.0 ? -p : last - p) / slope);
-    line.To = std::min(line.To, (slope > 0.0 ? last - p : -p) / slope);
-  }
-  return line.From < line.To;
-}
-
-//------------------------------------------------------------------------------
-template <typename Visit>
-void DensityGrid::Walk(const Line& line, const Visit& visit) const
-{
-  glm::ivec3 cell;
-  glm::dvec3 next; // where the line leaves the cell, for each axis
-  const auto leave = [&](int axis) {
-    const double slope = line.Slope[axis];
-    return slope == 0.0 ? std::numeric_limits<double>::infinity()
-                        : (cell[axis] + (slope > 0.0 ? 1.0 : 0.0) - line.Point[axis]) / slope;
-  };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double p = line.Point[axis] + line.From * line.Slope[axis];
-    const double below = line.Slope[axis] < 0.0 ? std::ceil(p) - 1.0 : std::floor(p);
-    cell[axis] = static_cast<int>(std::clamp(below, 0.0, this->Size[axis] - 2.0));
-    next[axis] = leave(axis);
-  }
-  double t = line.From;
-  while (t < line.To)
-  {
-    const int axis = next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2);
-    const double end = std::min(next[axis], line.To);
-    if (end > t)
-    {
-      visit(t, end, cell);
-      t = end;
-    }
-    cell[axis] += line.Slope[axis] > 0.0 ? 1 : -1;
-    if (cell[axis] < 0 || cell[axis] > this->Size[axis] - 2)
-    {
-      // Rounding may leave a rest in the last cell.
-      cell[axis] = std::clamp(cell[axis], 0, this->Size[axis] - 2);
-      next[axis] = std::numeric_limits<double>::infinity();
-      continue;
-    }
-    next[axis] = leave(axis);
-  }
+  return f64::airlightGridRange(MakeGrid(*this), origin - this->First, direction, from, to);
 }
 
 //------------------------------------------------------------------------------
 double DensityGrid::Integrate(
   const glm::dvec3& origin, const glm::dvec3& direction, double from, double to) const
 {
-  Line line;
-  double sum = 0.0;
-  if (this->Clip(origin, direction, from, to, line))
-  {
-    this->Walk(line, [&](double t0, double t1, const glm::ivec3& cell) {
-      const double middle = 0.5 * (t0 + t1);
-      const double reach = 0.5 * (t1 - t0);
-      const glm::dvec3 position = line.Point + middle * line.Slope;
-      const glm::dvec3 step = Node * reach * line.Slope;
-      sum += reach *
-        (this->Interpolate(cell, position - step) + this->Interpolate(cell, position + step));
-    });
-  }
-  return sum;
+  return std::max(
+    f64::airlightGridDepth(MakeGrid(*this), origin - this->First, direction, from, to), 0.0);
 }
 
 //------------------------------------------------------------------------------
 void DensityGrid::AddCuts(const glm::dvec3& origin, const glm::dvec3& direction, double from,
   double to, std::vector<double>& cuts) const
 {
-  Line line;
-  if (this->Clip(origin, direction, from, to, line))
+  f64::AirlightWalk walk =
+    f64::airlightWalk(MakeGrid(*this), origin - this->First, direction, from, to);
+  if (walk.t < walk.end)
   {
-    cuts.push_back(line.From);
-    this->Walk(line, [&](double, double t1, const glm::ivec3&) { cuts.push_back(t1); });
+    cuts.push_back(walk.t);
+  }
+  while (walk.t < walk.end)
+  {
+    const double end = f64::airlightCellEnd(walk);
+    if (end > walk.t)
+    {
+      cuts.push_back(end);
+    }
+    f64::airlightEnterNext(walk, end);
   }
 }
 }

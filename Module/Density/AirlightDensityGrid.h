@@ -3,9 +3,8 @@
 /**
  * Density from the samples of an image: trilinear between them, 0 outside the image.
  *
- * Along a straight line through one cell, between eight samples, a trilinear function is a cubic of
- * the distance. Gauss and Legendre's two nodes integrate cubics exactly, so that the optical depth
- * of a way, summed cell by cell, is exact but for rounding.
+ * The mathematics is the shaders' (Medium/AirlightGrid.glsl), here in double precision: the optical
+ * depth of a way, summed cell by cell, is exact but for rounding.
  */
 
 #ifndef AirlightDensityGrid_h
@@ -65,24 +64,9 @@ public:
   const std::vector<double>& GetSamples() const { return this->Samples; }
 
 private:
-  // A ray in units of samples, counted from the first one, cut to the image.
-  struct Line
-  {
-    glm::dvec3 Point;
-    glm::dvec3 Slope;
-    double From;
-    double To;
-  };
-
   DensityGrid() = default;
   bool ReadGeometry(vtkImageData* image, std::string& error);
   bool ReadSamples(vtkImageData* image, std::string& error);
-  bool Clip(const glm::dvec3& origin, const glm::dvec3& direction, double from, double to,
-    Line& line) const;
-  // Calls visit(from, to, cell) for each cell on the line.
-  template <typename Visit>
-  void Walk(const Line& line, const Visit& visit) const;
-  double Interpolate(const glm::ivec3& cell, const glm::dvec3& position) const;
 
   glm::ivec3 Size{ 0 }; // numbers of samples
   std::vector<double> Samples;

@@ -34,7 +34,8 @@ const char* StorageSystem = "#version 430\n"
                             "#define varying in\n";
 
 // The prelude's words must not reach the mapper's own options.
-const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef bool3\n";
+const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef "
+                       "bool3\n#undef int3\n#undef real3x3\n";
 
 std::string DefineStages()
 {

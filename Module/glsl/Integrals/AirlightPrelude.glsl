@@ -4,6 +4,8 @@
 #define real3 vec3
 #define real4 vec4
 #define bool3 bvec3
+#define int3 ivec3
+#define real3x3 mat3
 #define AIRLIGHT_FN
 #define AIRLIGHT_OUT(T) out T
 #define AIRLIGHT_INOUT(T) inout T
@@ -19,6 +21,10 @@
 #if AIRLIGHT_HAS_GRID
 #define AIRLIGHT_GRID_STEPS
 #define AIRLIGHT_GRID_MEMBER AirlightGrid grid;
+// Samples are in texels, each with 2 x 2 in x and y.
+#define AIRLIGHT_SAMPLES int
+#define AIRLIGHT_LAYER(first, size, cell)                                                          \
+  texelFetch(airlightData, (first) + (cell).x + (size).x * ((cell).y + (size).y * (cell).z))
 #define AIRLIGHT_GRID_DENSITY(medium, point) airlightGridDensity((medium).grid, point)
 #define AIRLIGHT_GRID_DEPTH(medium, o, d, from, to) airlightGridDepth((medium).grid, o, d, from, to)
 #else

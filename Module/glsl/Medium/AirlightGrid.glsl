@@ -1,152 +1,183 @@
-// Density from the samples of an image, in shaders: trilinear between them, 0 outside. By hand:
-// textures interpolate with 8 bits of fraction. AirlightDensityGrid.h is the same in double
-// precision for the CPU.
+// Density from the samples of an image: trilinear between them, 0 outside. By hand in shaders, too:
+// textures interpolate with 8 bits of fraction. AirlightDensityGrid.cxx compiles this in double
+// precision. The two differ in how samples are stored: AIRLIGHT_SAMPLES says where they are,
+// AIRLIGHT_LAYER reads those of a cell in one layer in z.
+
+// An axis along which a ray moves by less than this, in samples per unit, is one along which it
+// does not move.
+#ifdef AIRLIGHT_DOUBLE
+#define AIRLIGHT_STILL 1e-300
+#else
+#define AIRLIGHT_STILL 1e-12
+#endif
 
 struct AirlightGrid
 {
-  mat3 axes;  // from coordinates relative to the eye to samples
-  vec3 start; // the eye in samples, counted from the first one
-  vec3 last;  // the last sample
-  int first;  // texel: each has four samples, 2 x 2 in x and y, of one layer in z
+  real3x3 axes; // from coordinates relative to the eye to samples
+  real3 start;  // the eye in samples, counted from the first one
+  real3 last;   // the last sample
+  AIRLIGHT_SAMPLES first;
 };
 
-// The eight samples of a cell: those of its lower and its upper layer.
+// The eight samples of a cell: those of its lower and its upper layer, x fastest.
 struct AirlightCell
 {
-  vec4 low;
-  vec4 high;
+  real4 low;
+  real4 high;
 };
 
 // A ray on its way from cell to cell, in samples.
 struct AirlightWalk
 {
-  vec3 origin;
-  vec3 slope;
-  vec3 inverse; // of the slope, 0 along axes on which the ray does not move
-  vec3 leaves;  // where it leaves the cell, for each axis
-  ivec3 cell;
-  ivec3 size; // numbers of cells
-  float t;
-  float end;
+  real3 origin;
+  real3 slope;
+  real3 inverse; // of the slope, 0 along axes on which the ray does not move
+  real3 never;   // AIRLIGHT_FAR along these axes, else 0
+  real3 ahead;   // from the cell's first corner to the face through which the ray leaves it
+  int3 stride;   // to the next cell
+  int3 cell;
+  int3 size;    // numbers of cells
+  real3 leaves; // where the ray leaves the cell, for each axis
+  real t;
+  real end;
 };
 
-// The part of [from, to] of a ray that is inside the image; x >= y: none.
-vec2 airlightGridRange(AirlightGrid grid, vec3 origin, vec3 direction, float from, float to)
+// Clips the range of a line to one axis of the image.
+AIRLIGHT_FN real2 airlightClipToSamples(real2 range, real o, real d, real last)
 {
-  vec3 o = grid.start + grid.axes * origin;
-  vec3 d = grid.axes * direction;
-  vec2 range = vec2(from, to);
-  range = airlightClipSlab(range, o.x, d.x, 0.0, grid.last.x);
-  range = airlightClipSlab(range, o.y, d.y, 0.0, grid.last.y);
-  range = airlightClipSlab(range, o.z, d.z, 0.0, grid.last.z);
+  if (abs(d) < real(AIRLIGHT_STILL))
+  {
+    return o >= real(0.0) && o <= last ? range : real2(real(0.0), real(0.0));
+  }
+  real a = -o / d;
+  real b = (last - o) / d;
+  return real2(max(range.x, min(a, b)), min(range.y, max(a, b)));
+}
+
+// The part of [from, to] of a ray that is inside the image; x >= y: none.
+AIRLIGHT_FN real2 airlightGridRange(
+  AIRLIGHT_IN(AirlightGrid) grid, real3 origin, real3 direction, real from, real to)
+{
+  real3 o = grid.start + grid.axes * origin;
+  real3 d = grid.axes * direction;
+  real2 range = real2(from, to);
+  range = airlightClipToSamples(range, o.x, d.x, grid.last.x);
+  range = airlightClipToSamples(range, o.y, d.y, grid.last.y);
+  range = airlightClipToSamples(range, o.z, d.z, grid.last.z);
   return range;
 }
 
-void airlightFindLeaves(inout AirlightWalk walk)
+AIRLIGHT_FN void airlightFindLeaves(AIRLIGHT_INOUT(AirlightWalk) walk)
 {
-  vec3 face = vec3(walk.cell) + step(0.0, walk.slope);
-  walk.leaves = mix(vec3(AIRLIGHT_FAR), (face - walk.origin) * walk.inverse,
-    notEqual(walk.inverse, vec3(0.0)));
+  walk.leaves = (real3(walk.cell) + walk.ahead - walk.origin) * walk.inverse + walk.never;
 }
 
-AirlightWalk airlightWalk(AirlightGrid grid, vec3 origin, vec3 direction, float from, float to)
+AIRLIGHT_FN AirlightWalk airlightWalk(
+  AIRLIGHT_IN(AirlightGrid) grid, real3 origin, real3 direction, real from, real to)
 {
   AirlightWalk walk;
-  vec2 range = airlightGridRange(grid, origin, direction, from, to);
+  real2 range = airlightGridRange(grid, origin, direction, from, to);
   walk.origin = grid.start + grid.axes * origin;
   walk.slope = grid.axes * direction;
-  bvec3 still = lessThan(abs(walk.slope), vec3(1e-12));
-  walk.inverse = mix(1.0 / mix(walk.slope, vec3(1.0), still), vec3(0.0), still);
-  walk.size = ivec3(grid.last);
+  bool3 still = lessThan(abs(walk.slope), real3(real(AIRLIGHT_STILL)));
+  walk.inverse = mix(real(1.0) / mix(walk.slope, real3(real(1.0)), still), real3(real(0.0)), still);
+  walk.never = mix(real3(real(0.0)), real3(real(AIRLIGHT_FAR)), still);
+  walk.ahead = step(real3(real(0.0)), walk.slope);
+  walk.stride = int3(sign(walk.slope));
+  walk.size = int3(grid.last);
   walk.t = range.x;
   walk.end = range.y;
-  vec3 p = walk.origin + walk.t * walk.slope;
-  vec3 below = mix(floor(p), ceil(p) - 1.0, lessThan(walk.slope, vec3(0.0)));
-  walk.cell = ivec3(clamp(below, vec3(0.0), grid.last - 1.0));
+  real3 p = walk.origin + walk.t * walk.slope;
+  real3 below =
+    mix(floor(p), ceil(p) - real(1.0), lessThan(walk.slope, real3(real(0.0))));
+  walk.cell = int3(clamp(below, real3(real(0.0)), grid.last - real(1.0)));
   airlightFindLeaves(walk);
   return walk;
 }
 
 // More cells are on no ray.
-int airlightMostCells(AirlightWalk walk)
+AIRLIGHT_FN int airlightMostCells(AIRLIGHT_IN(AirlightWalk) walk)
 {
   return walk.size.x + walk.size.y + walk.size.z + 4;
 }
 
 // Where it leaves its cell, or ends.
-float airlightCellEnd(AirlightWalk walk)
+AIRLIGHT_FN real airlightCellEnd(AIRLIGHT_IN(AirlightWalk) walk)
 {
   return min(min(walk.leaves.x, walk.leaves.y), min(walk.leaves.z, walk.end));
 }
 
 // To the next cell. Rounding may leave a rest in the last one.
-void airlightEnterNext(inout AirlightWalk walk, float end)
+AIRLIGHT_FN void airlightEnterNext(AIRLIGHT_INOUT(AirlightWalk) walk, real end)
 {
   walk.t = max(walk.t, end);
-  ivec3 next = walk.cell +
-    ivec3(lessThanEqual(walk.leaves, vec3(end))) * ivec3(sign(walk.slope));
-  walk.cell = clamp(next, ivec3(0), walk.size - 1);
+  int3 next = walk.cell + int3(lessThanEqual(walk.leaves, real3(end))) * walk.stride;
+  walk.cell = clamp(next, int3(0), walk.size - 1);
   airlightFindLeaves(walk);
-  walk.leaves = walk.cell == next ? walk.leaves : vec3(AIRLIGHT_FAR);
+  walk.leaves = walk.cell == next ? walk.leaves : real3(real(AIRLIGHT_FAR));
 }
 
-AirlightCell airlightCell(int first, ivec3 size, ivec3 cell)
+AIRLIGHT_FN AirlightCell airlightCell(AIRLIGHT_SAMPLES first, int3 size, int3 cell)
 {
-  int texel = first + cell.x + size.x * (cell.y + size.y * cell.z);
   AirlightCell result;
-  result.low = texelFetch(airlightData, texel);
-  result.high = texelFetch(airlightData, texel + size.x * size.y);
+  result.low = AIRLIGHT_LAYER(first, size, cell);
+  result.high = AIRLIGHT_LAYER(first, size, cell + int3(0, 0, 1));
   return result;
 }
 
 // Between the eight samples, at a place in the cell.
-float airlightInCell(AirlightCell cell, vec3 f)
+AIRLIGHT_FN real airlightInCell(AIRLIGHT_IN(AirlightCell) cell, real3 f)
 {
-  vec4 layer = mix(cell.low, cell.high, f.z);
-  vec2 row = mix(layer.xy, layer.zw, f.y);
+  real4 layer = mix(cell.low, cell.high, f.z);
+  real2 row = mix(real2(layer.x, layer.y), real2(layer.z, layer.w), f.y);
   return mix(row.x, row.y, f.x);
 }
 
 // Between the samples of a grid of so many cells.
-float airlightInterpolated(int first, vec3 size, vec3 p)
+AIRLIGHT_FN real airlightInterpolated(AIRLIGHT_SAMPLES first, real3 size, real3 p)
 {
-  vec3 cell = clamp(floor(p), vec3(0.0), size - 1.0);
-  return airlightInCell(airlightCell(first, ivec3(size), ivec3(cell)), p - cell);
+  real3 cell = clamp(floor(p), real3(real(0.0)), size - real(1.0));
+  return airlightInCell(airlightCell(first, int3(size), int3(cell)), p - cell);
 }
 
-float airlightGridDensity(AirlightGrid grid, vec3 point)
+AIRLIGHT_FN real airlightGridDensity(AIRLIGHT_IN(AirlightGrid) grid, real3 point)
 {
-  vec3 p = grid.start + grid.axes * point;
-  bool inside = all(greaterThanEqual(p, vec3(0.0))) && all(lessThanEqual(p, grid.last));
-  return inside ? max(airlightInterpolated(grid.first, grid.last, p), 0.0) : 0.0;
+  real3 p = grid.start + grid.axes * point;
+  // Written so that NaN is outside.
+  bool inside =
+    all(greaterThanEqual(p, real3(real(0.0)))) && all(lessThanEqual(p, grid.last));
+  return inside ? max(airlightInterpolated(grid.first, grid.last, p), real(0.0)) : real(0.0);
 }
 
 // The density in a cell along a ray, a cubic of u in [0, 1]: its coefficients from four places.
-vec4 airlightCellCubic(AirlightCell cell, vec3 a, vec3 b)
+AIRLIGHT_FN real4 airlightCellCubic(AIRLIGHT_IN(AirlightCell) cell, real3 a, real3 b)
 {
-  float f0 = airlightInCell(cell, a);
-  float f1 = airlightInCell(cell, mix(a, b, 1.0 / 3.0));
-  float f2 = airlightInCell(cell, mix(a, b, 2.0 / 3.0));
-  float f3 = airlightInCell(cell, b);
-  return vec4(f0, -5.5 * f0 + 9.0 * f1 - 4.5 * f2 + f3, 9.0 * f0 - 22.5 * f1 + 18.0 * f2 - 4.5 * f3,
-    4.5 * (f3 - f0) + 13.5 * (f1 - f2));
+  real f0 = airlightInCell(cell, a);
+  real f1 = airlightInCell(cell, mix(a, b, real(1.0 / 3.0)));
+  real f2 = airlightInCell(cell, mix(a, b, real(2.0 / 3.0)));
+  real f3 = airlightInCell(cell, b);
+  return real4(f0, real(-5.5) * f0 + real(9.0) * f1 - real(4.5) * f2 + f3,
+    real(9.0) * f0 - real(22.5) * f1 + real(18.0) * f2 - real(4.5) * f3,
+    real(4.5) * (f3 - f0) + real(13.5) * (f1 - f2));
 }
 
-// Integral of the density along [from, to] of a ray. Two nodes a cell are exact for cubics.
-float airlightGridDepth(AirlightGrid grid, vec3 origin, vec3 direction, float from, float to)
+// Integral of the density along [from, to] of a ray. A trilinear function is a cubic along a line
+// in a cell, for which Gauss and Legendre's two nodes are exact.
+AIRLIGHT_FN real airlightGridDepth(
+  AIRLIGHT_IN(AirlightGrid) grid, real3 origin, real3 direction, real from, real to)
 {
   AirlightWalk walk = airlightWalk(grid, origin, direction, from, to);
-  float sum = 0.0;
+  real sum = real(0.0);
   int most = airlightMostCells(walk);
   for (int i = 0; i < most && walk.t < walk.end; i++)
   {
-    float end = airlightCellEnd(walk);
-    float reach = 0.5 * (end - walk.t);
-    if (reach > 0.0)
+    real end = airlightCellEnd(walk);
+    real reach = real(0.5) * (end - walk.t);
+    if (reach > real(0.0))
     {
       AirlightCell cell = airlightCell(grid.first, walk.size, walk.cell);
-      vec3 middle = walk.origin + (walk.t + reach) * walk.slope - vec3(walk.cell);
-      vec3 node = 0.57735026918962576 * reach * walk.slope;
+      real3 middle = walk.origin + (walk.t + reach) * walk.slope - real3(walk.cell);
+      real3 node = real(0.57735026918962576) * reach * walk.slope;
       sum += reach * (airlightInCell(cell, middle - node) + airlightInCell(cell, middle + node));
     }
     airlightEnterNext(walk, end);
