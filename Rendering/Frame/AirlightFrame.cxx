@@ -49,22 +49,15 @@ bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipa
 //------------------------------------------------------------------------------
 bool Frame::Begin(const Input& input)
 {
-  this->Renderer = input.Renderer;
-  this->Window = vtkOpenGLRenderWindow::SafeDownCast(input.Renderer->GetRenderWindow());
-  this->Media = input.Media;
-  this->SceneLights = input.SceneLights;
-  this->Rays = input.Rays;
-  this->Solids = input.Solids;
-  this->DrawInMap = input.DrawInMap;
-  this->Width = input.Rays.GetWidth();
-  this->Height = input.Rays.GetHeight();
+  this->Current = input;
   Targets::Needs needs;
   needs.SceneLights = input.SceneLights.size();
   needs.Drawn = !this->Plan.AllShadersInjectable;
   needs.WithoutLight = this->Plan.ShadowingLight >= 0;
   needs.Record = this->Plan.Record;
   needs.Translucent = this->Plan.Translucent;
-  return this->Textures.Prepare(this->Window, this->Width, this->Height, needs) ||
+  return this->Textures.Prepare(
+           this->GetWindow(), input.Rays.GetWidth(), input.Rays.GetHeight(), needs) ||
     this->Fail(this->Textures.GetError());
 }
 
@@ -108,7 +101,7 @@ bool Frame::DrawDistances(SceneDrawer& scene)
 //------------------------------------------------------------------------------
 bool Frame::DrawColours(SceneDrawer& scene)
 {
-  if (!this->Geometry.BindColours(this->GetScene(), this->Plan, this->Renderer))
+  if (!this->Geometry.BindColours(this->GetScene(), this->Plan, this->Current->Renderer))
   {
     return this->Fail(this->Geometry.GetError());
   }
@@ -127,13 +120,14 @@ bool Frame::PrepareCasters()
   options.MapResolution = this->Plan.MapResolution;
   options.Steps = this->Plan.Steps;
   options.MemoryLimit = this->Plan.MemoryLimit;
-  if (!this->Shadows.Prepare(this->GetScene(), options, this->Casters, this->Solids))
+  if (!this->Shadows.Prepare(this->GetScene(), options, this->Casters, this->Current->Solids))
   {
     return this->Fail(this->Shadows.GetError());
   }
   const bool transmits = this->Shadows.TransmitsLight();
+  const CameraUniforms& rays = this->Current->Rays;
   return !this->Plan.TranslucentFragments ||
-    this->FragmentLists.Prepare(this->Width, this->Height, transmits,
+    this->FragmentLists.Prepare(rays.GetWidth(), rays.GetHeight(), transmits,
       transmits ? this->Shadows.GetSurfaceTransmittance().GetSlotCount() : 0) ||
     this->Fail(this->FragmentLists.GetError());
 }
@@ -155,15 +149,22 @@ bool Frame::CollectFragments(SceneDrawer& scene)
     outcome = this->FragmentLists.Check();
   }
   const bool ok = outcome == TranslucentFragments::Outcome::Done &&
-    (!this->Plan.TranslucentFragments || this->FragmentLists.Sort(this->Window));
+    (!this->Plan.TranslucentFragments || this->FragmentLists.Sort(this->GetWindow()));
   return ok || this->Fail(this->FragmentLists.GetError());
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLRenderWindow* Frame::GetWindow() const
+{
+  return vtkOpenGLRenderWindow::SafeDownCast(this->Current->Renderer->GetRenderWindow());
 }
 
 //------------------------------------------------------------------------------
 FrameScene Frame::GetScene()
 {
-  return { this->Window, this->Media, this->SceneLights, *this->Rays, this->Data.GetTexture(),
-    this->Width, this->Height };
+  const Input& input = *this->Current;
+  return { this->GetWindow(), input.Media, input.SceneLights, input.Rays, this->Data.GetTexture(),
+    input.Rays.GetWidth(), input.Rays.GetHeight() };
 }
 
 //------------------------------------------------------------------------------
@@ -194,7 +195,7 @@ bool Frame::ScatterLights()
   this->Buffers.Clear();
   if (this->Plan.UnshadowedInComposite)
   {
-    this->Shadows.ReleaseMaps(this->Window);
+    this->Shadows.ReleaseMaps(this->GetWindow());
     return true;
   }
   const InscatterTargets targets = this->GetInscatterTargets();
@@ -204,11 +205,11 @@ bool Frame::ScatterLights()
   }
   this->Textures.Clear(0.0f);
   if (!this->Shadows.Update(
-        this->GetScene(), targets, this->Casters.GetNonPolygonal(), this->DrawInMap))
+        this->GetScene(), targets, this->Casters.GetNonPolygonal(), this->Current->DrawInMap))
   {
     return this->Fail(this->Shadows.GetError());
   }
-  for (size_t k = 0; k < this->SceneLights.size(); ++k)
+  for (size_t k = 0; k < this->Current->SceneLights.size(); ++k)
   {
     if (!this->ScatterLight(targets, static_cast<int>(k)))
     {
@@ -232,7 +233,7 @@ bool Frame::ScatterLight(const InscatterTargets& targets, int light)
   options.Record = this->Plan.Record;
   options.PhaseErrorBound = this->Plan.PhaseErrorBound;
   options.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
-  if (this->SceneLights[light].Scatters() &&
+  if (this->Current->SceneLights[light].Scatters() &&
     !this->Inscatter.Draw(this->GetScene(), options, targets, this->Shadows, light))
   {
     this->OverBudget = this->Shadows.IsOverBudget();
@@ -327,26 +328,22 @@ bool Frame::DrawPlanes()
 }
 
 //------------------------------------------------------------------------------
-void Frame::SetMapRays(const CameraUniforms* rays, int x, int y)
-{
-  this->MapRays = rays;
-  this->MapX = x;
-  this->MapY = y;
-}
+void Frame::SetMapRays(const CameraUniforms* rays, int x, int y) { this->Map = { rays, x, y }; }
 
 //------------------------------------------------------------------------------
 SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
 {
   SurfaceUniforms values;
   values.Stage = stage;
-  values.Rays = this->MapRays ? this->MapRays : &*this->Rays;
-  values.ViewportX = this->MapRays ? this->MapX : 0;
-  values.ViewportY = this->MapRays ? this->MapY : 0;
-  values.Width = this->Width;
-  values.Height = this->Height;
+  const Input& input = *this->Current;
+  values.Rays = this->Map.Rays ? this->Map.Rays : &input.Rays;
+  values.ViewportX = this->Map.X;
+  values.ViewportY = this->Map.Y;
+  values.Width = input.Rays.GetWidth();
+  values.Height = input.Rays.GetHeight();
   values.VolumeNodes = this->Plan.VolumeNodes;
-  values.Media = &this->Media;
-  values.SceneLights = &this->SceneLights;
+  values.Media = &input.Media;
+  values.SceneLights = &input.SceneLights;
   values.Lit = this->Textures.Scattered;
   values.MoreLit = this->HasMoreLit() ? this->Textures.Lit : this->Textures.Scattered;
   values.Data = this->Data.GetTexture();
@@ -368,19 +365,20 @@ void Frame::FitToTarget(SurfaceUniforms& values)
   {
     texture->Activate();
   }
+  const CameraUniforms& rays = this->Current->Rays;
   int viewport[4];
-  this->Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  if (viewport[0] == 0 && viewport[1] == 0 && viewport[2] == this->Width &&
-    viewport[3] == this->Height)
+  this->GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  if (viewport[0] == 0 && viewport[1] == 0 && viewport[2] == rays.GetWidth() &&
+    viewport[3] == rays.GetHeight())
   {
     return;
   }
-  const CameraUniforms target(this->Renderer, viewport[2], viewport[3]);
+  const CameraUniforms target(this->Current->Renderer, viewport[2], viewport[3]);
   if (target.IsValid())
   {
     values.ViewportX = viewport[0];
     values.ViewportY = viewport[1];
-    values.Pixels = this->Rays->GetPixelsFrom(target);
+    values.Pixels = rays.GetPixelsFrom(target);
   }
 }
 

@@ -131,7 +131,7 @@ public:
   // face's lower left corner.
   void SetMapRays(const CameraUniforms* rays, int x, int y);
 
-  bool IsClear() const { return airlight::IsClear(this->Media); }
+  bool IsClear() const { return airlight::IsClear(this->Current->Media); }
   // After a failure: whether it was for too many shadow boundaries.
   bool IsOverBudget() const { return this->OverBudget; }
 
@@ -140,7 +140,7 @@ public:
   // Brings them to the target that a delegate has bound, which may be of another size, and binds
   // the textures again whose units it may have used.
   void FitToTarget(SurfaceUniforms& values);
-  vtkOpenGLRenderWindow* GetWindow() const { return this->Window; }
+  vtkOpenGLRenderWindow* GetWindow() const;
   vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Textures.GetFramebuffer(); }
   const std::string& GetError() const { return this->Error; }
 
@@ -163,7 +163,7 @@ private:
   InscatterTargets GetInscatterTargets();
   CompositePass::Options GetCompositeOptions() const;
   CompositePass::Inputs GetCompositeInputs();
-  bool HasMoreLit() const { return this->SceneLights.size() > BitsPerChannel; }
+  bool HasMoreLit() const { return this->Current->SceneLights.size() > BitsPerChannel; }
 
   Targets Textures;
   SceneData Data;
@@ -177,21 +177,19 @@ private:
   FrameRecorder Buffers;
   std::string Error;
 
+  // Of what is drawn with a light's camera into a shadow map.
+  struct MapView
+  {
+    const CameraUniforms* Rays = nullptr; // null: the picture is drawn
+    int X = 0;
+    int Y = 0;
+  };
+
   // This frame's.
-  vtkRenderer* Renderer = nullptr;
-  vtkOpenGLRenderWindow* Window = nullptr;
-  f64::AirlightMedia Media{};
-  std::vector<SceneLight> SceneLights;
-  std::optional<CameraUniforms> Rays;
-  const CameraUniforms* MapRays = nullptr;
-  int MapX = 0;
-  int MapY = 0;
+  std::optional<Input> Current;
   FramePlan Plan;
-  std::vector<vtkProp*> Solids;
-  DrawActors DrawInMap;
+  MapView Map;
   bool OverBudget = false;
-  int Width = 0;
-  int Height = 0;
 };
 }
 
