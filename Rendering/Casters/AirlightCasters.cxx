@@ -20,9 +20,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkShaderProperty.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -142,15 +140,6 @@ std::vector<glm::dvec3> NonPolygonalCaster::GetCorners() const
 }
 
 //------------------------------------------------------------------------------
-bool NonPolygonalCaster::operator==(const NonPolygonalCaster& other) const
-{
-  const bool same =
-    this->Actor == other.Actor && this->Owner == other.Owner && this->Time == other.Time;
-  return same && !this->PartToWorld == !other.PartToWorld &&
-    (!this->PartToWorld || ToGlm(this->PartToWorld) == ToGlm(other.PartToWorld));
-}
-
-//------------------------------------------------------------------------------
 void CasterCache::AddOther(const ScenePart& part, vtkProp* owner)
 {
   NonPolygonalCaster other;
@@ -160,8 +149,6 @@ void CasterCache::AddOther(const ScenePart& part, vtkProp* owner)
   {
     other.PartToWorld = part.ToWorld;
   }
-  other.Time =
-    std::max(part.Actor->GetRedrawMTime(), part.Actor->GetShaderProperty()->GetShaderMTime());
   if (part.Actor->HasOpaqueGeometry() && !other.GetCorners().empty())
   {
     this->NonPolygonal.push_back(other);

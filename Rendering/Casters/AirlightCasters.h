@@ -14,7 +14,6 @@
 
 #include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"
-#include "vtkType.h"
 #include "vtkWeakPointer.h"
 
 #include <glm/glm.hpp>
@@ -73,13 +72,9 @@ struct NonPolygonalCaster
   // The corners of its box in the world; empty if it has none.
   std::vector<glm::dvec3> GetCorners() const;
 
-  // Whether it looks the same, by the times at which what it is drawn from was changed.
-  bool operator==(const NonPolygonalCaster& other) const;
-
   vtkActor* Actor = nullptr;
   vtkProp* Owner = nullptr;                  // in the renderer: the actor, or what it is a part of
   vtkSmartPointer<vtkMatrix4x4> PartToWorld; // of a part, to the world; else null
-  vtkMTimeType Time = 0;                     // of the last change of what it is drawn from
 };
 
 // Meshes are prepared once per change of their points or polygons and kept while anything in the

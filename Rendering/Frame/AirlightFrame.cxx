@@ -148,9 +148,22 @@ bool Frame::CollectFragments(SceneDrawer& scene)
     scene.CollectFragments();
     outcome = this->FragmentLists.Check();
   }
-  const bool ok = outcome == TranslucentFragments::Outcome::Done &&
-    (!this->Plan.TranslucentFragments || this->FragmentLists.Sort(this->GetWindow()));
-  return ok || this->Fail(this->FragmentLists.GetError());
+  if (outcome != TranslucentFragments::Outcome::Done)
+  {
+    return this->Fail(this->FragmentLists.GetError());
+  }
+  return !this->Plan.TranslucentFragments || this->SortFragments();
+}
+
+//------------------------------------------------------------------------------
+// Volumes of lower resolution leave the renderer's viewport behind them.
+bool Frame::SortFragments()
+{
+  if (!this->Geometry.BindDepth(this->GetScene()))
+  {
+    return this->Fail(this->Geometry.GetError());
+  }
+  return this->FragmentLists.Sort(this->GetWindow()) || this->Fail(this->FragmentLists.GetError());
 }
 
 //------------------------------------------------------------------------------

@@ -155,6 +155,7 @@ private:
   bool DrawColours(SceneDrawer& scene);
   bool PrepareCasters();
   bool CollectFragments(SceneDrawer& scene);
+  bool SortFragments();
   bool ScatterLights();
   bool ScatterLight(const InscatterTargets& targets, int light);
   bool CompositeTranslucent();

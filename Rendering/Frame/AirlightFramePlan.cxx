@@ -140,12 +140,14 @@ bool IsUnshadowedInComposite(const FramePlan& plan, const SceneFacts& scene)
   });
 }
 
-// Without shadows one closed form in the fragments' own shader takes an eighth of the time of
-// records (Documentation/benchmarks.md). Quadrature would take long to compile there.
+// Without shadows one closed form in the fragments' own shader takes a fraction of the time of
+// records (Documentation/benchmarks.md). Quadrature would take long to compile there; volumes, which
+// need it at several places on each ray, gain nothing.
 bool IsUnshadowedInFragments(const FramePlan& plan, const SceneFacts& scene)
 {
   const std::vector<LightFacts> lights = GetScatteringLights(scene);
-  return plan.Shadows == ShadowMethod::None && !scene.DensityImage &&
+  return plan.Shadows == ShadowMethod::None && !scene.DensityImage && scene.Volumes == 0 &&
+    lights.size() <= MaximumClosedLights &&
     std::all_of(lights.begin(), lights.end(), [&lights](const LightFacts& light) {
       return HasClosedForm(light.Kind) && light.Kind == lights[0].Kind && !light.Photometric;
     });
@@ -167,8 +169,8 @@ FramePlan MakeFramePlan(
   plan.ScatteredSurfaceLight = properties.ScatteredSurfaceLight && !scene.DensityImage;
   plan.MemoryLimit = properties.MemoryLimit;
   plan.Translucent = properties.View == DebugView::Shaded && scene.DrawsOverMedium;
-  plan.TranslucentFragments =
-    plan.Translucent && limits.StorageBuffers && !IsUnshadowedInFragments(plan, scene);
+  plan.NeedsRecords = limits.StorageBuffers && !IsUnshadowedInFragments(plan, scene);
+  plan.TranslucentFragments = plan.Translucent && plan.NeedsRecords;
   plan.VolumeNodes =
     GetVolumeNodeCount(scene.Volumes, scene.Width, scene.Height, properties.MemoryLimit);
   plan.AllShadersInjectable = scene.AllShadersInjectable;

@@ -113,7 +113,8 @@ struct FramePlan
   bool ScatteredSurfaceLight = false; // scattered light lights surfaces
 
   bool Translucent = false;          // translucent surfaces or volumes are drawn over the medium
-  bool TranslucentFragments = false; // and their fragments have records
+  bool NeedsRecords = false;         // their fragments have records, if there are any
+  bool TranslucentFragments = false; // there are, and they have
   int VolumeNodes = 2;               // on the rays through volumes
 
   bool AllShadersInjectable = false;

@@ -32,8 +32,9 @@ void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia&
   const std::vector<SceneLight>& sceneLights, const FrameInput& input)
 {
   SurfaceShaderOptions& options = this->Options;
+  // Where nothing is translucent now, none are needed: those that there were stay.
   const bool records = input.StorageBuffers &&
-    (plan.Translucent ? plan.TranslucentFragments : options.TranslucentFragments);
+    (plan.NeedsRecords || (!plan.Translucent && options.TranslucentFragments));
   const bool translucent = plan.Translucent || options.Translucent;
   const bool hides = options.Hides || input.Delegate;
   const bool reads =

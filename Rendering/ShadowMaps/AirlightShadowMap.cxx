@@ -34,7 +34,8 @@ constexpr float Nothing = 1e30f;
 bool ShadowMap::Update(const std::vector<Caster>& casters,
   const std::vector<NonPolygonalCaster>& nonPolygonal, const SceneLight& sceneLight, int resolution)
 {
-  const bool same = this->Drawn && this->NonPolygonal == nonPolygonal &&
+  // Whether the others changed, nobody says.
+  const bool same = this->Drawn && nonPolygonal.empty() && this->NonPolygonal.empty() &&
     this->Casters == casters && this->Light == sceneLight.World &&
     this->Axis == sceneLight.Values.axis && this->CosCone == sceneLight.Values.cosCone &&
     this->Resolution == resolution;

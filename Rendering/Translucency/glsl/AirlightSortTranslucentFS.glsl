@@ -7,14 +7,21 @@ void airlightSetSorted(uint place, uint distance, uint record)
   translucentFragments[airlightSortedWord(place) + 1u] = record;
 }
 
-void airlightCopyList(uint head, uint place)
+// Whether they are in order already, as the nodes of a volume and sheets drawn from afar to near.
+bool airlightCopyList(uint head, uint place)
 {
+  float last = 0.0;
+  bool ordered = true;
   for (uint record = head; record != 0u; place++)
   {
     float t = airlightTranslucentDistance(record);
-    airlightSetSorted(place, floatBitsToUint(t >= 0.0 ? t : 0.0), record); // no NaN
+    t = t >= 0.0 ? t : 0.0; // no NaN
+    airlightSetSorted(place, floatBitsToUint(t), record);
+    ordered = ordered && t >= last;
+    last = t;
     record = airlightNextTranslucent(record);
   }
+  return ordered;
 }
 
 void airlightSortArray(uint first, uint count)
@@ -59,16 +66,19 @@ void main()
     return;
   }
   uint first = atomicAdd(translucentHeads[1u + 2u * pixels], count);
-  airlightCopyList(translucentHeads[head], first);
-  translucentHeads[head] = first;
-  airlightSortArray(first, count);
-#if AIRLIGHT_SHADOW_TRANSMITTANCE
-  // A record is lit at a distance just before its own. These get the same order, for one cursor.
-  float before = 0.0;
-  for (uint i = 0u; i < count; i++)
+  if (!airlightCopyList(translucentHeads[head], first))
   {
-    uint record = airlightSortedRecord(first + i);
-    before = max(before, airlightTranslucentLitDistance(record));
+    airlightSortArray(first, count);
+  }
+  translucentHeads[head] = first;
+#if AIRLIGHT_SHADOW_TRANSMITTANCE
+  // A record is lit at a distance just before its own. These get the same order, for one cursor: a
+  // record before one that needs a wide margin gets a wider one, too.
+  float before = airlightTranslucentLitDistance(airlightSortedRecord(first + count - 1u));
+  for (uint i = count; i > 0u; i--)
+  {
+    uint record = airlightSortedRecord(first + i - 1u);
+    before = min(before, airlightTranslucentLitDistance(record));
     airlightSetTranslucentLitDistance(record, before);
   }
 #endif
