@@ -141,8 +141,8 @@ bool IsUnshadowedInComposite(const FramePlan& plan, const SceneFacts& scene)
 }
 
 // Without shadows one closed form in the fragments' own shader takes a fraction of the time of
-// records (Documentation/benchmarks.md). Quadrature would take long to compile there; volumes, which
-// need it at several places on each ray, gain nothing.
+// records (Documentation/benchmarks.md). Quadrature would take long to compile there. Volumes,
+// which need it at several places on each ray, gain nothing.
 bool IsUnshadowedInFragments(const FramePlan& plan, const SceneFacts& scene)
 {
   const std::vector<LightFacts> lights = GetScatteringLights(scene);

@@ -38,6 +38,8 @@ public:
       "the text defines the member of media with images");
     text = std::regex_replace(text, std::regex("\\bAIRLIGHT_DATA_MEMBER\\b"), "");
     text = std::regex_replace(text, std::regex("\\bAIRLIGHT_GRID_MEMBER\\b"), grid.str(1));
+    text = std::regex_replace(text, std::regex("\\bAIRLIGHT_SAMPLES\\b"), "int");
+    text = std::regex_replace(text, std::regex("\\breal3x3\\b"), "mat3");
     text = std::regex_replace(text, std::regex("\\breal(?=\\b)"), "float");
     text = std::regex_replace(text, std::regex("\\breal(?=[234]\\b)"), "vec");
     const std::regex structure("\\bstruct\\s+(\\w+)\\s*\\{([^}]*)\\}");
