@@ -16,6 +16,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
 #include <unordered_set>
 
 namespace airlight
@@ -96,35 +97,33 @@ void AddParts(SceneProp& to)
   }
 }
 
-void AddActors(SceneProp& to)
+// What a prop gives by vtkProp::GetActors() or vtkProp::GetVolumes().
+template <typename Item>
+std::vector<Item*> List(vtkProp* prop, void (vtkProp::*get)(vtkPropCollection*))
 {
   vtkNew<vtkPropCollection> found;
-  to.Prop->GetActors(found);
+  (prop->*get)(found);
+  std::vector<Item*> items;
   vtkCollectionSimpleIterator it = nullptr;
   found->InitTraversal(it);
-  while (vtkProp* item = found->GetNextProp(it))
+  while (vtkProp* next = found->GetNextProp(it))
   {
-    if (auto* actor = vtkActor::SafeDownCast(item))
+    if (auto* item = Item::SafeDownCast(next))
     {
-      to.Actors.push_back(actor);
+      items.push_back(item);
     }
   }
+  return items;
 }
 
-void AddVolumes(SceneProp& to)
+std::vector<vtkVolume*> ListVisibleVolumes(vtkProp* prop)
 {
-  vtkNew<vtkPropCollection> found;
-  to.Prop->GetVolumes(found);
-  vtkCollectionSimpleIterator it = nullptr;
-  found->InitTraversal(it);
-  while (vtkProp* item = found->GetNextProp(it))
-  {
-    auto* volume = vtkVolume::SafeDownCast(item);
-    if (volume && volume->GetVisibility() && volume->GetMapper())
-    {
-      to.Volumes.push_back(volume);
-    }
-  }
+  std::vector<vtkVolume*> volumes = List<vtkVolume>(prop, &vtkProp::GetVolumes);
+  volumes.erase(
+    std::remove_if(volumes.begin(), volumes.end(),
+      [](vtkVolume* volume) { return !volume->GetVisibility() || !volume->GetMapper(); }),
+    volumes.end());
+  return volumes;
 }
 }
 
@@ -185,8 +184,8 @@ void SceneProps::Add(vtkProp* prop, bool inView)
   }
   else if (inView && visible)
   {
-    AddActors(item);
-    AddVolumes(item);
+    item.Actors = List<vtkActor>(prop, &vtkProp::GetActors);
+    item.Volumes = ListVisibleVolumes(prop);
   }
   this->Props.push_back(std::move(item));
 }

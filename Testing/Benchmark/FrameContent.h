@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Content as people draw it, one kind in each scene, beside a ball on a floor under the same lights.
- * Each scene is that ball and floor and something else; its frames and those of the ball and floor
- * alone are timed in turn.
+ * Content as people draw it, one kind in each scene, beside a ball on a floor under the same
+ * lights. Each scene is that ball and floor and something else; its frames and those of the ball
+ * and floor alone are timed in turn.
  */
 
 #ifndef FrameContent_h

@@ -3,7 +3,6 @@
 #include "FrameContent.h"
 
 #include "vtkActor.h"
-#include "vtkAppendPolyData.h"
 #include "vtkCompositePolyDataMapper2.h"
 #include "vtkConeSource.h"
 #include "vtkContourFilter.h"
