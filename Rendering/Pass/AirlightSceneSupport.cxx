@@ -16,10 +16,13 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
+#include "vtkTexture.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <string>
 
 namespace airlight
 {
@@ -45,6 +48,20 @@ bool HasSupportedMapper(vtkProp* prop)
     HasTrait(actor->GetMapper(), ClassTrait::InjectableShaders);
 }
 
+// Whether a texture lets nothing through: its image has no translucent texel, nor has its border.
+bool IsOpaque(vtkTexture* texture)
+{
+  return !texture || (!texture->IsTranslucent() && texture->GetWrap() != vtkTexture::ClampToBorder);
+}
+
+bool HasOpaqueTextures(vtkActor* actor)
+{
+  std::map<std::string, vtkTexture*>& textures = actor->GetProperty()->GetAllTextures();
+  return IsOpaque(actor->GetTexture()) &&
+    std::all_of(textures.begin(), textures.end(),
+      [](const auto& texture) { return IsOpaque(texture.second); });
+}
+
 // Whether each fragment of a known prop hides all that is behind it.
 bool IsSolidProp(vtkProp* prop)
 {
@@ -53,10 +70,9 @@ bool IsSolidProp(vtkProp* prop)
   {
     return true;
   }
-  vtkProperty* property = actor->GetProperty();
   vtkShaderProperty* shader = actor->GetShaderProperty();
-  return !actor->GetForceOpaque() && !actor->GetTexture() && property->GetNumberOfTextures() == 0 &&
-    !shader->HasFragmentShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
+  return !actor->GetForceOpaque() && HasOpaqueTextures(actor) && !shader->HasFragmentShaderCode() &&
+    shader->GetNumberOfShaderReplacements() == 0;
 }
 
 // Whether a prop's mapper draws its input where it is, of which nothing shines through. Not one
@@ -72,6 +88,19 @@ bool DrawsAllOfIt(vtkProp* prop)
   vtkShaderProperty* shader = actor->GetShaderProperty();
   return HasTrait(actor->GetMapper(), ClassTrait::DrawsItsInput) && prop->HasOpaqueGeometry() &&
     !shader->HasVertexShaderCode() && !shader->HasGeometryShaderCode();
+}
+
+// Whether an assembly draws the actors that it gives and nothing else: no volume, and no level of
+// detail. Annotations among its parts are drawn over the frame.
+bool HasActorsOnly(const SceneProp& item)
+{
+  return item.Volumes.empty() &&
+    std::all_of(item.Parts.begin(), item.Parts.end(),
+      [&item](const ScenePart& part) {
+        return std::find(item.Actors.begin(), item.Actors.end(), part.Actor) != item.Actors.end();
+      }) &&
+    std::all_of(item.OtherParts.begin(), item.OtherParts.end(),
+      [&item](vtkProp* part) { return part == item.Prop || part->IsA("vtkActor2D"); });
 }
 
 // Passes that take part in the mappers' shaders are named in the props' keys while they draw.
@@ -106,7 +135,7 @@ SceneSupport::SceneSupport(
   {
     if (item.InView)
     {
-      this->AddProp(item.Prop);
+      this->AddProp(item);
       this->AddVolumes(item);
       this->Actors.insert(this->Actors.end(), item.Actors.begin(), item.Actors.end());
     }
@@ -125,7 +154,33 @@ SceneSupport::SceneSupport(
 }
 
 //------------------------------------------------------------------------------
-void SceneSupport::AddProp(vtkProp* prop)
+void SceneSupport::AddProp(const SceneProp& item)
+{
+  vtkProp* prop = item.Prop;
+  if (HasTrait(prop, ClassTrait::DrawsItsParts) && HasActorsOnly(item))
+  {
+    for (vtkActor* actor : item.Actors)
+    {
+      this->AddGeometry(actor);
+    }
+  }
+  else
+  {
+    this->AddGeometry(prop);
+  }
+  this->DrawsOverMedium = this->DrawsOverMedium || prop->HasTranslucentPolygonalGeometry();
+  this->AllShadersInjectable = this->AllShadersInjectable && !HasForeignPass(prop);
+  this->HidesLines = this->HidesLines || vtkHiddenLineRemovalPass::WireframePropsExist(&prop, 1);
+  this->OcclusionOutside = this->OcclusionOutside || HasOcclusionPass(prop);
+  if (DrawsAllOfIt(prop))
+  {
+    this->Solids.push_back(prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What a prop, or a part of one, draws as it is.
+void SceneSupport::AddGeometry(vtkProp* prop)
 {
   const bool gaussians = AirlightScenePass::IsPointGaussians(prop);
   const bool supported = HasSupportedMapper(prop) && !gaussians;
@@ -133,12 +188,6 @@ void SceneSupport::AddProp(vtkProp* prop)
   this->AllOpaque = this->AllOpaque && supported && IsSolidProp(prop);
   this->DrawsOverMedium = this->DrawsOverMedium || gaussians ||
     prop->HasTranslucentPolygonalGeometry() || !(prop->IsA("vtkActor") || prop->IsA("vtkActor2D"));
-  this->HidesLines = this->HidesLines || vtkHiddenLineRemovalPass::WireframePropsExist(&prop, 1);
-  this->OcclusionOutside = this->OcclusionOutside || HasOcclusionPass(prop);
-  if (DrawsAllOfIt(prop))
-  {
-    this->Solids.push_back(prop);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -54,7 +54,8 @@ struct SceneSupport
   std::vector<vtkProp*> RayCast;
 
 private:
-  void AddProp(vtkProp* prop);
+  void AddProp(const SceneProp& item);
+  void AddGeometry(vtkProp* prop);
   void AddVolumes(const SceneProp& prop);
 };
 }

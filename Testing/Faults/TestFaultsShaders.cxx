@@ -7,9 +7,11 @@
 #include "FaultTrial.h"
 
 #include "vtkAirlightPolyDataMapper.h"
-#include "vtkAxesActor.h"
+#include "vtkLODProp3D.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOutputWindow.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkSphereSource.h"
 
 using namespace airlight_test;
 
@@ -72,9 +74,12 @@ void TestLists()
 void TestOthers()
 {
   WindowScene scene(48, 36, 2);
-  vtkNew<vtkAxesActor> axes;
-  axes->AxisLabelsOff();
-  scene.Renderer->AddActor(axes);
+  vtkNew<vtkSphereSource> ball;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(ball->GetOutputPort());
+  vtkNew<vtkLODProp3D> levels;
+  levels->AddLOD(mapper, 0.0);
+  scene.Renderer->AddViewProp(levels);
   Trial trial(scene);
   TryShader(trial, "the shader of distances", "uniform sampler2D drawn");
 }

@@ -6,6 +6,7 @@
 
 #include "AirlightTestScene.h"
 
+#include "vtkAxesActor.h"
 #include "vtkCommand.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
@@ -179,10 +180,18 @@ void TestSurfaces()
   image->GetPointData()->GetScalars()->Fill(255);
   texture->SetInputData(image);
   stage.Body->SetTexture(texture);
-  Check(stage.CountDraws() == 2, "a texture: drawn twice");
+  Check(stage.CountDraws() == 1, "an opaque texture: drawn once");
+  CheckSameTwice(stage, "an opaque texture");
+  texture->SetWrap(vtkTexture::ClampToBorder);
+  Check(stage.CountDraws() == 2, "a texture with a border: drawn twice");
   stage.Pass->SetShadowTechniqueToNone();
   Check(stage.CountDraws() == 1, "a texture without shadows: drawn once");
   stage.Body->SetTexture(nullptr);
+  vtkNew<vtkAxesActor> axes;
+  axes->AxisLabelsOff();
+  stage.Renderer->AddActor(axes);
+  Check(stage.CountDraws() == 2, "axes, to whose arrows the pass cannot add: drawn twice");
+  stage.Renderer->RemoveActor(axes);
   stage.Renderer->SetBackground2(0.6, 0.5, 0.2);
   stage.Renderer->GradientBackgroundOn();
   CheckSameTwice(stage, "gradient");
