@@ -78,6 +78,10 @@ void ShadowVolumes::MakeEdges(Part& part) const
   {
     const glm::dvec3 a = this->GetRelativePoint(caster, mirrored ? edge.B : edge.A);
     const glm::dvec3 b = this->GetRelativePoint(caster, mirrored ? edge.A : edge.B);
+    if (glm::vec3(a) == glm::vec3(b))
+    {
+      continue; // no length is left, as at the poles of a textured ball: its plane is nowhere
+    }
     const glm::dvec3 away = this->Light.w != 0.0 ? a : -glm::dvec3(this->Light);
     glm::dvec3 normal = glm::cross(away, b - a);
     const double length = glm::length(normal);
