@@ -86,9 +86,13 @@ bool InscatterPass::DrawPixels(const FrameScene& scene, const InscatterTargets& 
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(0, draw.Row, scene.Width, draw.Rows);
-  vtkTextureObject* map = shadow.GetMap();
-  quad.Draw({ { "distances", targets.Distances }, { "airlightData", scene.Data },
-    { "shadowMap", map ? map : targets.Distances } });
+  LightShadow::Textures textures{ { "distances", targets.Distances },
+    { "airlightData", scene.Data } };
+  for (const auto& texture : shadow.GetTextures())
+  {
+    textures.emplace_back(texture.first, texture.second ? texture.second : targets.Distances);
+  }
+  quad.Draw(textures);
   state->vtkglScissor(0, 0, scene.Width, scene.Height);
   return true;
 }

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkShaderProgram;
@@ -106,8 +107,9 @@ public:
   // Sets what this source reads.
   virtual void Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw& draw);
 
-  // The shadow map, or null.
-  virtual vtkTextureObject* GetMap() { return nullptr; }
+  // The textures that this source reads, by their names; null for one that is of no use.
+  using Textures = std::vector<std::pair<const char*, vtkTextureObject*>>;
+  virtual Textures GetTextures() { return {}; }
 
   // What stands between the light and the start of the rays: a count, or where casters let light
   // through their optical thickness.

@@ -235,6 +235,7 @@ void LightShadows::ReleaseObjects(vtkWindow* window)
   this->Planes.clear();
   this->ReleaseMaps(window);
   this->Programs.Merge.Release();
+  this->Programs.Slices.Release();
   this->Boundaries.Release();
   this->SurfaceTransmittance.Release();
 }

@@ -3,9 +3,13 @@
 #include "Inscatter/AirlightMapShadow.h"
 
 #include "AirlightMapBoundaries.h"
+#include "AirlightMapLookup.h"
 #include "AirlightMapMarch.h"
 #include "AirlightRayMarch.h"
+#include "AirlightSliceLayout.h"
 
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -16,6 +20,9 @@ namespace airlight
 {
 namespace
 {
+// A step of a ray march is so many columns of a slice.
+constexpr int ColumnsPerStep = 12;
+
 // The longest way on which light of any channel falls to 1/e; 1 where none does.
 double GetFadingLength(const f64::AirlightMedia& media)
 {
@@ -40,9 +47,25 @@ MapShadow::MapShadow(MapPrograms& programs, bool march)
 bool MapShadow::Update(
   const FrameScene& scene, int light, const ShadowCasters& casters, const InscatterTargets& targets)
 {
-  return !this->Map.Update(
-           casters.Polygonal, casters.NonPolygonal, scene.Lights[light], casters.MapResolution) ||
-    this->DrawMap(scene.Window, casters, targets);
+  if (this->Map.Update(
+        casters.Polygonal, casters.NonPolygonal, scene.Lights[light], casters.MapResolution) &&
+    !this->DrawMap(scene.Window, casters, targets))
+  {
+    return false;
+  }
+  return this->March || !this->Map.HasCasters() || this->DrawSlices(scene, targets);
+}
+
+//------------------------------------------------------------------------------
+bool MapShadow::DrawSlices(const FrameScene& scene, const InscatterTargets& targets)
+{
+  const auto bind = [&targets](
+                      vtkTextureObject* texture) { return targets.Bind({ texture }, nullptr); };
+  const int columns = ColumnsPerStep * this->Steps;
+  const bool ok =
+    this->Slices.Draw(scene.Window, this->Map, scene.Rays, columns, this->Programs.Slices, bind);
+  scene.Window->GetState()->vtkglViewport(0, 0, scene.Width, scene.Height);
+  return ok || this->Fail(this->Slices.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -88,28 +111,46 @@ bool MapShadow::DrawMap(
 //------------------------------------------------------------------------------
 std::string MapShadow::GetBoundarySource(const InscatterDraw&, bool) const
 {
-  return this->March
-    ? std::string("#define AIRLIGHT_RAY_MARCH\n") + AirlightMapMarch + AirlightRayMarch
-    : std::string(AirlightMapMarch) + AirlightMapBoundaries;
+  return this->March ? std::string("#define AIRLIGHT_RAY_MARCH\n") + AirlightMapLookup +
+      AirlightMapMarch + AirlightRayMarch
+                     : std::string(AirlightMapLookup) + AirlightSliceLayout + AirlightMapBoundaries;
+}
+
+//------------------------------------------------------------------------------
+LightShadow::Textures MapShadow::GetTextures()
+{
+  vtkTextureObject* map = this->Map.HasCasters() ? this->Map.GetTexture() : nullptr;
+  if (this->March)
+  {
+    return { { "shadowMap", map } };
+  }
+  return { { "shadowMap", map }, { "slices", map ? this->Slices.GetTexture() : nullptr } };
+}
+
+//------------------------------------------------------------------------------
+void MapShadow::Release(vtkWindow* window)
+{
+  this->Map.Release(window);
+  this->Slices.Release(window);
 }
 
 //------------------------------------------------------------------------------
 void MapShadow::Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw&)
 {
-  double scale = 0.0;
   if (this->Map.HasCasters())
   {
     this->Map.GetProjection().SetUniforms(program, scene.Rays);
-    scale = this->Map.GetProjection().GetExtent();
   }
   else
   {
     program->SetUniformi("mapKind", 0);
   }
-  if (this->March)
+  if (!this->March)
   {
-    scale = GetFadingLength(scene.Media);
+    this->Slices.SetUniforms(program);
+    return;
   }
+  const double scale = GetFadingLength(scene.Media);
   program->SetUniformi("marchSteps", this->Steps);
   program->SetUniformf("marchScale", static_cast<float>(scale));
 }

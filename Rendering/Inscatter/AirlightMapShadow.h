@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A light's shadow from a shadow map: boundaries found in the map, or a ray march that looks into
- * it at each step.
+ * A light's shadow from a shadow map: boundaries found in its epipolar slices, or a ray march that
+ * looks into it at each step.
  */
 
 #ifndef AirlightMapShadow_h
 #define AirlightMapShadow_h
 
 #include "Inscatter/AirlightLightShadow.h"
+#include "ShadowMaps/AirlightEpipolarMap.h"
 
 namespace airlight
 {
@@ -17,6 +18,7 @@ struct MapPrograms
 {
   Quad Merge;
   ProgramMaker Casters;
+  Quad Slices;
 };
 
 class MapShadow : public LightShadow
@@ -29,22 +31,21 @@ public:
   bool Update(const FrameScene& scene, int light, const ShadowCasters& casters,
     const InscatterTargets& targets) override;
   bool HasShadow() const override { return this->March || this->Map.HasCasters(); }
-  bool CountsBoundaries() const override { return false; }
+  bool CountsBoundaries() const override { return !this->March; }
   std::string GetBoundarySource(const InscatterDraw& draw, bool counted) const override;
   void Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw& draw) override;
-  vtkTextureObject* GetMap() override
-  {
-    return this->Map.HasCasters() ? this->Map.GetTexture() : nullptr;
-  }
-  void Release(vtkWindow* window) { this->Map.Release(window); }
+  Textures GetTextures() override;
+  void Release(vtkWindow* window);
 
 private:
   bool DrawMap(
     vtkOpenGLRenderWindow* window, const ShadowCasters& casters, const InscatterTargets& targets);
+  bool DrawSlices(const FrameScene& scene, const InscatterTargets& targets);
   bool BindTarget(const InscatterTargets& targets, vtkTextureObject* texture);
 
   MapPrograms& Programs;
   ShadowMap Map;
+  EpipolarMap Slices;
   bool March;
   int Steps = 64;
 };

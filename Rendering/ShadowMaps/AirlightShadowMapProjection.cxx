@@ -132,11 +132,40 @@ void ShadowMapProjection::Set(const std::vector<Caster>& casters,
     const double tangent = std::sqrt(1.0 - cosine * cosine) / cosine;
     this->Scale = glm::dvec2((1.0 - 2.0 * Margin / this->Side) / tangent);
   }
-  for (const glm::dvec3& corner : GetCorners(casters, nonPolygonal))
+  const std::vector<glm::dvec3> corners = GetCorners(casters, nonPolygonal);
+  for (const glm::dvec3& corner : corners)
   {
     this->Farthest = std::max(this->Farthest, glm::length(corner - this->Anchor));
   }
   this->Extent = this->Farthest;
+  this->SetCover(corners, cosine, nonPolygonal.empty());
+}
+
+//------------------------------------------------------------------------------
+// Around a ball that holds the casters, or the spot's cone if that is narrower. What mappers draw
+// around points is not in their boxes.
+void ShadowMapProjection::SetCover(
+  const std::vector<glm::dvec3>& corners, double cosCone, bool polygonal)
+{
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high = -low;
+  for (const glm::dvec3& corner : corners)
+  {
+    low = glm::min(low, corner - this->Anchor);
+    high = glm::max(high, corner - this->Anchor);
+  }
+  const glm::dvec3 middle = 0.5 * (low + high);
+  const double radius = 0.5 * glm::length(high - low);
+  const double distance = glm::length(middle);
+  this->Covered = { glm::dvec3(0.0, 0.0, 1.0), glm::radians(180.0) };
+  if (polygonal && distance > radius)
+  {
+    this->Covered = { middle / distance, std::asin(radius / distance) };
+  }
+  if (this->Kind == Kinds::Cone && std::acos(cosCone) < this->Covered.Angle)
+  {
+    this->Covered = { this->Frame[2], std::acos(cosCone) };
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -171,7 +200,6 @@ void ShadowMapProjection::SetParallel(const std::vector<Caster>& casters,
   // Casters that the light sees edge-on have no width.
   const glm::dvec2 across = glm::max(glm::dvec2(half), 1e-6 * this->Extent);
   this->Scale = (1.0 - 2.0 * Margin / this->Side) / across;
-  this->Nearest = -half.z;
   this->Farthest = half.z;
 }
 
@@ -261,7 +289,6 @@ void ShadowMapProjection::SetUniforms(vtkShaderProgram* program, const CameraUni
   program->SetUniform3f("mapOrigin", &origin.x);
   program->SetUniform3fv("mapFrame", 3, &frame[0].x);
   program->SetUniform2f("mapScale", &scale.x);
-  program->SetUniformf("mapNearest", static_cast<float>(this->Nearest - slack));
   program->SetUniformf("mapSlack", static_cast<float>(slack));
   program->SetUniformf("mapRelativeSlack", parallel ? 0.0f : static_cast<float>(MapRounding));
 }

@@ -55,15 +55,23 @@ public:
   double GetExtent() const { return this->Extent; }
   double GetFarthest() const { return this->Farthest; }
 
+  // A cone from a light at a place that holds all of the map in which there may be casters.
+  struct Cover
+  {
+    glm::dvec3 Axis{ 0.0, 0.0, 1.0 }; // unit
+    double Angle = 0.0;               // from it, in radians
+  };
+  const Cover& GetCover() const { return this->Covered; }
+
   // The camera of a face. That of a light at infinity stands so far before the casters' middle.
   void SetCamera(vtkCamera* camera, int face) const;
   double GetCameraOffset() const;
 
-  // Those of glsl/AirlightMapMarch.glsl, but for the texture.
+  // Those of glsl/AirlightMapLookup.glsl, but for the texture.
   void SetUniforms(vtkShaderProgram* program, const CameraUniforms& view) const;
 
 private:
-  // As glsl/AirlightMapMarch.glsl numbers them.
+  // As glsl/AirlightMapLookup.glsl numbers them.
   enum class Kinds
   {
     None = 0, // no casters
@@ -72,6 +80,7 @@ private:
     Parallel = 3
   };
 
+  void SetCover(const std::vector<glm::dvec3>& corners, double cosCone, bool polygonal);
   void SetParallel(const std::vector<Caster>& casters,
     const std::vector<NonPolygonalCaster>& nonPolygonal, const glm::dvec3& toLight);
 
@@ -80,9 +89,9 @@ private:
   glm::dvec3 Anchor{ 0.0 };
   glm::dmat3 Frame{ 1.0 }; // not for six faces
   glm::dvec2 Scale{ 1.0 };
-  double Nearest = 0.0; // of the casters, along a directional light
   double Extent = 0.0;
   double Farthest = 0.0;
+  Cover Covered;
 };
 }
 

@@ -17,7 +17,7 @@
 //     Comes last, with what airlightNextBoundary() returned, and after a pause from where on, with
 //     which counts, the next draw goes on.
 //
-// Readers that count (LightShadow::CountsBoundaries()) know all boundaries when they are opened and
+// Readers that count (LightShadow::CountsBoundaries()) know all boundaries when they have begun and
 // never pause, so that they need no closing. They have the number of boundaries and the sum of
 // their weights:
 //

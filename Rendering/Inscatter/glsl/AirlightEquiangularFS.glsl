@@ -16,6 +16,9 @@ void main()
 #ifdef AIRLIGHT_RECORD
   single = airlight;
   float bound = phaseError * brightest(airlight.rgb) + error * brightest(pixel.whole);
+#ifdef AIRLIGHT_BOUNDARY_ERROR
+  bound += AIRLIGHT_BOUNDARY_ERROR * brightest(pixel.whole);
+#endif
   counts = vec4(float(pixel.boundaries), bound, pixel.litLength, 0.0);
 #endif
 }

@@ -9,6 +9,14 @@ struct AirlightEquiangularPixel
   bool surfaceLit;
 };
 
+void airlightBeginEquiangular(AirlightRay ray, inout float from, inout AirlightCounts shadows,
+  inout AirlightEquiangularPixel pixel)
+{
+  airlightBeginBoundaries(ray, from, shadows);
+  pixel.boundaries = airlightBoundaryCount;
+  pixel.surfaceLit = airlightPassing(airlightAdd(shadows, airlightBoundaryWeights));
+}
+
 // Below, all that depends on the pixel's boundaries alone is there.
 #ifdef AIRLIGHT_ISOTROPIC
 
@@ -22,7 +30,7 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
   float reach = airlightHalfAngleReach(arc, ray, ray.lit.y);
   float from = ray.lit.x;
   AirlightCounts shadows = airlightStartCounts();
-  airlightBeginBoundaries(ray, from, shadows);
+  airlightBeginEquiangular(ray, from, shadows, pixel);
   bool lit = airlightPassing(shadows);
   float litLength = lit ? -from : 0.0;
   AirlightSpectrum sum = AirlightSpectrum(0.0);
@@ -74,7 +82,7 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
   AirlightEquiangular arc = airlightEquiangularRange(media.item[0], ray, ray.lit.x, ray.lit.y);
   float from = ray.lit.x;
   AirlightCounts shadows = airlightStartCounts();
-  airlightBeginBoundaries(ray, from, shadows);
+  airlightBeginEquiangular(ray, from, shadows, pixel);
   bool lit = airlightPassing(shadows);
   float litLength = lit ? -from : 0.0;
   AirlightSpectrum all = AirlightSpectrum(0.0);
@@ -123,9 +131,6 @@ bool airlightEquiangularPixel(vec2 p, float unit, float surface, out AirlightEqu
   {
     return false;
   }
-  pixel.boundaries = airlightBoundaryCount;
-  pixel.surfaceLit =
-    airlightPassing(airlightAdd(airlightStartCounts(), airlightBoundaryWeights));
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
   AirlightRay ray = airlightRayBeside(media, light, origin, direction,

@@ -150,6 +150,9 @@ void main()
   // A ray that takes several draws has this error once.
   float bound = phaseError * brightest(airlight.rgb) +
     (state == AIRLIGHT_PAUSE ? 0.0 : error * brightest(whole));
+#ifdef AIRLIGHT_BOUNDARY_ERROR
+  bound += state == AIRLIGHT_PAUSE ? 0.0 : AIRLIGHT_BOUNDARY_ERROR * brightest(whole);
+#endif
   counts = vec4(float(boundaries), bound, litLength, 0.0);
 #endif
 }

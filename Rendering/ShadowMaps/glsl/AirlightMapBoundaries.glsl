@@ -1,131 +1,286 @@
-// The boundaries of a pixel from a shadow map: steps along the ray, and where light turns into
-// shadow or back within a step, the place by bisection. What begins and ends within one step is
-// missed.
+// The boundaries of a pixel from a shadow map, by its epipolar slices: the ray is lit in a column
+// where its own value is not below the slice's. All columns that the ray passes are looked up in
+// one loop without branches, so that the time hardly depends on what casts.
 
-// A step is halved so often.
-const int AIRLIGHT_HALVINGS = 8;
+uniform sampler2D slices; // four columns a texel
 
-// So many steps are looked up at once. Rays that are drawn side by side, and wait for one another,
-// do so in step; what differs between them, where light ends and begins, is left for afterwards.
-const int AIRLIGHT_BLOCK = 128;
+// Columns at most.
+const int AIRLIGHT_SLICE_WORDS = 32;
+// Of a ray with no more boundaries, each is found within its column; where there are more, errors
+// of either sign even out, and shadows that are thinner than a column are half of them missed.
+const int AIRLIGHT_FEW_BOUNDARIES = 8;
+const int AIRLIGHT_HALVINGS = 4;
 
-AirlightMarch march;
-float marchEnd;   // distance of the surface, below 0: none
-int marchFirst;   // the first step's end that the block has
-int marchNext;    // the step's end to be looked at; one more than the last: the surface
-bool marchLit;    // and whether those before it are lit
-uvec4 marchBlock; // a bit for each of the block's
-
-// Whether light reaches the ends of a block's steps.
-void airlightMarchBlock(int first)
+struct AirlightSliceRay
 {
-  marchFirst = first;
-  marchBlock = uvec4(0u);
-  float h = march.ray.foot.h;
-  float angle = march.turn / float(marchSteps);
-  mat2 turn = mat2(cos(angle), -sin(angle), sin(angle), cos(angle));
-  float start = float(first) * angle;
-  // Their ratio times h is the distance from the foot.
-  vec2 along = mat2(cos(start), -sin(start), sin(start), cos(start)) * vec2(march.from, h);
-  float zero = march.point ? march.ray.range.x + march.ray.foot.tL : 0.0;
-  vec3 base = march.ray.origin - mapOrigin + zero * march.ray.direction;
-  for (int word = 0; word < 4 && first + 32 * word <= marchSteps; word++)
+  AirlightRay ray;
+  int row;
+  vec2 columns;  // between which the ray is
+  // The ray's value is scale times what grows by perUnit from the border of column 0, or for a
+  // light at a place the cosine of that.
+  float start;
+  float perUnit;
+  float scale;
+  bool point;
+};
+
+AirlightSliceRay sliceRay;
+float sliceEnd;   // distance of the surface, below 0: none
+bool sliceLit;    // what is before the next boundary
+bool sliceFlips;  // whether the surface is not as the ray before it
+float sliceError; // what may be wrong, as a share of the ray's airlight without shadows
+#define AIRLIGHT_BOUNDARY_ERROR sliceError
+
+// A bit for each column that is not as the one before it; a bit for each of these words that is
+// left and not 0; what is left of the one that is read, and its number.
+uint sliceChanges[AIRLIGHT_SLICE_WORDS];
+uint sliceWords;
+uint sliceChange;
+int sliceWord;
+
+int airlightBoundaryCount;
+int airlightBoundaryWeights;
+int sliceNumber;                         // of the next boundary
+bool sliceIsFew;                         // there are so few of them
+float sliceFew[AIRLIGHT_FEW_BOUNDARIES]; // then their distances
+
+// Of the part of a ray from `from` on.
+AirlightSliceRay airlightMakeSliceRay(AirlightRay ray, float from)
+{
+  AirlightSliceRay slice;
+  slice.ray = ray;
+  slice.point = mapKind != 3;
+  vec3 side = airlightParallel != 0 && slice.point ? ray.origin - mapOrigin : ray.direction;
+  vec2 across = vec2(dot(side, sliceAxes[0]), dot(side, sliceAxes[1]));
+  // In any direction where the ray goes through the light.
+  float place = sliceFan != 0 ? atan(across.y, across == vec2(0.0) ? 1.0 : across.x)
+                              : dot(ray.origin, sliceAxes[1]);
+  slice.row = int(floor((place - sliceRow.x) * sliceRow.y));
+  slice.perUnit = 1.0;
+  float h = ray.foot.h;
+  if (slice.point)
   {
-    uint bits = 0u;
-    for (int bit = 0; bit < 32 && first + 32 * word + bit <= marchSteps; bit++)
-    {
-      float x = march.point
-        ? clamp(h * along.x / max(along.y, 1e-30), march.from, march.to)
-        : airlightMarchDistance(march, float(first + 32 * word + bit) / float(marchSteps));
-      bits |= airlightMapIsLit(base + x * march.ray.direction) ? 1u << uint(bit) : 0u;
-      along = turn * along;
-    }
-    marchBlock[word] = bits;
+    // Of the eye, as seen from the foot of the light.
+    slice.start =
+      airlightParallel != 0 ? -1.57079633 : -atan(ray.range.x + ray.foot.tL, h);
+    slice.scale = 1.0 / max(h, 1e-30);
+    slice.columns = vec2(atan(airlightFromFoot(ray, from), h),
+                      atan(airlightFromFoot(ray, ray.lit.y), h)) - slice.start;
+    slice.start += sliceColumn.x;
+  }
+  else
+  {
+    float along = dot(ray.direction, sliceAxes[2]);
+    float way = length(across);
+    float origin = sliceFan != 0 ? 0.0 : dot(ray.origin, sliceAxes[0]);
+    slice.scale = 1.0;
+    slice.columns = origin + way * vec2(from, ray.lit.y);
+    slice.perUnit = -along / max(way, 1e-30);
+    slice.start =
+      dot(mapOrigin - ray.origin, sliceAxes[2]) + (sliceColumn.x - origin) * slice.perUnit;
+    slice.row = way > 0.0 ? slice.row : -1;
+  }
+  slice.columns = (slice.columns - sliceColumn.x) * sliceColumn.y;
+  return slice;
+}
+
+// What four columns, and the four before them, add to the border that they begin at: by cosines and
+// sines for a light at a place.
+struct AirlightSliceSteps
+{
+  vec4 after;
+  vec4 before;
+  vec4 cosAfter;
+  vec4 sinAfter;
+  vec4 cosBefore;
+  vec4 sinBefore;
+  float twice; // what the values of columns times this less those before are the next
+};
+
+AirlightSliceSteps airlightSliceSteps(AirlightSliceRay slice)
+{
+  AirlightSliceSteps steps;
+  float column = slice.perUnit / sliceColumn.y;
+  steps.after = column * vec4(0.5, 1.5, 2.5, 3.5);
+  steps.before = column * vec4(-3.5, -2.5, -1.5, -0.5);
+  steps.cosAfter = cos(steps.after);
+  steps.sinAfter = sin(steps.after);
+  steps.cosBefore = cos(steps.before);
+  steps.sinBefore = sin(steps.before);
+  steps.twice = slice.point ? 2.0 * cos(4.0 * column) : 2.0;
+  return steps;
+}
+
+// Whether light reaches the columns of a word: a bit each.
+uint airlightSliceBits(AirlightSliceRay slice, AirlightSliceSteps steps, int word)
+{
+  float u = slice.start + 32.0 * float(word) / sliceColumn.y * slice.perUnit;
+  float c = slice.scale * cos(u);
+  float s = slice.scale * sin(u);
+  vec4 before = slice.point ? c * steps.cosBefore - s * steps.sinBefore : u + steps.before;
+  vec4 value = slice.point ? c * steps.cosAfter - s * steps.sinAfter : u + steps.after;
+  uint bits = 0u;
+  for (int i = 0; i < 8; i++)
+  {
+    vec4 least = texelFetch(slices, ivec2(8 * word + i, slice.row), 0);
+    uvec4 lit = uvec4(greaterThanEqual(value, least)) << uvec4(0u, 1u, 2u, 3u);
+    bits |= (lit.x | lit.y | lit.z | lit.w) << uint(4 * i);
+    vec4 next = steps.twice * value - before;
+    before = value;
+    value = next;
+  }
+  return bits;
+}
+
+// Finds and counts all changes between two columns, and whether the first one is lit.
+void airlightMarchSlice(ivec2 ends)
+{
+  ivec2 words = ends / 32;
+  ivec2 bit = ends % 32;
+  uint before = 0u;
+  AirlightSliceSteps steps = airlightSliceSteps(sliceRay);
+  for (int word = words.x; word <= words.y; word++)
+  {
+    uint bits = airlightSliceBits(sliceRay, steps, word);
+    bool first = word == words.x;
+    sliceLit = first ? (bits >> uint(bit.x) & 1u) != 0u : sliceLit;
+    uint changes = bits ^ (bits << 1u | before);
+    changes &= first ? 0xfffffffeu << uint(bit.x) : 0xffffffffu;
+    changes &= word == words.y ? 0xffffffffu >> uint(31 - bit.y) : 0xffffffffu;
+    sliceChanges[word] = changes;
+    airlightBoundaryCount += bitCount(changes);
+    sliceWords |= changes != 0u ? 1u << uint(word) : 0u;
+    before = bits >> 31u;
   }
 }
 
-// The first step's end from marchNext on that is not as those before; one more than the last if
-// there is none.
-int airlightMarchChange()
+// The distance of a place in columns.
+float airlightSliceDistance(float column)
 {
-  while (marchNext <= marchSteps)
+  float u = column / sliceColumn.y;
+  if (sliceRay.point)
   {
-    if (marchNext >= marchFirst + AIRLIGHT_BLOCK)
-    {
-      airlightMarchBlock(marchNext);
-    }
-    int place = marchNext - marchFirst;
-    uint other = marchBlock[place / 32] ^ (marchLit ? 0xffffffffu : 0u);
-    other &= 0xffffffffu << uint(place % 32);
-    int found = marchFirst + place / 32 * 32 + (other != 0u ? findLSB(other) : 32);
-    marchNext = min(found, marchSteps + 1);
-    if (other != 0u)
-    {
-      break;
-    }
+    float angle = clamp(sliceRay.start + u, -1.5707, 1.5707);
+    return sliceRay.ray.range.x + sliceRay.ray.foot.tL + sliceRay.ray.foot.h * tan(angle);
   }
-  return marchNext;
+  float way = length(vec2(dot(sliceRay.ray.direction, sliceAxes[0]),
+    dot(sliceRay.ray.direction, sliceAxes[1])));
+  float origin = sliceFan != 0 ? 0.0 : dot(sliceRay.ray.origin, sliceAxes[0]);
+  return (sliceColumn.x + u - origin) / way;
+}
+
+// The next column that is not as the one before; -1 if there is none.
+int airlightSliceNext()
+{
+  bool read = sliceChange == 0u && sliceWords != 0u;
+  sliceWord = read ? findLSB(sliceWords) : sliceWord;
+  sliceWords &= read ? sliceWords - 1u : 0xffffffffu;
+  sliceChange = read ? sliceChanges[sliceWord] : sliceChange;
+  int column = sliceChange != 0u ? 32 * sliceWord + findLSB(sliceChange) : -1;
+  sliceChange &= sliceChange - 1u;
+  return column;
+}
+
+// Finds the boundary between the middles of a column and of the one before it in the map.
+float airlightRefine(int column, bool before)
+{
+  float a = airlightSliceDistance(float(column) - 0.5);
+  float b = airlightSliceDistance(float(column) + 0.5);
+  for (int i = 0; i < AIRLIGHT_HALVINGS; i++)
+  {
+    float middle = 0.5 * (a + b);
+    bool same = airlightIsLit(sliceRay.ray.origin + middle * sliceRay.ray.direction) == before;
+    a = same ? middle : a;
+    b = same ? b : middle;
+  }
+  return 0.5 * (a + b);
+}
+
+void airlightRefineFew(int count)
+{
+  uint words = sliceWords;
+  bool before = sliceLit;
+  for (int i = 0; i < count; i++)
+  {
+    sliceFew[i] = airlightRefine(airlightSliceNext(), before);
+    before = !before;
+  }
+  sliceWords = words;
+  sliceChange = 0u;
+}
+
+// What may be wrong, as a share of the ray's airlight: about a column for each boundary and one for
+// the start, of either sign. The first column has the largest share, as the light fades.
+float airlightSliceError(AirlightRay ray, float from, float passed)
+{
+  float x = airlightFromFoot(ray, from);
+  float h = max(ray.foot.h, 1e-30);
+  float way = length(vec2(dot(ray.direction, sliceAxes[0]), dot(ray.direction, sliceAxes[1])));
+  float first = (sliceRay.point ? h + x * x / h : 1.0 / max(way, 1e-30)) / sliceColumn.y;
+  float share = 1.0 / passed;
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    vec3 sigmaT = media.item[i].sigmaT;
+    share = max(share, first * max(sigmaT.x, max(sigmaT.y, sigmaT.z)));
+  }
+  return min(2.0 * sqrt(float(airlightBoundaryCount + 1)) * share, 1.0);
 }
 
 bool airlightOpenBoundaries(ivec2 pixel, float unit, float surface)
 {
-  marchEnd = unit * surface;
+  sliceEnd = unit * surface;
   return true;
 }
 
 void airlightBeginBoundaries(AirlightRay ray, inout float from, inout int shadows)
 {
-  march = airlightMarch(ray, true);
-  marchLit = true;
-  marchFirst = 0;
-  marchNext = marchSteps + 1;
-  // Nothing to march over where all is lit.
-  if (mapKind != 0 && march.to > march.from)
+  sliceLit = true;
+  sliceWords = 0u;
+  sliceChange = 0u;
+  sliceWord = 0;
+  sliceError = 0.0;
+  airlightBoundaryCount = 0;
+  sliceRay = airlightMakeSliceRay(ray, from);
+  bool surface = mapKind != 0 && sliceEnd >= 0.0;
+  bool surfaceLit =
+    !surface || airlightIsSurfaceLit(ray.origin + sliceEnd * ray.direction);
+  vec2 ends = vec2(ceil(sliceRay.columns.x - 0.5), floor(sliceRay.columns.y - 0.5));
+  bool within = ends.x > ends.y; // one column
+  ends = within ? vec2(floor(0.5 * (sliceRay.columns.x + sliceRay.columns.y))) : ends;
+  if (mapKind != 0 && sliceRay.row >= 0 && sliceRay.row < sliceSize.y)
   {
-    airlightMarchBlock(0);
-    marchNext = 1;
-    // What is outside the map is lit.
-    marchLit = (!march.point && march.from > ray.lit.x) || (marchBlock[0] & 1u) != 0u;
+    ends = clamp(ends, vec2(0.0), vec2(sliceSize.x - 1));
+    airlightMarchSlice(ivec2(ends));
+    sliceError = airlightSliceError(ray, from, ends.y - ends.x + 1.0);
   }
-  else if (mapKind != 0 && (march.point || march.from <= ray.lit.x))
-  {
-    marchLit = airlightIsLit(airlightMarchPoint(march, airlightMarchStep(march, 0)));
-  }
-  shadows = marchLit ? 0 : 1;
+  // What is as long as a column or shorter is as the surface at its end; so are all rays of a light
+  // that shines along a parallel view.
+  bool reaches = sliceEnd <= 1.0001 * ray.lit.y;
+  sliceLit = sliceSize.y == 0 || (within && surface && reaches) ? surfaceLit : sliceLit;
+  sliceNumber = 0;
+  sliceIsFew = airlightBoundaryCount <= AIRLIGHT_FEW_BOUNDARIES;
+  airlightRefineFew(sliceIsFew ? airlightBoundaryCount : 0);
+  bool endsLit = sliceLit == (airlightBoundaryCount % 2 == 0);
+  sliceFlips = surface && surfaceLit != endsLit;
+  airlightBoundaryCount += sliceFlips ? 1 : 0;
+  shadows = sliceLit ? 0 : 1;
+  airlightBoundaryWeights = airlightBoundaryCount % 2 == 0 ? 0 : 1 - 2 * shadows;
 }
 
 int airlightNextBoundary(out float t, out int weight)
 {
-  t = 0.0;
-  weight = marchLit ? 1 : -1;
-  int change = airlightMarchChange();
-  if (change <= marchSteps)
-  {
-    float a = airlightMarchStep(march, change - 1);
-    float b = airlightMarchStep(march, change);
-    for (int i = 0; i < AIRLIGHT_HALVINGS; i++)
-    {
-      float middle = airlightMarchMiddle(march, a, b);
-      bool same = airlightIsLit(airlightMarchPoint(march, middle)) == marchLit;
-      a = same ? middle : a;
-      b = same ? b : middle;
-    }
-    t = airlightMarchDistance(march, airlightMarchMiddle(march, a, b));
-    marchLit = !marchLit;
-    marchNext = change + 1;
-    return AIRLIGHT_MORE;
-  }
-  if (change == marchSteps + 1 && marchEnd >= 0.0)
-  {
-    marchNext++;
-    t = marchEnd;
-    if (airlightIsSurfaceLit(march.ray.origin + t * march.ray.direction) != marchLit)
-    {
-      marchLit = !marchLit;
-      return AIRLIGHT_MORE;
-    }
-  }
-  return AIRLIGHT_END;
+  weight = sliceLit ? 1 : -1;
+  int column = airlightSliceNext();
+  bool more = column >= 0;
+  t = sliceIsFew ? sliceFew[min(sliceNumber, AIRLIGHT_FEW_BOUNDARIES - 1)]
+                 : airlightSliceDistance(float(column));
+  t = more ? t : sliceEnd;
+  sliceNumber++;
+  bool flips = sliceFlips;
+  sliceFlips = sliceFlips && more;
+  more = more || flips;
+  sliceLit = more ? !sliceLit : sliceLit;
+  return more ? AIRLIGHT_MORE : AIRLIGHT_END;
 }
 
 void airlightCloseBoundaries(ivec2 pixel, int state, float from, int shadows) {}

@@ -27,7 +27,7 @@ vec3 airlightMarchedStep(AirlightMarch march, float middle, float t, float a, fl
 vec3 airlightMarched(
   AirlightRay ray, float surface, out float litLength, out int boundaries, out bool lit)
 {
-  AirlightMarch march = airlightMarch(ray, false);
+  AirlightMarch march = airlightMarch(ray);
   vec3 sum = vec3(0.0);
   litLength = 0.0;
   boundaries = 0;

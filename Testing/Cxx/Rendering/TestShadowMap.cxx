@@ -82,6 +82,14 @@ void TestLights()
   SetParallel(sun);
   CompareMap("parallel projection, directional light", sun);
 
+  // All of a ray is lit or dark.
+  Scene against;
+  against.Look({ 7, 3, 10 }, { 0, 0, 0 });
+  SetParallel(against);
+  against.AddDirectionalLight({ -7, -3, -10 });
+  AddOpenBodies(against);
+  CompareMap("sun against a parallel view", against);
+
   for (const double angle : { 30.0, 75.0 })
   {
     Scene spot;

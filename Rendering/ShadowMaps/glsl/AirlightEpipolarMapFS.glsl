@@ -1,0 +1,35 @@
+// Draws a shadow map's epipolar slices (AirlightSliceLayout.glsl), after AirlightMapLookup.glsl. A
+// texel has four columns. Their value: for a light at a place the reciprocal of the distance that
+// it goes, far below 0 if nothing is in its way; for a directional light that distance below 0.
+
+layout(location = 0) out vec4 sliceValues;
+
+float getValue(float row, float column)
+{
+  float a = sliceRow.x + row / sliceRow.y;
+  float u = sliceColumn.x + column / sliceColumn.y;
+  vec3 across = cos(a) * sliceAxes[0] + sin(a) * sliceAxes[1];
+  vec3 point = mapKind == 3
+    ? (sliceFan != 0 ? u * across : a * sliceAxes[1] + u * sliceAxes[0]) - mapOrigin
+    : cos(u) * sliceAxes[2] + sin(u) * across;
+  AirlightMapPosition position = airlightMapPosition(point);
+  ivec2 texel = clamp(ivec2(floor(position.texel)), ivec2(0), ivec2(mapResolution - 1));
+  float way = position.inside ? texelFetch(shadowMap, position.face + texel, 0).r : 1e30;
+  way += mapSlack + mapRelativeSlack * abs(way);
+  return mapKind == 3 ? -way : way >= 1e29 ? -1e30 : 1.0 / way;
+}
+
+// Rays are up to half a row away: what a slanted face is nearer to the light there is not its
+// shadow. What rises more is another face.
+void main()
+{
+  vec2 p = gl_FragCoord.xy;
+  vec4 values;
+  for (int i = 0; i < 4; i++)
+  {
+    values[i] = getValue(p.y, 4.0 * floor(p.x) + float(i) + 0.5);
+  }
+  vec4 rise = abs(dFdy(values));
+  vec4 most = mapKind == 3 ? vec4(0.1 * length(1.0 / mapScale)) : 0.1 * abs(values);
+  sliceValues = values - 0.5 * mix(vec4(0.0), rise, lessThan(rise, most));
+}
