@@ -90,6 +90,22 @@ void vtkAirlightPass::SetShadowMapResolution(int resolution)
 }
 
 //------------------------------------------------------------------------------
+void vtkAirlightPass::SetMaximumBoundariesPerPixel(double boundaries)
+{
+  if (!(boundaries >= 0.0))
+  {
+    vtkErrorMacro(<< "MaximumBoundariesPerPixel " << boundaries << " must not be below 0; it stays "
+                  << this->MaximumBoundariesPerPixel << ".");
+    return;
+  }
+  if (this->MaximumBoundariesPerPixel != boundaries)
+  {
+    this->MaximumBoundariesPerPixel = boundaries;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkAirlightPass::SetNumberOfSteps(int steps)
 {
   if (steps < 1 || steps > 2048)
@@ -139,7 +155,12 @@ void vtkAirlightPass::SetShadowOpacity(vtkProp* prop, double red, double green, 
 //------------------------------------------------------------------------------
 int vtkAirlightPass::GetEffectiveShadowTechnique()
 {
-  return static_cast<int>(this->Impl->GetTechnique());
+  return static_cast<int>(this->Impl->GetFrame().GetTechnique());
+}
+
+int vtkAirlightPass::GetEffectiveShadowTechnique(vtkLight* light)
+{
+  return static_cast<int>(this->Impl->GetFrame().GetTechnique(light));
 }
 
 //------------------------------------------------------------------------------
@@ -184,6 +205,7 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   properties.Technique = static_cast<airlight::ShadowTechnique>(this->ShadowTechnique);
   properties.View = static_cast<airlight::DebugView>(this->DebugView);
   properties.MapResolution = this->ShadowMapResolution;
+  properties.MaximumBoundaries = this->MaximumBoundariesPerPixel;
   properties.Steps = this->NumberOfSteps;
   properties.SurfaceShadows = this->SurfaceShadows;
   properties.TranslucentShadows = this->TranslucentShadows;
@@ -376,6 +398,7 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EffectiveShadowTechnique: " << techniques[this->GetEffectiveShadowTechnique()]
      << "\n";
   os << indent << "ShadowMapResolution: " << this->ShadowMapResolution << "\n";
+  os << indent << "MaximumBoundariesPerPixel: " << this->MaximumBoundariesPerPixel << "\n";
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
   os << indent << "TranslucentShadows: " << this->TranslucentShadows << "\n";

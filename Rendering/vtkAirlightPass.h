@@ -89,10 +89,12 @@ public:
   /**
    * The shadow technique. Default: AUTOMATIC.
    *
-   * AUTOMATIC uses SHADOW_PLANES, but SHADOW_MAP in frames in which OpenGL 4.3 is missing, an
-   * opaque caster has no shadow planes, or the shadow boundaries need too much memory. The first
-   * frame of each kind gives a warning. SHADOW_PLANES in these cases uses SHADOW_MAP with an error,
-   * leaves the caster out with a warning, or fails with an error.
+   * AUTOMATIC uses SHADOW_PLANES. It uses SHADOW_MAP for casters with more shadow boundaries than
+   * SetMaximumBoundariesPerPixel() allows and for opaque casters that have no shadow planes, and in
+   * frames in which OpenGL 4.3 is missing or the boundaries need too much memory. The first frame
+   * of each kind gives a warning. SHADOW_PLANES draws any number of boundaries; without OpenGL 4.3
+   * it uses SHADOW_MAP with an error, casters without planes are left out with a warning, and too
+   * little memory is an error.
    */
   void SetShadowTechnique(int technique);
   vtkGetMacro(ShadowTechnique, int);
@@ -115,16 +117,36 @@ public:
 
   ///@{
   /**
-   * Steps along each view ray, for SHADOW_MAP and RAY_MARCH. Range: 1 to 2048. Default: 64.
+   * How many shadow boundaries a pixel may have on average in each light, for AUTOMATIC. The number
+   * follows from the silhouettes, before anything is drawn. If there are more, the props with the
+   * most get a shadow map in place of shadow planes, until the others have no more: a swarm of
+   * small things takes bounded time, while large casters keep exact edges. "ErrorBound" includes
+   * an estimate of the map's error. Translucent casters and those of other processes keep their
+   * planes. Range: not below 0. Default: 16, beyond which planes take longer than a map with Mesa's
+   * software renderer; VTK_DOUBLE_MAX for planes in any case.
+   */
+  void SetMaximumBoundariesPerPixel(double boundaries);
+  vtkGetMacro(MaximumBoundariesPerPixel, double);
+  ///@}
+
+  ///@{
+  /**
+   * Steps along each view ray for RAY_MARCH. For shadow maps, a ray is compared with the map at 12
+   * places for each step, from 32 to 1024. Range: 1 to 2048. Default: 64.
    */
   void SetNumberOfSteps(int steps);
   vtkGetMacro(NumberOfSteps, int);
   ///@}
 
+  ///@{
   /**
-   * The technique of the last frame, never AUTOMATIC; see SetShadowTechnique().
+   * The technique of the last frame, or of one of its lights, never AUTOMATIC; see
+   * SetShadowTechnique(). SHADOW_MAP if any caster has a shadow map; NONE for a light that casts no
+   * shadows or was not in that frame.
    */
   int GetEffectiveShadowTechnique();
+  int GetEffectiveShadowTechnique(vtkLight* light);
+  ///@}
 
   ///@{
   /**
@@ -403,6 +425,7 @@ private:
 
   int ShadowTechnique = AUTOMATIC;
   int ShadowMapResolution = 1024;
+  double MaximumBoundariesPerPixel = 16.0;
   int NumberOfSteps = 64;
   bool SurfaceShadows = true;
   bool TranslucentShadows = true;

@@ -184,7 +184,8 @@ int main(int argc, char* argv[])
   lamp->SetFocalPoint(0.0, 0.0, 0.0);
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(haze);
-  pass->SetLightScatters(lamp, false); // the haze has the background's colour everywhere
+  pass->SetShadowTechniqueToShadowPlanes(); // exact, though there are many edges
+  pass->SetLightScatters(lamp, false);      // the haze has the background's colour everywhere
   pass->RecordBuffersOn();
   pass->EncodedOutputOn(); // for the eye
   vtkNew<vtkRenderer> renderer;

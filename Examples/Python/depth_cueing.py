@@ -118,6 +118,7 @@ def main():
     haze_pass = airlight.vtkAirlightPass()
     haze_pass.SetMedium(haze)
     haze_pass.SetLightScatters(lamp, False)
+    haze_pass.SetShadowTechniqueToShadowPlanes()  # exact, though there are many edges
     haze_pass.RecordBuffersOn()
     haze_pass.EncodedOutputOn()  # for the eye
     renderer.SetPass(haze_pass)

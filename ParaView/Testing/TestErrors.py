@@ -28,6 +28,8 @@ BAD = (
     ("AmbientRadiance", [-1, 0, 0], "AmbientRadiance (-1, 0, 0) must be finite"),
     ("LightRadius", -1, "LightRadius -1 must be finite and at least 0; it stays 0"),
     ("ShadowMapResolution", 3, "ShadowMapResolution 3 must be from 16 to 8192; it stays 1024"),
+    ("MaximumBoundariesPerPixel", -1,
+     "MaximumBoundariesPerPixel -1 must not be below 0; it stays 16"),
     ("NumberOfSteps", 0, "NumberOfSteps 0 must be from 1 to 2048; it stays 64"),
 )
 

@@ -85,6 +85,12 @@ void vtkPVAirlightRenderView::SetShadowMapResolution(int resolution)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetMaximumBoundariesPerPixel(double boundaries)
+{
+  this->Pass->SetMaximumBoundariesPerPixel(boundaries);
+}
+
+//------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetNumberOfSteps(int steps) { this->Pass->SetNumberOfSteps(steps); }
 
 //------------------------------------------------------------------------------

@@ -73,6 +73,7 @@ public:
    */
   void SetShadowTechnique(int technique);
   void SetShadowMapResolution(int resolution);
+  void SetMaximumBoundariesPerPixel(double boundaries);
   void SetNumberOfSteps(int steps);
   void SetSurfaceShadows(bool on);
   void SetTranslucentShadows(bool on);

@@ -50,6 +50,7 @@ bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipa
 bool Frame::Begin(const Input& input)
 {
   this->Current = input;
+  this->Techniques.clear();
   Targets::Needs needs;
   needs.SceneLights = input.SceneLights.size();
   needs.Drawn = !this->Plan.AllShadersInjectable;
@@ -117,6 +118,8 @@ bool Frame::PrepareCasters()
   options.SurfaceShadows = this->Plan.SurfaceShadows;
   options.TranslucentShadows = this->Plan.TranslucentShadows;
   options.LimitPlanes = this->Plan.LimitPlanes;
+  options.MaximumBoundaries = this->Plan.MaximumBoundaries;
+  options.MapNonPolygonal = this->Plan.MapNonPolygonal;
   options.MapResolution = this->Plan.MapResolution;
   options.Steps = this->Plan.Steps;
   options.MemoryLimit = this->Plan.MemoryLimit;
@@ -222,6 +225,7 @@ bool Frame::ScatterLights()
   {
     return this->Fail(this->Shadows.GetError());
   }
+  this->RecordTechniques();
   for (size_t k = 0; k < this->Current->SceneLights.size(); ++k)
   {
     if (!this->ScatterLight(targets, static_cast<int>(k)))
@@ -261,6 +265,34 @@ bool Frame::ScatterLight(const InscatterTargets& targets, int light)
     this->Textures.Clear(0.0f);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void Frame::RecordTechniques()
+{
+  for (size_t k = 0; k < this->Current->SceneLights.size(); ++k)
+  {
+    const SceneLight& light = this->Current->SceneLights[k];
+    if (light.Scatters() && light.CastsShadows)
+    {
+      this->Techniques[light.Light] =
+        this->Shadows.HasMapBesidePlanes(k) ? ShadowTechnique::Map : this->Plan.Technique;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+ShadowTechnique Frame::GetTechnique() const
+{
+  const bool maps = std::any_of(this->Techniques.begin(), this->Techniques.end(),
+    [](const auto& light) { return light.second == ShadowTechnique::Map; });
+  return maps ? ShadowTechnique::Map : this->Plan.Technique;
+}
+
+ShadowTechnique Frame::GetTechnique(const vtkLight* light) const
+{
+  const auto place = this->Techniques.find(light);
+  return place != this->Techniques.end() ? place->second : ShadowTechnique::None;
 }
 
 //------------------------------------------------------------------------------

@@ -37,11 +37,13 @@
 #include "Scene/AirlightSceneLights.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 class vtkImageData;
+class vtkLight;
 class vtkOpenGLRenderWindow;
 class vtkParticipatingMedium;
 class vtkProp;
@@ -89,6 +91,12 @@ public:
   // How the frame is drawn; before Begin().
   void SetPlan(const FramePlan& plan) { this->Plan = plan; }
   const FramePlan& GetPlan() const { return this->Plan; }
+
+  // The technique of the last frame, or of a light in it: maps if any caster has one.
+  ShadowTechnique GetTechnique() const;
+  ShadowTechnique GetTechnique(const vtkLight* light) const;
+  // Those that have a map since they have too many boundaries.
+  LightShadows::CostlyCasters GetCostlyCasters() const { return this->Shadows.GetCostlyCasters(); }
 
   // A renderer's scene in a frame.
   struct Input
@@ -159,6 +167,7 @@ private:
   bool ScatterLights();
   bool ScatterLight(const InscatterTargets& targets, int light);
   bool CompositeTranslucent();
+  void RecordTechniques();
 
   FrameScene GetScene();
   InscatterTargets GetInscatterTargets();
@@ -191,6 +200,7 @@ private:
   FramePlan Plan;
   MapView Map;
   bool OverBudget = false;
+  std::map<const vtkLight*, ShadowTechnique> Techniques; // by light; to be compared only
 };
 }
 

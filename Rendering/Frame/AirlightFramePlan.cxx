@@ -40,22 +40,28 @@ void ChooseTechnique(FramePlan& plan, const PassProperties& properties, const Sc
   }
   plan.Technique = ShadowTechnique::Planes;
   plan.LimitPlanes = automatic;
+  if (automatic)
+  {
+    plan.MaximumBoundaries = properties.MaximumBoundaries;
+  }
   const bool casts = (!scene.Clear || properties.SurfaceShadows) && HasShadowing(scene);
   if (!limits.StorageBuffers)
   {
     plan.Technique = ShadowTechnique::Map;
     plan.Reason = TechniqueReason::NoStorageBuffers;
   }
-  else if (scene.NonPolygonalCasters && casts)
-  {
-    // Requested planes are drawn without those.
-    plan.Technique = automatic ? ShadowTechnique::Map : ShadowTechnique::Planes;
-    plan.Reason = TechniqueReason::NonPolygonalCasters;
-  }
   else if (limits.PlanesOverMemory)
   {
     plan.Technique = ShadowTechnique::Map;
     plan.Reason = TechniqueReason::PlanesOverMemory;
+  }
+  else if (scene.NonPolygonalCasters && casts)
+  {
+    // Requested planes are drawn without those. Maps know of light and dark only.
+    const bool transmits = properties.TranslucentShadows && scene.TranslucentCasters;
+    plan.MapNonPolygonal = automatic && !transmits;
+    plan.Technique = automatic && transmits ? ShadowTechnique::Map : ShadowTechnique::Planes;
+    plan.Reason = TechniqueReason::NonPolygonalCasters;
   }
 }
 
@@ -127,7 +133,7 @@ std::vector<LightFacts> GetScatteringLights(const SceneFacts& scene)
 // without shadows a fifth shorter (Documentation/benchmarks.md).
 bool IsUnshadowedInComposite(const FramePlan& plan, const SceneFacts& scene)
 {
-  if (plan.Record || plan.Translucent || plan.View != DebugView::Shaded ||
+  if (plan.Record || plan.TranslucentFragments || plan.View != DebugView::Shaded ||
     plan.Shadows == ShadowMethod::March || scene.DensityImage)
   {
     return false;

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace airlight
@@ -41,6 +42,7 @@ struct PassProperties
 {
   ShadowTechnique Technique = ShadowTechnique::Automatic;
   DebugView View = DebugView::Shaded;
+  double MaximumBoundaries = 16.0;
   int MapResolution = 1024;
   int Steps = 64;
   bool SurfaceShadows = true;
@@ -106,6 +108,9 @@ struct FramePlan
   TechniqueReason Reason = TechniqueReason::AsAsked;
   ShadowMethod Shadows = ShadowMethod::None;
   bool LimitPlanes = false; // too many shadow boundaries are an error; the frame takes maps instead
+  // Casters whose planes would give a pixel more boundaries have maps.
+  double MaximumBoundaries = std::numeric_limits<double>::infinity();
+  bool MapNonPolygonal = false; // casters without planes have maps beside the planes of others
   int MapResolution = 1024;
   int Steps = 64;
   bool SurfaceShadows = false;

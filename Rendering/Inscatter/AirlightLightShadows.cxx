@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inscatter/AirlightLightShadows.h"
 
+#include "Inscatter/AirlightMixedShadow.h"
 #include "Inscatter/AirlightPlanesShadow.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
 #include "OpenGL/AirlightOpenGL.h"
@@ -99,12 +100,21 @@ void LightShadows::MakeShadows(const FrameScene& scene)
     {
       shadow = std::make_unique<PlanesShadow>(this->Boundaries);
     }
+    // A map has light and dark only.
+    shadow->SetMaximumBoundaries(
+      this->Transmits ? std::numeric_limits<double>::infinity() : this->Current.MaximumBoundaries);
   }
-  if (!this->HasMaps() || this->Maps.size() > count)
+  if (this->Maps.size() > count)
   {
     this->ReleaseMaps(scene.Window);
   }
-  this->Maps.resize(this->HasMaps() ? count : 0);
+  if (!this->HasMaps())
+  {
+    this->Maps.resize(count);
+    this->Mixed.resize(count);
+    return;
+  }
+  this->Maps.resize(count);
   for (size_t k = 0; k < this->Maps.size(); ++k)
   {
     if (!this->Maps[k] && Casts(scene, k))
@@ -123,8 +133,76 @@ void LightShadows::MakeShadows(const FrameScene& scene)
 //------------------------------------------------------------------------------
 LightShadow* LightShadows::Find(size_t light)
 {
-  return this->HasMaps() ? static_cast<LightShadow*>(this->Maps[light].get())
-                         : this->Planes[light].get();
+  if (this->HasMaps())
+  {
+    return this->Maps[light].get();
+  }
+  if (!this->Mixed[light])
+  {
+    return this->Planes[light].get();
+  }
+  return this->Planes[light]->HasShadow() ? static_cast<LightShadow*>(this->Mixed[light].get())
+                                          : this->Maps[light].get();
+}
+
+//------------------------------------------------------------------------------
+bool LightShadows::HasMapBesidePlanes(size_t light) const
+{
+  return light < this->Mixed.size() && this->Mixed[light];
+}
+
+//------------------------------------------------------------------------------
+LightShadows::CostlyCasters LightShadows::GetCostlyCasters() const
+{
+  CostlyCasters most;
+  for (size_t k = 0; k < this->Mixed.size(); ++k)
+  {
+    const size_t count = this->Mixed[k] ? this->Planes[k]->GetLeftOut().size() : 0;
+    if (count > 0 && this->Planes[k]->GetEstimate() > most.Boundaries)
+    {
+      most = { count, this->Planes[k]->GetEstimate() };
+    }
+  }
+  return most;
+}
+
+//------------------------------------------------------------------------------
+void LightShadows::DropMap(const FrameScene& scene, size_t light)
+{
+  this->Mixed[light].reset();
+  if (this->Maps[light])
+  {
+    this->Maps[light]->Release(scene.Window);
+    this->Maps[light].reset();
+  }
+}
+
+//------------------------------------------------------------------------------
+// The map of the casters that have no planes.
+bool LightShadows::UpdateMixed(
+  const FrameScene& scene, int light, const ShadowCasters& casters, const InscatterTargets& targets)
+{
+  const std::vector<Caster>& left = this->Planes[light]->GetLeftOut();
+  std::unique_ptr<MapShadow>& map = this->Maps[light];
+  std::vector<NonPolygonalCaster> others;
+  if (this->Current.MapNonPolygonal)
+  {
+    others = casters.NonPolygonal;
+  }
+  if (left.empty() && others.empty())
+  {
+    this->DropMap(scene, light);
+    return true;
+  }
+  if (!map)
+  {
+    map = std::make_unique<MapShadow>(this->Programs, false);
+  }
+  map->SetSteps(this->Current.Steps);
+  this->Mixed[light] = std::make_unique<MixedShadow>(*this->Planes[light], *map);
+  const ShadowCasters costly{ left, others, casters.Faces, casters.Remote, casters.DrawNonPolygonal,
+    casters.MapResolution };
+  return map->Update(scene, light, costly, targets) || this->Fail(map->GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -143,12 +221,22 @@ bool LightShadows::Update(const FrameScene& scene, const InscatterTargets& targe
   {
     if (Casts(scene, k))
     {
-      LightShadow& shadow = *this->Find(k);
-      if (!shadow.Update(scene, static_cast<int>(k), casters, targets))
+      const int light = static_cast<int>(k);
+      LightShadow* shadow =
+        this->HasMaps() ? static_cast<LightShadow*>(this->Maps[k].get()) : this->Planes[k].get();
+      if (!shadow->Update(scene, light, casters, targets))
       {
-        return this->Fail(shadow.GetError());
+        return this->Fail(shadow->GetError());
       }
-      edges = std::max(edges, shadow.GetEdgeCount());
+      if (!this->HasMaps() && !this->UpdateMixed(scene, light, casters, targets))
+      {
+        return false;
+      }
+      edges = std::max(edges, shadow->GetEdgeCount());
+    }
+    else if (!this->HasMaps())
+    {
+      this->DropMap(scene, k);
     }
   }
   // How much room boundaries get follows from the planes that are to be drawn.
@@ -227,13 +315,14 @@ void LightShadows::ReleaseMaps(vtkWindow* window)
     }
   }
   this->Maps.clear();
+  this->Mixed.clear();
 }
 
 //------------------------------------------------------------------------------
 void LightShadows::ReleaseObjects(vtkWindow* window)
 {
-  this->Planes.clear();
   this->ReleaseMaps(window);
+  this->Planes.clear();
   this->Programs.Merge.Release();
   this->Programs.Slices.Release();
   this->Boundaries.Release();

@@ -15,6 +15,7 @@
 #include "Translucency/AirlightShadowTransmittance.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ class vtkWindow;
 
 namespace airlight
 {
+class MixedShadow;
 class PlanesShadow;
 
 class LightShadows
@@ -38,6 +40,9 @@ public:
     bool SurfaceShadows = false;
     bool TranslucentShadows = false; // casters dim light by their opacity
     bool LimitPlanes = false;        // too many boundaries are an error
+    // Of planes, a pixel: casters that have more get a map.
+    double MaximumBoundaries = std::numeric_limits<double>::infinity();
+    bool MapNonPolygonal = false; // those without planes get a map, too
     int MapResolution = 1024;
     int Steps = 64;                // of a ray march
     std::uint64_t MemoryLimit = 0; // bytes
@@ -58,6 +63,18 @@ public:
 
   // A light's shadow; one without a shadow where it casts none.
   LightShadow& Get(const FrameScene& scene, int light);
+
+  // Whether some of a light's casters have a map in place of planes.
+  bool HasMapBesidePlanes(size_t light) const;
+
+  // How many have one since they have too many boundaries, and how many a pixel would have with
+  // them, in the light with the most.
+  struct CostlyCasters
+  {
+    size_t Count = 0;
+    double Boundaries = 0.0;
+  };
+  CostlyCasters GetCostlyCasters() const;
 
   // Whether drawing failed as there are too many boundaries for the memory limit.
   bool IsOverBudget() const;
@@ -88,6 +105,9 @@ private:
   void MakeShadows(const FrameScene& scene);
   bool HasMaps() const;
   LightShadow* Find(size_t light);
+  void DropMap(const FrameScene& scene, size_t light);
+  bool UpdateMixed(const FrameScene& scene, int light, const ShadowCasters& casters,
+    const InscatterTargets& targets);
 
   Options Current;
   ShadowLists Boundaries;
@@ -95,7 +115,8 @@ private:
   ShadowTransmittance SurfaceTransmittance;
   std::vector<ProcessSilhouettes> Remote;            // by process
   std::vector<std::unique_ptr<PlanesShadow>> Planes; // by light
-  std::vector<std::unique_ptr<MapShadow>> Maps;      // likewise
+  std::vector<std::unique_ptr<MapShadow>> Maps;      // likewise, null for those without
+  std::vector<std::unique_ptr<MixedShadow>> Mixed;   // likewise
   LightShadow None;
   MapShadow NoMap; // a ray march without a caster
   std::vector<PlanarOccluder> Faces;

@@ -3,15 +3,21 @@
 #include "Inscatter/AirlightPlanesShadow.h"
 
 #include "OpenGL/AirlightOpenGL.h"
+#include "ShadowVolumes/AirlightBoundaryEstimate.h"
 
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace airlight
 {
 namespace
 {
+// So many of all edges tell the number of boundaries.
+constexpr size_t EstimatedEdges = 2000;
+
 // The silhouettes that other processes made for the light as it is, up to rounding.
 ShadowVolumes::RemoteSilhouettes FindSilhouettes(
   const std::vector<ProcessSilhouettes>& processes, size_t index, const glm::dvec4& light)
@@ -41,11 +47,55 @@ bool PlanesShadow::Update(
 {
   const glm::dvec4& position = scene.Lights[light].World;
   this->Casters = &casters.Polygonal;
-  this->Faces = &casters.Faces;
+  this->TruncationPlanes =
+    FindTruncationPlanes(casters.Polygonal, casters.Faces, position, scene.Rays.GetEye());
   this->Volumes.SetRemoteSilhouettes(
     FindSilhouettes(casters.Remote, static_cast<size_t>(light), position));
-  return !this->Volumes.Update(casters.Polygonal, position, scene.Rays) ||
-    this->Lists.SetVolumes(light, this->Volumes) || this->Fail(this->Lists.GetError());
+  this->Volumes.UpdateSilhouettes(casters.Polygonal, position, scene.Rays);
+  const std::vector<bool> left = this->FindLeftOut(scene);
+  this->LeftOut.clear();
+  for (size_t i = 0; i < left.size(); ++i)
+  {
+    if (left[i])
+    {
+      this->LeftOut.push_back(casters.Polygonal[i]);
+    }
+  }
+  this->Volumes.LeaveOut(left);
+  return !this->Volumes.Collect(scene.Rays) || this->Lists.SetVolumes(light, this->Volumes) ||
+    this->Fail(this->Lists.GetError());
+}
+
+//------------------------------------------------------------------------------
+// Of many edges some are enough.
+std::vector<bool> PlanesShadow::FindLeftOut(const FrameScene& scene)
+{
+  const std::vector<Caster>& casters = *this->Casters;
+  if (std::isinf(this->MaximumBoundaries))
+  {
+    return {};
+  }
+  size_t edges = 0;
+  for (size_t i = 0; i < casters.size(); ++i)
+  {
+    edges += this->Volumes.GetEdges(i).size();
+  }
+  const size_t stride = 1 + edges / EstimatedEdges;
+  const BoundaryEstimate estimate(scene.Rays, this->Volumes.GetAnchor(), this->Volumes.GetLight());
+  std::vector<double> boundaries(casters.size(), 0.0);
+  size_t next = 0; // of the edges of all casters, one after the other
+  size_t first = 0;
+  for (size_t i = 0; i < casters.size(); ++i)
+  {
+    const std::vector<ShadowEdge>& own = this->Volumes.GetEdges(i);
+    for (; next < first + own.size(); next += stride)
+    {
+      boundaries[i] += stride * estimate.Get(own[next - first], this->TruncationPlanes[i]);
+    }
+    first += own.size();
+  }
+  this->Estimate = std::accumulate(boundaries.begin(), boundaries.end(), 0.0);
+  return FindCostlyCasters(casters, boundaries, this->MaximumBoundaries);
 }
 
 //------------------------------------------------------------------------------
@@ -53,8 +103,7 @@ ShadowLists::Source PlanesShadow::GetSource(
   const FrameScene& scene, int light, vtkTextureObject* distances)
 {
   const glm::dvec4& position = scene.Lights[light].World;
-  return { light, this->Volumes, position, scene.Rays, distances,
-    FindTruncationPlanes(*this->Casters, *this->Faces, position, scene.Rays.GetEye()) };
+  return { light, this->Volumes, position, scene.Rays, distances, this->TruncationPlanes };
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,8 @@
 #include "ShadowVolumes/AirlightShadowLists.h"
 
 #include <cstddef>
+#include <limits>
+#include <vector>
 
 namespace airlight
 {
@@ -20,6 +22,12 @@ class PlanesShadow : public LightShadow
 public:
   // The lists are those of all lights, which are drawn one after the other.
   explicit PlanesShadow(ShadowLists& lists);
+
+  // Leaves out casters by FindCostlyCasters() if there are more boundaries a pixel.
+  void SetMaximumBoundaries(double most) { this->MaximumBoundaries = most; }
+  // Those of the last Update(), and how many boundaries a pixel would have with them.
+  const std::vector<Caster>& GetLeftOut() const { return this->LeftOut; }
+  double GetEstimate() const { return this->Estimate; }
 
   bool Update(const FrameScene& scene, int light, const ShadowCasters& casters,
     const InscatterTargets& targets) override;
@@ -42,13 +50,17 @@ public:
   bool DrawWireframe(const FrameScene& scene, int light, vtkTextureObject* distances);
 
 private:
+  std::vector<bool> FindLeftOut(const FrameScene& scene);
   ShadowLists::Source GetSource(const FrameScene& scene, int light, vtkTextureObject* distances);
   bool DrawLong(bool counted, int row, int rows, const Draw& draw);
 
   ShadowLists& Lists;
   ShadowVolumes Volumes;
-  const std::vector<Caster>* Casters = nullptr;       // of the last Update()
-  const std::vector<PlanarOccluder>* Faces = nullptr; // likewise
+  double MaximumBoundaries = std::numeric_limits<double>::infinity();
+  const std::vector<Caster>* Casters = nullptr; // of the last Update()
+  std::vector<Caster> LeftOut;                  // likewise
+  double Estimate = 0.0;                        // likewise
+  std::vector<glm::vec4> TruncationPlanes;      // likewise
 };
 }
 

@@ -7,11 +7,13 @@ airlight_sources(
     AirlightLightShadow
     AirlightLightShadows
     AirlightMapShadow
+    AirlightMixedShadow
     AirlightPlanesShadow
   HEADERS
     AirlightShadowMethod.h
   GLSL
     glsl/AirlightBoundaryReader.glsl
+    glsl/AirlightMixedBoundaries.glsl
     glsl/AirlightNoBoundaries.glsl
     glsl/AirlightResolveFS.glsl
     glsl/AirlightResolveOutputs.glsl

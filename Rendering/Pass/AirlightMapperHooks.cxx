@@ -41,7 +41,8 @@ void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia&
     !plan.SingleGeometryPass && plan.Shadows != ShadowMethod::None && plan.SurfaceShadows;
   // Shadow maps may be drawn with the same shaders.
   const bool known = plan.SingleGeometryPass &&
-    (plan.Shadows == ShadowMethod::None || plan.Shadows == ShadowMethod::Planes);
+    (plan.Shadows == ShadowMethod::None ||
+      (plan.Shadows == ShadowMethod::Planes && !plan.MapNonPolygonal));
   const bool other = records != options.TranslucentFragments || hides != options.Hides ||
     reads != options.ReadsLit || plan.SingleGeometryPass != options.SingleGeometryPass ||
     plan.ShadowingLight != options.ShadowingLight || known != options.ViewportIsTarget ||

@@ -15,7 +15,9 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <iomanip>
 #include <set>
+#include <sstream>
 
 namespace airlight
 {
@@ -37,15 +39,15 @@ std::string GetMapperNames(const std::vector<NonPolygonalCaster>& casters)
   return text;
 }
 
-std::string DescribeNonPolygonal(const CasterCache& casters, bool automatic)
+std::string DescribeNonPolygonal(const CasterCache& casters, const FramePlan& plan, bool automatic)
 {
   const std::string keep = " Call vtkAirlightPass::SetCastsShadow(prop, false) for props that "
                            "shall not cast";
   return "No shadow planes can be drawn from what the mappers " +
     GetMapperNames(casters.GetNonPolygonal()) + " draw: " +
-    (automatic
-        ? "shadows come from shadow maps, which are less exact." + keep + " to get exact shadows."
-        : "it casts none." + keep + ", or call SetShadowTechniqueToShadowMap().");
+    (automatic ? std::string(plan.MapNonPolygonal ? "their" : "all") +
+          " shadows come from shadow maps, which are less exact." + keep + " to get exact shadows."
+               : "it casts none." + keep + ", or call SetShadowTechniqueToShadowMap().");
 }
 }
 
@@ -140,7 +142,7 @@ void PassMessages::CheckPlan(
   }
   if (plan.Reason == TechniqueReason::NonPolygonalCasters)
   {
-    this->WarnOnce(NonPolygonalCasters, DescribeNonPolygonal(casters, automatic));
+    this->WarnOnce(NonPolygonalCasters, DescribeNonPolygonal(casters, plan, automatic));
   }
   if (plan.Reason == TechniqueReason::PlanesOverMemory)
   {
@@ -155,6 +157,23 @@ void PassMessages::CheckPlan(
     this->WarnOnce(ScatteredLightInImage,
       "ScatteredSurfaceLight has no effect: the medium's density comes from an image. Surfaces are "
       "lit directly only.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PassMessages::CheckCostlyCasters(
+  const LightShadows::CostlyCasters& casters, const FramePlan& plan)
+{
+  if (casters.Count > 0)
+  {
+    std::ostringstream text;
+    text << std::setprecision(3) << "Shadow planes would give a pixel about " << casters.Boundaries
+         << " boundaries, more than " << plan.MaximumBoundaries << ": the shadows of "
+         << casters.Count << (casters.Count == 1 ? " caster come" : " casters come")
+         << " from a shadow map, which is faster and less exact. Call "
+            "SetMaximumBoundariesPerPixel() with more, or SetShadowTechniqueToShadowPlanes(), for "
+            "exact shadows.";
+    this->WarnOnce(CostlyCasters, text.str());
   }
 }
 

@@ -9,6 +9,7 @@
 #define AirlightPassMessages_h
 
 #include "Frame/AirlightFramePlan.h"
+#include "Inscatter/AirlightLightShadows.h"
 #include "Scene/AirlightSceneLights.h"
 
 #include <bitset>
@@ -44,6 +45,9 @@ public:
   void CheckPlan(
     const FramePlan& plan, const PassProperties& properties, const CasterCache& casters);
 
+  // Casters that have a shadow map as they have too many boundaries.
+  void CheckCostlyCasters(const LightShadows::CostlyCasters& casters, const FramePlan& plan);
+
   // Keys of props that are no good, props that cannot cast.
   void CheckCasters(const CasterCache& casters, const FramePlan& plan);
 
@@ -67,6 +71,7 @@ private:
   {
     AntialiasingLeftOut,
     CameraLights,
+    CostlyCasters,
     InvalidLights,
     LevelsOfDetail,
     ManyLights,

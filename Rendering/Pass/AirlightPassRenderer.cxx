@@ -281,6 +281,7 @@ bool PassRenderer::Draw(
     this->Error = this->CurrentFrame.GetError();
     return false;
   }
+  this->Messages.CheckCostlyCasters(this->CurrentFrame.GetCostlyCasters(), plan);
   this->Stages.DrawOverFrame(s, plan.Annotations);
   return true;
 }

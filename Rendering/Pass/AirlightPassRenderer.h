@@ -67,8 +67,6 @@ public:
   Frame& GetFrame() { return this->CurrentFrame; }
   MapperHooks& GetMappers() { return this->Mappers; }
   SceneStages& GetStages() { return this->Stages; }
-  // Of the last frame.
-  ShadowTechnique GetTechnique() const { return this->CurrentFrame.GetPlan().Technique; }
 
 private:
   struct Scene;

@@ -174,6 +174,10 @@ void ShadowVolumes::CollectEdges()
   this->Caps.clear();
   for (size_t i = 0; i < this->Parts.size(); ++i)
   {
+    if (this->IsLeftOut(i))
+    {
+      continue;
+    }
     const Part& part = this->Parts[i];
     const size_t edges = this->Edges.size();
     const size_t caps = this->Caps.size();
@@ -234,8 +238,13 @@ void ShadowVolumes::CountAtStart(const RayStart& start)
 {
   this->StartCount = 0;
   this->StartLayers = CasterOpticalThickness{};
-  for (const Part& part : this->Parts)
+  for (size_t i = 0; i < this->Parts.size(); ++i)
   {
+    if (this->IsLeftOut(i))
+    {
+      continue;
+    }
+    const Part& part = this->Parts[i];
     const glm::dmat4 toLocal = glm::inverse(part.Source.ToWorld);
     const int count =
       CountShadowsAt(*part.Source.Mesh, toLocal * this->Light, toLocal * start.GetPosition());
@@ -251,8 +260,17 @@ void ShadowVolumes::CountAtStart(const RayStart& start)
 }
 
 //------------------------------------------------------------------------------
-bool ShadowVolumes::Update(const std::vector<Caster>& casters, const glm::dvec4& givenLight,
+bool ShadowVolumes::Update(const std::vector<Caster>& casters, const glm::dvec4& light,
   const CameraUniforms& view, bool anyPicture)
+{
+  this->UpdateSilhouettes(casters, light, view, anyPicture);
+  this->LeaveOut({});
+  return this->Collect(view);
+}
+
+//------------------------------------------------------------------------------
+void ShadowVolumes::UpdateSilhouettes(const std::vector<Caster>& casters,
+  const glm::dvec4& givenLight, const CameraUniforms& view, bool anyPicture)
 {
   const glm::dvec3 oldAnchor = this->Anchor;
   glm::dvec4 light = givenLight;
@@ -260,12 +278,25 @@ bool ShadowVolumes::Update(const std::vector<Caster>& casters, const glm::dvec4&
   const bool lightMoved = this->Light != light;
   this->Light = light;
   this->SetAnchor(casters);
-  const bool partsChanged = this->UpdateParts(
+  this->Changed = this->UpdateParts(
     casters, ClippedRegions(view, anyPicture), lightMoved || oldAnchor != this->Anchor);
+}
+
+//------------------------------------------------------------------------------
+void ShadowVolumes::LeaveOut(const std::vector<bool>& casters)
+{
+  this->Changed = this->Changed || casters != this->LeftOut;
+  this->LeftOut = casters;
+}
+
+//------------------------------------------------------------------------------
+bool ShadowVolumes::Collect(const CameraUniforms& view)
+{
   const bool viewMoved = this->Start != view.GetStart();
   this->Start = view.GetStart();
   // Edges that were near at the old start go back among the others.
-  bool changed = partsChanged || this->RemoteChanged || (viewMoved && !this->NearEdges.empty());
+  bool changed = this->Changed || this->RemoteChanged || (viewMoved && !this->NearEdges.empty());
+  this->Changed = false;
   this->RemoteChanged = false;
   if (changed)
   {

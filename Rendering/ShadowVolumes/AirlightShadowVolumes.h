@@ -14,6 +14,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -31,6 +32,16 @@ public:
   // Returns true where edges, near edges or caps changed.
   bool Update(const std::vector<Caster>& casters, const glm::dvec4& light,
     const CameraUniforms& view, bool anyPicture = false);
+
+  // Update() in two steps: the silhouettes of all casters, and then the edges and caps of those
+  // that are not left out in between.
+  void UpdateSilhouettes(const std::vector<Caster>& casters, const glm::dvec4& light,
+    const CameraUniforms& view, bool anyPicture = false);
+  void LeaveOut(const std::vector<bool>& casters); // by number; none if empty
+  bool Collect(const CameraUniforms& view);
+
+  // The edges of a caster's silhouette.
+  const std::vector<ShadowEdge>& GetEdges(size_t caster) const { return this->Parts[caster].Edges; }
 
   // What the casters of other processes do in this light, for Update() to add.
   using RemoteSilhouettes = std::vector<std::shared_ptr<const LightSilhouettes>>;
@@ -81,6 +92,7 @@ private:
   void CollectEdges();
   void CollectRemoteSilhouettes();
   float GetLayerIndex(const CasterOpticalThickness& layer);
+  bool IsLeftOut(size_t caster) const { return !this->LeftOut.empty() && this->LeftOut[caster]; }
   bool UpdateParts(const std::vector<Caster>& casters, const ClippedRegions& view, bool moved);
   bool SplitNearEdges(const RayStart& start);
   void CountAtStart(const RayStart& start);
@@ -89,7 +101,9 @@ private:
   bool AgainstView = false;
   glm::dvec4 Start{ 0.0 };
   glm::dvec3 Anchor{ 0.0 };
-  std::vector<Part> Parts; // in the order of the casters
+  std::vector<Part> Parts;   // in the order of the casters
+  std::vector<bool> LeftOut; // likewise
+  bool Changed = false;
   RemoteSilhouettes Remote;
   bool RemoteChanged = false;
   std::vector<ShadowEdge> Edges;

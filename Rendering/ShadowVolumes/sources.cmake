@@ -4,6 +4,7 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightBoundaryBuffer
     AirlightBoundarySort
+    AirlightBoundaryEstimate
     AirlightClippedRegions
     AirlightPlanarOccluders
     AirlightRayStart

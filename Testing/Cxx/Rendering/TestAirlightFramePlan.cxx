@@ -8,6 +8,7 @@
 #include "Frame/AirlightFramePlan.h"
 #include "Integration/AirlightMath.h"
 
+#include <cmath>
 #include <cstdlib>
 
 using namespace airlight;
@@ -40,8 +41,9 @@ void TestTechnique()
   Case scene;
   FramePlan plan = scene.Make();
   Check(plan.Technique == ShadowTechnique::Planes && plan.Shadows == ShadowMethod::Planes &&
-      plan.Reason == TechniqueReason::AsAsked && plan.LimitPlanes,
-    "polygons cast by planes, within the memory limit");
+      plan.Reason == TechniqueReason::AsAsked && plan.LimitPlanes &&
+      plan.MaximumBoundaries == scene.Properties.MaximumBoundaries,
+    "polygons cast by planes, within the memory limit and that of boundaries");
 
   scene.Limits.StorageBuffers = false;
   plan = scene.Make();
@@ -53,16 +55,24 @@ void TestTechnique()
   plan = scene.Make();
   Check(plan.Shadows == ShadowMethod::Map && plan.Reason == TechniqueReason::PlanesOverMemory,
     "maps where planes need too much memory");
+  scene.Scene.NonPolygonalCasters = true;
+  Check(scene.Make().Shadows == ShadowMethod::Map, "with casters without polygons, too");
   scene.Limits.PlanesOverMemory = false;
 
   scene.Scene.NonPolygonalCasters = true;
   plan = scene.Make();
-  Check(plan.Shadows == ShadowMethod::Map && plan.Reason == TechniqueReason::NonPolygonalCasters,
-    "maps for casters without polygons");
+  Check(plan.Shadows == ShadowMethod::Planes && plan.MapNonPolygonal &&
+      plan.Reason == TechniqueReason::NonPolygonalCasters,
+    "maps for casters without polygons, beside the planes of others");
+  scene.Scene.TranslucentCasters = true;
+  plan = scene.Make();
+  Check(plan.Shadows == ShadowMethod::Map && !plan.MapNonPolygonal, "or alone");
+  scene.Scene.TranslucentCasters = false;
   scene.Properties.Technique = ShadowTechnique::Planes;
   plan = scene.Make();
   Check(plan.Shadows == ShadowMethod::Planes &&
-      plan.Reason == TechniqueReason::NonPolygonalCasters && !plan.LimitPlanes,
+      plan.Reason == TechniqueReason::NonPolygonalCasters && !plan.LimitPlanes &&
+      !plan.MapNonPolygonal && std::isinf(plan.MaximumBoundaries),
     "requested planes leave them out, whatever memory they take");
   scene.Scene.Lights[0].CastsShadows = false;
   Check(scene.Make().Reason == TechniqueReason::AsAsked, "nothing casts: no reason");

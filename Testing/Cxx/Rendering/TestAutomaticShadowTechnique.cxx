@@ -78,7 +78,9 @@ void TestCasters()
   scene.Pass->SetLightScatters(lamp, true);
   keys->Set(vtkAirlightPass::CASTS_SHADOW(), 1);
   CheckRule(scene, "a splat in a headlight", automatic, planes, 0);
-  lamp->SetLightTypeToSceneLight();
+  lamp->SetLightTypeToSceneLight(); // from where the headlight was, at the eye
+  lamp->SetTransformMatrix(nullptr);
+  lamp->SetPosition(0.0, 5.0, 0.0);
   CheckRule(scene, "a splat", automatic, map, 1, "PointGaussianMapper");
   const double with = GetMean(scene.GetBuffer("LitLength"));
   // The spheres' shadows do not touch; the splat's is the longer one.
@@ -110,6 +112,7 @@ void TestBudget()
     leaves.push_back({ at, at + glm::dvec3(0.6, 0, 0.3), at + glm::dvec3(0, 0.1, 0.6) });
   }
   scene.Add(MakeSoup(leaves));
+  scene.Pass->SetMaximumBoundariesPerPixel(VTK_DOUBLE_MAX); // TestMaximumBoundaries is for these
   CheckRule(scene, "leaves", automatic, planes, 0);
   const double boundaries = 160.0 * 120.0 * GetMean(scene.GetBuffer("BoundaryCount"));
   Check(boundaries > 16.0 * 87381.0, Text("there are ", boundaries, " boundaries"));

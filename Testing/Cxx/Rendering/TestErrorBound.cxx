@@ -95,6 +95,7 @@ bool TestBound()
 // Small triangles, the shadows of some hundreds of which rays go through.
 void AddLeaves(Scene& scene)
 {
+  scene.Pass->SetMaximumBoundariesPerPixel(VTK_DOUBLE_MAX); // shadow planes
   std::vector<Triangle> leaves;
   Random random(7);
   for (int i = 0; i < 700; ++i)

@@ -22,6 +22,7 @@ namespace
 // shadows across it. Each ray enters and leaves each shadow.
 void AddStrips(Scene& scene, int count)
 {
+  scene.Pass->SetMaximumBoundariesPerPixel(VTK_DOUBLE_MAX); // shadow planes
   std::vector<Triangle> triangles;
   const double step = 48.0 / count;
   for (int i = 0; i < count; ++i)

@@ -80,6 +80,7 @@ bool ComparePanes(
   const std::string& name, Scene& scene, const std::vector<Pane>& panes, double limit)
 {
   scene.Pass->TranslucentShadowsOff();
+  scene.Pass->SetMaximumBoundariesPerPixel(VTK_DOUBLE_MAX); // shadow planes
   scene.Window->Render();
   vtkNew<vtkImageData> before;
   before->DeepCopy(scene.GetBuffer("Radiance"));
