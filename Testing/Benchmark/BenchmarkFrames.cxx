@@ -152,7 +152,9 @@ ReadyScene MakeScene(
   std::unique_ptr<benchmarks::FrameErrors> errors; // before the camera turns
   if (options.Errors)
   {
-    errors = std::make_unique<benchmarks::FrameErrors>(*scene);
+    using Exact = benchmarks::FrameErrors::Exact;
+    errors = std::make_unique<benchmarks::FrameErrors>(
+      *scene, recipe.Base ? Exact::Planes : Exact::Reference);
   }
   FindSteps(errors.get(), recipe.Ways);
   MakeRows(recipe, *scene, errors.get(), rows);

@@ -62,7 +62,7 @@ std::vector<SceneRecipe> MakeContentRecipes()
       };
       recipe.Width = 400;
       recipe.Height = 300;
-      recipe.Ways = { MakePlain(), MakeUnshadowed(), MakeAutomatic() };
+      recipe.Ways = { MakePlain(), MakeUnshadowed(), MakeAutomatic(), MakeShadowMap(64) };
       recipes.push_back(recipe);
     }
   }

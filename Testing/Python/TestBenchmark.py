@@ -183,7 +183,7 @@ class TestBenchmark(unittest.TestCase):
 
     def test_content(self):
         """Every kind of content is drawn beside the ball and floor; the worst is on top."""
-        ways = ["plain", "no shadows", "automatic"]
+        ways = ["plain", "no shadows", "automatic", "shadow map, 64 steps"]
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "content.json"
             done = run("content", "--frames=1", "--size", "64", "48", f"--json={path}")
