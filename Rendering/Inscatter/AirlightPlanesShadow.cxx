@@ -46,13 +46,12 @@ bool PlanesShadow::Update(
   const FrameScene& scene, int light, const ShadowCasters& casters, const InscatterTargets&)
 {
   const glm::dvec4& position = scene.Lights[light].World;
-  this->Casters = &casters.Polygonal;
   this->TruncationPlanes =
     FindTruncationPlanes(casters.Polygonal, casters.Faces, position, scene.Rays.GetEye());
   this->Volumes.SetRemoteSilhouettes(
     FindSilhouettes(casters.Remote, static_cast<size_t>(light), position));
   this->Volumes.UpdateSilhouettes(casters.Polygonal, position, scene.Rays);
-  const std::vector<bool> left = this->FindLeftOut(scene);
+  const std::vector<bool> left = this->FindLeftOut(scene, casters.Polygonal);
   this->LeftOut.clear();
   for (size_t i = 0; i < left.size(); ++i)
   {
@@ -68,9 +67,9 @@ bool PlanesShadow::Update(
 
 //------------------------------------------------------------------------------
 // Of many edges some are enough.
-std::vector<bool> PlanesShadow::FindLeftOut(const FrameScene& scene)
+std::vector<bool> PlanesShadow::FindLeftOut(
+  const FrameScene& scene, const std::vector<Caster>& casters)
 {
-  const std::vector<Caster>& casters = *this->Casters;
   if (std::isinf(this->MaximumBoundaries))
   {
     return {};

@@ -50,17 +50,16 @@ public:
   bool DrawWireframe(const FrameScene& scene, int light, vtkTextureObject* distances);
 
 private:
-  std::vector<bool> FindLeftOut(const FrameScene& scene);
+  std::vector<bool> FindLeftOut(const FrameScene& scene, const std::vector<Caster>& casters);
   ShadowLists::Source GetSource(const FrameScene& scene, int light, vtkTextureObject* distances);
   bool DrawLong(bool counted, int row, int rows, const Draw& draw);
 
   ShadowLists& Lists;
   ShadowVolumes Volumes;
   double MaximumBoundaries = std::numeric_limits<double>::infinity();
-  const std::vector<Caster>* Casters = nullptr; // of the last Update()
-  std::vector<Caster> LeftOut;                  // likewise
-  double Estimate = 0.0;                        // likewise
-  std::vector<glm::vec4> TruncationPlanes;      // likewise
+  std::vector<Caster> LeftOut;             // of the last Update()
+  double Estimate = 0.0;                   // likewise
+  std::vector<glm::vec4> TruncationPlanes; // likewise
 };
 }
 

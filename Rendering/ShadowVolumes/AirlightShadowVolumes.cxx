@@ -80,7 +80,7 @@ void ShadowVolumes::MakeEdges(Part& part) const
     const glm::dvec3 b = this->GetRelativePoint(caster, mirrored ? edge.A : edge.B);
     if (glm::vec3(a) == glm::vec3(b))
     {
-      continue; // no length is left, as at the poles of a textured ball: its plane is nowhere
+      continue; // no length is left, as at the poles of a textured ball: its plane has no area
     }
     const glm::dvec3 away = this->Light.w != 0.0 ? a : -glm::dvec3(this->Light);
     glm::dvec3 normal = glm::cross(away, b - a);

@@ -15,7 +15,10 @@ struct AirlightSliceRay
 {
   AirlightRay ray;
   int row;
-  vec2 columns;  // between which the ray is
+  vec2 columns; // between which the ray is
+  // Directional light: how far across it the ray starts, and goes a unit.
+  float origin;
+  float way;
   // The ray's value is scale times what grows by perUnit from the border of column 0, or for a
   // light at a place the cosine of that.
   float start;
@@ -57,6 +60,8 @@ AirlightSliceRay airlightMakeSliceRay(AirlightRay ray, float from)
                               : dot(ray.origin, sliceAxes[1]);
   slice.row = int(floor((place - sliceRow.x) * sliceRow.y));
   slice.perUnit = 1.0;
+  slice.origin = sliceFan != 0 ? 0.0 : dot(ray.origin, sliceAxes[0]);
+  slice.way = length(across);
   float h = ray.foot.h;
   if (slice.point)
   {
@@ -71,14 +76,12 @@ AirlightSliceRay airlightMakeSliceRay(AirlightRay ray, float from)
   else
   {
     float along = dot(ray.direction, sliceAxes[2]);
-    float way = length(across);
-    float origin = sliceFan != 0 ? 0.0 : dot(ray.origin, sliceAxes[0]);
     slice.scale = 1.0;
-    slice.columns = origin + way * vec2(from, ray.lit.y);
-    slice.perUnit = -along / max(way, 1e-30);
+    slice.columns = slice.origin + slice.way * vec2(from, ray.lit.y);
+    slice.perUnit = -along / max(slice.way, 1e-30);
     slice.start =
-      dot(mapOrigin - ray.origin, sliceAxes[2]) + (sliceColumn.x - origin) * slice.perUnit;
-    slice.row = way > 0.0 ? slice.row : -1;
+      dot(mapOrigin - ray.origin, sliceAxes[2]) + (sliceColumn.x - slice.origin) * slice.perUnit;
+    slice.row = slice.way > 0.0 ? slice.row : -1;
   }
   slice.columns = (slice.columns - sliceColumn.x) * sliceColumn.y;
   return slice;
@@ -163,10 +166,7 @@ float airlightSliceDistance(float column)
     float angle = clamp(sliceRay.start + u, -1.5707, 1.5707);
     return sliceRay.ray.range.x + sliceRay.ray.foot.tL + sliceRay.ray.foot.h * tan(angle);
   }
-  float way = length(vec2(dot(sliceRay.ray.direction, sliceAxes[0]),
-    dot(sliceRay.ray.direction, sliceAxes[1])));
-  float origin = sliceFan != 0 ? 0.0 : dot(sliceRay.ray.origin, sliceAxes[0]);
-  return (sliceColumn.x + u - origin) / way;
+  return (sliceColumn.x + u - sliceRay.origin) / sliceRay.way;
 }
 
 // The next column that is not as the one before; -1 if there is none.
@@ -215,8 +215,8 @@ float airlightSliceError(AirlightRay ray, float from, float passed)
 {
   float x = airlightFromFoot(ray, from);
   float h = max(ray.foot.h, 1e-30);
-  float way = length(vec2(dot(ray.direction, sliceAxes[0]), dot(ray.direction, sliceAxes[1])));
-  float first = (sliceRay.point ? h + x * x / h : 1.0 / max(way, 1e-30)) / sliceColumn.y;
+  float first =
+    (sliceRay.point ? h + x * x / h : 1.0 / max(sliceRay.way, 1e-30)) / sliceColumn.y;
   float share = 1.0 / passed;
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
