@@ -216,7 +216,7 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   properties.RecordBuffers = this->RecordBuffers;
   properties.MemoryLimit = static_cast<std::uint64_t>(this->MemoryLimit) << 20;
   this->Impl->Render(s, settings, viewport);
-  this->NumberOfRenderedProps = this->Impl->GetStages().GetNumberOfRenderedProps();
+  this->NumberOfRenderedProps = this->Impl->GetStages().GetPasses().GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------

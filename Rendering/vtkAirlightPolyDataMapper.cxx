@@ -120,7 +120,7 @@ void vtkAirlightPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* act
   impl.Retries = impl.NotCompiled;
   impl.NotCompiled = false;
 
-  vtkTextureObject* data = impl.Shades ? impl.Data.GetTexture() : nullptr;
+  vtkTextureObject* data = impl.Shades ? impl.Arrays.GetTexture() : nullptr;
   if (data)
   {
     data->Activate();
@@ -206,7 +206,7 @@ void vtkAirlightPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
   // What is there for another window stays, while the superclass changes windows.
   if (window == this->Impl->Window)
   {
-    this->Impl->Data.Release(window);
+    this->Impl->Arrays.Release(window);
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -5,6 +5,7 @@
 #include "AirlightCameraShader.h"
 #include "AirlightCompositeFS.h"
 #include "AirlightCopyFS.h"
+#include "AirlightLightPixel.h"
 #include "AirlightDisplay.h"
 #include "AirlightShadowingLight.h"
 #include "Composite/AirlightUnshadowedLights.h"
@@ -49,7 +50,7 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     Define("AMBIENT", HasAmbient(scene.Media)) + Define("ENCODED_INPUT", options.EncodedInput) +
     Define("ENCODED_OUTPUT", options.EncodedOutput) + Define("PARALLEL", scene.Rays.IsParallel()) +
     "#define AIRLIGHT_FULL_SCREEN\n" + GetScatteringSource(scene.Media, kind, false) +
-    AirlightCameraShader +
+    AirlightCameraShader + AirlightLightPixel +
     (equiangular ? GetEquiangularSource() : "uniform AirlightMedia media;\n") +
     (options.Unshadowed ? GetUnshadowedSource(lights) : "") +
     (options.ShadowingLight >= 0 ? AirlightShadowingLight : "") + AirlightDisplay +

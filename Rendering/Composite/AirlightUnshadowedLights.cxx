@@ -34,14 +34,7 @@ void SetUnshadowedUniforms(
     const std::string index = "[" + std::to_string(i) + "]";
     const f64::AirlightLight& light = scene.Lights[lights[i]].Values;
     SetLightUniforms(program, "lights" + index, light);
-    if (f64::airlightIsDirectional(light))
-    {
-      program->SetUniformi(("own" + index + ".HasPixel").c_str(), 0);
-    }
-    else
-    {
-      scene.Rays.SetFootUniforms(program, light.position, "own" + index + ".");
-    }
+    SetLightPixelUniforms(program, "lightPixels" + index, scene.Rays, light);
   }
 }
 }

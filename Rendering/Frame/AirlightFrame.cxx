@@ -9,7 +9,6 @@
 #include "vtkImageData.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
@@ -42,15 +41,14 @@ bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipa
   f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights)
 {
   this->OverBudget = false;
-  return UploadData(this->Data, &this->Grids, window, media, converted, sceneLights) ||
-    this->Fail(this->Data.GetError());
+  return this->Arrays.Upload(window, media, converted, sceneLights) ||
+    this->Fail(this->Arrays.GetError());
 }
 
 //------------------------------------------------------------------------------
 bool Frame::Begin(const Input& input)
 {
   this->Current = input;
-  this->Techniques.clear();
   Targets::Needs needs;
   needs.SceneLights = input.SceneLights.size();
   needs.Drawn = !this->Plan.AllShadersInjectable;
@@ -123,7 +121,8 @@ bool Frame::PrepareCasters()
   options.MapResolution = this->Plan.MapResolution;
   options.Steps = this->Plan.Steps;
   options.MemoryLimit = this->Plan.MemoryLimit;
-  if (!this->Shadows.Prepare(this->GetScene(), options, this->Casters, this->Current->Solids))
+  if (!this->Shadows.Prepare(
+        this->GetScene(), options, *this->Current->Casters, this->Current->Solids))
   {
     return this->Fail(this->Shadows.GetError());
   }
@@ -179,7 +178,7 @@ vtkOpenGLRenderWindow* Frame::GetWindow() const
 FrameScene Frame::GetScene()
 {
   const Input& input = *this->Current;
-  return { this->GetWindow(), input.Media, input.SceneLights, input.Rays, this->Data.GetTexture(),
+  return { this->GetWindow(), input.Media, input.SceneLights, input.Rays, this->Arrays.GetTexture(),
     input.Rays.GetWidth(), input.Rays.GetHeight() };
 }
 
@@ -220,12 +219,11 @@ bool Frame::ScatterLights()
     return this->Fail(this->Textures.GetError());
   }
   this->Textures.Clear(0.0f);
-  if (!this->Shadows.Update(
-        this->GetScene(), targets, this->Casters.GetNonPolygonal(), this->Current->DrawInMap))
+  if (!this->Shadows.Update(this->GetScene(), targets, this->Current->Casters->GetNonPolygonal(),
+        this->Current->DrawInMap))
   {
     return this->Fail(this->Shadows.GetError());
   }
-  this->RecordTechniques();
   for (size_t k = 0; k < this->Current->SceneLights.size(); ++k)
   {
     if (!this->ScatterLight(targets, static_cast<int>(k)))
@@ -268,31 +266,25 @@ bool Frame::ScatterLight(const InscatterTargets& targets, int light)
 }
 
 //------------------------------------------------------------------------------
-void Frame::RecordTechniques()
+ShadowTechnique Frame::GetTechnique() const
 {
-  for (size_t k = 0; k < this->Current->SceneLights.size(); ++k)
-  {
-    const SceneLight& light = this->Current->SceneLights[k];
-    if (light.Scatters() && light.CastsShadows)
-    {
-      this->Techniques[light.Light] =
-        this->Shadows.HasMapBesidePlanes(k) ? ShadowTechnique::Map : this->Plan.Technique;
-    }
-  }
+  return this->Shadows.HasMap() ? ShadowTechnique::Map : this->Plan.Technique;
 }
 
 //------------------------------------------------------------------------------
-ShadowTechnique Frame::GetTechnique() const
-{
-  const bool maps = std::any_of(this->Techniques.begin(), this->Techniques.end(),
-    [](const auto& light) { return light.second == ShadowTechnique::Map; });
-  return maps ? ShadowTechnique::Map : this->Plan.Technique;
-}
-
 ShadowTechnique Frame::GetTechnique(const vtkLight* light) const
 {
-  const auto place = this->Techniques.find(light);
-  return place != this->Techniques.end() ? place->second : ShadowTechnique::None;
+  switch (this->Shadows.GetMethod(light))
+  {
+    case ShadowMethod::Planes:
+      return ShadowTechnique::Planes;
+    case ShadowMethod::Map:
+      return ShadowTechnique::Map;
+    case ShadowMethod::March:
+      return ShadowTechnique::March;
+    default:
+      return ShadowTechnique::None;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -373,17 +365,12 @@ bool Frame::DrawPlanes()
 }
 
 //------------------------------------------------------------------------------
-void Frame::SetMapRays(const CameraUniforms* rays, int x, int y) { this->Map = { rays, x, y }; }
-
-//------------------------------------------------------------------------------
 SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
 {
   SurfaceUniforms values;
   values.Stage = stage;
   const Input& input = *this->Current;
-  values.Rays = this->Map.Rays ? this->Map.Rays : &input.Rays;
-  values.ViewportX = this->Map.X;
-  values.ViewportY = this->Map.Y;
+  values.Rays = &input.Rays;
   values.Width = input.Rays.GetWidth();
   values.Height = input.Rays.GetHeight();
   values.VolumeNodes = this->Plan.VolumeNodes;
@@ -391,7 +378,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.SceneLights = &input.SceneLights;
   values.Lit = this->Textures.Scattered;
   values.MoreLit = this->HasMoreLit() ? this->Textures.Lit : this->Textures.Scattered;
-  values.Data = this->Data.GetTexture();
+  values.Data = this->Arrays.GetTexture();
   values.ScatteredIrradiance = this->Plan.ScatteredSurfaceLight;
   values.EncodedInput = this->Plan.EncodedInput;
   values.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
@@ -404,30 +391,6 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
 }
 
 //------------------------------------------------------------------------------
-void Frame::FitToTarget(SurfaceUniforms& values)
-{
-  for (vtkTextureObject* texture : values.GetTextures())
-  {
-    texture->Activate();
-  }
-  const CameraUniforms& rays = this->Current->Rays;
-  int viewport[4];
-  this->GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  if (viewport[0] == 0 && viewport[1] == 0 && viewport[2] == rays.GetWidth() &&
-    viewport[3] == rays.GetHeight())
-  {
-    return;
-  }
-  const CameraUniforms target(this->Current->Renderer, viewport[2], viewport[3]);
-  if (target.IsValid())
-  {
-    values.ViewportX = viewport[0];
-    values.ViewportY = viewport[1];
-    values.Pixels = rays.GetPixelsFrom(target);
-  }
-}
-
-//------------------------------------------------------------------------------
 void Frame::ReleaseObjects(vtkWindow* window)
 {
   this->Geometry.Release();
@@ -436,7 +399,7 @@ void Frame::ReleaseObjects(vtkWindow* window)
   this->FragmentLists.Release();
   this->Shadows.ReleaseObjects(window);
   this->Textures.Release(window);
-  this->Data.Release(window);
+  this->Arrays.Release(window);
 }
 
 //------------------------------------------------------------------------------
@@ -444,6 +407,5 @@ void Frame::Release(vtkWindow* window)
 {
   this->ReleaseObjects(window);
   this->Shadows.Release(window);
-  this->Casters.Clear();
 }
 }

@@ -22,7 +22,6 @@
 #ifndef AirlightFrame_h
 #define AirlightFrame_h
 
-#include "Casters/AirlightCasters.h"
 #include "Composite/AirlightCompositePass.h"
 #include "Frame/AirlightFramePlan.h"
 #include "Frame/AirlightFrameRecorder.h"
@@ -33,11 +32,9 @@
 #include "MapperShaders/AirlightSurfaceUniforms.h"
 #include "Scene/AirlightCameraUniforms.h"
 #include "Scene/AirlightFrameScene.h"
-#include "Scene/AirlightSceneData.h"
-#include "Scene/AirlightSceneLights.h"
+#include "Scene/AirlightSceneArrays.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,14 +43,12 @@ class vtkImageData;
 class vtkLight;
 class vtkOpenGLRenderWindow;
 class vtkParticipatingMedium;
-class vtkProp;
 class vtkRenderer;
 class vtkWindow;
 
 namespace airlight
 {
 class SceneDrawer;
-class SceneProps;
 
 // Whether the media neither scatter nor absorb.
 bool IsClear(const f64::AirlightMedia& media);
@@ -63,22 +58,9 @@ class Frame
 public:
   Frame();
 
-  // UploadData() for the shaders, before Begin().
+  // SceneArrays::Upload() for the shaders, before Begin().
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
     f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights);
-
-  // Finds what casts shadows, before Begin(), with what lets light through or without; and what of
-  // it has no polygons to draw planes from.
-  void FindCasters(const SceneProps& props, bool translucent)
-  {
-    this->Casters.Collect(props, translucent);
-  }
-  // Whether there was something that lets light through.
-  bool MetTranslucent() const { return this->Casters.MetTranslucent(); }
-  const std::vector<NonPolygonalCaster>& GetNonPolygonalCasters() const
-  {
-    return this->Casters.GetNonPolygonal();
-  }
 
   // What the casters of other processes do, for all frames until it is forgotten.
   void AddRemoteSilhouettes(const ProcessSilhouettes& remote)
@@ -92,7 +74,7 @@ public:
   void SetPlan(const FramePlan& plan) { this->Plan = plan; }
   const FramePlan& GetPlan() const { return this->Plan; }
 
-  // The technique of the last frame, or of a light in it: maps if any caster has one.
+  // The technique of the last frame: maps if any caster has one; or that of a light in it.
   ShadowTechnique GetTechnique() const;
   ShadowTechnique GetTechnique(const vtkLight* light) const;
   // Those that have a map since they have too many boundaries.
@@ -105,6 +87,7 @@ public:
     f64::AirlightMedia Media;
     std::vector<SceneLight> SceneLights;
     CameraUniforms Rays;
+    const CasterCache* Casters;
     // Props of which each fragment hides what is behind it, drawn as their mappers' inputs are.
     std::vector<vtkProp*> Solids;
     DrawActors DrawInMap; // casters without polygons
@@ -118,7 +101,6 @@ public:
 
   // Whether casters let light through; the mappers' shaders then have to know.
   bool HasShadowTransmittance() const { return this->Shadows.TransmitsLight(); }
-  const CasterCache& GetCasters() const { return this->Casters; }
 
   // Before the opaque surfaces are drawn and after them.
   void BeginSurfaces() { this->Geometry.BeginSurfaces(this->GetScene(), this->Plan); }
@@ -135,25 +117,17 @@ public:
   // Over it, the edges of all shadow planes.
   bool DrawPlanes();
 
-  // For the meantime of what is drawn with a light's camera into a shadow map: its rays, and the
-  // face's lower left corner.
-  void SetMapRays(const CameraUniforms* rays, int x, int y);
-
   bool IsClear() const { return airlight::IsClear(this->Current->Media); }
   // After a failure: whether it was for too many shadow boundaries.
   bool IsOverBudget() const { return this->OverBudget; }
 
   SurfaceUniforms GetSurfaceUniforms(SurfaceStage stage);
-
-  // Brings them to the target that a delegate has bound, which may be of another size, and binds
-  // the textures again whose units it may have used.
-  void FitToTarget(SurfaceUniforms& values);
   vtkOpenGLRenderWindow* GetWindow() const;
   vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Textures.GetFramebuffer(); }
   const std::string& GetError() const { return this->Error; }
 
   // Frees all OpenGL objects, of which some may be what OpenGL refused; the next frame makes
-  // others. Release() frees what is known of casters, too.
+  // others. Release() also forgets the casters.
   void ReleaseObjects(vtkWindow* window);
   void Release(vtkWindow* window);
 
@@ -167,7 +141,6 @@ private:
   bool ScatterLights();
   bool ScatterLight(const InscatterTargets& targets, int light);
   bool CompositeTranslucent();
-  void RecordTechniques();
 
   FrameScene GetScene();
   InscatterTargets GetInscatterTargets();
@@ -176,9 +149,7 @@ private:
   bool HasMoreLit() const { return this->Current->SceneLights.size() > BitsPerChannel; }
 
   Targets Textures;
-  SceneData Data;
-  LightGrids Grids;
-  CasterCache Casters;
+  SceneArrays Arrays;
   TranslucentFragments FragmentLists;
   GeometryPass Geometry;
   LightShadows Shadows;
@@ -187,20 +158,10 @@ private:
   FrameRecorder Buffers;
   std::string Error;
 
-  // Of what is drawn with a light's camera into a shadow map.
-  struct MapView
-  {
-    const CameraUniforms* Rays = nullptr; // null: the picture is drawn
-    int X = 0;
-    int Y = 0;
-  };
-
   // This frame's.
   std::optional<Input> Current;
   FramePlan Plan;
-  MapView Map;
   bool OverBudget = false;
-  std::map<const vtkLight*, ShadowTechnique> Techniques; // by light; to be compared only
 };
 }
 

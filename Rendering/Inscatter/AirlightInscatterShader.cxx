@@ -6,6 +6,7 @@
 #include "AirlightCameraShader.h"
 #include "AirlightEquiangularFS.h"
 #include "AirlightEquiangularRay.h"
+#include "AirlightLightPixel.h"
 #include "AirlightResolveFS.h"
 #include "AirlightResolveOutputs.h"
 #include "AirlightResolveTranslucent.h"
@@ -62,7 +63,7 @@ std::string InscatterShader::GetHead(bool storage) const
     std::to_string(this->Scene.Rays.IsParallel()) + "\n" +
     (light.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +
     GetScatteringSource(this->Scene.Media, light.kind, light.goniometric != 0) +
-    AirlightCameraShader;
+    AirlightCameraShader + AirlightLightPixel;
 }
 
 //------------------------------------------------------------------------------
@@ -116,14 +117,7 @@ void InscatterShader::SetLight(vtkShaderProgram* program, bool equiangular) cons
   {
     SetEquiangularConstants(program, this->Scene, { this->Light });
   }
-  if (f64::airlightIsDirectional(light))
-  {
-    program->SetUniformi("lightHasPixel", 0);
-  }
-  else
-  {
-    this->Scene.Rays.SetFootUniforms(program, light.position);
-  }
+  SetLightPixelUniforms(program, "lightPixel", this->Scene.Rays, light);
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,27 @@ bool Casts(const FrameScene& scene, size_t light)
 }
 
 //------------------------------------------------------------------------------
+// A light's shadows. Those that it does not need are null.
+struct LightShadows::OneLight
+{
+  void ReleaseMap(vtkWindow* window)
+  {
+    this->Mixed.reset();
+    if (this->Map)
+    {
+      this->Map->Release(window);
+      this->Map.reset();
+    }
+  }
+
+  const vtkLight* Light = nullptr;          // to be compared only
+  ShadowMethod Method = ShadowMethod::None; // in this frame
+  std::unique_ptr<PlanesShadow> Planes;
+  std::unique_ptr<MapShadow> Map;
+  std::unique_ptr<MixedShadow> Mixed; // of both
+};
+
+//------------------------------------------------------------------------------
 LightShadows::LightShadows()
   : NoMap(this->Programs, true)
 {
@@ -54,6 +75,10 @@ bool LightShadows::Prepare(const FrameScene& scene, const Options& options,
     this->ReleaseMaps(scene.Window);
   }
   this->Current = options;
+  for (OneLight& light : this->Lights)
+  {
+    light.Method = ShadowMethod::None;
+  }
   const bool planes = options.Method == ShadowMethod::Planes;
   const std::vector<Caster>& all = casters.GetCasters();
   this->OpaqueCasters.clear();
@@ -87,94 +112,88 @@ bool LightShadows::PrepareTransmittance(const FrameScene& scene)
 }
 
 //------------------------------------------------------------------------------
+// Lights that have gone away may have changed the numbers of the others.
 void LightShadows::MakeShadows(const FrameScene& scene)
 {
-  const size_t count = scene.Lights.size();
-  if (this->Current.Method == ShadowMethod::Planes)
-  {
-    this->Planes.resize(count);
-  }
-  for (auto& shadow : this->Planes)
-  {
-    if (!shadow)
-    {
-      shadow = std::make_unique<PlanesShadow>(this->Boundaries);
-    }
-    // A map has light and dark only.
-    shadow->SetMaximumBoundaries(
-      this->Transmits ? std::numeric_limits<double>::infinity() : this->Current.MaximumBoundaries);
-  }
-  if (this->Maps.size() > count)
+  if (this->Lights.size() > scene.Lights.size())
   {
     this->ReleaseMaps(scene.Window);
   }
-  if (!this->HasMaps())
+  this->Lights.resize(scene.Lights.size());
+  for (size_t k = 0; k < this->Lights.size(); ++k)
   {
-    this->Maps.resize(count);
-    this->Mixed.resize(count);
-    return;
-  }
-  this->Maps.resize(count);
-  for (size_t k = 0; k < this->Maps.size(); ++k)
-  {
-    if (!this->Maps[k] && Casts(scene, k))
-    {
-      this->Maps[k] =
-        std::make_unique<MapShadow>(this->Programs, this->Current.Method == ShadowMethod::March);
-    }
-    if (this->Maps[k])
-    {
-      this->Maps[k]->SetSteps(this->Current.Steps);
-    }
+    this->Lights[k].Light = scene.Lights[k].Light;
+    this->MakeShadow(this->Lights[k], Casts(scene, k));
   }
   this->NoMap.SetSteps(this->Current.Steps);
 }
 
 //------------------------------------------------------------------------------
-LightShadow* LightShadows::Find(size_t light)
+void LightShadows::MakeShadow(OneLight& light, bool casts)
 {
-  if (this->HasMaps())
+  if (this->Current.Method == ShadowMethod::Planes)
   {
-    return this->Maps[light].get();
+    if (!light.Planes)
+    {
+      light.Planes = std::make_unique<PlanesShadow>(this->Boundaries);
+    }
+    // A map has light and dark only.
+    light.Planes->SetMaximumBoundaries(
+      this->Transmits ? std::numeric_limits<double>::infinity() : this->Current.MaximumBoundaries);
   }
-  if (!this->Mixed[light])
+  if (this->HasMaps() && casts && !light.Map)
   {
-    return this->Planes[light].get();
+    light.Map =
+      std::make_unique<MapShadow>(this->Programs, this->Current.Method == ShadowMethod::March);
   }
-  return this->Planes[light]->HasShadow() ? static_cast<LightShadow*>(this->Mixed[light].get())
-                                          : this->Maps[light].get();
+  if (light.Map)
+  {
+    light.Map->SetSteps(this->Current.Steps);
+  }
 }
 
 //------------------------------------------------------------------------------
-bool LightShadows::HasMapBesidePlanes(size_t light) const
+LightShadow* LightShadows::Find(const OneLight& light)
 {
-  return light < this->Mixed.size() && this->Mixed[light];
+  if (this->HasMaps())
+  {
+    return light.Map.get();
+  }
+  if (!light.Mixed)
+  {
+    return light.Planes.get();
+  }
+  return light.Planes->HasShadow() ? static_cast<LightShadow*>(light.Mixed.get()) : light.Map.get();
+}
+
+//------------------------------------------------------------------------------
+ShadowMethod LightShadows::GetMethod(const vtkLight* light) const
+{
+  const auto found = std::find_if(this->Lights.begin(), this->Lights.end(),
+    [light](const OneLight& one) { return one.Light == light; });
+  return found != this->Lights.end() ? found->Method : ShadowMethod::None;
+}
+
+//------------------------------------------------------------------------------
+bool LightShadows::HasMap() const
+{
+  return std::any_of(this->Lights.begin(), this->Lights.end(),
+    [](const OneLight& light) { return light.Method == ShadowMethod::Map; });
 }
 
 //------------------------------------------------------------------------------
 LightShadows::CostlyCasters LightShadows::GetCostlyCasters() const
 {
   CostlyCasters most;
-  for (size_t k = 0; k < this->Mixed.size(); ++k)
+  for (const OneLight& light : this->Lights)
   {
-    const size_t count = this->Mixed[k] ? this->Planes[k]->GetLeftOut().size() : 0;
-    if (count > 0 && this->Planes[k]->GetEstimate() > most.Boundaries)
+    const size_t count = light.Mixed ? light.Planes->GetLeftOut().size() : 0;
+    if (count > 0 && light.Planes->GetEstimate() > most.Boundaries)
     {
-      most = { count, this->Planes[k]->GetEstimate() };
+      most = { count, light.Planes->GetEstimate() };
     }
   }
   return most;
-}
-
-//------------------------------------------------------------------------------
-void LightShadows::DropMap(const FrameScene& scene, size_t light)
-{
-  this->Mixed[light].reset();
-  if (this->Maps[light])
-  {
-    this->Maps[light]->Release(scene.Window);
-    this->Maps[light].reset();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -182,27 +201,42 @@ void LightShadows::DropMap(const FrameScene& scene, size_t light)
 bool LightShadows::UpdateMixed(
   const FrameScene& scene, int light, const ShadowCasters& casters, const InscatterTargets& targets)
 {
-  const std::vector<Caster>& left = this->Planes[light]->GetLeftOut();
-  std::unique_ptr<MapShadow>& map = this->Maps[light];
+  OneLight& own = this->Lights[light];
   std::vector<NonPolygonalCaster> others;
   if (this->Current.MapNonPolygonal)
   {
     others = casters.NonPolygonal;
   }
-  if (left.empty() && others.empty())
+  if (own.Planes->GetLeftOut().empty() && others.empty())
   {
-    this->DropMap(scene, light);
+    own.ReleaseMap(scene.Window);
     return true;
   }
-  if (!map)
+  if (!own.Map)
   {
-    map = std::make_unique<MapShadow>(this->Programs, false);
+    own.Map = std::make_unique<MapShadow>(this->Programs, false);
   }
-  map->SetSteps(this->Current.Steps);
-  this->Mixed[light] = std::make_unique<MixedShadow>(*this->Planes[light], *map);
-  const ShadowCasters costly{ left, others, casters.Faces, casters.Remote, casters.DrawNonPolygonal,
-    casters.MapResolution };
-  return map->Update(scene, light, costly, targets) || this->Fail(map->GetError());
+  own.Map->SetSteps(this->Current.Steps);
+  own.Mixed = std::make_unique<MixedShadow>(*own.Planes, *own.Map);
+  own.Method = ShadowMethod::Map;
+  const ShadowCasters costly{ own.Planes->GetLeftOut(), others, casters.Faces, casters.Remote,
+    casters.DrawNonPolygonal, casters.MapResolution };
+  return own.Map->Update(scene, light, costly, targets) || this->Fail(own.Map->GetError());
+}
+
+//------------------------------------------------------------------------------
+bool LightShadows::UpdateLight(
+  const FrameScene& scene, int light, const ShadowCasters& casters, const InscatterTargets& targets)
+{
+  OneLight& own = this->Lights[light];
+  own.Method = this->Current.Method;
+  LightShadow& shadow =
+    this->HasMaps() ? static_cast<LightShadow&>(*own.Map) : static_cast<LightShadow&>(*own.Planes);
+  if (!shadow.Update(scene, light, casters, targets))
+  {
+    return this->Fail(shadow.GetError());
+  }
+  return this->HasMaps() || this->UpdateMixed(scene, light, casters, targets);
 }
 
 //------------------------------------------------------------------------------
@@ -217,26 +251,20 @@ bool LightShadows::Update(const FrameScene& scene, const InscatterTargets& targe
   const ShadowCasters casters{ *this->Casters, nonPolygonal, this->Faces, this->Remote,
     drawNonPolygonal, this->Current.MapResolution };
   size_t edges = 0;
-  for (size_t k = 0; k < scene.Lights.size(); ++k)
+  for (size_t k = 0; k < this->Lights.size(); ++k)
   {
-    if (Casts(scene, k))
+    if (!Casts(scene, k))
     {
-      const int light = static_cast<int>(k);
-      LightShadow* shadow =
-        this->HasMaps() ? static_cast<LightShadow*>(this->Maps[k].get()) : this->Planes[k].get();
-      if (!shadow->Update(scene, light, casters, targets))
-      {
-        return this->Fail(shadow->GetError());
-      }
-      if (!this->HasMaps() && !this->UpdateMixed(scene, light, casters, targets))
-      {
-        return false;
-      }
-      edges = std::max(edges, shadow->GetEdgeCount());
+      this->Lights[k].ReleaseMap(scene.Window);
+      continue;
     }
-    else if (!this->HasMaps())
+    if (!this->UpdateLight(scene, static_cast<int>(k), casters, targets))
     {
-      this->DropMap(scene, k);
+      return false;
+    }
+    if (this->Lights[k].Planes)
+    {
+      edges = std::max(edges, this->Lights[k].Planes->GetEdgeCount());
     }
   }
   // How much room boundaries get follows from the planes that are to be drawn.
@@ -249,9 +277,8 @@ bool LightShadows::Update(const FrameScene& scene, const InscatterTargets& targe
 //------------------------------------------------------------------------------
 LightShadow& LightShadows::Get(const FrameScene& scene, int light)
 {
-  LightShadow* shadow = this->Casters && scene.Lights[light].CastsShadows
-    ? this->Find(static_cast<size_t>(light))
-    : nullptr;
+  LightShadow* shadow =
+    this->Casters && scene.Lights[light].CastsShadows ? this->Find(this->Lights[light]) : nullptr;
   if (shadow && shadow->HasShadow())
   {
     return *shadow;
@@ -290,11 +317,11 @@ void LightShadows::SetStartUniforms(
 bool LightShadows::DrawWireframe(const FrameScene& scene, vtkTextureObject* distances)
 {
   const size_t count = this->Current.Method == ShadowMethod::Planes
-    ? std::min(this->Planes.size(), scene.Lights.size())
+    ? std::min(this->Lights.size(), scene.Lights.size())
     : 0;
   for (size_t k = 0; k < count; ++k)
   {
-    PlanesShadow& shadow = *this->Planes[k];
+    PlanesShadow& shadow = *this->Lights[k].Planes;
     if (Casts(scene, k) && shadow.HasShadow() &&
       !shadow.DrawWireframe(scene, static_cast<int>(k), distances))
     {
@@ -307,22 +334,17 @@ bool LightShadows::DrawWireframe(const FrameScene& scene, vtkTextureObject* dist
 //------------------------------------------------------------------------------
 void LightShadows::ReleaseMaps(vtkWindow* window)
 {
-  for (const auto& map : this->Maps)
+  for (OneLight& light : this->Lights)
   {
-    if (map)
-    {
-      map->Release(window);
-    }
+    light.ReleaseMap(window);
   }
-  this->Maps.clear();
-  this->Mixed.clear();
 }
 
 //------------------------------------------------------------------------------
 void LightShadows::ReleaseObjects(vtkWindow* window)
 {
   this->ReleaseMaps(window);
-  this->Planes.clear();
+  this->Lights.clear();
   this->Programs.Merge.Release();
   this->Programs.Slices.Release();
   this->Boundaries.Release();

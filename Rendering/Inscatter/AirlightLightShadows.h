@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+class vtkLight;
 class vtkProp;
 class vtkWindow;
 
@@ -64,8 +65,12 @@ public:
   // A light's shadow; one without a shadow where it casts none.
   LightShadow& Get(const FrameScene& scene, int light);
 
-  // Whether some of a light's casters have a map in place of planes.
-  bool HasMapBesidePlanes(size_t light) const;
+  // How a light's shadows were drawn: by a map if some of its casters have one. NONE where it has
+  // none, and without Update().
+  ShadowMethod GetMethod(const vtkLight* light) const;
+
+  // Whether a light's were drawn by a map.
+  bool HasMap() const;
 
   // How many have one since they have too many boundaries, and how many a pixel would have with
   // them, in the light with the most.
@@ -100,12 +105,16 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
+  struct OneLight;
+
   bool Fail(const std::string& reason);
   bool PrepareTransmittance(const FrameScene& scene);
   void MakeShadows(const FrameScene& scene);
+  void MakeShadow(OneLight& light, bool casts);
   bool HasMaps() const;
-  LightShadow* Find(size_t light);
-  void DropMap(const FrameScene& scene, size_t light);
+  LightShadow* Find(const OneLight& light);
+  bool UpdateLight(const FrameScene& scene, int light, const ShadowCasters& casters,
+    const InscatterTargets& targets);
   bool UpdateMixed(const FrameScene& scene, int light, const ShadowCasters& casters,
     const InscatterTargets& targets);
 
@@ -113,10 +122,8 @@ private:
   ShadowLists Boundaries;
   MapPrograms Programs;
   ShadowTransmittance SurfaceTransmittance;
-  std::vector<ProcessSilhouettes> Remote;            // by process
-  std::vector<std::unique_ptr<PlanesShadow>> Planes; // by light
-  std::vector<std::unique_ptr<MapShadow>> Maps;      // likewise, null for those without
-  std::vector<std::unique_ptr<MixedShadow>> Mixed;   // likewise
+  std::vector<ProcessSilhouettes> Remote; // by process
+  std::vector<OneLight> Lights;
   LightShadow None;
   MapShadow NoMap; // a ray march without a caster
   std::vector<PlanarOccluder> Faces;

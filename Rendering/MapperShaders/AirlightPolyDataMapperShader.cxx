@@ -33,7 +33,7 @@ void PolyDataMapperShader::SetWindow(vtkOpenGLRenderWindow* window)
   if (this->Window && this->Window != window)
   {
     this->Window->PushContext();
-    this->Data.Release(this->Window);
+    this->Arrays.Release(this->Window);
     this->Window->PopContext();
   }
   this->Window = window;
@@ -59,9 +59,9 @@ bool PolyDataMapperShader::Prepare(vtkRenderer* renderer, double radius)
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   this->Converted = ConvertMedia(media, this->Rays->GetEye());
   this->SceneLights = CollectSceneLights(renderer, this->Converted, *this->Rays, radius, false);
-  if (!UploadData(this->Data, nullptr, window, media, this->Converted, this->SceneLights))
+  if (!this->Arrays.Upload(window, media, this->Converted, this->SceneLights))
   {
-    this->Error = this->Data.GetError();
+    this->Error = this->Arrays.GetError();
     return false;
   }
   if (UpdateSurfaceShaderOptions(this->Options, this->Converted, this->SceneLights, false, true))

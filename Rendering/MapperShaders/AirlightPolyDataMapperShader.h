@@ -11,6 +11,7 @@
 #include "Medium/AirlightMediaList.h"
 #include "OpenGL/AirlightProgram.h"
 #include "Scene/AirlightCameraUniforms.h"
+#include "Scene/AirlightSceneArrays.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkWeakPointer.h"
@@ -32,7 +33,7 @@ class PolyDataMapperShader
 public:
   PolyDataMapperShader() { this->Options.InPass = false; }
 
-  // The window that Data is for; releases what was there for another one.
+  // The window that Arrays is for; releases what was there for another one.
   void SetWindow(vtkOpenGLRenderWindow* window);
 
   // What the next piece is drawn with. False with a reason in Error if OpenGL refuses.
@@ -58,7 +59,7 @@ public:
     values.ViewportY = this->Viewport[1];
     values.Media = &this->Converted;
     values.SceneLights = &this->SceneLights;
-    values.Data = this->Data.GetTexture();
+    values.Data = this->Arrays.GetTexture();
     return values;
   }
 
@@ -71,7 +72,7 @@ public:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   MediaList Media;
-  SceneData Data;
+  SceneArrays Arrays;
   SurfaceShaderOptions Options;
   int OptionsVersion = 0;
   std::map<const vtkOpenGLHelper*, Build> Built;

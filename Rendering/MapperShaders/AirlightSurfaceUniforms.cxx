@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperShaders/AirlightSurfaceUniforms.h"
 
+#include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightShaderLibrary.h"
 #include "Scene/AirlightCameraUniforms.h"
 #include "Translucency/AirlightShadowTransmittance.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -128,6 +132,32 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     SetLightUniforms(
       program, "airlightLights[" + std::to_string(k) + "]", (*values.SceneLights)[k].Values);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FitToTarget(SurfaceUniforms& values, vtkRenderer* renderer)
+{
+  for (vtkTextureObject* texture : values.GetTextures())
+  {
+    texture->Activate();
+  }
+  const CameraUniforms& rays = *values.Rays;
+  int viewport[4];
+  vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  if (viewport[0] == 0 && viewport[1] == 0 && viewport[2] == rays.GetWidth() &&
+    viewport[3] == rays.GetHeight())
+  {
+    return;
+  }
+  const CameraUniforms target(renderer, viewport[2], viewport[3]);
+  if (target.IsValid())
+  {
+    values.ViewportX = viewport[0];
+    values.ViewportY = viewport[1];
+    values.Pixels = rays.GetPixelsFrom(target);
   }
 }
 }

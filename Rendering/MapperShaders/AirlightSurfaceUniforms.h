@@ -13,6 +13,7 @@
 
 #include <vector>
 
+class vtkRenderer;
 class vtkShaderProgram;
 class vtkTextureObject;
 
@@ -51,6 +52,10 @@ struct SurfaceUniforms
   // Those that the shaders read: active while surfaces are drawn.
   std::vector<vtkTextureObject*> GetTextures() const;
 };
+
+// Brings them to the target that a delegate has bound, which may be of another size, and binds the
+// textures again whose units it may have used.
+void FitToTarget(SurfaceUniforms& values, vtkRenderer* renderer);
 
 void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values);
 }

@@ -107,6 +107,7 @@ PassRenderer::PassRenderer(vtkObject* pass, const SceneStages::RenderHooks& hook
 {
   this->Context->SetRelease([this](vtkWindow* window) {
     this->CurrentFrame.Release(window);
+    this->Casters.Clear();
     this->Stages.Release(window);
     this->Mappers.Release();
   });
@@ -118,12 +119,12 @@ PassRenderer::~PassRenderer() { this->Context->SetContext(nullptr); }
 void PassRenderer::Render(
   const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
 {
-  this->Stages.SetDelegate(settings.Delegate);
+  this->Stages.GetPasses().SetDelegate(settings.Delegate);
   UpdateStereo(s->GetRenderer());
   // Picking reads colours as numbers: nothing may change them.
   if (s->GetRenderer()->GetSelector())
   {
-    this->Stages.DrawPlain(s);
+    this->Stages.GetPasses().DrawAll(s);
     return;
   }
   this->Messages.CheckMedia(this->Media);
@@ -134,7 +135,7 @@ void PassRenderer::Render(
   }
   this->Messages.ReportFrame(this->Error);
   this->Recover();
-  this->Stages.DrawPlain(s);
+  this->Stages.GetPasses().DrawAll(s);
 }
 
 //------------------------------------------------------------------------------
@@ -144,7 +145,7 @@ bool PassRenderer::RenderFrame(
 {
   vtkRenderer* renderer = s->GetRenderer();
   this->Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
-  this->Stages.GetScenePass()->PrepareLights(renderer);
+  this->Stages.GetPasses().PrepareLights(renderer);
   Scene scene(renderer, viewport.Width, viewport.Height);
   if (!CheckOpenGL(scene.Window, this->Error) || !this->CollectScene(s, settings, scene))
   {
@@ -170,13 +171,14 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
   const PassProperties& properties = settings.Properties;
   const FramePlan plan = MakeFramePlan(properties, this->GetFacts(scene), limits);
   this->CurrentFrame.SetPlan(plan);
-  this->Messages.CheckPlan(plan, properties, this->CurrentFrame.GetCasters());
+  this->Messages.CheckPlan(plan, properties, this->Casters);
   if (plan.Plain)
   {
     this->CurrentFrame.ForgetBuffers();
-    this->Stages.DrawPlain(s);
+    this->Stages.GetPasses().DrawAll(s);
     return true;
   }
+  this->Messages.CheckCasters(this->Casters, plan);
   this->Mappers.Update(plan, scene.Converted, scene.Lights,
     { scene.Window, limits.StorageBuffers, scene.Rays.IsParallel(), settings.Delegate != nullptr,
       scene.Support->Actors });
@@ -216,7 +218,7 @@ void PassRenderer::CollectProps(const vtkRenderState* s, const Settings& setting
   scene.Props = SceneProps(s->GetRenderer(), s->GetPropArray(), s->GetPropArrayCount());
   if (settings.Properties.Technique != ShadowTechnique::None)
   {
-    this->CurrentFrame.FindCasters(scene.Props, settings.Properties.TranslucentShadows);
+    this->Casters.Collect(scene.Props, settings.Properties.TranslucentShadows);
   }
   scene.Support.emplace(scene.Props, s->GetRenderer(), settings.Delegate);
 }
@@ -239,8 +241,8 @@ SceneFacts PassRenderer::GetFacts(const Scene& scene) const
   facts.AllShadersInjectable = scene.Support->AllShadersInjectable;
   facts.AllOpaque = scene.Support->AllOpaque;
   facts.DrawsOverMedium = scene.Support->DrawsOverMedium;
-  facts.NonPolygonalCasters = !this->CurrentFrame.GetNonPolygonalCasters().empty();
-  facts.TranslucentCasters = this->CurrentFrame.MetTranslucent();
+  facts.NonPolygonalCasters = !this->Casters.GetNonPolygonal().empty();
+  facts.TranslucentCasters = this->Casters.MetTranslucent();
   facts.Volumes = scene.Support->Volumes.size();
   facts.Width = scene.Rays.GetWidth();
   facts.Height = scene.Rays.GetHeight();
@@ -253,7 +255,8 @@ bool PassRenderer::Draw(
 {
   vtkRenderer* renderer = s->GetRenderer();
   StateSaver saver(scene.Window, ShadowLists::IsSupported(scene.Window));
-  Frame::Input input{ renderer, scene.Converted, scene.Lights, scene.Rays, scene.Support->Solids,
+  Frame::Input input{ renderer, scene.Converted, scene.Lights, scene.Rays, &this->Casters,
+    scene.Support->Solids,
     [this](const std::vector<NonPolygonalCaster>& casters, vtkCamera* camera, int x, int y,
       int side) { this->Stages.DrawInMap(casters, camera, x, y, side); } };
   bool ok = this->CurrentFrame.Upload(scene.Window, scene.Media, input.Media, input.SceneLights) &&
@@ -282,7 +285,7 @@ bool PassRenderer::Draw(
     return false;
   }
   this->Messages.CheckCostlyCasters(this->CurrentFrame.GetCostlyCasters(), plan);
-  this->Stages.DrawOverFrame(s, plan.Annotations);
+  this->Stages.GetPasses().DrawOverFrame(s, plan.Annotations, this->Messages);
   return true;
 }
 
@@ -316,7 +319,7 @@ bool PassRenderer::CollectSilhouettes(
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   const std::vector<SceneLight> lights =
     CollectSceneLights(renderer, ConvertMedia(media, view.GetEye()), view, lightRadius, true);
-  this->CurrentFrame.FindCasters(SceneProps(renderer), false);
+  this->Casters.Collect(SceneProps(renderer), false);
   this->OwnShadows.resize(lights.size());
   std::vector<LightSilhouettes> silhouettes(lights.size());
   for (size_t k = 0; k < lights.size(); ++k)
@@ -324,8 +327,7 @@ bool PassRenderer::CollectSilhouettes(
     silhouettes[k].Light = lights[k].World;
     if (lights[k].Scatters() && lights[k].CastsShadows)
     {
-      this->OwnShadows[k].Update(
-        this->CurrentFrame.GetCasters().GetCasters(), lights[k].World, view, true);
+      this->OwnShadows[k].Update(this->Casters.GetCasters(), lights[k].World, view, true);
       silhouettes[k] = DescribeSilhouettes(this->OwnShadows[k], lights[k].World);
     }
   }

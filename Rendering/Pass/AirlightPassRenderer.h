@@ -80,6 +80,7 @@ private:
   bool Draw(const vtkRenderState* s, const FramePlan& plan, Scene& scene, const Viewport& viewport);
   void Recover();
 
+  CasterCache Casters;
   Frame CurrentFrame;
   PassMessages Messages;
   MapperHooks Mappers;

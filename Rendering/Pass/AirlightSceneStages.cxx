@@ -4,17 +4,14 @@
 
 #include "Frame/AirlightFrame.h"
 #include "MapperShaders/AirlightVolumeShader.h"
-#include "OpenGL/AirlightOpenGL.h"
 #include "Pass/AirlightMapperHooks.h"
 #include "Pass/AirlightPassMessages.h"
 #include "Pass/AirlightSceneSupport.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkFrameBufferObjectBase.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
-#include "vtkOpenGLFramebufferObject.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -22,7 +19,6 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace airlight
 {
@@ -54,20 +50,8 @@ SceneStages::SceneStages(
   , Messages(messages)
   , Hooks(hooks)
 {
-  this->ScenePass->SetAroundOpaque(
+  this->Passes.SetAroundOpaque(
     [this] { this->CurrentFrame.BeginSurfaces(); }, [this] { this->CurrentFrame.EndSurfaces(); });
-}
-
-//------------------------------------------------------------------------------
-vtkRenderPass* SceneStages::GetScenePass(bool opaqueOnly)
-{
-  if (this->Delegate)
-  {
-    return this->Delegate;
-  }
-  this->ScenePass->SetOpaqueOnly(opaqueOnly);
-  this->CameraPass->SetDelegatePass(this->ScenePass);
-  return this->CameraPass;
 }
 
 //------------------------------------------------------------------------------
@@ -75,106 +59,35 @@ void SceneStages::Begin(const vtkRenderState* s, const SceneSupport& support)
 {
   this->State = s;
   this->Support = &support;
-  this->Props.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
   this->Messages.CheckSupport(support);
   this->Hooks.PreRender(s);
 }
 
 void SceneStages::End()
 {
-  this->ProxyProps.Clear();
+  this->Passes.EndFrame();
   this->Hooks.PostRender(this->State);
   this->State = nullptr;
   this->Support = nullptr;
 }
 
 //------------------------------------------------------------------------------
-void SceneStages::DrawPlain(const vtkRenderState* s)
-{
-  vtkRenderPass* delegate = this->GetScenePass(false);
-  delegate->Render(s);
-  this->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
-}
-
-//------------------------------------------------------------------------------
-void SceneStages::DrawOverFrame(const vtkRenderState* s, bool annotations)
-{
-  if (this->MayAntialias(s))
-  {
-    this->ScenePass->Antialias(s->GetRenderer());
-  }
-  if (annotations)
-  {
-    AirlightScenePass::RenderOverlay(s);
-  }
-}
-
-//------------------------------------------------------------------------------
-// VTK's FXAA takes the renderer's part of the window, in 8 bits. A delegate stands for a renderer
-// with passes, which does without.
-bool SceneStages::MayAntialias(const vtkRenderState* s)
-{
-  if (!s->GetRenderer()->GetUseFXAA() || this->Delegate)
-  {
-    return false;
-  }
-  vtkFrameBufferObjectBase* target = s->GetFrameBuffer();
-  if (!target)
-  {
-    return true;
-  }
-  int given[2];
-  int own[2];
-  int origin[2];
-  target->GetLastSize(given);
-  s->GetRenderer()->GetTiledSizeAndOrigin(&own[0], &own[1], &origin[0], &origin[1]);
-  GLint type = GL_NONE;
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-  if (given[0] == own[0] && given[1] == own[1] && origin[0] == 0 && origin[1] == 0 &&
-    type != GL_FLOAT)
-  {
-    return true;
-  }
-  this->Messages.ReportAntialiasing(given, type == GL_FLOAT);
-  return false;
-}
-
-//------------------------------------------------------------------------------
 // Of what DrawColours() draws: hidden lines are neither drawn nor fogged there.
 void SceneStages::DrawDistances()
 {
-  this->DrawStage(SurfaceStage::Distance, [this] {
-    const bool hidesLines = this->Support->HidesLines && !HasOpaquePass(this->Delegate);
-    hidesLines ? this->HiddenLinePass->Render(this->State) : this->OpaquePass->Render(this->State);
-  });
+  this->DrawStage(SurfaceStage::Distance,
+    [this] { this->Passes.DrawDistances(this->State, this->Support->HidesLines); });
 }
 
 //------------------------------------------------------------------------------
 void SceneStages::DrawColours()
 {
-  this->DrawStage(SurfaceStage::Colour, [this] {
-    this->Hidden.clear();
-    vtkRenderPass* delegate = this->GetScenePass(true);
-    if (this->Delegate)
-    {
-      vtkRenderState shown(this->State->GetRenderer());
-      shown.SetFrameBuffer(this->State->GetFrameBuffer());
-      this->ProxyProps.Show(this->State, shown);
-      delegate->Render(&shown);
-    }
-    else
-    {
-      delegate->Render(this->State);
-    }
-    this->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
-  });
+  this->DrawStage(SurfaceStage::Colour, [this] { this->Passes.DrawOpaque(this->State); });
 }
 
 //------------------------------------------------------------------------------
 void SceneStages::UpdateCasters()
 {
-  this->Messages.CheckCasters(this->CurrentFrame.GetCasters(), this->CurrentFrame.GetPlan());
   if (this->CurrentFrame.HasShadowTransmittance())
   {
     this->Mappers.AddShadowTransmittance();
@@ -192,31 +105,8 @@ void SceneStages::CollectFragments()
 void SceneStages::DrawTranslucent()
 {
   this->VolumesSeen.clear();
-  this->DrawStage(SurfaceStage::Translucent, [this] { this->DrawTranslucentProps(); });
+  this->DrawStage(SurfaceStage::Translucent, [this] { this->Passes.DrawTranslucent(this->State); });
   this->CheckVolumes();
-}
-
-//------------------------------------------------------------------------------
-// A delegate that draws the renderer's own list has drawn volumes, and what blends in assemblies,
-// already.
-void SceneStages::DrawTranslucentProps()
-{
-  if (!this->Delegate || this->ProxyProps.WereDrawn())
-  {
-    this->ScenePass->RenderTransparent(this->State, FindTranslucentPass(this->Delegate));
-    return;
-  }
-  std::vector<vtkProp*> hidden;
-  std::copy_if(this->Props.begin(), this->Props.end(), std::back_inserter(hidden),
-    [this](vtkProp* prop) { return this->Hidden.count(prop) > 0; });
-  if (hidden.empty())
-  {
-    return;
-  }
-  vtkRenderState state(this->State->GetRenderer());
-  state.SetFrameBuffer(this->State->GetFrameBuffer());
-  state.SetPropArrayAndCount(hidden.data(), static_cast<int>(hidden.size()));
-  this->ScenePass->RenderTransparentOf(&state);
 }
 
 //------------------------------------------------------------------------------
@@ -228,7 +118,7 @@ void SceneStages::DrawInMap(
   std::vector<vtkProp*> unseen;
   for (const NonPolygonalCaster& caster : casters)
   {
-    if (std::find(this->Props.begin(), this->Props.end(), caster.Owner) == this->Props.end() &&
+    if (!this->IsDrawn(caster.Owner) &&
       std::find(unseen.begin(), unseen.end(), caster.Owner) == unseen.end())
     {
       unseen.push_back(caster.Owner);
@@ -239,27 +129,24 @@ void SceneStages::DrawInMap(
   this->Hooks.PreRender(&state);
   const vtkSmartPointer<vtkCamera> own = renderer->GetActiveCamera();
   renderer->SetActiveCamera(camera);
-  const CameraUniforms view(renderer, side, side);
-  if (view.IsValid())
+  MapFace face{ CameraUniforms(renderer, side, side), x, y, {} };
+  if (face.Rays.IsValid())
   {
-    this->CurrentFrame.SetMapRays(&view, x, y);
-    this->DrawsMap = true;
+    this->Face = &face;
     this->DrawStage(SurfaceStage::Distance, [&] {
       for (const NonPolygonalCaster& caster : casters)
       {
         DrawCaster(caster, renderer);
       }
     });
-    this->DrawsMap = false;
-    this->CurrentFrame.SetMapRays(nullptr, 0, 0);
+    this->Face = nullptr;
   }
   // VTK takes lights in the coordinates of a camera changed before for those of its own.
-  for (vtkShaderProgram* program : this->MapPrograms)
+  for (vtkShaderProgram* program : face.Programs)
   {
     program->SetUniformGroupUpdateTime(vtkShaderProgram::CameraGroup, 0);
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
   }
-  this->MapPrograms.clear();
   renderer->SetActiveCamera(own);
   this->Hooks.PostRender(&state);
 }
@@ -287,16 +174,23 @@ void SceneStages::DrawStage(SurfaceStage stage, const std::function<void()>& dra
 // blends over the medium. Parts of assemblies are not.
 bool SceneStages::IsDrawnLater(vtkProp* prop)
 {
-  if (!this->CurrentFrame.GetPlan().Translucent || this->DrawsMap ||
+  if (!this->CurrentFrame.GetPlan().Translucent || this->Face ||
     this->Stage == SurfaceStage::Translucent || this->Stage == SurfaceStage::Collect ||
     !(AirlightScenePass::IsPointGaussians(prop) ||
-      (this->Delegate && prop->IsRenderingTranslucentPolygonalGeometry())) ||
-    std::find(this->Props.begin(), this->Props.end(), prop) == this->Props.end())
+      (this->Passes.GetDelegate() && prop->IsRenderingTranslucentPolygonalGeometry())) ||
+    !this->IsDrawn(prop))
   {
     return false;
   }
-  this->Hidden.insert(prop);
+  this->Passes.Hide(prop);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool SceneStages::IsDrawn(vtkProp* prop) const
+{
+  vtkProp** end = this->State->GetPropArray() + this->State->GetPropArrayCount();
+  return std::find(this->State->GetPropArray(), end, prop) != end;
 }
 
 //------------------------------------------------------------------------------
@@ -308,9 +202,16 @@ void SceneStages::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapp
     this->SetVolumeUniforms(program, volume, values);
     return;
   }
-  if (this->Delegate && this->Stage == SurfaceStage::Colour)
+  if (this->Face)
   {
-    this->CurrentFrame.FitToTarget(values);
+    values.Rays = &this->Face->Rays;
+    values.ViewportX = this->Face->X;
+    values.ViewportY = this->Face->Y;
+    this->Face->Programs.insert(program);
+  }
+  if (this->Passes.GetDelegate() && this->Stage == SurfaceStage::Colour)
+  {
+    FitToTarget(values, this->State->GetRenderer());
   }
   // A delegate may draw translucent surfaces with the opaque ones, whose bits are not theirs.
   values.UseLit = values.UseLit &&
@@ -322,10 +223,6 @@ void SceneStages::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapp
   // VTK leaves the lights of another renderer in a program that both use and that is newer than
   // they.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
-  if (this->DrawsMap)
-  {
-    this->MapPrograms.insert(program);
-  }
   if (this->Stage == SurfaceStage::Distance)
   {
     this->DepthPrePass.Observe(this->CurrentFrame.GetWindow(), mapper);
@@ -369,7 +266,7 @@ void SceneStages::CheckVolumes()
 //------------------------------------------------------------------------------
 void SceneStages::Release(vtkWindow* window)
 {
-  this->ScenePass->ReleaseGraphicsResources(window);
+  this->Passes.Release(window);
   this->DepthPrePass.Release();
 }
 }

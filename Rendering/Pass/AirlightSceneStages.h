@@ -11,14 +11,8 @@
 #include "Frame/AirlightSceneDrawer.h"
 #include "MapperShaders/AirlightDepthPrePassVariants.h"
 #include "MapperShaders/AirlightSurfaceUniforms.h"
-#include "Pass/AirlightDelegate.h"
-#include "Pass/AirlightScenePass.h"
-
-#include "vtkCameraPass.h"
-#include "vtkHiddenLineRemovalPass.h"
-#include "vtkNew.h"
-#include "vtkOpaquePass.h"
-#include "vtkSmartPointer.h"
+#include "Pass/AirlightStagePasses.h"
+#include "Scene/AirlightCameraUniforms.h"
 
 #include <functional>
 #include <set>
@@ -27,7 +21,6 @@
 class vtkAbstractMapper;
 class vtkCamera;
 class vtkProp;
-class vtkRenderPass;
 class vtkRenderState;
 class vtkShaderProgram;
 class vtkVolume;
@@ -53,19 +46,12 @@ public:
 
   SceneStages(Frame& frame, MapperHooks& mappers, PassMessages& messages, const RenderHooks& hooks);
 
-  // The user's pass that draws the scene; null for VTK's own.
-  void SetDelegate(vtkRenderPass* delegate) { this->Delegate = delegate; }
-  vtkRenderPass* GetDelegate() const { return this->Delegate; }
+  // What draws them.
+  StagePasses& GetPasses() { return this->Passes; }
 
   // Before a frame and after it: takes hold of the props' shaders, and leaves them.
   void Begin(const vtkRenderState* s, const SceneSupport& support);
   void End();
-
-  // The scene as if the pass were not there.
-  void DrawPlain(const vtkRenderState* s);
-
-  // Into the framebuffer that is bound, over a finished frame.
-  void DrawOverFrame(const vtkRenderState* s, bool annotations);
 
   void DrawDistances() override;
   void DrawColours() override;
@@ -81,42 +67,38 @@ public:
   // vtkOpenGLRenderPass::SetShaderParameters().
   void SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
 
-  AirlightScenePass* GetScenePass() { return this->ScenePass; }
-  int GetNumberOfRenderedProps() const { return this->NumberOfRenderedProps; }
   void Release(vtkWindow* window);
 
 private:
-  vtkRenderPass* GetScenePass(bool opaqueOnly);
+  // A face of a shadow map: the rays of its light as camera, and its lower left corner.
+  struct MapFace
+  {
+    CameraUniforms Rays;
+    int X;
+    int Y;
+    std::set<vtkShaderProgram*> Programs; // those used
+  };
+
   void DrawStage(SurfaceStage stage, const std::function<void()>& draw);
-  void DrawTranslucentProps();
+  bool IsDrawn(vtkProp* prop) const;
   bool IsDrawnLater(vtkProp* prop);
   void SetVolumeUniforms(
     vtkShaderProgram* program, vtkVolume* volume, const SurfaceUniforms& values);
   void CheckVolumes();
-  bool MayAntialias(const vtkRenderState* s);
 
   Frame& CurrentFrame;
   MapperHooks& Mappers;
   PassMessages& Messages;
   RenderHooks Hooks;
-  vtkRenderPass* Delegate = nullptr;
-  vtkNew<AirlightScenePass> ScenePass;
-  vtkNew<vtkCameraPass> CameraPass;
-  vtkNew<vtkOpaquePass> OpaquePass;
-  vtkNew<vtkHiddenLineRemovalPass> HiddenLinePass;
+  StagePasses Passes;
   DepthPrePassVariants DepthPrePass;
-  int NumberOfRenderedProps = 0;
 
   // This frame's.
   const vtkRenderState* State = nullptr; // into the frame's targets
   const SceneSupport* Support = nullptr; // of the props that the frame began with
-  std::vector<vtkProp*> Props;           // these
   SurfaceStage Stage = SurfaceStage::Colour;
-  DelegateProps ProxyProps;  // what a delegate is shown of them
-  std::set<vtkProp*> Hidden; // those kept from the stage of colours
+  MapFace* Face = nullptr; // that is drawn; null: the picture
   std::set<vtkProp*> VolumesSeen;
-  bool DrawsMap = false;
-  std::set<vtkShaderProgram*> MapPrograms; // those used for the map that is drawn
 };
 }
 

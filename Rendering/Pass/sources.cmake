@@ -3,11 +3,12 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightContext
-    AirlightDelegate
+    AirlightDelegateProps
     AirlightErrorRecovery
     AirlightMapperHooks
     AirlightPassMessages
     AirlightPassRenderer
     AirlightScenePass
     AirlightSceneStages
-    AirlightSceneSupport)
+    AirlightSceneSupport
+    AirlightStagePasses)

@@ -100,14 +100,19 @@ CameraUniforms::LightPixel CameraUniforms::GetLightPixel(const glm::dvec3& posit
 }
 
 //------------------------------------------------------------------------------
-void CameraUniforms::SetFootUniforms(
-  vtkShaderProgram* program, const glm::dvec3& position, const std::string& prefix) const
+void SetLightPixelUniforms(vtkShaderProgram* program, const std::string& name,
+  const CameraUniforms& rays, const f64::AirlightLight& light)
 {
-  const LightPixel pixel = this->GetLightPixel(position);
-  program->SetUniformi((prefix + "HasPixel").c_str(), pixel.IsNear ? 1 : 0);
-  program->SetUniform2f((prefix + "Pixel").c_str(), &pixel.Integer.x);
-  program->SetUniform2f((prefix + "PixelRest").c_str(), &pixel.Fraction.x);
-  program->SetUniform3f((prefix + "PerX").c_str(), &pixel.PerX.x);
-  program->SetUniform3f((prefix + "PerY").c_str(), &pixel.PerY.x);
+  if (f64::airlightIsDirectional(light))
+  {
+    program->SetUniformi((name + ".isNear").c_str(), 0);
+    return;
+  }
+  const CameraUniforms::LightPixel pixel = rays.GetLightPixel(light.position);
+  program->SetUniformi((name + ".isNear").c_str(), pixel.IsNear ? 1 : 0);
+  program->SetUniform2f((name + ".whole").c_str(), &pixel.Integer.x);
+  program->SetUniform2f((name + ".rest").c_str(), &pixel.Fraction.x);
+  program->SetUniform3f((name + ".perX").c_str(), &pixel.PerX.x);
+  program->SetUniform3f((name + ".perY").c_str(), &pixel.PerY.x);
 }
 }

@@ -9,6 +9,7 @@
 #ifndef AirlightCameraUniforms_h
 #define AirlightCameraUniforms_h
 
+#include "Medium/AirlightConvert.h"
 #include "Scene/AirlightCameraRays.h"
 
 #include <glm/glm.hpp>
@@ -50,10 +51,6 @@ public:
   };
   LightPixel GetLightPixel(const glm::dvec3& position) const;
 
-  // The same for glsl/AirlightResolveFS.glsl. The uniforms' names begin with `prefix`.
-  void SetFootUniforms(vtkShaderProgram* program, const glm::dvec3& position,
-    const std::string& prefix = "light") const;
-
   // Scale (x, y) and shift (z, w) from the pixels of another view from the same place to those of
   // this one with the same rays.
   glm::vec4 GetPixelsFrom(const CameraUniforms& other) const;
@@ -68,6 +65,10 @@ private:
   glm::vec3 RayOrigin[3];
   glm::vec3 RayDirection[3];
 };
+
+// A light's pixel, as the uniform `name` of glsl/AirlightLightPixel.glsl.
+void SetLightPixelUniforms(vtkShaderProgram* program, const std::string& name,
+  const CameraUniforms& rays, const f64::AirlightLight& light);
 }
 
 #endif

@@ -3,9 +3,7 @@
 #include "Scene/AirlightSceneLights.h"
 
 #include "Integration/AirlightMatrix.h"
-#include "Phase/AirlightPhaseShape.h"
 #include "Photometry/AirlightLightProperties.h"
-#include "Region/AirlightSurfaceTree.h"
 #include "Scene/AirlightCameraUniforms.h"
 #include "vtkAirlightLight.h"
 
@@ -152,61 +150,5 @@ int CommonKind(const std::vector<SceneLight>& sceneLights)
     }
   }
   return kind;
-}
-
-//------------------------------------------------------------------------------
-bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* window,
-  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
-  std::vector<SceneLight>& sceneLights)
-{
-  std::vector<Texels> arrays;
-  std::vector<int*> first;
-  const auto add = [&](const Texels& array, int& position) {
-    arrays.push_back(array);
-    first.push_back(&position);
-  };
-  for (int i = 0; i < converted.count; ++i)
-  {
-    f64::AirlightMedium& medium = converted.item[i];
-    if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
-    {
-      const std::shared_ptr<const SurfaceTree> tree = media[i]->GetSurfaceTree();
-      add(Texels(tree, &tree->GetTexels()), medium.region.first);
-    }
-    if (medium.phase.rows > 0)
-    {
-      const std::shared_ptr<const PhaseShape> shape = media[i]->GetPhaseShape();
-      add(Texels(shape, &shape->Rows), medium.phase.first);
-    }
-  }
-  if (grids && converted.count == 1 && converted.item[0].density == AIRLIGHT_DENSITY_GRID)
-  {
-    f64::AirlightMedium& medium = converted.item[0];
-    add(grids->GetSamples(media[0]->GetDensityGrid()), medium.gridFirst);
-    for (SceneLight& sceneLight : sceneLights)
-    {
-      if (sceneLight.Scatters())
-      {
-        const LightGrid& grid = grids->GetLight(medium, sceneLight.Values, medium.gridOrigin);
-        sceneLight.Values.gridSize = grid.Cells;
-        sceneLight.GridError = grid.Error;
-        add(grid.Means, sceneLight.Values.gridFirst);
-      }
-    }
-    grids->Forget();
-  }
-  for (SceneLight& sceneLight : sceneLights)
-  {
-    if (sceneLight.Table)
-    {
-      add(sceneLight.Table, sceneLight.Values.photometry.first);
-    }
-  }
-  const bool ok = data.Update(window, arrays);
-  for (size_t i = 0; i < first.size() && ok; ++i)
-  {
-    *first[i] = data.GetFirst(i);
-  }
-  return ok;
 }
 }

@@ -8,7 +8,6 @@
 #define AirlightSceneLights_h
 
 #include "Medium/AirlightConvert.h"
-#include "Scene/AirlightLightGrid.h"
 #include "Scene/AirlightSceneData.h"
 #include "vtkWeakPointer.h"
 
@@ -19,8 +18,6 @@
 #include <vector>
 
 class vtkLight;
-class vtkOpenGLRenderWindow;
-class vtkParticipatingMedium;
 class vtkRenderer;
 
 namespace airlight
@@ -54,13 +51,6 @@ std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::Air
 // GetCameraLightsText() of these lights.
 inline bool IsLeftOut(const SceneLight& sceneLight) { return sceneLight.LeftOut; }
 std::string DescribeLeftOut(const std::vector<SceneLight>& sceneLights);
-
-// Puts on the graphics card the surfaces, images and tables of media and lights, and their
-// positions there into `converted` and `sceneLights`. `grids` may be null where there are no
-// images. False with a reason in data.GetError() where the card has no room.
-bool UploadData(SceneData& data, LightGrids* grids, vtkOpenGLRenderWindow* window,
-  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
-  std::vector<SceneLight>& sceneLights);
 }
 
 #endif

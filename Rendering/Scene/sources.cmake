@@ -5,9 +5,11 @@ airlight_sources(
     AirlightCameraUniforms
     AirlightEquiangularLights
     AirlightFrameScene
+    AirlightSceneArrays
     AirlightSceneLights
     AirlightLightGrid
     AirlightSceneData
   GLSL
     glsl/AirlightCameraShader.glsl
-    glsl/AirlightConstants.glsl)
+    glsl/AirlightConstants.glsl
+    glsl/AirlightLightPixel.glsl)

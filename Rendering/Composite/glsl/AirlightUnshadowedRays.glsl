@@ -18,17 +18,7 @@ vec3 airlightUnshadowedRay(int k, vec2 p, vec3 origin, vec3 direction, float uni
 
 #else
 
-// A light's own pixel, its whole part and the rest, and what its moment about the ray grows by per
-// pixel away from it.
-struct AirlightOwnPixel
-{
-  int HasPixel;
-  vec2 Pixel;
-  vec2 PixelRest;
-  vec3 PerX;
-  vec3 PerY;
-};
-uniform AirlightOwnPixel own[AIRLIGHT_UNSHADOWED_LIGHTS];
+uniform AirlightLightPixel lightPixels[AIRLIGHT_UNSHADOWED_LIGHTS];
 
 vec3 airlightUnshadowedRay(int k, vec2 p, vec3 origin, vec3 direction, float unit, float end)
 {
@@ -36,10 +26,8 @@ vec3 airlightUnshadowedRay(int k, vec2 p, vec3 origin, vec3 direction, float uni
 #ifdef AIRLIGHT_NO_CONE
   light.cosCone = 0.0;
 #endif
-  vec3 moment = own[k].HasPixel != 0
-    ? airlightMoment(p, own[k].Pixel, own[k].PixelRest, own[k].PerX, own[k].PerY, unit)
-    : cross(light.position - origin, direction);
-  AirlightRay ray = airlightRayBeside(media, light, origin, direction, end, moment);
+  AirlightRay ray = airlightRayBeside(media, light, origin, direction, end,
+    airlightLightMoment(lightPixels[k], light, p, unit, origin, direction));
   vec3 tail = airlightTail3(media, light, ray, ray.lit.x);
   vec3 sum = airlightInterval3(media, light, ray, ray.lit.x, tail, ray.lit.y,
     airlightTail3(media, light, ray, ray.lit.y));

@@ -1,13 +1,7 @@
 // One light's airlight along each pixel's ray: the sum over the ray's lit intervals. Blended
 // additively, light by light.
 
-// The light's own pixel, its whole part and the rest, and what its moment about the ray grows by
-// per pixel away from it.
-uniform int lightHasPixel;
-uniform vec2 lightPixel;
-uniform vec2 lightPixelRest;
-uniform vec3 lightPerX;
-uniform vec3 lightPerY;
+uniform AirlightLightPixel lightPixel;
 
 #ifdef AIRLIGHT_RECORD
 // Scattered along the whole ray, shadows or not.
@@ -29,11 +23,9 @@ void main()
   float surface = unit * parameter;
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
-  vec3 moment = lightHasPixel != 0
-    ? airlightMoment(p, lightPixel, lightPixelRest, lightPerX, lightPerY, unit)
-    : cross(light.position - origin, direction);
-  AirlightRay ray = airlightRayBeside(
-    media, light, origin, direction, surface >= 0.0 ? surface : AIRLIGHT_FAR, moment);
+  AirlightRay ray =
+    airlightRayBeside(media, light, origin, direction, surface >= 0.0 ? surface : AIRLIGHT_FAR,
+      airlightLightMoment(lightPixel, light, p, unit, origin, direction));
 
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
   beginFragments(pixel);

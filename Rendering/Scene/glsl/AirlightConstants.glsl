@@ -29,11 +29,8 @@ vec3 airlightEquiangularLight(AirlightLight light, AirlightRay ray, AirlightSpec
 // The k-th light's moment about the pixel's ray.
 vec3 airlightOwnMoment(int k, vec2 p, float unit, AirlightLight light, vec3 origin, vec3 direction)
 {
-  if (airlightFlatConstants[6 * k + 2].w == 0.0) // far outside the view
-  {
-    return cross(light.position - origin, direction);
-  }
   vec4 pixel = airlightFlatConstants[6 * k + 3];
-  return airlightMoment(p, pixel.xy, pixel.zw, airlightFlatConstants[6 * k + 4].xyz,
-    airlightFlatConstants[6 * k + 5].xyz, unit);
+  AirlightLightPixel own = AirlightLightPixel(int(airlightFlatConstants[6 * k + 2].w), pixel.xy,
+    pixel.zw, airlightFlatConstants[6 * k + 4].xyz, airlightFlatConstants[6 * k + 5].xyz);
+  return airlightLightMoment(own, light, p, unit, origin, direction);
 }

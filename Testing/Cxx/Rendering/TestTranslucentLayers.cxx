@@ -75,9 +75,15 @@ glm::dvec3 GetLayer(Scene& scene, const Pane& pane, double px, double py, bool& 
 }
 
 //------------------------------------------------------------------------------
+// The panes, from the farthest to the nearest, are drawn in this order or the other way round.
 // `limit` is absolute, of radiances up to about 1.
-bool ComparePanes(
-  const std::string& name, Scene& scene, const std::vector<Pane>& panes, double limit)
+enum class DrawOrder
+{
+  FarFirst,
+  NearFirst
+};
+bool ComparePanes(const std::string& name, Scene& scene, const std::vector<Pane>& panes,
+  double limit, DrawOrder order = DrawOrder::FarFirst)
 {
   scene.Pass->TranslucentShadowsOff();
   scene.Pass->SetMaximumBoundariesPerPixel(VTK_DOUBLE_MAX); // shadow planes
@@ -86,9 +92,9 @@ bool ComparePanes(
   before->DeepCopy(scene.GetBuffer("Radiance"));
   vtkNew<vtkImageData> depth;
   depth->DeepCopy(scene.GetBuffer("Depth"));
-  for (const Pane& pane : panes)
+  for (size_t i = 0; i < panes.size(); ++i)
   {
-    AddPane(scene, pane);
+    AddPane(scene, panes[order == DrawOrder::FarFirst ? i : panes.size() - 1 - i]);
   }
   scene.Window->Render();
   Comparison radiance(name + ": radiance");
@@ -197,14 +203,14 @@ bool TestLongLists()
   return ok;
 }
 
-bool TestPeeled()
+bool TestPeeled(const std::string& name, DrawOrder order)
 {
   Scene scene;
   scene.Window->SetAlphaBitPlanes(1);
   scene.Renderer->UseDepthPeelingOn();
   scene.AddPointLight({ 2, 4, 3 }, { 8.0, 6.0, 4.0 });
   AddBodies(scene);
-  return ComparePanes("two panes, peeled", scene, { Back, Front }, Peeled);
+  return ComparePanes(name, scene, { Back, Front }, Peeled, order);
 }
 }
 
@@ -213,6 +219,7 @@ int TestTranslucentLayers(int, char*[])
 {
   const bool one = TestOneLayer();
   const bool longLists = TestLongLists();
-  const bool peeled = TestPeeled();
-  return one && longLists && peeled && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool farFirst = TestPeeled("two panes, peeled, the far one first", DrawOrder::FarFirst);
+  const bool nearFirst = TestPeeled("two panes, peeled, the near one first", DrawOrder::NearFirst);
+  return one && longLists && farFirst && nearFirst && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

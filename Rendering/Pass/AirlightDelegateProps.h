@@ -6,11 +6,12 @@
  * the props, which draw opaque geometry alone.
  */
 
-#ifndef AirlightDelegate_h
-#define AirlightDelegate_h
+#ifndef AirlightDelegateProps_h
+#define AirlightDelegateProps_h
 
 #include "vtkSmartPointer.h"
 
+#include <set>
 #include <vector>
 
 class vtkProp;
@@ -35,6 +36,10 @@ public:
   // Whether the delegate drew what it was shown. Some draw the renderer's own list.
   bool WereDrawn() const { return this->Drawn; }
 
+  // Notes a prop that drew nothing when it was shown, and those of a state that were noted since.
+  void Hide(vtkProp* prop) { this->Hidden.insert(prop); }
+  std::vector<vtkProp*> GetHidden(const vtkRenderState* s) const;
+
   void Clear();
 
 private:
@@ -42,6 +47,7 @@ private:
 
   std::vector<vtkProp*> Props;
   std::vector<vtkSmartPointer<vtkProp>> ProxyProps;
+  std::set<vtkProp*> Hidden;
   bool Drawn = false;
 };
 

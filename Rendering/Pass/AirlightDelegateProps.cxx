@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pass/AirlightDelegate.h"
+#include "Pass/AirlightDelegateProps.h"
 
 #include "Scene/AirlightClassTraits.h"
 
@@ -18,6 +18,9 @@
 #include "vtkSSAAPass.h"
 #include "vtkSequencePass.h"
 #include "vtkTranslucentPass.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace
 {
@@ -144,10 +147,20 @@ void DelegateProps::Add(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkProp*> DelegateProps::GetHidden(const vtkRenderState* s) const
+{
+  std::vector<vtkProp*> hidden;
+  std::copy_if(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount(),
+    std::back_inserter(hidden), [this](vtkProp* prop) { return this->Hidden.count(prop) > 0; });
+  return hidden;
+}
+
+//------------------------------------------------------------------------------
 void DelegateProps::Clear()
 {
   this->Props.clear();
   this->ProxyProps.clear();
+  this->Hidden.clear();
   this->Drawn = false;
 }
 

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The surfaces, images and tables of media and lights on the graphics card.
+ */
+
+#ifndef AirlightSceneArrays_h
+#define AirlightSceneArrays_h
+
+#include "Scene/AirlightLightGrid.h"
+#include "Scene/AirlightSceneData.h"
+#include "Scene/AirlightSceneLights.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkParticipatingMedium;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace airlight
+{
+class SceneArrays
+{
+public:
+  // Brings them up to date, and puts their positions there into `converted` and `sceneLights`.
+  // False with a reason in GetError() where the card has no room.
+  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
+    f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights);
+
+  const std::string& GetError() const { return this->Data.GetError(); }
+
+  // Null without arrays.
+  vtkTextureObject* GetTexture() { return this->Data.GetTexture(); }
+
+  void Release(vtkWindow* window) { this->Data.Release(window); }
+
+private:
+  // Notes an array and where its position is to be put.
+  using Add = std::function<void(const Texels&, int&)>;
+  void AddDensity(const Add& add, vtkParticipatingMedium* medium, f64::AirlightMedium& converted,
+    std::vector<SceneLight>& sceneLights);
+
+  SceneData Data;
+  LightGrids Grids;
+};
+}
+
+#endif
