@@ -37,9 +37,10 @@ bool HasTrait(vtkObject* object, ClassTrait trait)
     // ParaView's: draws its mapper with an actor inside, to which it gives all that it has; while
     // the camera moves, it draws something coarser.
     { "vtkPVLODActor", { T::DrawsItsMapper } },
-    // Props in places, to which it gives its keys and so the pass. Not vtkPropAssembly, which gives
-    // no actors, nor vtkAxesActor, which keeps the pass from its arrows.
+    // Props in places. Not vtkPropAssembly, which gives no actors.
     { "vtkAssembly", { T::DrawsItsParts } },
+    // Six actors. Its labels are drawn over the frame.
+    { "vtkAxesActor", { T::DrawsItsParts, T::KeepsItsKeys } },
     // What vtkPolyDataMapper::New() makes.
     { "vtkOpenGLPolyDataMapper",
       { T::InjectableShaders, T::DrawsItsInput, T::UsesItsProperty, T::OneProgram } },

@@ -22,6 +22,7 @@ enum class ClassTrait
   DrawsItsMapper,    // actors: their opaque geometry is what their mapper draws
   DrawsItself,       // actors: draw with that mapper at any time, and with no other prop
   DrawsItsParts,     // props: their geometry is what vtkProp::GetActors() and GetVolumes() draw
+  KeepsItsKeys,      // and does not give them its property keys, which name the render passes
   InjectableShaders, // mappers: the pass adds to all shaders that they draw with
   DrawsItsInput,     // mappers: draw all of their input, where it is, in one opacity
   UsesItsProperty,   // mappers: shade with the coefficients of their actor's property

@@ -60,15 +60,25 @@ void SceneStages::Begin(const vtkRenderState* s, const SceneSupport& support)
   this->State = s;
   this->Support = &support;
   this->Messages.CheckSupport(support);
-  this->Hooks.PreRender(s);
+  this->CallHook(this->Hooks.PreRender);
 }
 
 void SceneStages::End()
 {
   this->Passes.EndFrame();
-  this->Hooks.PostRender(this->State);
+  this->CallHook(this->Hooks.PostRender);
   this->State = nullptr;
   this->Support = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void SceneStages::CallHook(const std::function<void(const vtkRenderState*)>& hook)
+{
+  std::vector<vtkProp*> props = this->Support->KeyHolders;
+  vtkRenderState state(this->State->GetRenderer());
+  state.SetFrameBuffer(this->State->GetFrameBuffer());
+  state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  hook(&state);
 }
 
 //------------------------------------------------------------------------------

@@ -79,6 +79,7 @@ private:
     std::set<vtkShaderProgram*> Programs; // those used
   };
 
+  void CallHook(const std::function<void(const vtkRenderState*)>& hook);
   void DrawStage(SurfaceStage stage, const std::function<void()>& draw);
   bool IsDrawn(vtkProp* prop) const;
   bool IsDrawnLater(vtkProp* prop);

@@ -138,6 +138,11 @@ SceneSupport::SceneSupport(
       this->AddProp(item);
       this->AddVolumes(item);
       this->Actors.insert(this->Actors.end(), item.Actors.begin(), item.Actors.end());
+      this->KeyHolders.push_back(item.Prop);
+      if (HasTrait(item.Prop, ClassTrait::KeepsItsKeys))
+      {
+        this->KeyHolders.insert(this->KeyHolders.end(), item.Actors.begin(), item.Actors.end());
+      }
     }
   }
   const bool removesLines = renderer->GetUseHiddenLineRemoval() != 0;

@@ -50,6 +50,10 @@ struct SceneSupport
   // All that the props can draw.
   std::vector<vtkActor*> Actors;
 
+  // All that draws in the view and has keys of its own to name the pass in: the props, and the
+  // parts of those that keep theirs.
+  std::vector<vtkProp*> KeyHolders;
+
   // Props that hold volumes whose mappers use shaders of the graphics card, and may be rewritten.
   std::vector<vtkProp*> RayCast;
 

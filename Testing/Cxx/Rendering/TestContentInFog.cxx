@@ -9,6 +9,7 @@
 #include "vtkAxesActor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositePolyDataMapper2.h"
+#include "vtkPropCollection.h"
 #include "vtkSkybox.h"
 
 #include <cstdlib>
@@ -86,7 +87,14 @@ const std::vector<Content> Contents = {
     } },
   { "axes, followers",
     [](Fog& f) {
-      f.Renderer->AddActor(vtkNew<vtkAxesActor>());
+      vtkNew<vtkAxesActor> axes;
+      vtkNew<vtkPropCollection> arrows;
+      axes->GetActors(arrows);
+      for (int i = 0; i < arrows->GetNumberOfItems(); ++i)
+      {
+        MakeEmissive(vtkActor::SafeDownCast(arrows->GetItemAsObject(i)));
+      }
+      f.Renderer->AddActor(axes);
       AddFollower(f);
       MakeEmissive(vtkActor::SafeDownCast(f.Renderer->GetActors()->GetLastActor()));
     } },
