@@ -147,10 +147,11 @@ void PassMessages::CheckPlan(
   if (plan.Reason == TechniqueReason::PlanesOverMemory)
   {
     this->WarnOnce(PlanesOverMemory,
-      "The shadow planes' boundaries need more than " + std::to_string(ShadowLists::MostBands) +
-        " times the memory limit of " + std::to_string(properties.MemoryLimit >> 20) +
-        " MiB, or those of one row of pixels more than that: shadows come from shadow maps, which "
-        "are less exact. Raise SetMemoryLimit(), or call SetShadowTechniqueToShadowMap().");
+      "The shadow planes have so many boundaries that the picture would be drawn in very many "
+      "parts in the memory limit of " +
+        std::to_string(properties.MemoryLimit >> 20) +
+        " MiB: shadows come from shadow maps, which are less exact. Raise SetMemoryLimit(), or "
+        "call SetShadowTechniqueToShadowMap().");
   }
   if (!plan.Plain && properties.ScatteredSurfaceLight && !plan.ScatteredSurfaceLight)
   {

@@ -158,7 +158,6 @@ bool ShadowLists::TryDraw(const Source& source, int row, int rows, BoundaryBuffe
 int ShadowLists::DrawRows(const Source& source, int row, int rows)
 {
   const std::uint64_t most = this->Store.GetMost();
-  const std::uint64_t all = rows;
   rows = this->Store.LimitRows(rows);
   while (rows > 0)
   {
@@ -174,7 +173,7 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
       this->Filled = { this->Window, this->Width, row, rows };
       return rows;
     }
-    if (this->Budgeted && needed * all / rows > MostBands * most)
+    if (this->Budgeted && needed > MostBands * most)
     {
       break;
     }
