@@ -14,7 +14,6 @@
 #include "vtkGeometryFilter.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlaneCollection.h"
@@ -125,30 +124,9 @@ void CasterCache::AddProp(const SceneProp& prop)
 }
 
 //------------------------------------------------------------------------------
-std::vector<glm::dvec3> NonPolygonalCaster::GetCorners() const
-{
-  // A part's own bounds are those of where it stands without the assembly.
-  const double* b =
-    this->PartToWorld ? this->Actor->GetMapper()->GetBounds() : this->Actor->GetBounds();
-  std::vector<glm::dvec3> corners;
-  for (int i = 0; i < 8 && b && vtkMath::AreBoundsInitialized(b); ++i)
-  {
-    const glm::dvec4 corner(b[i & 1], b[2 + (i >> 1 & 1)], b[4 + (i >> 2)], 1.0);
-    corners.emplace_back(this->PartToWorld ? ToGlm(this->PartToWorld) * corner : corner);
-  }
-  return corners;
-}
-
-//------------------------------------------------------------------------------
 void CasterCache::AddOther(const ScenePart& part, vtkProp* owner)
 {
-  NonPolygonalCaster other;
-  other.Actor = part.Actor;
-  other.Owner = owner;
-  if (part.Actor != owner)
-  {
-    other.PartToWorld = part.ToWorld;
-  }
+  const NonPolygonalCaster other(part.Actor, owner, part.ToWorld);
   if (part.Actor->HasOpaqueGeometry() && !other.GetCorners().empty())
   {
     this->NonPolygonal.push_back(other);

@@ -8,11 +8,11 @@
 #define AirlightCasters_h
 
 #include "Casters/AirlightCasterOpticalThickness.h"
+#include "Casters/AirlightNonPolygonalCaster.h"
 #include "Casters/AirlightPlanarFaces.h"
 #include "Scene/AirlightGeometryTimes.h"
 #include "Silhouette/AirlightCasterMesh.h"
 
-#include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -27,6 +27,7 @@ class vtkActor;
 class vtkDataSet;
 class vtkGeometryFilter;
 class vtkGlyph3DMapper;
+class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProp;
 
@@ -66,17 +67,6 @@ struct Caster
   }
 };
 
-// An opaque actor whose mapper draws something else than its input's polygons.
-struct NonPolygonalCaster
-{
-  // The corners of its box in the world; empty if it has none.
-  std::vector<glm::dvec3> GetCorners() const;
-
-  vtkActor* Actor = nullptr;
-  vtkProp* Owner = nullptr;                  // in the renderer: the actor, or what it is a part of
-  vtkSmartPointer<vtkMatrix4x4> PartToWorld; // of a part, to the world; else null
-};
-
 // Meshes are prepared once per change of their points or polygons and kept while anything in the
 // renderer shows them.
 class CasterCache
@@ -94,7 +84,7 @@ public:
   // What the last Collect() returned.
   const std::vector<Caster>& GetCasters() const { return this->Casters; }
 
-  // Those of the last Collect(): point Gaussians, imposters, glyphs that GetGlyphs() does not know.
+  // Those of the last Collect().
   const std::vector<NonPolygonalCaster>& GetNonPolygonal() const { return this->NonPolygonal; }
 
   // A vtkLODProp3D of the last Collect() that shows something else than an actor; empty if there is

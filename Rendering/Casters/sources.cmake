@@ -7,4 +7,5 @@ airlight_sources(
     AirlightCasters
     AirlightPlanarFaces
     AirlightGlyphs
+    AirlightNonPolygonalCaster
     AirlightCasterOpticalThickness)

@@ -34,11 +34,14 @@ constexpr float Nothing = 1e30f;
 bool ShadowMap::Update(const std::vector<Caster>& casters,
   const std::vector<NonPolygonalCaster>& nonPolygonal, const SceneLight& sceneLight, int resolution)
 {
-  // Whether the others changed, nobody says.
-  const bool same = this->Drawn && nonPolygonal.empty() && this->NonPolygonal.empty() &&
-    this->Casters == casters && this->Light == sceneLight.World &&
-    this->Axis == sceneLight.Values.axis && this->CosCone == sceneLight.Values.cosCone &&
-    this->Resolution == resolution;
+  const auto drawsAs = [](const NonPolygonalCaster& caster, const NonPolygonalCaster& last) {
+    return caster.DrawsAs(last);
+  };
+  const bool same = this->Drawn && this->Casters == casters &&
+    std::equal(nonPolygonal.begin(), nonPolygonal.end(), this->NonPolygonal.begin(),
+      this->NonPolygonal.end(), drawsAs) &&
+    this->Light == sceneLight.World && this->Axis == sceneLight.Values.axis &&
+    this->CosCone == sceneLight.Values.cosCone && this->Resolution == resolution;
   if (same)
   {
     return false;
@@ -155,12 +158,12 @@ bool ShadowMap::Draw(vtkOpenGLRenderWindow* window, ProgramMaker& programs)
   glDeleteBuffers(1, &this->Buffer);
   glDeleteVertexArrays(1, &this->VertexArray);
   this->EndNearest(window);
-  this->Drawn = !this->Refused;
+  this->Drawn = !this->Refused && !this->HasNonPolygonal();
   this->Error = this->Refused
     ? "no memory on the graphics card for the triangles of a shadow map: use "
       "coarser meshes"
     : "";
-  return this->Drawn;
+  return !this->Refused;
 }
 
 //------------------------------------------------------------------------------
@@ -283,6 +286,7 @@ bool ShadowMap::MergeNonPolygonal(vtkOpenGLRenderWindow* window, Quad& quad)
   program->SetUniformf("offset", static_cast<float>(this->Projection.GetCameraOffset()));
   quad.Draw({ { "drawn", this->NonPolygonalTexture } });
   this->EndNearest(window);
+  this->Drawn = true;
   return true;
 }
 

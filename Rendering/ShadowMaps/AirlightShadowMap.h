@@ -92,7 +92,7 @@ private:
   glm::dvec3 Axis{ 0.0 }; // of a spot
   double CosCone = -1.0;
   int Resolution = 0; // of one of six faces
-  bool Drawn = false;
+  bool Drawn = false; // all of it
 
   ShadowMapProjection Projection;
   vtkNew<vtkTextureObject> Texture;

@@ -7,14 +7,17 @@
 //
 // Casters that a shadow map draws with their mappers, point Gaussians here: the map is drawn again
 // when anything changes that they are drawn from, as a pass draws it that knows nothing of the
-// frames before.
+// frames before, and only then.
 
 #include "AirlightTestScene.h"
 #include "AirlightTestWindowScene.h"
+#include "Casters/AirlightNonPolygonalCaster.h"
 
 #include "vtkAssembly.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCubeSource.h"
-#include "vtkPointGaussianMapper.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkOpenGLPointGaussianMapper.h"
 #include "vtkShaderProperty.h"
 #include "vtkStripper.h"
 
@@ -22,6 +25,7 @@
 #include <iostream>
 
 using namespace airlight_test;
+using airlight::NonPolygonalCaster;
 
 namespace
 {
@@ -115,6 +119,21 @@ void TestMeshes()
 }
 
 //------------------------------------------------------------------------------
+// Counts how often it is drawn.
+class CountingMapper : public vtkOpenGLPointGaussianMapper
+{
+public:
+  static CountingMapper* New();
+  vtkTypeMacro(CountingMapper, vtkOpenGLPointGaussianMapper);
+  void Render(vtkRenderer* renderer, vtkActor* actor) override
+  {
+    ++this->Count;
+    this->Superclass::Render(renderer, actor);
+  }
+  int Count = 0;
+};
+vtkStandardNewMacro(CountingMapper);
+
 // Two Gaussians above a floor, in an assembly.
 struct GaussianScene : Scene
 {
@@ -138,7 +157,7 @@ struct GaussianScene : Scene
   }
 
   vtkNew<vtkPoints> Points;
-  vtkNew<vtkPointGaussianMapper> Mapper;
+  vtkNew<CountingMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkAssembly> Assembly;
 };
@@ -179,6 +198,54 @@ void TestGaussians()
   });
   TestGaussianChange(scene, "visibility", [](GaussianScene& s) { s.Assembly->VisibilityOff(); });
 }
+
+//------------------------------------------------------------------------------
+// The map is kept while the camera turns.
+void TestResting()
+{
+  GaussianScene scene;
+  const auto count = [&scene] {
+    scene.Mapper->Count = 0;
+    scene.Renderer->GetActiveCamera()->Azimuth(0.5);
+    scene.Window->Render();
+    return scene.Mapper->Count;
+  };
+  const int first = count();
+  count(); // the first frame modifies the mapper
+  const int resting = count();
+  scene.Points->Modified();
+  const int changed = count();
+  std::cout << "drawn " << first << " times at first, at rest " << resting << "\n";
+  Check(resting < first, "the map is not drawn again at rest");
+  Check(changed == first, "it is after a change");
+}
+
+//------------------------------------------------------------------------------
+// Where nothing tells whether what is drawn changed, it may have.
+void TestUnknown()
+{
+  GaussianScene scene;
+  const auto make = [&scene] {
+    return NonPolygonalCaster(scene.Actor, scene.Actor, scene.Actor->GetMatrix());
+  };
+  const NonPolygonalCaster caster = make();
+  Check(caster.DrawsAs(make()), "the same while nothing changes");
+  scene.Actor->GetProperty()->SetOpacity(0.9);
+  Check(!make().DrawsAs(caster), "another opacity");
+  Check(make().DrawsAs(make()), "and then the same");
+  vtkNew<vtkMatrix4x4> place;
+  const NonPolygonalCaster part(scene.Actor, scene.Assembly, place);
+  Check(!part.DrawsAs(make()), "a part");
+  place->SetElement(0, 3, 1.0);
+  Check(!NonPolygonalCaster(scene.Actor, scene.Assembly, place).DrawsAs(part), "another place");
+  vtkNew<vtkCallbackCommand> observer;
+  scene.Mapper->AddObserver(vtkCommand::UpdateShaderEvent, observer);
+  Check(!make().DrawsAs(make()), "an observer that may set uniforms");
+  vtkNew<vtkGlyph3DMapper> glyphs;
+  glyphs->SetInputDataObject(scene.Mapper->GetInput());
+  scene.Actor->SetMapper(glyphs);
+  Check(!make().DrawsAs(make()), "sources of glyphs");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -186,5 +253,7 @@ int TestShadowCasterUpdates(int, char*[])
 {
   TestMeshes();
   TestGaussians();
+  TestResting();
+  TestUnknown();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
