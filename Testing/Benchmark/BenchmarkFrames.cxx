@@ -5,6 +5,7 @@
 // at random in one process, against the plain VTK frame of the same scene. Only ratios within one run
 // mean anything: the milliseconds are this machine's, and of what else it did meanwhile.
 
+#include "FrameChanges.h"
 #include "FrameContent.h"
 #include "FrameErrors.h"
 #include "FrameOptions.h"
@@ -188,6 +189,12 @@ std::vector<std::vector<SceneRecipe>> GroupRecipes(const Options& options)
 void RunScenes(const std::vector<SceneRecipe>& recipes, const benchmarks::WindowMaker& windows,
   const Options& options, Rows& rows)
 {
+  if (recipes.front().Change)
+  {
+    std::cerr << recipes.front().Name << " ...\n";
+    benchmarks::TimeChange(recipes.front(), windows, std::min(options.Frames, 3), rows);
+    return;
+  }
   std::vector<ReadyScene> scenes;
   scenes.reserve(recipes.size());
   for (const SceneRecipe& recipe : recipes)
@@ -292,6 +299,7 @@ int main(int argc, char* argv[])
   {
     benchmarks::KeepMemory();
   }
+  benchmarks::KeepNoShaders();
   // One after another in random order, a frame each.
   std::string name = argv[0];
   std::string interleave = "--benchmark_enable_random_interleaving=true";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameFigures.h"
 
+#include "FrameChanges.h"
 #include "FrameContent.h"
 
 #include <algorithm>
@@ -208,6 +209,21 @@ void AddMoving(const Rows& rows, std::vector<Figure>& figures)
 }
 }
 
+// How much longer the first frame after a change takes than the second one, beyond VTK's own.
+void AddChanges(const Rows& rows, std::vector<Figure>& figures)
+{
+  for (const Row* row : rows.FindAll("changes", "automatic"))
+  {
+    const auto stall = [&rows, row](const std::string& way, Kind kind) {
+      const Row* first = rows.Find(row->Scene, way + FirstFrame);
+      const Row* second = rows.Find(row->Scene, way + SecondFrame);
+      return first && second ? (first->*kind).GetMedian() - (second->*kind).GetMedian() : NoValue;
+    };
+    Add(figures, row->Scene + ": first frame beyond the second, automatic beyond plain, s",
+      [&](Kind kind) { return stall(row->Way, kind) - stall(PlainWay, kind); });
+  }
+}
+
 //------------------------------------------------------------------------------
 // Extra of a scene in units of that of the ball and floor.
 double GetContentCost(const Rows& rows, const Row& row, Kind kind)
@@ -268,6 +284,7 @@ std::vector<Figure> DeriveFigures(const Rows& rows)
   AddGrowth(rows, "triangles", "triangles", figures);
   AddGrowth(rows, "edges", "edges", figures);
   AddMoving(rows, figures);
+  AddChanges(rows, figures);
   AddContent(rows, Unshadowed, figures);
   AddContent(rows, "automatic", figures);
   return figures;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FrameChanges.h"
 #include "FrameContent.h"
 #include "FrameScene.h"
 
@@ -234,7 +235,7 @@ std::vector<SceneRecipe> MakeRecipes()
   std::vector<SceneRecipe> recipes;
   const auto add = [&recipes](const std::string& name, const std::function<void(FrameScene&)>& fill,
                      const std::vector<Way>& ways, SceneGroup group = SceneGroup::None) {
-    recipes.push_back({ name, fill, nullptr, 800, 600, ways, group });
+    recipes.push_back({ name, fill, nullptr, nullptr, 800, 600, ways, group });
   };
   std::vector<Way> ways = AllWays({ 32, 64, 256, 1024, 2048 });
   ways.push_back(MakeRayMarchTo(2e-3));
@@ -260,7 +261,7 @@ std::vector<SceneRecipe> MakeRecipes()
   for (const auto& size : sizes)
   {
     recipes.push_back({ "sizes/" + std::to_string(size[0]) + "x" + std::to_string(size[1]),
-      FillSmall, nullptr, size[0], size[1], brief, SceneGroup::Sizes });
+      FillSmall, nullptr, nullptr, size[0], size[1], brief, SceneGroup::Sizes });
   }
   for (int triangles : { 10000, 100000, 1000000, 3000000 })
   {
@@ -283,8 +284,11 @@ std::vector<SceneRecipe> MakeRecipes()
   add(
     "crowd", [](FrameScene& scene) { FillCrowd(scene, 30, 24); }, brief);
   add("moving", FillHeavy, moving);
-  const std::vector<SceneRecipe> content = MakeContentRecipes();
-  recipes.insert(recipes.end(), content.begin(), content.end());
+  for (const std::vector<SceneRecipe>& more :
+    { MakeContentRecipes(), MakeChangeRecipes(FillSmall) })
+  {
+    recipes.insert(recipes.end(), more.begin(), more.end());
+  }
   return recipes;
 }
 }

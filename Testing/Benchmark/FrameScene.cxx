@@ -225,6 +225,12 @@ FrameTime FrameScene::Time(const Way& way)
   this->Set(way);
   this->Turn(way);
   this->Draw();
+  return this->TimeOne(way);
+}
+
+FrameTime FrameScene::TimeOne(const Way& way)
+{
+  this->Set(way);
   this->Turn(way);
   const std::clock_t processor = std::clock(); // of all threads
   const auto clock = std::chrono::steady_clock::now();

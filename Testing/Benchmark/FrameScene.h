@@ -70,6 +70,9 @@ public:
   // What one frame takes, after another that is not timed and makes shaders and buffers.
   FrameTime Time(const Way& way);
 
+  // What one frame takes at once.
+  FrameTime TimeOne(const Way& way);
+
   // Whether the last frame was drawn with the way's technique, and not with another in its place.
   bool IsDrawnAs(const Way& way);
 
@@ -113,7 +116,8 @@ struct SceneRecipe
 {
   std::string Name;
   std::function<void(FrameScene&)> Fill;
-  std::function<void(FrameScene&)> Base; // a scene whose frames are timed in turn, if any
+  std::function<void(FrameScene&)> Base;   // a scene whose frames are timed in turn, if any
+  std::function<void(FrameScene&)> Change; // after which frames are timed (FrameChanges.h), if any
   int Width = 800;
   int Height = 600;
   std::vector<Way> Ways;

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FrameChanges.h"
+
+#include "FrameRows.h"
+#include "FrameWindow.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkAirlight.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkProperty.h"
+
+#include <cstdlib>
+#include <string>
+
+namespace benchmarks
+{
+namespace
+{
+vtkActor* GetBall(FrameScene& scene)
+{
+  return vtkActor::SafeDownCast(scene.Renderer->GetActors()->GetItemAsObject(0));
+}
+
+vtkLight* GetLamp(FrameScene& scene)
+{
+  return vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
+}
+
+struct Change
+{
+  const char* Name;
+  void (*Apply)(FrameScene& scene);
+};
+
+const Change Numbers[] = {
+  { "extinction", [](FrameScene& scene) { scene.Medium->SetScattering(0.05, 0.06, 0.07); } },
+  { "lamp-moves", [](FrameScene& scene) { GetLamp(scene)->SetPosition(1.0, 5.0, 0.3); } },
+  { "lamp-dims",
+    [](FrameScene& scene) {
+      const double intensity[3] = { 10.0, 20.0, 30.0 };
+      vtkAirlight::SetRadiantIntensity(GetLamp(scene), intensity);
+    } },
+  { "ball-moves", [](FrameScene& scene) { GetBall(scene)->AddPosition(0.3, 0.2, 0.1); } },
+  { "colour", [](FrameScene& scene) { GetBall(scene)->GetProperty()->SetColor(0.2, 0.9, 0.4); } },
+  { "window", [](FrameScene& scene) { scene.Window->SetSize(760, 570); } },
+};
+
+const Change Kinds[] = {
+  { "anisotropy",
+    [](FrameScene& scene) {
+      scene.Medium->SetPhaseFunctionToHenyeyGreenstein();
+      scene.Medium->SetAnisotropy(0.7);
+    } },
+  { "rayleigh", [](FrameScene& scene) { scene.Medium->SetPhaseFunctionToRayleigh(); } },
+  { "box",
+    [](FrameScene& scene) {
+      scene.Medium->SetRegionToBox();
+      scene.Medium->SetBounds(-6, 6, -1, 6, -6, 6);
+    } },
+  { "height",
+    [](FrameScene& scene) {
+      scene.Medium->SetDensityToExponentialHeight();
+      scene.Medium->SetScaleHeight(3.0);
+    } },
+  { "second-lamp", [](FrameScene& scene) { scene.AddLamp(-2.0, 4.0, 1.0); } },
+  { "spot",
+    [](FrameScene& scene) {
+      GetLamp(scene)->SetPositional(true);
+      GetLamp(scene)->SetConeAngle(30.0);
+      GetLamp(scene)->SetExponent(0.0);
+    } },
+  { "sun", [](FrameScene& scene) { GetLamp(scene)->SetPositional(false); } },
+  { "translucent", [](FrameScene& scene) { GetBall(scene)->GetProperty()->SetOpacity(0.5); } },
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<SceneRecipe> MakeChangeRecipes(const std::function<void(FrameScene&)>& fill)
+{
+  std::vector<SceneRecipe> recipes;
+  const auto add = [&](const std::string& group, const Change& change) {
+    SceneRecipe recipe;
+    recipe.Name = "changes/" + group + change.Name;
+    recipe.Fill = fill;
+    recipe.Change = change.Apply;
+    recipe.Ways = { MakePlain(), MakeAutomatic() };
+    recipes.push_back(recipe);
+  };
+  for (const Change& change : Numbers)
+  {
+    add("number-", change);
+  }
+  for (const Change& change : Kinds)
+  {
+    add("kind-", change);
+  }
+  return recipes;
+}
+
+//------------------------------------------------------------------------------
+void TimeChange(const SceneRecipe& recipe, const WindowMaker& windows, int repetitions, Rows& rows)
+{
+  for (int i = 0; i < repetitions; ++i)
+  {
+    for (const Way& way : recipe.Ways)
+    {
+      FrameScene scene(windows.Make(recipe.Width, recipe.Height));
+      recipe.Fill(scene);
+      const auto add = [&](const std::string& name, const FrameTime& time) {
+        Row& row = rows.Get(recipe.Name, name);
+        row.Counters = { { "width", recipe.Width }, { "height", recipe.Height } };
+        row.Clock.Seconds.push_back(time.Clock);
+        row.Processors.Seconds.push_back(time.Processor);
+      };
+      add(way.Name, scene.Time(way));
+      recipe.Change(scene);
+      add(way.Name + FirstFrame, scene.TimeOne(way));
+      add(way.Name + SecondFrame, scene.TimeOne(way));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void KeepNoShaders()
+{
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  setenv("MESA_GLSL_CACHE_DISABLE", "true", 1);
+}
+}
