@@ -179,7 +179,8 @@ FramePlan MakeFramePlan(
   plan.TranslucentFragments = plan.Translucent && plan.NeedsRecords;
   plan.VolumeNodes =
     GetVolumeNodeCount(scene.Volumes, scene.Width, scene.Height, properties.MemoryLimit);
-  plan.AllShadersInjectable = scene.AllShadersInjectable;
+  plan.AllShadersInjectable =
+    scene.AllShadersInjectable && (plan.Translucent || !scene.PointGaussians);
   plan.AllOpaque = scene.AllOpaque;
   plan.View = properties.View;
   plan.KeepBuffers = properties.RecordBuffers;

@@ -74,6 +74,7 @@ struct SceneFacts
   double PhaseErrorBound = 0.0; // the largest of the media, relative
   std::vector<LightFacts> Lights;
   bool AllShadersInjectable = false; // all opaque props have shaders that the pass can add to
+  bool PointGaussians = false;       // there are, and those are left out of account above
   bool AllOpaque = false;            // each fragment of an opaque prop hides what is behind it
   bool DrawsOverMedium = false; // there may be translucent surfaces, volumes or point Gaussians
   bool NonPolygonalCasters = false;

@@ -239,6 +239,7 @@ SceneFacts PassRenderer::GetFacts(const Scene& scene) const
       { light.Scatters(), light.CastsShadows, light.Values.kind, light.Values.goniometric != 0 });
   }
   facts.AllShadersInjectable = scene.Support->AllShadersInjectable;
+  facts.PointGaussians = scene.Support->PointGaussians;
   facts.AllOpaque = scene.Support->AllOpaque;
   facts.DrawsOverMedium = scene.Support->DrawsOverMedium;
   facts.NonPolygonalCasters = !this->Casters.GetNonPolygonal().empty();

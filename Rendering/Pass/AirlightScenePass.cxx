@@ -36,6 +36,19 @@ void RenderPointGaussians(const vtkRenderState* s)
   }
 }
 
+// The props of the state. VTK's way with hidden lines and ambient occlusion has the renderer's own.
+void RenderOpaque(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  if (renderer->GetUseHiddenLineRemoval() || renderer->GetUseSSAO())
+  {
+    renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer());
+    return;
+  }
+  std::for_each(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount(),
+    [renderer](vtkProp* prop) { prop->RenderOpaqueGeometry(renderer); });
+}
+
 // Whether volumes are drawn with the translucent surfaces.
 bool PeelsVolumes(vtkRenderer* renderer, vtkRenderPass* translucentPass)
 {
@@ -73,7 +86,7 @@ void AirlightScenePass::Render(const vtkRenderState* s)
   if (this->OpaqueOnly)
   {
     this->BeforeOpaque();
-    renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer());
+    RenderOpaque(s);
     this->AfterOpaque();
   }
   else

@@ -19,6 +19,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace airlight
 {
@@ -85,14 +86,40 @@ void SceneStages::CallHook(const std::function<void(const vtkRenderState*)>& hoo
 // Of what DrawColours() draws: hidden lines are neither drawn nor fogged there.
 void SceneStages::DrawDistances()
 {
-  this->DrawStage(SurfaceStage::Distance,
-    [this] { this->Passes.DrawDistances(this->State, this->Support->HidesLines); });
+  this->DrawStage(SurfaceStage::Distance, [this] {
+    this->DrawOpaqueProps([this](const vtkRenderState* s) {
+      this->Passes.DrawDistances(s, this->Support->HidesLines);
+    });
+  });
 }
 
 //------------------------------------------------------------------------------
 void SceneStages::DrawColours()
 {
-  this->DrawStage(SurfaceStage::Colour, [this] { this->Passes.DrawOpaque(this->State); });
+  this->DrawStage(SurfaceStage::Colour, [this] {
+    this->DrawOpaqueProps([this](const vtkRenderState* s) { this->Passes.DrawOpaque(s); });
+  });
+}
+
+//------------------------------------------------------------------------------
+// Without point Gaussians that blend over the medium later. A delegate draws a scene at once: there
+// IsDrawnLater() leaves them out.
+void SceneStages::DrawOpaqueProps(const std::function<void(const vtkRenderState*)>& draw)
+{
+  if (!this->Support->PointGaussians || !this->CurrentFrame.GetPlan().Translucent ||
+    this->Passes.GetDelegate())
+  {
+    draw(this->State);
+    return;
+  }
+  std::vector<vtkProp*> opaque;
+  std::remove_copy_if(this->State->GetPropArray(),
+    this->State->GetPropArray() + this->State->GetPropArrayCount(), std::back_inserter(opaque),
+    AirlightScenePass::IsPointGaussians);
+  vtkRenderState state(this->State->GetRenderer());
+  state.SetFrameBuffer(this->State->GetFrameBuffer());
+  state.SetPropArrayAndCount(opaque.data(), static_cast<int>(opaque.size()));
+  draw(&state);
 }
 
 //------------------------------------------------------------------------------

@@ -81,6 +81,7 @@ private:
 
   void CallHook(const std::function<void(const vtkRenderState*)>& hook);
   void DrawStage(SurfaceStage stage, const std::function<void()>& draw);
+  void DrawOpaqueProps(const std::function<void(const vtkRenderState*)>& draw);
   bool IsDrawn(vtkProp* prop) const;
   bool IsDrawnLater(vtkProp* prop);
   void SetVolumeUniforms(

@@ -169,11 +169,16 @@ void SceneSupport::AddProp(const SceneProp& item)
       this->AddGeometry(actor);
     }
   }
+  else if (AirlightScenePass::IsPointGaussians(prop))
+  {
+    this->PointGaussians = true;
+  }
   else
   {
     this->AddGeometry(prop);
   }
-  this->DrawsOverMedium = this->DrawsOverMedium || prop->HasTranslucentPolygonalGeometry();
+  this->DrawsOverMedium =
+    this->DrawsOverMedium || this->PointGaussians || prop->HasTranslucentPolygonalGeometry();
   this->AllShadersInjectable = this->AllShadersInjectable && !HasForeignPass(prop);
   this->HidesLines = this->HidesLines || vtkHiddenLineRemovalPass::WireframePropsExist(&prop, 1);
   this->OcclusionOutside = this->OcclusionOutside || HasOcclusionPass(prop);

@@ -26,8 +26,12 @@ struct SceneSupport
   // scene, or null.
   SceneSupport(const SceneProps& props, vtkRenderer* renderer, const vtkRenderPass* delegate);
 
-  // All that is drawn as opaque is drawn by shaders that the pass can add to.
+  // All that is drawn as opaque, but for point Gaussians, is drawn by shaders that the pass can add
+  // to.
   bool AllShadersInjectable = true;
+
+  // There are actors of point Gaussians, which blend over the medium where the plan has that.
+  bool PointGaussians = false;
 
   // Each fragment of the opaque surfaces hides all that is behind it, as far as is known.
   bool AllOpaque = true;

@@ -136,6 +136,13 @@ void TestGeometryPasses()
   other.Scene.AllShadersInjectable = false;
   other.Properties.Technique = ShadowTechnique::None;
   Check(!other.Make().SingleGeometryPass, "a shader that the pass cannot change: two passes");
+
+  Case gaussians;
+  gaussians.Scene.PointGaussians = true;
+  gaussians.Scene.DrawsOverMedium = true;
+  Check(gaussians.Make().SingleGeometryPass, "Gaussians over the medium: one pass for the others");
+  gaussians.Properties.View = DebugView::AirlightOnly;
+  Check(!gaussians.Make().SingleGeometryPass, "Gaussians among the others: two passes");
 }
 
 //------------------------------------------------------------------------------
