@@ -4,6 +4,7 @@
 
 #include "Inscatter/AirlightLightShadows.h"
 #include "OpenGL/AirlightOpenGL.h"
+#include "Translucency/AirlightTranslucentFragments.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -21,49 +22,55 @@ bool InscatterPass::Fail(const std::string& reason)
 
 //------------------------------------------------------------------------------
 // Records of translucent fragments take the closed form. What is behind them does not, so that it
-// is the same to the last bit with and without them.
+// is the same to the last bit with and without them; where both take it, one draw does both.
 bool InscatterPass::Draw(const FrameScene& scene, const InscatterOptions& options,
   const InscatterTargets& targets, LightShadows& shadows, int light)
 {
   LightShadow& shadow = shadows.Get(scene, light);
   const InscatterShader shader(scene, options, shadows, shadow, light);
-  const bool records = options.Records != nullptr;
   const bool counted = shader.IsEquiangular();
+  const std::vector<PixelArea> all{ { 0, 0, scene.Width, scene.Height } };
+  const std::vector<PixelArea> none;
+  const std::vector<PixelArea>& fragments =
+    options.Records ? options.Records->GetAreas().Marked : none;
+  const std::vector<PixelArea>& others =
+    options.Records && !counted ? options.Records->GetAreas().Others : all;
   bool failed = false;
   const auto draw = [&](const InscatterDraw& pixels) {
     const bool rest = pixels.Pixels == BoundaryPixels::LongRest;
-    const bool done =
-      ((counted && rest) || this->DrawPixels(scene, targets, shader, shadow, pixels, false)) &&
-      (!records || !counted || this->DrawPixels(scene, targets, shader, shadow, pixels, true));
+    const auto drawPart = [&](RayPart part, const std::vector<PixelArea>& areas) {
+      return this->DrawPixels(
+        scene, targets, shader, shadow, pixels, part, CutRows(areas, pixels.Row, pixels.Rows));
+    };
+    const bool done = ((counted && rest) || drawPart(RayPart::Surface, others)) &&
+      drawPart(counted ? RayPart::Fragments : RayPart::Both, fragments);
     failed = failed || !done;
     return done;
   };
-  const bool ok = shadow.ForEachDraw(scene, light, targets, counted && !records, draw);
+  const bool ok = shadow.ForEachDraw(scene, light, targets, counted && !options.Records, draw);
   return ok || (!failed && this->Fail(shadow.GetError()));
 }
 
 //------------------------------------------------------------------------------
-Quad& InscatterPass::GetQuad(
-  const LightShadow& shadow, const InscatterDraw& draw, bool fragmentsOnly)
+Quad& InscatterPass::GetQuad(const LightShadow& shadow, const InscatterDraw& draw, RayPart part)
 {
-  if (fragmentsOnly)
-  {
-    return this->Quads[4];
-  }
-  if (draw.Pixels == BoundaryPixels::All)
-  {
-    return this->Quads[shadow.HasShadow() ? 3 : 0];
-  }
-  return this->Quads[draw.Pixels == BoundaryPixels::Short ? 1 : 2];
+  const int pixels = draw.Pixels == BoundaryPixels::All ? (shadow.HasShadow() ? 3 : 0)
+    : draw.Pixels == BoundaryPixels::Short              ? 1
+                                                        : 2;
+  return this->Quads[4 * static_cast<int>(part) + pixels];
 }
 
 //------------------------------------------------------------------------------
 bool InscatterPass::DrawPixels(const FrameScene& scene, const InscatterTargets& targets,
-  const InscatterShader& shader, LightShadow& shadow, const InscatterDraw& draw, bool fragmentsOnly)
+  const InscatterShader& shader, LightShadow& shadow, const InscatterDraw& draw, RayPart part,
+  const std::vector<PixelArea>& areas)
 {
-  Quad& quad = this->GetQuad(shadow, draw, fragmentsOnly);
-  vtkShaderProgram* program =
-    quad.GetOrCompile(scene.Window, shader.GetSource(draw, fragmentsOnly));
+  if (areas.empty())
+  {
+    return true;
+  }
+  Quad& quad = this->GetQuad(shadow, draw, part);
+  vtkShaderProgram* program = quad.GetOrCompile(scene.Window, shader.GetSource(draw, part));
   if (!program)
   {
     return this->Fail(std::string("the airlight shader") + ProgramMaker::GetReason());
@@ -73,11 +80,11 @@ bool InscatterPass::DrawPixels(const FrameScene& scene, const InscatterTargets& 
   {
     return this->Fail(reason);
   }
-  shader.SetUniforms(program, draw, fragmentsOnly);
+  shader.SetUniforms(program, draw, part);
 
   vtkOpenGLState* state = scene.Window->GetState();
   vtkOpenGLState::ScopedglColorMask maskSaver(state);
-  if (fragmentsOnly)
+  if (part == RayPart::Fragments)
   {
     state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   }
@@ -85,14 +92,13 @@ bool InscatterPass::DrawPixels(const FrameScene& scene, const InscatterTargets& 
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(0, draw.Row, scene.Width, draw.Rows);
   LightShadow::Textures textures{ { "distances", targets.Distances },
     { "airlightData", scene.Data } };
   for (const auto& texture : shadow.GetTextures())
   {
     textures.emplace_back(texture.first, texture.second ? texture.second : targets.Distances);
   }
-  quad.Draw(textures);
+  quad.Draw(textures, areas, state);
   state->vtkglScissor(0, 0, scene.Width, scene.Height);
   return true;
 }

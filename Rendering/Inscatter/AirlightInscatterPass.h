@@ -33,13 +33,13 @@ public:
 private:
   bool Fail(const std::string& reason);
   bool DrawPixels(const FrameScene& scene, const InscatterTargets& targets,
-    const InscatterShader& shader, LightShadow& shadow, const InscatterDraw& draw,
-    bool fragmentsOnly);
-  Quad& GetQuad(const LightShadow& shadow, const InscatterDraw& draw, bool fragmentsOnly);
+    const InscatterShader& shader, LightShadow& shadow, const InscatterDraw& draw, RayPart part,
+    const std::vector<PixelArea>& areas);
+  Quad& GetQuad(const LightShadow& shadow, const InscatterDraw& draw, RayPart part);
 
   // A program each, as they follow one another within a frame: without shadows, few and many
-  // boundaries, from a map, and records alone.
-  std::array<Quad, 5> Quads;
+  // boundaries, from a map; for each part of rays.
+  std::array<Quad, 12> Quads;
   std::string Error;
 };
 }

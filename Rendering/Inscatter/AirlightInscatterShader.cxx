@@ -77,13 +77,13 @@ std::string InscatterShader::GetEquiangularSource(const InscatterDraw& draw) con
 }
 
 //------------------------------------------------------------------------------
-std::string InscatterShader::GetSource(const InscatterDraw& draw, bool fragmentsOnly) const
+std::string InscatterShader::GetSource(const InscatterDraw& draw, RayPart part) const
 {
-  if (this->Equiangular && !fragmentsOnly)
+  if (this->Equiangular && part == RayPart::Surface)
   {
     return this->GetEquiangularSource(draw);
   }
-  const bool records = this->Options.Records != nullptr;
+  const bool records = part != RayPart::Surface;
   const bool transmits = this->Shadows.TransmitsLight();
   return this->GetHead(this->Shadow.UsesStorage() || records || transmits) +
     (records ? "#define AIRLIGHT_TRANSLUCENT_FRAGMENTS\n" : "") + GivenUniforms +
@@ -122,9 +122,9 @@ void InscatterShader::SetLight(vtkShaderProgram* program, bool equiangular) cons
 
 //------------------------------------------------------------------------------
 void InscatterShader::SetUniforms(
-  vtkShaderProgram* program, const InscatterDraw& draw, bool fragmentsOnly) const
+  vtkShaderProgram* program, const InscatterDraw& draw, RayPart part) const
 {
-  const bool equiangular = this->Equiangular && !fragmentsOnly;
+  const bool equiangular = this->Equiangular && part == RayPart::Surface;
   this->Scene.Rays.SetUniforms(program, 0, 0);
   this->SetLight(program, equiangular);
   this->Shadows.SetStartUniforms(program, this->Shadow, this->Light);
@@ -139,7 +139,7 @@ void InscatterShader::SetUniforms(
     program->SetUniformf("phaseError", static_cast<float>(this->Options.PhaseErrorBound));
     program->SetUniformf("error", static_cast<float>(this->GetIntegralError()));
   }
-  if (this->Options.Records && !equiangular)
+  if (part != RayPart::Surface)
   {
     this->Options.Records->Use(program);
     program->SetUniformi("lightBit", this->Light < MaximumShadowingLights ? this->Light : -1);

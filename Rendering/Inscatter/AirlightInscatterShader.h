@@ -34,6 +34,14 @@ struct InscatterOptions
   TranslucentFragments* Records = nullptr; // null: translucent fragments have no records
 };
 
+// What of rays a draw computes the airlight for.
+enum class RayPart
+{
+  Surface,   // to the opaque surface
+  Both,      // and to translucent fragments
+  Fragments, // to these alone
+};
+
 class InscatterShader
 {
 public:
@@ -43,9 +51,9 @@ public:
   // Whether rays take equiangular quadrature instead of the closed form.
   bool IsEquiangular() const { return this->Equiangular; }
 
-  // `fragmentsOnly`: the closed form to the translucent fragments alone.
-  std::string GetSource(const InscatterDraw& draw, bool fragmentsOnly) const;
-  void SetUniforms(vtkShaderProgram* program, const InscatterDraw& draw, bool fragmentsOnly) const;
+  // Translucent fragments take the closed form.
+  std::string GetSource(const InscatterDraw& draw, RayPart part) const;
+  void SetUniforms(vtkShaderProgram* program, const InscatterDraw& draw, RayPart part) const;
 
 private:
   std::string GetHead(bool storage) const;

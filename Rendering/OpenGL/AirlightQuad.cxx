@@ -7,6 +7,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -30,7 +31,8 @@ vtkShaderProgram* Quad::GetOrCompile(
 }
 
 //------------------------------------------------------------------------------
-void Quad::Draw(const std::vector<std::pair<const char*, vtkTextureObject*>>& textures)
+void Quad::Draw(
+  const Textures& textures, const std::vector<PixelArea>& areas, vtkOpenGLState* state)
 {
   for (const auto& texture : textures)
   {
@@ -46,7 +48,15 @@ void Quad::Draw(const std::vector<std::pair<const char*, vtkTextureObject*>>& te
     glGenVertexArrays(1, &this->VertexArray);
   }
   glBindVertexArray(this->VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  for (const PixelArea& area : areas)
+  {
+    state->vtkglScissor(area.X, area.Y, area.Width, area.Height);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  if (!state)
+  {
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
   glBindVertexArray(0);
   for (const auto& texture : textures)
   {

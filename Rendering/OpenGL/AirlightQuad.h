@@ -7,6 +7,7 @@
 #ifndef AirlightQuad_h
 #define AirlightQuad_h
 
+#include "OpenGL/AirlightPixelArea.h"
 #include "OpenGL/AirlightProgram.h"
 
 #include <string>
@@ -14,6 +15,7 @@
 #include <vector>
 
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 class vtkShaderProgram;
 class vtkTextureObject;
 
@@ -25,8 +27,10 @@ public:
   // Compiles the fragment shader if it differs from the last one. Null where that fails.
   vtkShaderProgram* GetOrCompile(vtkOpenGLRenderWindow* window, const std::string& fragmentSource);
 
-  // Draws with these textures bound to these names.
-  void Draw(const std::vector<std::pair<const char*, vtkTextureObject*>>& textures);
+  // Draws with these textures bound to these names, in all of the viewport or in some areas of it.
+  using Textures = std::vector<std::pair<const char*, vtkTextureObject*>>;
+  void Draw(const Textures& textures) { this->Draw(textures, {}, nullptr); }
+  void Draw(const Textures& textures, const std::vector<PixelArea>& areas, vtkOpenGLState* state);
 
   void Release();
 

@@ -42,6 +42,13 @@ std::uint32_t TranslucentFragments::GetRecordBytes() const
 }
 
 //------------------------------------------------------------------------------
+size_t TranslucentFragments::GetTileCount() const
+{
+  constexpr int side = translucent_record::AIRLIGHT_TRANSLUCENT_TILE;
+  return static_cast<size_t>((this->Width - 1) / side + 1) * ((this->Height - 1) / side + 1);
+}
+
+//------------------------------------------------------------------------------
 bool TranslucentFragments::Reserve(std::uint32_t records)
 {
   const bool ok = AllocateStorageBlock(this->Records,
@@ -76,17 +83,18 @@ bool TranslucentFragments::Prepare(int width, int height, bool transmitsShadows,
   }
   if (this->Width != width || this->Height != height)
   {
-    this->Width = this->Height = 0;
-    const GLsizeiptr count = 2 * static_cast<GLsizeiptr>(width) * height + 2;
+    this->Width = width;
+    this->Height = height;
+    const GLsizeiptr count = 2 * static_cast<GLsizeiptr>(width) * height + 2 +
+      static_cast<GLsizeiptr>(this->GetTileCount());
     if (!AllocateStorageBlock(
           this->Heads, count * static_cast<GLsizeiptr>(sizeof(GLuint)), nullptr, GL_DYNAMIC_COPY))
     {
+      this->Width = this->Height = 0;
       this->Error = NoMemory(
         "a viewport of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
       return false;
     }
-    this->Width = width;
-    this->Height = height;
   }
   if (this->Words != words)
   {
@@ -123,6 +131,7 @@ TranslucentFragments::Outcome TranslucentFragments::Check()
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   if (count < this->Capacity)
   {
+    this->ReadTiles();
     return Outcome::Done;
   }
   const std::uint32_t most = MostBytes / this->GetRecordBytes();
@@ -137,6 +146,19 @@ TranslucentFragments::Outcome TranslucentFragments::Check()
   }
   this->Clear();
   return Outcome::Again;
+}
+
+//------------------------------------------------------------------------------
+void TranslucentFragments::ReadTiles()
+{
+  std::vector<unsigned int> marks(this->GetTileCount());
+  const GLintptr first = 2 * static_cast<GLintptr>(this->Width) * this->Height + 2;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Heads);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, first * static_cast<GLintptr>(sizeof(GLuint)),
+    static_cast<GLsizeiptr>(marks.size() * sizeof(GLuint)), marks.data());
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  this->Areas =
+    CoverTiles(marks, translucent_record::AIRLIGHT_TRANSLUCENT_TILE, this->Width, this->Height);
 }
 
 //------------------------------------------------------------------------------
@@ -156,12 +178,15 @@ bool TranslucentFragments::Sort(vtkOpenGLRenderWindow* window)
   vtkOpenGLState::ScopedglColorMask maskSaver(state);
   vtkOpenGLState::ScopedglEnableDisable testSaver(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable scissorTestSaver(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglScissor scissorSaver(state);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
   // No test fails without these, see AirlightOpenGL.h.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  this->SortQuad.Draw({});
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  this->SortQuad.Draw({}, this->Areas.Marked, state);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return true;
 }

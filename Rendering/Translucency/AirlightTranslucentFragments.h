@@ -7,12 +7,13 @@
  * shadows, and the fragments look theirs up when they are drawn.
  *
  * Memory: 40 bytes a translucent fragment, where casters let light through 44 and 8 for each light
- * that they dim, and 8 a pixel.
+ * that they dim, and 8 a pixel. Pixels are in tiles, since few of a picture have any.
  */
 
 #ifndef AirlightTranslucentFragments_h
 #define AirlightTranslucentFragments_h
 
+#include "OpenGL/AirlightPixelArea.h"
 #include "OpenGL/AirlightQuad.h"
 
 #include <cstdint>
@@ -60,6 +61,9 @@ public:
   };
   Outcome Check();
 
+  // After that: where there are records.
+  const PixelAreas& GetAreas() const { return this->Areas; }
+
   // Then, before the resolves: puts each pixel's records in order, over a framebuffer of the
   // viewport's size. False with a reason in GetError() where the shader does not compile.
   bool Sort(vtkOpenGLRenderWindow* window);
@@ -70,8 +74,11 @@ private:
   std::uint32_t GetRecordBytes() const;
   bool Reserve(std::uint32_t records);
   void Clear();
+  size_t GetTileCount() const;
+  void ReadTiles();
 
   Quad SortQuad;
+  PixelAreas Areas;
   bool TransmitsShadows = false;
   unsigned int Records = 0;
   unsigned int Heads = 0;

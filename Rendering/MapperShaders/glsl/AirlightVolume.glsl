@@ -41,8 +41,7 @@ void airlightCollectNodes()
   {
     return;
   }
-  uint next =
-    atomicExchange(translucentHeads[airlightTranslucentHead(airlightVolumePixel())], first);
+  uint next = airlightPrependTranslucent(airlightVolumePixel(), first);
   for (uint k = 0u; k < count; k++)
   {
     float t = airlightFirstNode + float(k) * airlightNodeStep;

@@ -15,7 +15,7 @@ void airlightCollect()
   uint fragment = airlightAddTranslucent(1u);
   if (fragment < uint(airlightTranslucentCapacity))
   {
-    uint next = atomicExchange(translucentHeads[airlightTranslucentHead(pixel)], fragment);
+    uint next = airlightPrependTranslucent(pixel, fragment);
     airlightMakeTranslucent(fragment, next, t, t - before);
   }
 }

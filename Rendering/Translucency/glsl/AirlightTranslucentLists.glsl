@@ -19,7 +19,7 @@ layout(std430, binding = AIRLIGHT_BINDING_TRANSLUCENT_FRAGMENTS) buffer Airlight
 layout(std430, binding = AIRLIGHT_BINDING_TRANSLUCENT_HEADS) buffer AirlightTranslucentHeads
 {
   // Counter of records; for each pixel its list's head, later the first of its sorted records; for
-  // each pixel their number; counter of sorted records.
+  // each pixel their number; counter of sorted records; for each tile of pixels whether it has any.
   uint translucentHeads[];
 };
 uniform int airlightTranslucentWidth;  // of the viewport, pixels
@@ -42,6 +42,16 @@ uint airlightAddTranslucent(uint count)
 uint airlightTranslucentHead(ivec2 pixel)
 {
   return uint(1 + pixel.y * airlightTranslucentWidth + pixel.x);
+}
+
+// Makes a record the first of its pixel's list. Returns the one that was.
+uint airlightPrependTranslucent(ivec2 pixel, uint fragment)
+{
+  ivec2 tile = pixel / int(AIRLIGHT_TRANSLUCENT_TILE);
+  int across = (airlightTranslucentWidth - 1) / int(AIRLIGHT_TRANSLUCENT_TILE) + 1;
+  int pixels = airlightTranslucentWidth * airlightTranslucentHeight;
+  translucentHeads[2 + 2 * pixels + tile.y * across + tile.x] = 1u;
+  return atomicExchange(translucentHeads[airlightTranslucentHead(pixel)], fragment);
 }
 
 // The first and the number of a pixel's sorted records.

@@ -8,6 +8,9 @@ const uint AIRLIGHT_TRANSLUCENT_RADIANCE = 2u; // three: scattered into the ray 
 const uint AIRLIGHT_TRANSLUCENT_LIT = 5u;      // bits of the lights that reach it, 32 a word
 const uint AIRLIGHT_TRANSLUCENT_PLAIN_WORDS = 8u;
 
+// The side of a tile of pixels.
+const uint AIRLIGHT_TRANSLUCENT_TILE = 16u;
+
 // Where casters let light through, there are more: the distance just before the fragment at which
 // it is lit, and two words for each light that is dimmed (AirlightTransmittanceBuffer.glsl).
 const uint AIRLIGHT_TRANSLUCENT_LIT_DISTANCE = 8u;
