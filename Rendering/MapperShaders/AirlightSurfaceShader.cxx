@@ -69,11 +69,15 @@ std::string OtherStages(bool records, bool leave)
              : "");
 }
 
-// For AirlightDepthPrePassVariants.h.
-std::string DepthPrePassBranch(const std::string& hide, const std::string& shade)
+// For AirlightStageVariants.h.
+std::string StageBranches(const std::string& hide, bool records, const std::string& shade)
 {
-  return "#ifdef AIRLIGHT_DEPTH_PRE_PASS\nvoid main()\n{\n" + hide + WriteDistance + "}\n#else\n" +
-    shade + "\n#endif\n";
+  const std::string begin = "\nvoid main()\n{\n" + hide;
+  return "#ifdef " + GetStageMacro(SurfaceStage::Distance) + begin + WriteDistance + "}\n" +
+    (records ? "#elif defined(" + GetStageMacro(SurfaceStage::Collect) + ")" + begin +
+          "  airlightCollect();\n  discard;\n}\n"
+             : "") +
+    "#else\n" + shade + "\n#endif\n";
 }
 
 // main() where all that is known of a fragment is drawn at once. Shades in a function, which may
@@ -129,7 +133,7 @@ void InjectSurfaceShader(
   const bool positions = options.UniformMedia && HasPositions(fragmentShader, bare, options.Lights);
   fragmentShader = split->Before + (positions ? "#define AIRLIGHT_UNIFORM_MEDIA\n" : "") +
     GetSurfaceDeclarations(options) + (hides ? "uniform int airlightHidden;\n" : "") +
-    (early && options.InPass ? DepthPrePassBranch(hide, shade) : shade);
+    (early && options.InPass ? StageBranches(hide, records, shade) : shade);
   AddExtensions(fragmentShader, options);
 }
 

@@ -27,6 +27,13 @@ enum class SurfaceStage
   Collect = 3      // makes the records of what will be drawn so
 };
 
+// With which a shader of InjectSurfaceShader() is cut to a stage that does not shade. Shaders that
+// cannot be, as they may discard fragments, do not have it.
+inline std::string GetStageMacro(SurfaceStage stage)
+{
+  return stage == SurfaceStage::Collect ? "AIRLIGHT_COLLECT_PASS" : "AIRLIGHT_DEPTH_PRE_PASS";
+}
+
 // Lights whose shadows on surfaces can be kept apart: 24 bits in each of four channels of single
 // precision.
 constexpr int BitsPerChannel = 24;

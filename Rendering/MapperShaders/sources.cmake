@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
-    AirlightDepthPrePassVariants
+    AirlightStageVariants
     AirlightMapperShader
     AirlightMaterialSpecializations
     AirlightPolyDataMapperShader

@@ -199,7 +199,7 @@ void SceneStages::DrawStage(SurfaceStage stage, const std::function<void()>& dra
     texture->Activate();
   }
   draw();
-  this->DepthPrePass.StopObserving();
+  this->Variants.StopObserving();
   for (vtkTextureObject* texture : values.GetTextures())
   {
     texture->Deactivate();
@@ -260,9 +260,9 @@ void SceneStages::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapp
   // VTK leaves the lights of another renderer in a program that both use and that is newer than
   // they.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
-  if (this->Stage == SurfaceStage::Distance)
+  if (this->Stage == SurfaceStage::Distance || this->Stage == SurfaceStage::Collect)
   {
-    this->DepthPrePass.Observe(this->CurrentFrame.GetWindow(), mapper);
+    this->Variants.Observe(this->CurrentFrame.GetWindow(), mapper, this->Stage);
   }
 }
 
@@ -304,6 +304,6 @@ void SceneStages::CheckVolumes()
 void SceneStages::Release(vtkWindow* window)
 {
   this->Passes.Release(window);
-  this->DepthPrePass.Release();
+  this->Variants.Release();
 }
 }

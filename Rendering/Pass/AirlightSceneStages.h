@@ -9,7 +9,7 @@
 #define AirlightSceneStages_h
 
 #include "Frame/AirlightSceneDrawer.h"
-#include "MapperShaders/AirlightDepthPrePassVariants.h"
+#include "MapperShaders/AirlightStageVariants.h"
 #include "MapperShaders/AirlightSurfaceUniforms.h"
 #include "Pass/AirlightStagePasses.h"
 #include "Scene/AirlightCameraUniforms.h"
@@ -93,7 +93,7 @@ private:
   PassMessages& Messages;
   RenderHooks Hooks;
   StagePasses Passes;
-  DepthPrePassVariants DepthPrePass;
+  StageVariants Variants;
 
   // This frame's.
   const vtkRenderState* State = nullptr; // into the frame's targets

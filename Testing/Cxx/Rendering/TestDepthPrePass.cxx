@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Distances that programs of their own draw (AirlightDepthPrePassVariants.h) are to the last bit
+// Distances that programs of their own draw (AirlightStageVariants.h) are to the last bit
 // those of the mappers' programs, whatever the mapper draws; and where there is no such program,
 // the mapper's own draws them. The programs follow changes of the mappers' programs, are made again
 // after a release, and are right for all actors of a mapper.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MapperShaders/AirlightDepthPrePassVariants.h"
+#include "MapperShaders/AirlightStageVariants.h"
 
 #include "OpenGL/AirlightOpenGL.h"
 #include "Scene/AirlightClassTraits.h"
@@ -22,12 +22,13 @@ namespace
 constexpr GLuint MostOutputs = 8;
 
 // The fragment shader without what shades; empty where all of it is needed.
-std::string CutShading(const std::string& source)
+std::string CutShading(const std::string& source, SurfaceStage stage)
 {
   const size_t line = source.find('\n');
-  return line == std::string::npos || source.find("AIRLIGHT_DEPTH_PRE_PASS") == std::string::npos
+  const std::string macro = GetStageMacro(stage);
+  return line == std::string::npos || source.find(macro) == std::string::npos
     ? std::string()
-    : source.substr(0, line + 1) + "#define AIRLIGHT_DEPTH_PRE_PASS\n" + source.substr(line + 1);
+    : source.substr(0, line + 1) + "#define " + macro + "\n" + source.substr(line + 1);
 }
 
 // Whether a mapper draws with one program between one update of its uniforms and the next. Others,
@@ -126,23 +127,25 @@ CopyUniform FindCopy(GLenum type)
 //------------------------------------------------------------------------------
 // The mapper's event is the last before it draws; the observers of others, who may set uniforms,
 // come before this one.
-void DepthPrePassVariants::Observe(vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper)
+void StageVariants::Observe(
+  vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper, SurfaceStage stage)
 {
   if (!DrawsInOneCall(mapper) || this->Observed.count(mapper) > 0)
   {
     return;
   }
   this->Window = window;
+  this->Stage = stage;
   this->Command->SetClientData(this);
   this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* program) {
-    static_cast<DepthPrePassVariants*>(self)->Use(static_cast<vtkShaderProgram*>(program));
+    static_cast<StageVariants*>(self)->Use(static_cast<vtkShaderProgram*>(program));
   });
   constexpr float last = -1000.0f;
   this->Observed[mapper] = mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Command, last);
 }
 
 //------------------------------------------------------------------------------
-void DepthPrePassVariants::StopObserving()
+void StageVariants::StopObserving()
 {
   for (const auto& observed : this->Observed)
   {
@@ -153,19 +156,19 @@ void DepthPrePassVariants::StopObserving()
 
 //------------------------------------------------------------------------------
 // Programs are deleted, and made again at the same place, when the window's resources are.
-bool DepthPrePassVariants::IsCurrent(const Variant& variant)
+bool StageVariants::IsCurrent(const Variant& variant)
 {
   return variant.Original && variant.Original->GetHandle() == variant.OriginalHandle &&
     (variant.Handle == 0 || (variant.Program && variant.Program->GetHandle() == variant.Handle));
 }
 
 //------------------------------------------------------------------------------
-void DepthPrePassVariants::Use(vtkShaderProgram* program)
+void StageVariants::Use(vtkShaderProgram* program)
 {
-  Variant& variant = this->Variants[program];
+  Variant& variant = this->Variants[{ program, this->Stage }];
   if (!IsCurrent(variant))
   {
-    variant = Make(this->Window, program);
+    variant = Make(this->Window, program, this->Stage);
   }
   vtkOpenGLShaderCache* cache = this->Window->GetShaderCache();
   if (!variant.Program)
@@ -182,13 +185,13 @@ void DepthPrePassVariants::Use(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-DepthPrePassVariants::Variant DepthPrePassVariants::Make(
-  vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+StageVariants::Variant StageVariants::Make(
+  vtkOpenGLRenderWindow* window, vtkShaderProgram* program, SurfaceStage stage)
 {
   Variant none;
   none.Original = program;
   none.OriginalHandle = program->GetHandle();
-  const std::string fragment = CutShading(program->GetFragmentShader()->GetSource());
+  const std::string fragment = CutShading(program->GetFragmentShader()->GetSource(), stage);
   if (fragment.empty() || !program->GetGeometryShader()->GetSource().empty())
   {
     return none;
@@ -207,7 +210,7 @@ DepthPrePassVariants::Variant DepthPrePassVariants::Make(
 //------------------------------------------------------------------------------
 // Once more, with the mapper's attributes where its vertex arrays have them, and outputs as VTK
 // numbers them.
-bool DepthPrePassVariants::Link(Variant& variant)
+bool StageVariants::Link(Variant& variant)
 {
   const auto from = static_cast<GLuint>(variant.OriginalHandle);
   const auto to = static_cast<GLuint>(variant.Handle);
@@ -231,7 +234,7 @@ bool DepthPrePassVariants::Link(Variant& variant)
 
 //------------------------------------------------------------------------------
 // False where one is of a kind that cannot be copied.
-bool DepthPrePassVariants::FindUniforms(Variant& variant)
+bool StageVariants::FindUniforms(Variant& variant)
 {
   const auto from = static_cast<GLuint>(variant.OriginalHandle);
   const auto to = static_cast<GLuint>(variant.Handle);
