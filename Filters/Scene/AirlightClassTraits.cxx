@@ -41,6 +41,8 @@ bool HasTrait(vtkObject* object, ClassTrait trait)
     { "vtkAssembly", { T::DrawsItsParts } },
     // Six actors. Its labels are drawn over the frame.
     { "vtkAxesActor", { T::DrawsItsParts, T::KeepsItsKeys } },
+    { "vtkVolume", { T::NothingOpaque } },
+    { "vtkMultiVolume", { T::NothingOpaque } },
     // What vtkPolyDataMapper::New() makes.
     { "vtkOpenGLPolyDataMapper",
       { T::InjectableShaders, T::DrawsItsInput, T::UsesItsProperty, T::OneProgram } },

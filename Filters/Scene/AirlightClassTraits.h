@@ -23,6 +23,7 @@ enum class ClassTrait
   DrawsItself,       // actors: draw with that mapper at any time, and with no other prop
   DrawsItsParts,     // props: their geometry is what vtkProp::GetActors() and GetVolumes() draw
   KeepsItsKeys,      // and does not give them its property keys, which name the render passes
+  NothingOpaque,     // props: draw nothing as opaque, though VTK takes any prop to do so
   InjectableShaders, // mappers: the pass adds to all shaders that they draw with
   DrawsItsInput,     // mappers: draw all of their input, where it is, in one opacity
   UsesItsProperty,   // mappers: shade with the coefficients of their actor's property

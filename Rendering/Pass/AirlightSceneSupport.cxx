@@ -39,7 +39,8 @@ bool HasForeignPass(vtkProp* prop)
 // may draw with actors of their own, and subclasses with anything.
 bool HasSupportedMapper(vtkProp* prop)
 {
-  if (!prop->HasOpaqueGeometry() || prop->IsA("vtkActor2D"))
+  if (!prop->HasOpaqueGeometry() || prop->IsA("vtkActor2D") ||
+    HasTrait(prop, ClassTrait::NothingOpaque))
   {
     return true;
   }
