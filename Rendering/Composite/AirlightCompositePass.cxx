@@ -8,10 +8,10 @@
 #include "AirlightLightPixel.h"
 #include "AirlightDisplay.h"
 #include "AirlightShadowingLight.h"
-#include "Composite/AirlightUnshadowedLights.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightShaderLibrary.h"
 #include "Scene/AirlightEquiangularLights.h"
+#include "Scene/AirlightUnshadowedLights.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"

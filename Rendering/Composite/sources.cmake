@@ -3,9 +3,7 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightCompositePass
-    AirlightUnshadowedLights
   GLSL
     glsl/AirlightCompositeFS.glsl
     glsl/AirlightCopyFS.glsl
-    glsl/AirlightShadowingLight.glsl
-    glsl/AirlightUnshadowedRays.glsl)
+    glsl/AirlightShadowingLight.glsl)

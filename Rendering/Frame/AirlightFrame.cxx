@@ -5,6 +5,8 @@
 #include "Frame/AirlightSceneDrawer.h"
 
 #include "OpenGL/AirlightOpenGL.h"
+#include "Scene/AirlightEquiangularLights.h"
+#include "Scene/AirlightUnshadowedLights.h"
 
 #include "vtkImageData.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -224,18 +226,52 @@ bool Frame::ScatterLights()
   {
     return this->Fail(this->Shadows.GetError());
   }
+  std::vector<int> unshadowed;
   for (size_t k = 0; k < this->Current->SceneLights.size(); ++k)
   {
-    if (!this->ScatterLight(targets, static_cast<int>(k)))
+    const int light = static_cast<int>(k);
+    if (this->MayJoinOthers(light))
+    {
+      unshadowed.push_back(light);
+    }
+    else if (!this->ScatterLight(targets, light))
     {
       return false;
     }
+  }
+  if (!this->ScatterUnshadowed(targets, unshadowed))
+  {
+    return false;
   }
   // The mappers read what the inscatter shaders wrote.
   if (this->Plan.TranslucentFragments || this->Shadows.TransmitsLight())
   {
     // No test fails without it, see AirlightOpenGL.h.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Whether a light without shadows may have a step together with others.
+bool Frame::MayJoinOthers(int light)
+{
+  const FrameScene scene = this->GetScene();
+  return !this->Plan.Record && !this->Plan.TranslucentFragments && scene.Lights[light].Scatters() &&
+    IsEquiangular(scene, light) && this->Shadows.IsUnshadowed(scene, light);
+}
+
+//------------------------------------------------------------------------------
+bool Frame::ScatterUnshadowed(const InscatterTargets& targets, const std::vector<int>& lights)
+{
+  for (size_t first = 0; first < lights.size(); first += MaximumUnshadowedLights)
+  {
+    const size_t end = std::min(first + MaximumUnshadowedLights, lights.size());
+    if (!this->Inscatter.DrawUnshadowed(
+          this->GetScene(), targets, { lights.begin() + first, lights.begin() + end }))
+    {
+      return this->Fail(this->Inscatter.GetError());
+    }
   }
   return true;
 }

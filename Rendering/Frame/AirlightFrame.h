@@ -140,6 +140,8 @@ private:
   bool SortFragments();
   bool ScatterLights();
   bool ScatterLight(const InscatterTargets& targets, int light);
+  bool MayJoinOthers(int light);
+  bool ScatterUnshadowed(const InscatterTargets& targets, const std::vector<int>& lights);
   bool CompositeTranslucent();
 
   FrameScene GetScene();

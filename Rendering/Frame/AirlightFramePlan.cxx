@@ -5,6 +5,7 @@
 #include "Integration/AirlightMath.h"
 #include "MapperShaders/AirlightSpecialization.h"
 #include "MapperShaders/AirlightVolumeShader.h"
+#include "Scene/AirlightUnshadowedLights.h"
 
 #include <algorithm>
 #include <iterator>
@@ -13,10 +14,8 @@ namespace airlight
 {
 namespace
 {
-// Shaders take time to compile for each light that they integrate: so many lights of a closed form
-// in the composite, one of any other kind.
-constexpr std::size_t MaximumClosedLights = 4;
-
+// Shaders take time to compile for each light that they integrate: MaximumUnshadowedLights of a
+// closed form in the composite, one of any other kind.
 bool HasClosedForm(int kind)
 {
   return kind == AIRLIGHT_POINT_CLOSED || kind == AIRLIGHT_DIRECTIONAL_CLOSED;
@@ -142,7 +141,7 @@ bool IsUnshadowedInComposite(const FramePlan& plan, const SceneFacts& scene)
   return std::all_of(lights.begin(), lights.end(), [&](const LightFacts& light) {
     return (plan.Shadows == ShadowMethod::None || !light.CastsShadows) &&
       light.Kind == lights[0].Kind && !light.Photometric &&
-      lights.size() <= (HasClosedForm(light.Kind) ? MaximumClosedLights : 1);
+      lights.size() <= (HasClosedForm(light.Kind) ? MaximumUnshadowedLights : 1);
   });
 }
 
@@ -153,7 +152,7 @@ bool IsUnshadowedInFragments(const FramePlan& plan, const SceneFacts& scene)
 {
   const std::vector<LightFacts> lights = GetScatteringLights(scene);
   return plan.Shadows == ShadowMethod::None && !scene.DensityImage && scene.Volumes == 0 &&
-    lights.size() <= MaximumClosedLights &&
+    lights.size() <= MaximumUnshadowedLights &&
     std::all_of(lights.begin(), lights.end(), [&lights](const LightFacts& light) {
       return HasClosedForm(light.Kind) && light.Kind == lights[0].Kind && !light.Photometric;
     });

@@ -13,6 +13,21 @@
 
 namespace airlight
 {
+namespace
+{
+void DrawAdded(const FrameScene& scene, Quad& quad, const LightShadow::Textures& textures,
+  const std::vector<PixelArea>& areas)
+{
+  vtkOpenGLState* state = scene.Window->GetState();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  quad.Draw(textures, areas, state);
+  state->vtkglScissor(0, 0, scene.Width, scene.Height);
+}
+}
+
 //------------------------------------------------------------------------------
 bool InscatterPass::Fail(const std::string& reason)
 {
@@ -81,25 +96,41 @@ bool InscatterPass::DrawPixels(const FrameScene& scene, const InscatterTargets& 
     return this->Fail(reason);
   }
   shader.SetUniforms(program, draw, part);
-
-  vtkOpenGLState* state = scene.Window->GetState();
-  vtkOpenGLState::ScopedglColorMask maskSaver(state);
-  if (part == RayPart::Fragments)
-  {
-    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  }
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  state->vtkglEnable(GL_SCISSOR_TEST);
   LightShadow::Textures textures{ { "distances", targets.Distances },
     { "airlightData", scene.Data } };
   for (const auto& texture : shadow.GetTextures())
   {
     textures.emplace_back(texture.first, texture.second ? texture.second : targets.Distances);
   }
-  quad.Draw(textures, areas, state);
-  state->vtkglScissor(0, 0, scene.Width, scene.Height);
+  vtkOpenGLState* state = scene.Window->GetState();
+  vtkOpenGLState::ScopedglColorMask maskSaver(state);
+  if (part == RayPart::Fragments)
+  {
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  }
+  DrawAdded(scene, quad, textures, areas);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool InscatterPass::DrawUnshadowed(
+  const FrameScene& scene, const InscatterTargets& targets, const std::vector<int>& lights)
+{
+  Quad& quad = this->Unshadowed[lights.size() - 1];
+  vtkShaderProgram* program =
+    quad.GetOrCompile(scene.Window, InscatterShader::GetUnshadowedSource(scene, lights));
+  if (!program)
+  {
+    return this->Fail(std::string("the airlight shader") + ProgramMaker::GetReason());
+  }
+  const std::string reason = targets.Bind(targets.Scattered, nullptr);
+  if (!reason.empty())
+  {
+    return this->Fail(reason);
+  }
+  InscatterShader::SetUnshadowedUniforms(program, scene, lights);
+  DrawAdded(scene, quad, { { "distances", targets.Distances }, { "airlightData", scene.Data } },
+    { { 0, 0, scene.Width, scene.Height } });
   return true;
 }
 
@@ -107,6 +138,10 @@ bool InscatterPass::DrawPixels(const FrameScene& scene, const InscatterTargets& 
 void InscatterPass::Release()
 {
   for (Quad& quad : this->Quads)
+  {
+    quad.Release();
+  }
+  for (Quad& quad : this->Unshadowed)
   {
     quad.Release();
   }

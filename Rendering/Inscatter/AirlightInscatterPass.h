@@ -12,6 +12,7 @@
 #include "Inscatter/AirlightLightShadow.h"
 #include "OpenGL/AirlightQuad.h"
 #include "Scene/AirlightFrameScene.h"
+#include "Scene/AirlightUnshadowedLights.h"
 
 #include <array>
 #include <string>
@@ -27,6 +28,11 @@ public:
   bool Draw(const FrameScene& scene, const InscatterOptions& options,
     const InscatterTargets& targets, LightShadows& shadows, int light);
 
+  // The airlight of some lights without shadows, at most MaximumUnshadowedLights, for which
+  // AreEquiangular(). Neither records nor buffers get it.
+  bool DrawUnshadowed(
+    const FrameScene& scene, const InscatterTargets& targets, const std::vector<int>& lights);
+
   const std::string& GetError() const { return this->Error; }
   void Release();
 
@@ -40,6 +46,7 @@ private:
   // A program each, as they follow one another within a frame: without shadows, few and many
   // boundaries, from a map; for each part of rays.
   std::array<Quad, 12> Quads;
+  std::array<Quad, MaximumUnshadowedLights> Unshadowed; // by the number of lights, less one
   std::string Error;
 };
 }

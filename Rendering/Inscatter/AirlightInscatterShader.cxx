@@ -12,16 +12,19 @@
 #include "AirlightResolveTranslucent.h"
 #include "AirlightShadowCounts.h"
 #include "AirlightTransmittanceBuffer.h"
+#include "AirlightUnshadowedFS.h"
 #include "Inscatter/AirlightLightShadows.h"
 #include "Integration/AirlightIntegrate.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightShaderLibrary.h"
 #include "Scene/AirlightEquiangularLights.h"
+#include "Scene/AirlightUnshadowedLights.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace airlight
@@ -31,6 +34,27 @@ namespace
 const char* GivenUniforms = "uniform AirlightMedia media;\nuniform AirlightLight light;\n";
 
 static_assert(MaximumShadowingLights <= translucent_record::LightBits, "a bit for each light");
+
+// The rays, and the scattering of lights of this kind.
+std::string GetRaySource(const FrameScene& scene, int kind, bool photometry, bool cones)
+{
+  return "#define AIRLIGHT_MORE_LIT " + std::to_string(scene.Lights.size() > BitsPerChannel) +
+    "\n#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n"
+    "#define AIRLIGHT_PARALLEL " +
+    std::to_string(scene.Rays.IsParallel()) + "\n" + (cones ? "" : "#define AIRLIGHT_NO_CONE\n") +
+    GetScatteringSource(scene.Media, kind, photometry) + AirlightCameraShader + AirlightLightPixel;
+}
+
+// What a lit surface adds in the channels of bits.
+glm::vec4 GetLitBit(int light)
+{
+  glm::vec4 bit(0.0f);
+  if (light < MaximumShadowingLights)
+  {
+    bit[light / BitsPerChannel] = std::ldexp(1.0f, light % BitsPerChannel);
+  }
+  return bit;
+}
 
 bool IsQuadrature(const f64::AirlightLight& light)
 {
@@ -57,13 +81,8 @@ std::string InscatterShader::GetHead(bool storage) const
 {
   const f64::AirlightLight& light = this->Scene.Lights[this->Light].Values;
   return GetShaderVersion(storage) + BoundaryBuffer::DefineNodes(this->Shadows.TransmitsLight()) +
-    (this->Options.Record ? "#define AIRLIGHT_RECORD\n" : "") + "#define AIRLIGHT_MORE_LIT " +
-    std::to_string(this->Scene.Lights.size() > BitsPerChannel) + "\n" +
-    "#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n#define AIRLIGHT_PARALLEL " +
-    std::to_string(this->Scene.Rays.IsParallel()) + "\n" +
-    (light.cosCone > 0.0 ? "" : "#define AIRLIGHT_NO_CONE\n") +
-    GetScatteringSource(this->Scene.Media, light.kind, light.goniometric != 0) +
-    AirlightCameraShader + AirlightLightPixel;
+    (this->Options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
+    GetRaySource(this->Scene, light.kind, light.goniometric != 0, light.cosCone > 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -128,11 +147,7 @@ void InscatterShader::SetUniforms(
   this->Scene.Rays.SetUniforms(program, 0, 0);
   this->SetLight(program, equiangular);
   this->Shadows.SetStartUniforms(program, this->Shadow, this->Light);
-  glm::vec4 bit(0.0f);
-  if (this->Light < MaximumShadowingLights)
-  {
-    bit[this->Light / BitsPerChannel] = std::ldexp(1.0f, this->Light % BitsPerChannel);
-  }
+  const glm::vec4 bit = GetLitBit(this->Light);
   program->SetUniform4f("litBit", &bit.x);
   if (this->Options.Record)
   {
@@ -147,5 +162,32 @@ void InscatterShader::SetUniforms(
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
   this->Shadow.Bind(program, this->Scene, draw);
+}
+
+//------------------------------------------------------------------------------
+std::string InscatterShader::GetUnshadowedSource(
+  const FrameScene& scene, const std::vector<int>& lights)
+{
+  const bool cones = std::any_of(
+    lights.begin(), lights.end(), [&](int k) { return scene.Lights[k].Values.cosCone > 0.0; });
+  return GetShaderVersion(false) + "#define AIRLIGHT_EQUIANGULAR 1\n" +
+    GetRaySource(scene, AIRLIGHT_POINT_CLOSED, false, cones) + airlight::GetEquiangularSource() +
+    airlight::GetUnshadowedSource(lights) + AirlightResolveOutputs + AirlightUnshadowedFS;
+}
+
+//------------------------------------------------------------------------------
+void InscatterShader::SetUnshadowedUniforms(
+  vtkShaderProgram* program, const FrameScene& scene, const std::vector<int>& lights)
+{
+  scene.Rays.SetUniforms(program, 0, 0);
+  SetMediaUniforms(program, "givenMedia", scene.Media);
+  SetEquiangularConstants(program, scene, lights);
+  airlight::SetUnshadowedUniforms(program, scene, lights);
+  glm::vec4 bits(0.0f);
+  for (int light : lights)
+  {
+    bits += GetLitBit(light);
+  }
+  program->SetUniform4f("litBit", &bits.x);
 }
 }

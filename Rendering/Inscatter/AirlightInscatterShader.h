@@ -11,6 +11,7 @@
 #include "Scene/AirlightFrameScene.h"
 
 #include <string>
+#include <vector>
 
 class vtkShaderProgram;
 
@@ -54,6 +55,11 @@ public:
   // Translucent fragments take the closed form.
   std::string GetSource(const InscatterDraw& draw, RayPart part) const;
   void SetUniforms(vtkShaderProgram* program, const InscatterDraw& draw, RayPart part) const;
+
+  // Of several lights without shadows, see InscatterPass::DrawUnshadowed().
+  static std::string GetUnshadowedSource(const FrameScene& scene, const std::vector<int>& lights);
+  static void SetUnshadowedUniforms(
+    vtkShaderProgram* program, const FrameScene& scene, const std::vector<int>& lights);
 
 private:
   std::string GetHead(bool storage) const;

@@ -65,6 +65,12 @@ public:
   // A light's shadow; one without a shadow where it casts none.
   LightShadow& Get(const FrameScene& scene, int light);
 
+  // Whether nothing shadows a light, in the air and on surfaces.
+  bool IsUnshadowed(const FrameScene& scene, int light)
+  {
+    return !this->Transmits && &this->Get(scene, light) == &this->None;
+  }
+
   // How a light's shadows were drawn: by a map if some of its casters have one. NONE where it has
   // none, and without Update().
   ShadowMethod GetMethod(const vtkLight* light) const;

@@ -19,5 +19,6 @@ airlight_sources(
     glsl/AirlightResolveOutputs.glsl
     glsl/AirlightResolveTranslucent.glsl
     glsl/AirlightShadowCounts.glsl
+    glsl/AirlightUnshadowedFS.glsl
     glsl/AirlightEquiangularFS.glsl
     glsl/AirlightEquiangularRay.glsl)

@@ -9,7 +9,9 @@ airlight_sources(
     AirlightSceneLights
     AirlightLightGrid
     AirlightSceneData
+    AirlightUnshadowedLights
   GLSL
     glsl/AirlightCameraShader.glsl
     glsl/AirlightConstants.glsl
-    glsl/AirlightLightPixel.glsl)
+    glsl/AirlightLightPixel.glsl
+    glsl/AirlightUnshadowedRays.glsl)

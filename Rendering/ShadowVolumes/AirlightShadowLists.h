@@ -43,8 +43,8 @@ public:
   // otherwise GetLongDraws(), all but the first with the uniform "resume" set.
   std::string GetBoundarySource(bool sorted, bool counted) const;
 
-  // As BoundaryBuffer::Prepare(); with `budgeted`, Fill() gives up where the rows that have slots at
-  // once need more than MostBands times the memory of lists.
+  // As BoundaryBuffer::Prepare(); with `budgeted`, Fill() gives up where the rows that have slots
+  // at once need more than MostBands times the memory of lists.
   bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, bool transmitsShadows,
     size_t edges, std::uint64_t memoryLimit, bool budgeted);
   const std::string& GetError() const { return this->Error; }

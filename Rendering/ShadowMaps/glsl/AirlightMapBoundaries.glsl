@@ -126,8 +126,10 @@ uint airlightSliceBits(AirlightSliceRay slice, AirlightSliceSteps steps, int wor
   for (int i = 0; i < 8; i++)
   {
     vec4 least = texelFetch(slices, ivec2(8 * word + i, slice.row), 0);
-    uvec4 lit = uvec4(greaterThanEqual(value, least)) << uvec4(0u, 1u, 2u, 3u);
-    bits |= (lit.x | lit.y | lit.z | lit.w) << uint(4 * i);
+    // Constants to choose from: shifts of a truth value take longer.
+    uint first = 1u << uint(4 * i);
+    bits |= (value.x >= least.x ? first : 0u) | (value.y >= least.y ? first << 1u : 0u) |
+      (value.z >= least.z ? first << 2u : 0u) | (value.w >= least.w ? first << 3u : 0u);
     vec4 next = steps.twice * value - before;
     before = value;
     value = next;

@@ -3,7 +3,8 @@
 //
 // More lights than anyone uses: 64 of all kinds, each with its shadows, light what they light one
 // by one, without a word; more than can cast shadows on surfaces get a warning, and the air is
-// right.
+// right. Lights without shadows, of which several are drawn at once unless buffers are recorded,
+// give the same picture.
 
 #include "AirlightTestBodies.h"
 #include "AirlightTestErrors.h"
@@ -123,6 +124,30 @@ bool TestSum(int lights, bool surfaces)
   Compare(sums[1], all[1], surface);
   return surfaces ? AllOk({ &airlight, &surface }) : AllOk({ &airlight });
 }
+
+//------------------------------------------------------------------------------
+// The picture with buffers, in which each light is drawn alone, and without.
+void TestTogether(const std::string& name, int technique, bool casts)
+{
+  Scene scene(80, 60);
+  Fill(scene, 20);
+  scene.Pass->SetShadowTechnique(technique);
+  vtkActorCollection* actors = scene.Renderer->GetActors();
+  actors->InitTraversal();
+  while (vtkActor* actor = actors->GetNextActor())
+  {
+    vtkAirlightPass::SetCastsShadow(actor, casts);
+  }
+  scene.Pass->RecordBuffersOn();
+  const Picture alone = Capture(scene.Window);
+  scene.Pass->RecordBuffersOff();
+  const Picture together = Capture(scene.Window);
+  Check(airlight_test::Compare(alone, together) <= 1,
+    name + ": the same picture with lights alone and together");
+  scene.Medium->SetScattering(0.0, 0.0, 0.0);
+  Check(airlight_test::Compare(Capture(scene.Window), together) > 20,
+    name + ": their light is in the air");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -130,5 +155,8 @@ int TestManyLights(int, char*[])
 {
   const bool many = TestSum(64, true);
   const bool tooMany = TestSum(100, false);
+  TestTogether("no shadows", vtkAirlightPass::NONE, true);
+  TestTogether("shadow planes", vtkAirlightPass::SHADOW_PLANES, true);
+  TestTogether("shadow planes without casters", vtkAirlightPass::SHADOW_PLANES, false);
   return many && tooMany && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Composite/AirlightUnshadowedLights.h"
+#include "Scene/AirlightUnshadowedLights.h"
 
 #include "AirlightUnshadowedRays.h"
 #include "OpenGL/AirlightShaderLibrary.h"

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Lights without shadows in the medium, which the composite integrates along whole rays: no step of
- * their own, and no picture of their airlight, which makes such a frame a fifth shorter.
+ * Several lights without shadows in the medium, integrated along whole rays by one shader. If all
+ * lights of a frame are such, the composite does it, without a picture of their airlight, which
+ * makes the frame a fifth shorter; else groups of them have one step in place of one each.
  */
 
 #ifndef AirlightUnshadowedLights_h
@@ -17,6 +18,9 @@ class vtkShaderProgram;
 
 namespace airlight
 {
+// More take a shader longer to compile than they save.
+constexpr size_t MaximumUnshadowedLights = 4;
+
 // The shaders' text for these lights, which are of one kind.
 std::string GetUnshadowedSource(const std::vector<int>& lights);
 
