@@ -7,6 +7,7 @@
 #include "AirlightTestContentFog.h"
 
 #include "vtkPointGaussianMapper.h"
+#include "vtkRenderStepsPass.h"
 
 #include <cstdlib>
 
@@ -86,11 +87,14 @@ void TestLayers(Fog& fog)
 }
 
 //------------------------------------------------------------------------------
-// One splat before the background; its opacity in each pixel is what the clear frame shows.
-void CheckSplat(Fog& fog, bool emissive)
+// One splat before the background; its opacity in each pixel is what the clear frame shows. A
+// delegate draws all opaque geometry at once, splats too.
+void CheckSplat(Fog& fog, bool emissive, vtkRenderPass* delegate)
 {
-  const std::string name = emissive ? "emissive point gaussian" : "point gaussian";
+  const std::string name = std::string(emissive ? "emissive point gaussian" : "point gaussian") +
+    (delegate ? ", delegate" : "");
   fog.Begin();
+  fog.Pass->SetDelegatePass(delegate);
   vtkNew<vtkPoints> points;
   const glm::dvec3 place(0.2, 0.1, 0.5);
   points->InsertNextPoint(&place.x);
@@ -173,8 +177,13 @@ int TestContentInFogLayers(int, char*[])
 {
   Fog fog;
   TestLayers(fog);
-  CheckSplat(fog, false);
-  CheckSplat(fog, true);
+  vtkNew<vtkRenderStepsPass> delegate;
+  for (bool emissive : { false, true })
+  {
+    CheckSplat(fog, emissive, nullptr);
+    CheckSplat(fog, emissive, delegate);
+  }
+  fog.Pass->SetDelegatePass(nullptr);
   TestAnnotations(fog);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -189,6 +189,7 @@ void TestSurfaces()
   stage.Body->SetTexture(nullptr);
   vtkNew<vtkAxesActor> axes;
   axes->AxisLabelsOff();
+  axes->SetTotalLength(2.5, 2.5, 2.5); // out of the sphere
   stage.Renderer->AddActor(axes);
   Check(stage.CountDraws() == 1, "axes: drawn once");
   CheckSameTwice(stage, "axes");
