@@ -51,7 +51,7 @@ configure()
 # compile TARGET: builds one target in build/, or `all`.
 compile()
 {
-  cmake --build "$build" --parallel "$jobs" --target "$1" ||
+  cmake --build "$build" --parallel "$jobs" --target "$@" ||
     die "the build failed; see the compiler's message above."
 }
 

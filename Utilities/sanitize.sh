@@ -24,7 +24,7 @@ shared='TestSilhouette|TestClosedSurface[.]cxx|TestClosedSurfaceRays|TestLitInte
 case ${1-} in
   address)
     build=$root/build-asan
-    target=all
+    targets=(all)
     options=(-E "$unfit")
     export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1:detect_stack_use_after_return=1}
     export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
@@ -33,7 +33,7 @@ case ${1-} in
     ;;
   thread)
     build=$root/build-tsan
-    target=vtkAirlightCxxTests
+    targets=(vtkAirlight{Module,Filters,Rendering,Composition}CxxTests)
     options=(-R Cxx- -E TestFaults)
     export TSAN_OPTIONS=${TSAN_OPTIONS:-halt_on_error=1:detect_deadlocks=0:suppressions=$root/Utilities/tsan.txt}
     export VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4
@@ -55,7 +55,7 @@ less=()
 configure_sanitized "$kind" -DAIRLIGHT_BUILD_TESTING=ON "${less[@]}"
 
 step "Building"
-compile "$target"
+compile "${targets[@]}"
 
 step "Testing"
 cd "$build"
