@@ -48,7 +48,7 @@ configure()
       "Utilities/install-dependencies.sh lists the packages that it needs."
 }
 
-# compile TARGET: builds one target in build/, or `all`.
+# compile TARGET...: builds targets in build/, or `all`.
 compile()
 {
   cmake --build "$build" --parallel "$jobs" --target "$@" ||
