@@ -135,7 +135,7 @@ void TimeFrames(const std::vector<ReadyScene>& scenes, int frames, Rows& rows)
     AddFrames(ready.Recipe, *ready.Scene, "", frames);
     if (ready.Base)
     {
-      AddFrames(ready.Recipe, *ready.Base, benchmarks::BallAndFloor, frames);
+      AddFrames(ready.Recipe, *ready.Base, ready.Recipe.BaseName, frames);
     }
   }
   benchmarks::RowReporter reporter(rows);
@@ -155,7 +155,7 @@ ReadyScene MakeScene(
   {
     using Exact = benchmarks::FrameErrors::Exact;
     errors = std::make_unique<benchmarks::FrameErrors>(
-      *scene, recipe.Base ? Exact::Planes : Exact::Reference);
+      *scene, recipe.BaseName == benchmarks::BallAndFloor ? Exact::Planes : Exact::Reference);
   }
   FindSteps(errors.get(), recipe.Ways);
   MakeRows(recipe, *scene, errors.get(), rows);

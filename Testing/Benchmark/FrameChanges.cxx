@@ -36,7 +36,7 @@ struct Change
 };
 
 const Change Numbers[] = {
-  { "extinction", [](FrameScene& scene) { scene.Medium->SetScattering(0.05, 0.06, 0.07); } },
+  { "extinction", [](FrameScene& scene) { scene.Medium->SetScattering(0.05, 0.05, 0.05); } },
   { "lamp-moves", [](FrameScene& scene) { GetLamp(scene)->SetPosition(1.0, 5.0, 0.3); } },
   { "lamp-dims",
     [](FrameScene& scene) {
@@ -49,6 +49,7 @@ const Change Numbers[] = {
 };
 
 const Change Kinds[] = {
+  { "coloured", [](FrameScene& scene) { scene.Medium->SetScattering(0.05, 0.06, 0.07); } },
   { "anisotropy",
     [](FrameScene& scene) {
       scene.Medium->SetPhaseFunctionToHenyeyGreenstein();

@@ -56,6 +56,7 @@ std::vector<SceneRecipe> MakeContentRecipes()
       SceneRecipe recipe;
       recipe.Name = group + content.Name;
       recipe.Base = [lights](FrameScene& scene) { FillBallAndFloor(scene, lights); };
+      recipe.BaseName = BallAndFloor;
       recipe.Fill = [lights, add = content.Add](FrameScene& scene) {
         FillBallAndFloor(scene, lights);
         add(scene);

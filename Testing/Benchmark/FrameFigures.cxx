@@ -4,6 +4,7 @@
 
 #include "FrameChanges.h"
 #include "FrameContent.h"
+#include "FrameQuadrature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -209,6 +210,28 @@ void AddMoving(const Rows& rows, std::vector<Figure>& figures)
 }
 }
 
+// Extra of a scene in units of that of its base: the ball and floor, or a neighbour.
+double GetCost(const Rows& rows, const Row& row, const std::string& baseName, Kind kind)
+{
+  const Row* plain = rows.Find(row.Scene, baseName + PlainWay);
+  const Row* base = rows.Find(row.Scene, baseName + row.Way);
+  return plain && base ? Divide(GetExcess(rows, row, PlainWay, kind),
+                           (base->*kind).GetMedian() - (plain->*kind).GetMedian())
+                       : NoValue;
+}
+
+void AddQuadrature(const Rows& rows, std::vector<Figure>& figures)
+{
+  for (const char* way : { Unshadowed, Planes })
+  {
+    for (const Row* row : rows.FindAll("quadrature", way))
+    {
+      Add(figures, row->Scene + ": extra / that of the closed form, " + way,
+        [&](Kind kind) { return GetCost(rows, *row, Neighbour, kind); });
+    }
+  }
+}
+
 // How much longer the first frame after a change takes than the second one, beyond VTK's own.
 void AddChanges(const Rows& rows, std::vector<Figure>& figures)
 {
@@ -225,16 +248,6 @@ void AddChanges(const Rows& rows, std::vector<Figure>& figures)
 }
 
 //------------------------------------------------------------------------------
-// Extra of a scene in units of that of the ball and floor.
-double GetContentCost(const Rows& rows, const Row& row, Kind kind)
-{
-  const Row* plain = rows.Find(row.Scene, std::string(BallAndFloor) + PlainWay);
-  const Row* base = rows.Find(row.Scene, BallAndFloor + row.Way);
-  return plain && base ? Divide(GetExcess(rows, row, PlainWay, kind),
-                           (base->*kind).GetMedian() - (plain->*kind).GetMedian())
-                       : NoValue;
-}
-
 bool IsContent(const Row& row)
 {
   return row.Scene.compare(0, 7, "content") == 0 && row.Way.compare(0, 4, "ball") != 0 &&
@@ -250,7 +263,7 @@ void AddContent(const Rows& rows, const std::string& way, std::vector<Figure>& f
     if (IsContent(row) && row.Way == way)
     {
       Add(costs, row.Scene + ": extra / that of the ball and floor, " + way,
-        [&](Kind kind) { return GetContentCost(rows, row, kind); });
+        [&](Kind kind) { return GetCost(rows, row, BallAndFloor, kind); });
     }
   }
   const auto known = [](double value) { return value > 0.0 ? value : 0.0; };
@@ -285,6 +298,7 @@ std::vector<Figure> DeriveFigures(const Rows& rows)
   AddGrowth(rows, "edges", "edges", figures);
   AddMoving(rows, figures);
   AddChanges(rows, figures);
+  AddQuadrature(rows, figures);
   AddContent(rows, Unshadowed, figures);
   AddContent(rows, "automatic", figures);
   return figures;

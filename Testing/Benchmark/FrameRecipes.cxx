@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameChanges.h"
 #include "FrameContent.h"
+#include "FrameQuadrature.h"
 #include "FrameScene.h"
 
 #include "vtkActor.h"
@@ -235,7 +236,7 @@ std::vector<SceneRecipe> MakeRecipes()
   std::vector<SceneRecipe> recipes;
   const auto add = [&recipes](const std::string& name, const std::function<void(FrameScene&)>& fill,
                      const std::vector<Way>& ways, SceneGroup group = SceneGroup::None) {
-    recipes.push_back({ name, fill, nullptr, nullptr, 800, 600, ways, group });
+    recipes.push_back({ name, fill, nullptr, "", nullptr, 800, 600, ways, group });
   };
   std::vector<Way> ways = AllWays({ 32, 64, 256, 1024, 2048 });
   ways.push_back(MakeRayMarchTo(2e-3));
@@ -261,7 +262,7 @@ std::vector<SceneRecipe> MakeRecipes()
   for (const auto& size : sizes)
   {
     recipes.push_back({ "sizes/" + std::to_string(size[0]) + "x" + std::to_string(size[1]),
-      FillSmall, nullptr, nullptr, size[0], size[1], brief, SceneGroup::Sizes });
+      FillSmall, nullptr, "", nullptr, size[0], size[1], brief, SceneGroup::Sizes });
   }
   for (int triangles : { 10000, 100000, 1000000, 3000000 })
   {
@@ -285,7 +286,7 @@ std::vector<SceneRecipe> MakeRecipes()
     "crowd", [](FrameScene& scene) { FillCrowd(scene, 30, 24); }, brief);
   add("moving", FillHeavy, moving);
   for (const std::vector<SceneRecipe>& more :
-    { MakeContentRecipes(), MakeChangeRecipes(FillSmall) })
+    { MakeContentRecipes(), MakeChangeRecipes(FillSmall), MakeQuadratureRecipes(FillSmall) })
   {
     recipes.insert(recipes.end(), more.begin(), more.end());
   }

@@ -117,6 +117,7 @@ struct SceneRecipe
   std::string Name;
   std::function<void(FrameScene&)> Fill;
   std::function<void(FrameScene&)> Base;   // a scene whose frames are timed in turn, if any
+  std::string BaseName;                    // what its rows begin with
   std::function<void(FrameScene&)> Change; // after which frames are timed (FrameChanges.h), if any
   int Width = 800;
   int Height = 600;
