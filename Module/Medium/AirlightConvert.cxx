@@ -85,17 +85,9 @@ f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dve
   return result;
 }
 
-// The closed form holds for one uniform medium where the whole way from light to sample is inside:
-// inverse square, no exponent, and the light inside the convex region.
 int PointKind(const f64::AirlightMedia& media, const f64::AirlightLight& light)
 {
-  const f64::AirlightMedium& first = media.item[0];
-  const bool inverseSquare = light.attenuation.x == 0.0 && light.attenuation.y == 0.0;
-  const bool evenCone = light.cosCone < 0.0 || light.exponent == 0.0;
-  return media.count == 1 && first.density == AIRLIGHT_DENSITY_UNIFORM &&
-      first.region.kind != AIRLIGHT_REGION_SURFACE &&
-      f64::airlightHolds(first.region, light.position) && inverseSquare && evenCone &&
-      HasClosedForm(first.phase)
+  return HasUniformPaths(media, light) && HasClosedForm(media.item[0].phase)
     ? AIRLIGHT_POINT_CLOSED
     : AIRLIGHT_POINT_QUADRATURE;
 }
@@ -197,11 +189,22 @@ LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
   }
   result.position = position - origin;
   result.kind = PointKind(media, result);
-  if (result.kind == AIRLIGHT_POINT_CLOSED)
+  if (HasUniformPaths(media, result))
   {
     result.intensity /= result.attenuation.z;
     result.attenuation.z = 1.0;
   }
   return LightSupport::Scatters;
+}
+
+//------------------------------------------------------------------------------
+bool HasUniformPaths(const f64::AirlightMedia& media, const f64::AirlightLight& light)
+{
+  const f64::AirlightMedium& first = media.item[0];
+  const bool inverseSquare = light.attenuation.x == 0.0 && light.attenuation.y == 0.0;
+  const bool evenCone = light.cosCone < 0.0 || light.exponent == 0.0;
+  return media.count == 1 && first.density == AIRLIGHT_DENSITY_UNIFORM &&
+    first.region.kind != AIRLIGHT_REGION_SURFACE &&
+    f64::airlightHolds(first.region, light.position) && inverseSquare && evenCone;
 }
 }

@@ -49,6 +49,12 @@ constexpr const char* InvalidLightText =
 f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm::dvec3& position,
   const glm::dvec3& radiantIntensity, const glm::dvec3& origin);
 
+// Whether the whole way from a light at a place to every sample is inside one uniform medium, the
+// light falls off by the inverse square, and is the same all over its cone: what the closed form
+// asks of all but the phase function.
+VTKAIRLIGHT_EXPORT bool HasUniformPaths(
+  const f64::AirlightMedia& media, const f64::AirlightLight& light);
+
 // Any vtkLight, relative to `origin`. The light's radius is left for the caller to set.
 VTKAIRLIGHT_EXPORT LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
   const glm::dvec3& origin, f64::AirlightLight& result);

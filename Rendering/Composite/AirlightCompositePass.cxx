@@ -5,8 +5,8 @@
 #include "AirlightCameraShader.h"
 #include "AirlightCompositeFS.h"
 #include "AirlightCopyFS.h"
-#include "AirlightLightPixel.h"
 #include "AirlightDisplay.h"
+#include "AirlightLightPixel.h"
 #include "AirlightShadowingLight.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightShaderLibrary.h"
@@ -39,7 +39,8 @@ bool HasAmbient(const f64::AirlightMedia& media)
 std::string GetSource(const FrameScene& scene, const CompositePass::Options& options,
   const std::vector<int>& lights, bool equiangular, bool intoTextures)
 {
-  const int kind = lights.empty() ? AIRLIGHT_POINT_CLOSED : scene.Lights[lights[0]].Values.kind;
+  const int kind =
+    lights.empty() || equiangular ? AIRLIGHT_POINT_CLOSED : scene.Lights[lights[0]].Values.kind;
   const bool cones = std::any_of(
     lights.begin(), lights.end(), [&](int k) { return scene.Lights[k].Values.cosCone > 0.0; });
   return GetShaderVersion(false) + (cones ? "" : "#define AIRLIGHT_NO_CONE\n") +

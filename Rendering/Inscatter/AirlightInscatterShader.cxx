@@ -77,19 +77,19 @@ InscatterShader::InscatterShader(const FrameScene& scene, const InscatterOptions
 
 //------------------------------------------------------------------------------
 // The beginning of all sources.
-std::string InscatterShader::GetHead(bool storage) const
+std::string InscatterShader::GetHead(bool storage, int kind) const
 {
   const f64::AirlightLight& light = this->Scene.Lights[this->Light].Values;
   return GetShaderVersion(storage) + BoundaryBuffer::DefineNodes(this->Shadows.TransmitsLight()) +
     (this->Options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
-    GetRaySource(this->Scene, light.kind, light.goniometric != 0, light.cosCone > 0.0);
+    GetRaySource(this->Scene, kind, light.goniometric != 0, light.cosCone > 0.0);
 }
 
 //------------------------------------------------------------------------------
 std::string InscatterShader::GetEquiangularSource(const InscatterDraw& draw) const
 {
   // AirlightConstants.glsl sets a part of the light.
-  return this->GetHead(this->Shadow.UsesStorage()) +
+  return this->GetHead(this->Shadow.UsesStorage(), AIRLIGHT_POINT_CLOSED) +
     "uniform AirlightLight givenLight;\nAirlightLight light;\n" + airlight::GetEquiangularSource() +
     AirlightShadowCounts + AirlightBoundaryReader + this->Shadow.GetBoundarySource(draw, true) +
     AirlightEquiangularRay + AirlightResolveOutputs + AirlightEquiangularFS;
@@ -104,7 +104,8 @@ std::string InscatterShader::GetSource(const InscatterDraw& draw, RayPart part) 
   }
   const bool records = part != RayPart::Surface;
   const bool transmits = this->Shadows.TransmitsLight();
-  return this->GetHead(this->Shadow.UsesStorage() || records || transmits) +
+  return this->GetHead(this->Shadow.UsesStorage() || records || transmits,
+           this->Scene.Lights[this->Light].Values.kind) +
     (records ? "#define AIRLIGHT_TRANSLUCENT_FRAGMENTS\n" : "") + GivenUniforms +
     (transmits ? AirlightTransmittanceBuffer : "") + AirlightShadowCounts + AirlightBoundaryReader +
     this->Shadow.GetBoundarySource(draw, false) +
@@ -119,9 +120,9 @@ double InscatterShader::GetIntegralError() const
   const SceneLight& light = this->Scene.Lights[this->Light];
   const f64::AirlightMedia& media = this->Scene.Media;
   const bool cut = HasGrid(media) && media.item[0].region.kind != AIRLIGHT_REGION_UNBOUNDED;
-  const double integral = cut    ? CutImageError
-    : IsQuadrature(light.Values) ? QuadratureError
-                                 : ClosedFormError;
+  const double integral = cut                          ? CutImageError
+    : IsQuadrature(light.Values) && !this->Equiangular ? QuadratureError
+                                                       : ClosedFormError;
   return light.GridError + integral +
     (this->Shadows.TransmitsLight() ? this->Shadow.GetThicknessError() : 0.0);
 }

@@ -62,7 +62,7 @@ public:
     vtkShaderProgram* program, const FrameScene& scene, const std::vector<int>& lights);
 
 private:
-  std::string GetHead(bool storage) const;
+  std::string GetHead(bool storage, int kind) const;
   std::string GetEquiangularSource(const InscatterDraw& draw) const;
   void SetLight(vtkShaderProgram* program, bool equiangular) const;
   double GetIntegralError() const;

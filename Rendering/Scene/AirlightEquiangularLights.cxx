@@ -6,6 +6,8 @@
 #include "AirlightEquiangular.h"
 #include "AirlightEquiangularPanel.h"
 #include "AirlightHalfAngle.h"
+#include "Medium/AirlightConvert.h"
+#include "Phase/AirlightPhaseFit.h"
 
 #include "vtkShaderProgram.h"
 
@@ -16,9 +18,17 @@ namespace airlight
 //------------------------------------------------------------------------------
 bool IsEquiangular(const FrameScene& scene, int light)
 {
-  const f64::AirlightPhase& phase = scene.Media.item[0].phase;
-  return scene.Lights[light].Values.kind == AIRLIGHT_POINT_CLOSED && phase.rows == 0 &&
-    phase.power.x <= 0.0;
+  const f64::AirlightLight& values = scene.Lights[light].Values;
+  f64::AirlightPhase phase = scene.Media.item[0].phase;
+  if (values.kind == AIRLIGHT_POINT_CLOSED)
+  {
+    return phase.rows == 0;
+  }
+  // A power, of which there is no closed form.
+  const bool power = phase.power.x > 0.0;
+  phase.power.x = 0.0;
+  return power && HasClosedForm(phase) && values.kind == AIRLIGHT_POINT_QUADRATURE &&
+    values.goniometric == 0 && HasUniformPaths(scene.Media, values);
 }
 
 //------------------------------------------------------------------------------

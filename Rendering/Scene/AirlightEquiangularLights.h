@@ -17,8 +17,8 @@ class vtkShaderProgram;
 
 namespace airlight
 {
-// Whether a light has the closed form, and an integrand that is as smooth as the poles of the
-// medium's phase function make it.
+// Whether a light has the closed form, or would have it but for a power in the medium's phase
+// function, and an integrand that is as smooth as its poles and that power make it.
 bool IsEquiangular(const FrameScene& scene, int light);
 bool AreEquiangular(const FrameScene& scene, const std::vector<int>& lights);
 

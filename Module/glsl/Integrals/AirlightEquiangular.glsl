@@ -135,7 +135,8 @@ AIRLIGHT_FN AirlightEquiangular airlightEquiangularRange(
 
 // How far the ray may turn from an angle `left` to its direction, for a phase function's peaks:
 // poles lie about 2 b off the real angles before the forward direction, and 2/b before the backward
-// one.
+// one. A power n of half the cosine is close to a normal distribution of the deviation sqrt(2/n), of
+// which eight nodes follow three.
 AIRLIGHT_FN real airlightSmoothAngle(AIRLIGHT_IN(AirlightPhase) phase, real left)
 {
   real length = real(4.0);
@@ -148,6 +149,10 @@ AIRLIGHT_FN real airlightSmoothAngle(AIRLIGHT_IN(AirlightPhase) phase, real left
     real off = real(2.0) * (back ? real(1.0) / b : b);
     real along = back ? left : forward;
     length = min(length, (back ? real(0.35) : real(0.83)) * sqrt(along * along + off * off));
+  }
+  if (AIRLIGHT_HAS_POWER != 0 && phase.power.x > real(0.0))
+  {
+    length = min(length, real(4.2) / sqrt(phase.power.y));
   }
 #endif
   return length;
