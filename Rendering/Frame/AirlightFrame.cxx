@@ -4,6 +4,7 @@
 
 #include "Frame/AirlightSceneDrawer.h"
 
+#include "MapperShaders/AirlightVolumeShader.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "Scene/AirlightEquiangularLights.h"
 #include "Scene/AirlightUnshadowedLights.h"
@@ -42,7 +43,7 @@ bool Frame::Fail(const std::string& reason)
 bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
   f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights)
 {
-  this->OverBudget = false;
+  this->TooMuch = Excess::None;
   return this->Arrays.Upload(window, media, converted, sceneLights) ||
     this->Fail(this->Arrays.GetError());
 }
@@ -137,13 +138,16 @@ bool Frame::PrepareCasters()
 }
 
 //------------------------------------------------------------------------------
-// Until the records have room for all fragments.
+// Until the records have room for all fragments. Volumes are content with fewer nodes on a ray.
 bool Frame::CollectFragments(SceneDrawer& scene)
 {
-  TranslucentFragments::Outcome outcome = this->Plan.TranslucentFragments
-    ? TranslucentFragments::Outcome::Again
-    : TranslucentFragments::Outcome::Done;
-  while (outcome == TranslucentFragments::Outcome::Again)
+  if (!this->Plan.TranslucentFragments)
+  {
+    return true;
+  }
+  using Outcome = TranslucentFragments::Outcome;
+  Outcome outcome = Outcome::Again;
+  while (outcome == Outcome::Again)
   {
     if (!this->Geometry.BindDepth(this->GetScene()))
     {
@@ -151,12 +155,15 @@ bool Frame::CollectFragments(SceneDrawer& scene)
     }
     scene.CollectFragments();
     outcome = this->FragmentLists.Check();
+    if (outcome == Outcome::TooMany && this->Plan.VolumeNodes > MinimumVolumeNodes)
+    {
+      this->Plan.VolumeNodes = std::max(this->Plan.VolumeNodes / 2, MinimumVolumeNodes);
+      outcome = Outcome::Again;
+    }
   }
-  if (outcome != TranslucentFragments::Outcome::Done)
-  {
-    return this->Fail(this->FragmentLists.GetError());
-  }
-  return !this->Plan.TranslucentFragments || this->SortFragments();
+  this->TooMuch = outcome == Outcome::TooMany ? Excess::Records : this->TooMuch;
+  return outcome == Outcome::Done ? this->SortFragments()
+                                  : this->Fail(this->FragmentLists.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -287,7 +294,7 @@ bool Frame::ScatterLight(const InscatterTargets& targets, int light)
   if (this->Current->SceneLights[light].Scatters() &&
     !this->Inscatter.Draw(this->GetScene(), options, targets, this->Shadows, light))
   {
-    this->OverBudget = this->Shadows.IsOverBudget();
+    this->TooMuch = this->Shadows.IsOverBudget() ? Excess::Boundaries : Excess::None;
     return this->Fail(this->Inscatter.GetError());
   }
   if (this->Plan.Record)

@@ -118,8 +118,14 @@ public:
   bool DrawPlanes();
 
   bool IsClear() const { return airlight::IsClear(this->Current->Media); }
-  // After a failure: whether it was for too many shadow boundaries.
-  bool IsOverBudget() const { return this->OverBudget; }
+  // After a failure: of what there was too much, which a plan can do without.
+  enum class Excess
+  {
+    None,
+    Boundaries,
+    Records // of translucent fragments
+  };
+  Excess GetExcess() const { return this->TooMuch; }
 
   SurfaceUniforms GetSurfaceUniforms(SurfaceStage stage);
   vtkOpenGLRenderWindow* GetWindow() const;
@@ -163,7 +169,7 @@ private:
   // This frame's.
   std::optional<Input> Current;
   FramePlan Plan;
-  bool OverBudget = false;
+  Excess TooMuch = Excess::None;
 };
 }
 

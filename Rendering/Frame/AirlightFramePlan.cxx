@@ -174,13 +174,15 @@ FramePlan MakeFramePlan(
   plan.ScatteredSurfaceLight = properties.ScatteredSurfaceLight && !scene.DensityImage;
   plan.MemoryLimit = properties.MemoryLimit;
   plan.Translucent = properties.View == DebugView::Shaded && scene.DrawsOverMedium;
-  plan.NeedsRecords = limits.StorageBuffers && !IsUnshadowedInFragments(plan, scene);
+  plan.NeedsRecords =
+    limits.StorageBuffers && !limits.RecordsOverMemory && !IsUnshadowedInFragments(plan, scene);
+  plan.RecordsOverMemory = plan.Translucent && limits.RecordsOverMemory;
   plan.TranslucentFragments = plan.Translucent && plan.NeedsRecords;
   plan.VolumeNodes =
     GetVolumeNodeCount(scene.Volumes, scene.Width, scene.Height, properties.MemoryLimit);
-  plan.AllShadersInjectable =
-    scene.AllShadersInjectable && (plan.Translucent || !scene.PointGaussians);
-  plan.AllOpaque = scene.AllOpaque;
+  const bool gaussians = scene.PointGaussians && !plan.Translucent; // among the opaque surfaces
+  plan.AllShadersInjectable = scene.AllShadersInjectable && !gaussians;
+  plan.AllOpaque = scene.AllOpaque && !gaussians;
   plan.View = properties.View;
   plan.KeepBuffers = properties.RecordBuffers;
   plan.Annotations = properties.Annotations;

@@ -86,8 +86,9 @@ struct SceneFacts
 
 struct FrameLimits
 {
-  bool StorageBuffers = true;    // OpenGL 4.3
-  bool PlanesOverMemory = false; // this frame's shadow planes have exceeded the memory limit
+  bool StorageBuffers = true;     // OpenGL 4.3
+  bool PlanesOverMemory = false;  // this frame's shadow planes have exceeded the memory limit
+  bool RecordsOverMemory = false; // so have the records of translucent fragments the card's buffers
 };
 
 // Why the shadow technique is not the requested one.
@@ -120,6 +121,7 @@ struct FramePlan
 
   bool Translucent = false;          // translucent surfaces or volumes are drawn over the medium
   bool NeedsRecords = false;         // their fragments have records, if there are any
+  bool RecordsOverMemory = false;    // they should, but there is no room: no shadows before them
   bool TranslucentFragments = false; // there are, and they have
   int VolumeNodes = 2;               // on the rays through volumes
 

@@ -119,8 +119,12 @@ void SetVolumeUniforms(vtkShaderProgram* program, vtkVolume* volume, const Surfa
 //------------------------------------------------------------------------------
 int GetVolumeNodeCount(size_t volumes, int width, int height, std::uint64_t memoryLimit)
 {
-  const std::uint64_t each =
-    TranslucentFragments::RecordSize * std::max<std::uint64_t>(volumes, 1) * width * height;
-  return static_cast<int>(std::clamp<std::uint64_t>(memoryLimit / each, 2, MaximumVolumeNodes));
+  if (volumes == 0)
+  {
+    return MinimumVolumeNodes;
+  }
+  const std::uint64_t each = TranslucentFragments::RecordSize * volumes * width * height;
+  return static_cast<int>(
+    std::clamp<std::uint64_t>(memoryLimit / each, MinimumVolumeNodes, MaximumVolumeNodes));
 }
 }

@@ -21,6 +21,7 @@ class vtkVolume;
 namespace airlight
 {
 // Records that a ray through a volume makes, at most (glsl/AirlightVolume.glsl).
+constexpr int MinimumVolumeNodes = 2;
 constexpr int MaximumVolumeNodes = 16;
 
 // Marks places in the template of a volume's fragment shader, before VTK fills it in.
@@ -38,7 +39,7 @@ bool IsVolumeProgram(vtkShaderProgram* program);
 void SetVolumeUniforms(vtkShaderProgram* program, vtkVolume* volume, const SurfaceUniforms& values);
 
 // How many nodes a ray gets, so that the records of this many volumes over all pixels fit into the
-// memory limit.
+// memory limit; the fewest if there are none.
 int GetVolumeNodeCount(size_t volumes, int width, int height, std::uint64_t memoryLimit);
 }
 

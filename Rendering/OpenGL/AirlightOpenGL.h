@@ -34,12 +34,18 @@ inline bool AllocateStorage(GLuint buffer, GLsizeiptr bytes, const void* data, G
   return glGetError() == GL_NO_ERROR;
 }
 
-// The same of a buffer that shaders see as one block, which drivers bound.
-inline bool AllocateStorageBlock(GLuint buffer, GLsizeiptr bytes, const void* data, GLenum usage)
+// Bytes of a buffer that shaders see as one block, which drivers bound: Mesa's software renderer to
+// 128 MiB.
+inline GLint64 GetLargestStorageBlock()
 {
   GLint64 most = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-  return bytes <= most && AllocateStorage(buffer, bytes, data, usage);
+  return most;
+}
+
+inline bool AllocateStorageBlock(GLuint buffer, GLsizeiptr bytes, const void* data, GLenum usage)
+{
+  return bytes <= GetLargestStorageBlock() && AllocateStorage(buffer, bytes, data, usage);
 }
 
 // Frees a buffer that there is. Without one there may be no context, and no function to call.

@@ -153,6 +153,13 @@ void PassMessages::CheckPlan(
         " MiB: shadows come from shadow maps, which are less exact. Raise SetMemoryLimit(), or "
         "call SetShadowTechniqueToShadowMap().");
   }
+  if (plan.RecordsOverMemory)
+  {
+    this->WarnOnce(RecordsOverMemory,
+      "There are more translucent fragments than a buffer of the graphics card holds: they are "
+      "drawn in the medium without its shadows. Make the window smaller, or fewer surfaces "
+      "translucent.");
+  }
   if (!plan.Plain && properties.ScatteredSurfaceLight && !plan.ScatteredSurfaceLight)
   {
     this->WarnOnce(ScatteredLightInImage,

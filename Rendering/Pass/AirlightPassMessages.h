@@ -82,6 +82,7 @@ private:
     OldOpenGL,
     PhotometryUnused,
     PlanesOverMemory,
+    RecordsOverMemory,
     ScatteredLightInImage,
     TranslucentInMaps,
     Volumes,

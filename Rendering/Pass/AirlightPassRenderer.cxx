@@ -139,7 +139,8 @@ void PassRenderer::Render(
 }
 
 //------------------------------------------------------------------------------
-// Planes that need too much memory are found out while they are drawn: the frame then takes maps.
+// What needs too much memory is found out while it is drawn: the frame then does without shadow
+// planes, or without records of translucent fragments.
 bool PassRenderer::RenderFrame(
   const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
 {
@@ -154,14 +155,30 @@ bool PassRenderer::RenderFrame(
   this->CollectProps(s, settings, scene);
   FrameLimits limits;
   limits.StorageBuffers = ShadowLists::IsSupported(scene.Window);
+  limits.RecordsOverMemory = this->TooManyRecords == RecordsKey(scene);
   bool ok = this->RenderPlan(s, settings, viewport, limits, scene);
-  if (!ok && this->CurrentFrame.IsOverBudget() &&
+  if (!ok && this->CurrentFrame.GetExcess() == Frame::Excess::Records)
+  {
+    this->TooManyRecords = RecordsKey(scene);
+    limits.RecordsOverMemory = true;
+    ok = this->RenderPlan(s, settings, viewport, limits, scene);
+  }
+  if (!ok && this->CurrentFrame.GetExcess() == Frame::Excess::Boundaries &&
     settings.Properties.Technique == ShadowTechnique::Automatic)
   {
     limits.PlanesOverMemory = true;
     ok = this->RenderPlan(s, settings, viewport, limits, scene);
   }
   return ok;
+}
+
+//------------------------------------------------------------------------------
+// Records are tried again if something else is drawn, or in another size: each try makes the
+// shaders of all mappers again.
+std::array<size_t, 3> PassRenderer::RecordsKey(const Scene& scene)
+{
+  return { static_cast<size_t>(scene.Rays.GetWidth()), static_cast<size_t>(scene.Rays.GetHeight()),
+    scene.Props.GetProps().size() };
 }
 
 //------------------------------------------------------------------------------
@@ -298,7 +315,7 @@ void PassRenderer::Recover()
   if (vtkOpenGLRenderWindow* window = this->Context->GetContext())
   {
     RestoreState(window);
-    if (!this->CurrentFrame.IsOverBudget())
+    if (this->CurrentFrame.GetExcess() == Frame::Excess::None)
     {
       this->CurrentFrame.ReleaseObjects(window);
     }

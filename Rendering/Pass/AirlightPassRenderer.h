@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,7 @@ public:
 private:
   struct Scene;
 
+  static std::array<size_t, 3> RecordsKey(const Scene& scene);
   bool RenderFrame(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderPlan(const vtkRenderState* s, const Settings& settings, const Viewport& viewport,
     const FrameLimits& limits, Scene& scene);
@@ -89,6 +91,7 @@ private:
   vtkNew<AirlightContext> Context;
   vtkNew<vtkParticipatingMedium> Vacuum;
   std::string Error;
+  std::array<size_t, 3> TooManyRecords{}; // the RecordsKey() of a scene that had
 };
 }
 

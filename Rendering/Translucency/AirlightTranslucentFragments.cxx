@@ -134,11 +134,13 @@ TranslucentFragments::Outcome TranslucentFragments::Check()
     this->ReadTiles();
     return Outcome::Done;
   }
-  const std::uint32_t most = MostBytes / this->GetRecordBytes();
+  const auto most = static_cast<std::uint32_t>(
+    std::min<GLint64>(MostBytes, GetLargestStorageBlock()) / this->GetRecordBytes());
   if (count >= most)
   {
     this->Error = NoMemory(std::to_string(count) + " translucent fragments");
-    return Outcome::Failed;
+    this->Clear();
+    return Outcome::TooMany;
   }
   if (!this->Reserve(std::min(count + count / 4 + 1, most)))
   {

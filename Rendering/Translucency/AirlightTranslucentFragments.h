@@ -57,7 +57,8 @@ public:
   {
     Done,
     Again,
-    Failed // with a reason in GetError()
+    TooMany, // for a buffer of the graphics card; then and
+    Failed   // with a reason in GetError()
   };
   Outcome Check();
 

@@ -143,6 +143,7 @@ void TestGeometryPasses()
   Check(gaussians.Make().SingleGeometryPass, "Gaussians over the medium: one pass for the others");
   gaussians.Properties.View = DebugView::AirlightOnly;
   Check(!gaussians.Make().SingleGeometryPass, "Gaussians among the others: two passes");
+  Check(!gaussians.Make().AllOpaque, "Gaussians among the others: they blend");
 }
 
 //------------------------------------------------------------------------------
@@ -201,13 +202,22 @@ void TestOutputs()
   scene.Properties.Technique = ShadowTechnique::Automatic;
   scene.Limits.StorageBuffers = false;
   Check(scene.Make().Translucent && !scene.Make().TranslucentFragments, "not below OpenGL 4.3");
+  scene.Limits.StorageBuffers = true;
+  Check(!scene.Make().RecordsOverMemory, "there is room for records");
+  scene.Limits.RecordsOverMemory = true;
+  plan = scene.Make();
+  Check(plan.Translucent && !plan.TranslucentFragments && plan.RecordsOverMemory,
+    "too many fragments have none");
+  scene.Limits.RecordsOverMemory = false;
 
   scene.Properties.ScatteredSurfaceLight = true;
   Check(scene.Make().ScatteredSurfaceLight, "surfaces are lit by scattered light");
   scene.Scene.DensityImage = true;
   Check(!scene.Make().ScatteredSurfaceLight, "not in an image of density");
 
+  Check(scene.Make().VolumeNodes == 2, "without volumes there are as few nodes as can be");
   scene.Scene.Volumes = 1;
+  Check(scene.Make().VolumeNodes == 16, "rays through volumes have sixteen nodes");
   scene.Properties.MemoryLimit = 1;
   Check(scene.Make().VolumeNodes == 2, "rays through volumes have two nodes at least");
 }
