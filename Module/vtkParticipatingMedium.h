@@ -129,9 +129,10 @@ public:
   /**
    * The phase function. Default: ISOTROPIC. Isotropic, Rayleigh's and Schlick's functions are exact
    * in closed form. Henyey and Greenstein's, Cornette and Shanks' and tables are fitted, see
-   * SetPhaseTolerance(). Mie's are evaluated exactly and integrated by quadrature, since a few poles
-   * cannot represent their high powers without losing digits. The pass integrates them as fast as
-   * the others for point lights in one uniform medium; elsewhere they cost more.
+   * SetPhaseTolerance(). Mie's are evaluated exactly and integrated by quadrature, since a few
+   * poles cannot represent their high powers without losing digits. In the air before opaque
+   * surfaces, the pass integrates them as fast as the others for point lights in one uniform
+   * medium; elsewhere they cost more.
    *
    * OBJECT selects the object given last, see below; without one it is an error. Other numbers are
    * errors, too, and the old function is kept.

@@ -126,6 +126,7 @@ void CasterCache::AddProp(const SceneProp& prop)
 //------------------------------------------------------------------------------
 void CasterCache::AddOther(const ScenePart& part, vtkProp* owner)
 {
+  part.Actor->GetMapper()->Update();
   const NonPolygonalCaster other(part.Actor, owner, part.ToWorld);
   if (part.Actor->HasOpaqueGeometry() && !other.GetCorners().empty())
   {

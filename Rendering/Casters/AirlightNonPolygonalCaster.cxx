@@ -3,11 +3,15 @@
 #include "Casters/AirlightNonPolygonalCaster.h"
 
 #include "Integration/AirlightMatrix.h"
+#include "Scene/AirlightClassTraits.h"
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -20,19 +24,30 @@ namespace
 {
 vtkMTimeType GetTime(vtkObject* object) { return object ? object->GetMTime() : 0; }
 
-// Blocks, sources of glyphs and observers that set uniforms may change what is drawn without a
-// trace. Actors are modified by the assemblies that draw them.
+// Whether what a mapper draws may change without a trace in its time: by blocks, sources of glyphs,
+// clipping planes that move, functions of point Gaussians, and observers that set uniforms.
+bool MayChangeUnseen(vtkMapper* mapper)
+{
+  auto* gaussians = vtkPointGaussianMapper::SafeDownCast(mapper);
+  return !vtkPolyDataMapper::SafeDownCast(mapper) ||
+    !vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) ||
+    (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0) ||
+    (gaussians && (gaussians->GetScaleFunction() || gaussians->GetScalarOpacityFunction())) ||
+    mapper->HasObserver(vtkCommand::UpdateShaderEvent);
+}
+
+// Other actors may draw with other mappers than theirs. An actor's own time changes with the
+// assembly that draws it.
 std::array<vtkMTimeType, 6> GetTimes(vtkActor* actor)
 {
-  auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
-  auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
-  if (!data || mapper->HasObserver(vtkCommand::UpdateShaderEvent))
+  vtkMapper* mapper = actor->GetMapper();
+  if (!HasTrait(actor, ClassTrait::DrawsItself) || MayChangeUnseen(mapper))
   {
     return {};
   }
-  return { mapper->GetMTime(), data->GetMTime(), actor->GetProperty()->GetMTime(),
-    GetTime(actor->GetBackfaceProperty()), GetTime(actor->GetTexture()),
-    actor->GetShaderProperty()->GetMTime() };
+  return { mapper->GetMTime(), mapper->GetInputDataObject(0, 0)->GetMTime(),
+    actor->GetProperty()->GetMTime(), GetTime(actor->GetBackfaceProperty()),
+    GetTime(actor->GetTexture()), actor->GetShaderProperty()->GetMTime() };
 }
 }
 

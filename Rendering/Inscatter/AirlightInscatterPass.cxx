@@ -36,8 +36,9 @@ bool InscatterPass::Fail(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-// Records of translucent fragments take the closed form. What is behind them does not, so that it
-// is the same to the last bit with and without them; where both take it, one draw does both.
+// Records of translucent fragments take the closed form, or quadrature. If what is behind them
+// takes equiangular quadrature, they have a draw of their own, so that it is the same to the last
+// bit with and without them; else one draw does both.
 bool InscatterPass::Draw(const FrameScene& scene, const InscatterOptions& options,
   const InscatterTargets& targets, LightShadows& shadows, int light)
 {

@@ -52,7 +52,7 @@ public:
   // Whether rays take equiangular quadrature instead of the closed form.
   bool IsEquiangular() const { return this->Equiangular; }
 
-  // Translucent fragments take the closed form.
+  // Translucent fragments do without equiangular quadrature.
   std::string GetSource(const InscatterDraw& draw, RayPart part) const;
   void SetUniforms(vtkShaderProgram* program, const InscatterDraw& draw, RayPart part) const;
 

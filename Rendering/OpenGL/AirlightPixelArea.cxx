@@ -11,7 +11,23 @@ namespace
 {
 constexpr size_t MostAreas = 64;
 
-// Runs of tiles in a row; those of the row below it that have the same ends grow instead.
+// A run in the row below that has the same ends grows instead.
+void AddRun(std::vector<PixelArea>& areas, const PixelArea& run)
+{
+  const auto below = std::find_if(areas.begin(), areas.end(), [&run](const PixelArea& area) {
+    return area.X == run.X && area.Width == run.Width && area.Y + area.Height == run.Y;
+  });
+  if (below != areas.end())
+  {
+    below->Height += run.Height;
+  }
+  else
+  {
+    areas.push_back(run);
+  }
+}
+
+// Runs of tiles, row by row, until there are too many.
 std::vector<PixelArea> Cover(
   const std::vector<unsigned int>& marks, bool marked, int side, int width, int height)
 {
@@ -20,28 +36,20 @@ std::vector<PixelArea> Cover(
     return column < across && (marks[row * across + column] != 0) == marked;
   };
   std::vector<PixelArea> areas;
-  for (int row = 0; row * side < height; ++row)
+  for (int row = 0; row * side < height && areas.size() <= MostAreas; ++row)
   {
     const int y = row * side;
     const int rows = std::min(side, height - y);
-    for (int column = 0; column < across; ++column)
+    for (int column = 0; column < across && areas.size() <= MostAreas; ++column)
     {
       const int first = column;
       while (isWanted(column, row))
       {
         ++column;
       }
-      const PixelArea run{ first * side, y, std::min(column * side, width) - first * side, rows };
-      const auto below = std::find_if(areas.begin(), areas.end(), [&run](const PixelArea& area) {
-        return area.X == run.X && area.Width == run.Width && area.Y + area.Height == run.Y;
-      });
-      if (column > first && below != areas.end())
+      if (column > first)
       {
-        below->Height += rows;
-      }
-      else if (column > first)
-      {
-        areas.push_back(run);
+        AddRun(areas, { first * side, y, std::min(column * side, width) - first * side, rows });
       }
     }
   }

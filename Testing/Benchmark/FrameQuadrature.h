@@ -14,8 +14,8 @@ namespace benchmarks
 const char* const Neighbour = "closed form, ";
 
 /**
- * Scenes whose airlight is integrated by quadrature, each beside a neighbour of closed form: a light
- * just outside a region and one inside it, a tabulated phase function and a smooth one, and so on.
+ * Scenes whose airlight is integrated by quadrature, each beside a neighbour of closed form: a
+ * light just outside a region and one inside it, Mie's phase function and one that is fitted.
  * `fill`: what is seen, with one light.
  */
 std::vector<SceneRecipe> MakeQuadratureRecipes(const std::function<void(FrameScene&)>& fill);

@@ -101,6 +101,21 @@ void TestDistances()
   trial.CheckGood("programs for distances again");
 }
 
+// They make the records of translucent fragments, too.
+void TestRecords()
+{
+  WindowScene scene(48, 36, 1);
+  scene.Cube->GetProperty()->SetOpacity(0.5);
+  scene.Window->Render();
+  Restart(scene); // see TestLayers()
+  Trial trial(scene);
+  Restart(scene);
+  RefuseShaders("#define AIRLIGHT_COLLECT_PASS");
+  scene.Window->Render();
+  trial.CheckGood("no programs for records alone");
+  Check(RefuseShaders("") > 0, "programs for records were refused");
+}
+
 // VTK alone blends translucent surfaces otherwise in a window's second context than in its first,
 // by 1/255. So the trial begins with a second one.
 void TestLayers()
@@ -180,6 +195,7 @@ int TestFaultsShaders(int, char*[])
   TestLists();
   TestOthers();
   TestDistances();
+  TestRecords();
   TestLayers();
   TestMap();
   TestMapper();

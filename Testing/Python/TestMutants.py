@@ -59,8 +59,8 @@ def has_test(name):
         return script in {"Open", "Faults", "Kept"} | {str(first) for first in range(0, 5000, 500)}
     return any((ROOT / folder / script).with_suffix(suffix).exists() for folder, suffix in (
         ("Testing/Cxx/Module", ".cxx"), ("Testing/Cxx/Filters", ".cxx"),
-        ("Testing/Cxx/Rendering", ".cxx"), ("Testing/Faults", ".cxx"), ("Testing/Python", ".py"),
-        ("ParaView/Testing", ".py")))
+        ("Testing/Cxx/Rendering", ".cxx"), ("Testing/Cxx/Composition", ".cxx"),
+        ("Testing/Faults", ".cxx"), ("Testing/Python", ".py"), ("ParaView/Testing", ".py")))
 
 
 class TestMutants(unittest.TestCase):

@@ -76,7 +76,8 @@ struct MatrixCell
   // What the headers of vtkAirlight and vtkParticipatingMedium say of point lights, spots and
   // directional lights, and of phase functions that are poles or not; along a ray, a directional
   // light has one angle.
-  bool HasClosedForm(bool lightInside, vtkParticipatingMedium* medium) const
+  // `mieToo`: or would have one but for Mie's function, which the pass integrates as exactly.
+  bool HasClosedForm(bool lightInside, vtkParticipatingMedium* medium, bool mieToo = false) const
   {
     const bool uniform = this->Density == vtkParticipatingMedium::UNIFORM;
     const bool unbounded = this->Region == vtkParticipatingMedium::UNBOUNDED;
@@ -89,8 +90,8 @@ struct MatrixCell
       return unbounded || (uniform && this->Region == vtkParticipatingMedium::BOX);
     }
     const bool mie = this->Phase == MATRIX_MIE_HAZY || this->Phase == MATRIX_MIE_MURKY;
-    const bool poles = !mie && medium->GetNumberOfPhasePoles() > 0;
-    return uniform && (unbounded || lightInside) && poles &&
+    const bool smooth = mie ? mieToo : medium->GetNumberOfPhasePoles() > 0;
+    return uniform && (unbounded || lightInside) && smooth &&
       (this->Light == MATRIX_POINT || this->Light == MATRIX_SPOT);
   }
 

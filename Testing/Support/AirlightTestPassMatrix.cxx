@@ -57,7 +57,7 @@ void PassMatrix::Place(const MatrixCell& cell, bool parallel, bool plane, bool l
   }
   this->Scene.Light->SetColor(4.0, 7.0, 2.0);
   this->Scene.Actor->SetVisibility(plane);
-  this->Closed = cell.HasClosedForm(lightInside, medium);
+  this->Closed = cell.HasClosedForm(lightInside, medium, true);
 }
 
 //------------------------------------------------------------------------------

@@ -135,8 +135,8 @@ AIRLIGHT_FN AirlightEquiangular airlightEquiangularRange(
 
 // How far the ray may turn from an angle `left` to its direction, for a phase function's peaks:
 // poles lie about 2 b off the real angles before the forward direction, and 2/b before the backward
-// one. A power n of half the cosine is close to a normal distribution of the deviation sqrt(2/n), of
-// which eight nodes follow three.
+// one. A power n of half the cosine is close to a normal distribution of the deviation sqrt(2/n),
+// of which eight nodes follow three.
 AIRLIGHT_FN real airlightSmoothAngle(AIRLIGHT_IN(AirlightPhase) phase, real left)
 {
   real length = real(4.0);

@@ -6,6 +6,7 @@
 #include "Scene/AirlightClassTraits.h"
 
 #include "vtkActor.h"
+#include "vtkAssembly.h"
 #include "vtkCompositePolyDataMapper2.h"
 #include "vtkDataSetMapper.h"
 #include "vtkDefaultPass.h"
@@ -13,6 +14,7 @@
 #include "vtkFollower.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkMultiVolume.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
@@ -83,7 +85,9 @@ int TestClassTraits(int, char*[])
   CheckTraits(vtkNew<vtkActor>(), { T::DrawsItsMapper, T::DrawsItself });
   CheckTraits(vtkNew<DerivedActor>(), {});
   CheckTraits(vtkNew<vtkFollower>(), {});
-  CheckTraits(vtkNew<vtkVolume>(), {});
+  CheckTraits(vtkNew<vtkVolume>(), { T::NothingOpaque });
+  CheckTraits(vtkNew<vtkMultiVolume>(), { T::NothingOpaque });
+  CheckTraits(vtkNew<vtkAssembly>(), { T::DrawsItsParts });
   CheckTraits(vtkNew<vtkPolyDataMapper>(),
     { T::InjectableShaders, T::DrawsItsInput, T::UsesItsProperty, T::OneProgram });
   CheckTraits(vtkNew<DerivedMapper>(), {});

@@ -130,7 +130,7 @@ bool TestSum(int lights, bool surfaces)
 void TestTogether(const std::string& name, int technique, bool casts)
 {
   Scene scene(80, 60);
-  Fill(scene, 20);
+  Fill(scene, 40); // more than have their bits in one channel
   scene.Pass->SetShadowTechnique(technique);
   vtkActorCollection* actors = scene.Renderer->GetActors();
   actors->InitTraversal();
@@ -157,6 +157,7 @@ int TestManyLights(int, char*[])
   const bool tooMany = TestSum(100, false);
   TestTogether("no shadows", vtkAirlightPass::NONE, true);
   TestTogether("shadow planes", vtkAirlightPass::SHADOW_PLANES, true);
+  TestTogether("shadow maps without casters", vtkAirlightPass::SHADOW_MAP, false);
   TestTogether("shadow planes without casters", vtkAirlightPass::SHADOW_PLANES, false);
   return many && tooMany && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

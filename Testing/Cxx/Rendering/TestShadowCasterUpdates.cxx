@@ -16,8 +16,13 @@
 #include "vtkAssembly.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCubeSource.h"
+#include "vtkDoubleArray.h"
+#include "vtkFollower.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkOpenGLPointGaussianMapper.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
 #include "vtkShaderProperty.h"
 #include "vtkStripper.h"
 
@@ -185,6 +190,23 @@ void TestGaussians()
     s.Points->SetPoint(1, -1.0, 0.5, 0.0);
     s.Points->Modified();
   });
+  vtkNew<vtkDoubleArray> sizes;
+  sizes->SetName("sizes");
+  sizes->InsertNextValue(1.0);
+  sizes->InsertNextValue(1.0);
+  scene.Mapper->GetInput()->GetPointData()->AddArray(sizes);
+  scene.Mapper->SetScaleArray("sizes");
+  vtkNew<vtkPiecewiseFunction> scale;
+  scale->AddPoint(0.0, 0.2);
+  scale->AddPoint(2.0, 0.2);
+  TestGaussianChange(
+    scene, "scale function", [&](GaussianScene& s) { s.Mapper->SetScaleFunction(scale); });
+  TestGaussianChange(scene, "values of the scale function", [&](GaussianScene&) {
+    scale->AddPoint(0.0, 0.8);
+    scale->AddPoint(2.0, 0.8);
+  });
+  scene.Mapper->SetScaleFunction(nullptr);
+  scene.Mapper->SetScaleArray(nullptr);
   TestGaussianChange(scene, "part", [](GaussianScene& s) { s.Actor->AddPosition(0.5, 0.0, 0.0); });
   TestGaussianChange(
     scene, "assembly", [](GaussianScene& s) { s.Assembly->AddPosition(0.0, 0.0, 0.8); });
@@ -241,6 +263,16 @@ void TestUnknown()
   vtkNew<vtkCallbackCommand> observer;
   scene.Mapper->AddObserver(vtkCommand::UpdateShaderEvent, observer);
   Check(!make().DrawsAs(make()), "an observer that may set uniforms");
+  scene.Mapper->RemoveAllObservers();
+  Check(make().DrawsAs(make()), "no observer");
+  vtkNew<vtkPlane> plane;
+  scene.Mapper->AddClippingPlane(plane);
+  Check(!make().DrawsAs(make()), "clipping planes, which may move");
+  scene.Mapper->RemoveAllClippingPlanes();
+  vtkNew<vtkFollower> follower;
+  follower->SetMapper(scene.Mapper);
+  const NonPolygonalCaster other(follower, follower, follower->GetMatrix());
+  Check(!other.DrawsAs(other), "an actor that may draw something else");
   vtkNew<vtkGlyph3DMapper> glyphs;
   glyphs->SetInputDataObject(scene.Mapper->GetInput());
   scene.Actor->SetMapper(glyphs);
