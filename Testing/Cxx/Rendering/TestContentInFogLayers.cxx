@@ -184,6 +184,9 @@ int TestContentInFogLayers(int, char*[])
     CheckSplat(fog, emissive, delegate);
   }
   fog.Pass->SetDelegatePass(nullptr);
+  fog.Renderer->UseHiddenLineRemovalOn(); // for which VTK draws the renderer's own list of props
+  CheckSplat(fog, false, nullptr);
+  fog.Renderer->UseHiddenLineRemovalOff();
   TestAnnotations(fog);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
