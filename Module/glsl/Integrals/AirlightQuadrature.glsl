@@ -108,7 +108,7 @@ AIRLIGHT_FN real3 airlightPointIntegrand(AIRLIGHT_IN(AirlightMedia) media,
   real3 point = ray.origin + t * ray.direction;
   real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
     AIRLIGHT_LIGHT_DEPTH(media, light, point);
-  return airlightScattered(media, piece, point, -x / r) * exp(-depth) *
+  return airlightScattered(media, piece, point, -x / r) * airlightTransmittanceOf(depth) *
     airlightFalloff(light, point, r);
 }
 
@@ -120,7 +120,8 @@ AIRLIGHT_FN real3 airlightSunIntegrand(AIRLIGHT_IN(AirlightMedia) media,
   real3 point = ray.origin + t * ray.direction;
   real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
     AIRLIGHT_SUN_DEPTH(media, light, point);
-  return airlightScattered(media, piece, point, dot(light.position, ray.direction)) * exp(-depth);
+  return airlightScattered(media, piece, point, dot(light.position, ray.direction)) *
+    airlightTransmittanceOf(depth);
 }
 
 // The integrand over v. `straight`: v is t, for lights at infinity, and for lights at a place on

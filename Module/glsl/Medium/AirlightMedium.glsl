@@ -110,3 +110,14 @@ AIRLIGHT_FN bool airlightIsGrey(AIRLIGHT_IN(AirlightMedium) medium)
   return medium.sigmaT.x == medium.sigmaT.y && medium.sigmaT.x == medium.sigmaT.z;
 #endif
 }
+
+// What is left of light after these optical depths. Shaders know whether all channels fade alike;
+// what the depths of the others take is left out then, too.
+AIRLIGHT_FN real3 airlightTransmittanceOf(real3 depth)
+{
+#if defined(AIRLIGHT_GREY) && AIRLIGHT_GREY
+  return real3(exp(-depth.x));
+#else
+  return exp(-depth);
+#endif
+}

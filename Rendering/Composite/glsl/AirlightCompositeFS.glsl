@@ -44,11 +44,7 @@ void main()
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
   float end = parameter >= 0.0 ? unit * parameter : AIRLIGHT_FAR;
-#if AIRLIGHT_GREY
-  vec3 passes = vec3(exp(-airlightDepth(media, origin, direction, end).x));
-#else
-  vec3 passes = exp(-airlightDepth(media, origin, direction, end));
-#endif
+  vec3 passes = airlightTransmittanceOf(airlightDepth(media, origin, direction, end));
 #if AIRLIGHT_AMBIENT
   vec3 ambient = airlightAmbient(media, origin, direction, end);
 #else
