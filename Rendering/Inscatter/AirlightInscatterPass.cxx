@@ -77,6 +77,22 @@ Quad& InscatterPass::GetQuad(const LightShadow& shadow, const InscatterDraw& dra
 }
 
 //------------------------------------------------------------------------------
+vtkShaderProgram* InscatterPass::Begin(
+  const FrameScene& scene, const InscatterTargets& targets, Quad& quad, const std::string& source)
+{
+  vtkShaderProgram* program = quad.GetOrCompile(scene.Window, source);
+  const std::string reason = program
+    ? targets.Bind(targets.Scattered, nullptr)
+    : std::string("the airlight shader") + ProgramMaker::GetReason();
+  if (!reason.empty())
+  {
+    this->Fail(reason);
+    return nullptr;
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
 bool InscatterPass::DrawPixels(const FrameScene& scene, const InscatterTargets& targets,
   const InscatterShader& shader, LightShadow& shadow, const InscatterDraw& draw, RayPart part,
   const std::vector<PixelArea>& areas)
@@ -86,15 +102,10 @@ bool InscatterPass::DrawPixels(const FrameScene& scene, const InscatterTargets& 
     return true;
   }
   Quad& quad = this->GetQuad(shadow, draw, part);
-  vtkShaderProgram* program = quad.GetOrCompile(scene.Window, shader.GetSource(draw, part));
+  vtkShaderProgram* program = this->Begin(scene, targets, quad, shader.GetSource(draw, part));
   if (!program)
   {
-    return this->Fail(std::string("the airlight shader") + ProgramMaker::GetReason());
-  }
-  const std::string reason = targets.Bind(targets.Scattered, nullptr);
-  if (!reason.empty())
-  {
-    return this->Fail(reason);
+    return false;
   }
   shader.SetUniforms(program, draw, part);
   LightShadow::Textures textures{ { "distances", targets.Distances },
@@ -119,15 +130,10 @@ bool InscatterPass::DrawUnshadowed(
 {
   Quad& quad = this->Unshadowed[lights.size() - 1];
   vtkShaderProgram* program =
-    quad.GetOrCompile(scene.Window, InscatterShader::GetUnshadowedSource(scene, lights));
+    this->Begin(scene, targets, quad, InscatterShader::GetUnshadowedSource(scene, lights));
   if (!program)
   {
-    return this->Fail(std::string("the airlight shader") + ProgramMaker::GetReason());
-  }
-  const std::string reason = targets.Bind(targets.Scattered, nullptr);
-  if (!reason.empty())
-  {
-    return this->Fail(reason);
+    return false;
   }
   InscatterShader::SetUnshadowedUniforms(program, scene, lights);
   DrawAdded(scene, quad, { { "distances", targets.Distances }, { "airlightData", scene.Data } },

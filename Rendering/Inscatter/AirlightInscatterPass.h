@@ -38,6 +38,10 @@ public:
 
 private:
   bool Fail(const std::string& reason);
+
+  // The program of a quad that draws into the targets, which are bound; null where that fails.
+  vtkShaderProgram* Begin(const FrameScene& scene, const InscatterTargets& targets, Quad& quad,
+    const std::string& source);
   bool DrawPixels(const FrameScene& scene, const InscatterTargets& targets,
     const InscatterShader& shader, LightShadow& shadow, const InscatterDraw& draw, RayPart part,
     const std::vector<PixelArea>& areas);

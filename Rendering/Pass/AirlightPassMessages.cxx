@@ -7,7 +7,6 @@
 #include "Medium/AirlightMediaList.h"
 #include "Pass/AirlightSceneSupport.h"
 #include "Photometry/AirlightLightProperties.h"
-#include "ShadowVolumes/AirlightShadowLists.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
