@@ -6,10 +6,8 @@
 #include "FrameWindow.h"
 
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
 #include "vtkAirlight.h"
 #include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkProperty.h"
 
 #include <cstdlib>
@@ -19,16 +17,6 @@ namespace benchmarks
 {
 namespace
 {
-vtkActor* GetBall(FrameScene& scene)
-{
-  return vtkActor::SafeDownCast(scene.Renderer->GetActors()->GetItemAsObject(0));
-}
-
-vtkLight* GetLamp(FrameScene& scene)
-{
-  return vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
-}
-
 struct Change
 {
   const char* Name;
@@ -37,14 +25,15 @@ struct Change
 
 const Change Numbers[] = {
   { "extinction", [](FrameScene& scene) { scene.Medium->SetScattering(0.05, 0.05, 0.05); } },
-  { "lamp-moves", [](FrameScene& scene) { GetLamp(scene)->SetPosition(1.0, 5.0, 0.3); } },
+  { "lamp-moves", [](FrameScene& scene) { scene.GetFirstLamp()->SetPosition(1.0, 5.0, 0.3); } },
   { "lamp-dims",
     [](FrameScene& scene) {
       const double intensity[3] = { 10.0, 20.0, 30.0 };
-      vtkAirlight::SetRadiantIntensity(GetLamp(scene), intensity);
+      vtkAirlight::SetRadiantIntensity(scene.GetFirstLamp(), intensity);
     } },
-  { "ball-moves", [](FrameScene& scene) { GetBall(scene)->AddPosition(0.3, 0.2, 0.1); } },
-  { "colour", [](FrameScene& scene) { GetBall(scene)->GetProperty()->SetColor(0.2, 0.9, 0.4); } },
+  { "ball-moves", [](FrameScene& scene) { scene.GetFirstActor()->AddPosition(0.3, 0.2, 0.1); } },
+  { "colour",
+    [](FrameScene& scene) { scene.GetFirstActor()->GetProperty()->SetColor(0.2, 0.9, 0.4); } },
   { "window", [](FrameScene& scene) { scene.Window->SetSize(760, 570); } },
 };
 
@@ -69,12 +58,13 @@ const Change Kinds[] = {
   { "second-lamp", [](FrameScene& scene) { scene.AddLamp(-2.0, 4.0, 1.0); } },
   { "spot",
     [](FrameScene& scene) {
-      GetLamp(scene)->SetPositional(true);
-      GetLamp(scene)->SetConeAngle(30.0);
-      GetLamp(scene)->SetExponent(0.0);
+      scene.GetFirstLamp()->SetPositional(true);
+      scene.GetFirstLamp()->SetConeAngle(30.0);
+      scene.GetFirstLamp()->SetExponent(0.0);
     } },
-  { "sun", [](FrameScene& scene) { GetLamp(scene)->SetPositional(false); } },
-  { "translucent", [](FrameScene& scene) { GetBall(scene)->GetProperty()->SetOpacity(0.5); } },
+  { "sun", [](FrameScene& scene) { scene.GetFirstLamp()->SetPositional(false); } },
+  { "translucent",
+    [](FrameScene& scene) { scene.GetFirstActor()->GetProperty()->SetOpacity(0.5); } },
 };
 }
 

@@ -4,7 +4,6 @@
 
 #include "vtkAirlightLight.h"
 #include "vtkLight.h"
-#include "vtkLightCollection.h"
 
 #include <stdexcept>
 #include <string>
@@ -13,11 +12,6 @@ namespace benchmarks
 {
 namespace
 {
-vtkLight* GetLamp(FrameScene& scene)
-{
-  return vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
-}
-
 // The light is at a height of 4.5.
 void SetBox(FrameScene& scene, double top)
 {
@@ -35,7 +29,7 @@ void SetSphere(FrameScene& scene, double radius)
 
 void SetHeightFog(FrameScene& scene)
 {
-  GetLamp(scene)->SetPositional(false);
+  scene.GetFirstLamp()->SetPositional(false);
   scene.Medium->SetDensityToExponentialHeight();
   scene.Medium->SetScaleHeight(3.0);
 }
@@ -43,7 +37,7 @@ void SetHeightFog(FrameScene& scene)
 void SetPhotometry(FrameScene& scene)
 {
   const std::string path = AIRLIGHT_TEST_DATA "/Photometry/downlight.ies";
-  if (!vtkAirlightLight::SetPhotometry(GetLamp(scene), path.c_str()))
+  if (!vtkAirlightLight::SetPhotometry(scene.GetFirstLamp(), path.c_str()))
   {
     throw std::runtime_error("cannot read the photometric file " + path);
   }

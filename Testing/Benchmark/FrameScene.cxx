@@ -121,6 +121,17 @@ vtkLight* FrameScene::AddLamp(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
+vtkActor* FrameScene::GetFirstActor()
+{
+  return vtkActor::SafeDownCast(this->Renderer->GetActors()->GetItemAsObject(0));
+}
+
+vtkLight* FrameScene::GetFirstLamp()
+{
+  return vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
+}
+
+//------------------------------------------------------------------------------
 FrameScene::~FrameScene() { this->Window->RemoveRenderer(this->Renderer); }
 
 //------------------------------------------------------------------------------
@@ -204,11 +215,10 @@ void FrameScene::Turn(const Way& way)
   this->Renderer->GetActiveCamera()->Azimuth(angle);
   if (way.Moves)
   {
-    auto* lamp = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
+    vtkLight* lamp = this->GetFirstLamp();
     const double* p = lamp->GetPosition();
     lamp->SetPosition(p[0] + 0.1 * angle, p[1], p[2] + 0.05 * angle);
-    auto* actor = vtkActor::SafeDownCast(this->Renderer->GetActors()->GetItemAsObject(0));
-    actor->AddPosition(0.1 * angle, 0.0, 0.0);
+    this->GetFirstActor()->AddPosition(0.1 * angle, 0.0, 0.0);
   }
 }
 

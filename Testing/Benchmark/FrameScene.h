@@ -83,6 +83,10 @@ public:
   vtkActor* Add(vtkPolyData* data);
   vtkLight* AddLamp(double x, double y, double z);
 
+  // The first of those.
+  vtkActor* GetFirstActor();
+  vtkLight* GetFirstLamp();
+
   vtkIdType CountTriangles();
 
   // Of all actors that draw vtkPolyData in all lights of the scene, as vtkSilhouetteEdgesFilter
