@@ -6,7 +6,7 @@
 #include "Medium/AirlightMediaMethods.h"
 #include "Reference/AirlightReferencePicture.h"
 #include "Reference/AirlightReferenceTracer.h"
-#include "Scene/AirlightAbort.h"
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkAirlightLight.h"
 
 #include "vtkCamera.h"

@@ -3,7 +3,7 @@
 #include "vtkShadowPlanesFilter.h"
 
 #include "Medium/AirlightConvert.h"
-#include "Scene/AirlightAbort.h"
+#include "Scene/AirlightVTKVersions.h"
 #include "Silhouette/AirlightWritePieces.h"
 
 #include "vtkObjectFactory.h"

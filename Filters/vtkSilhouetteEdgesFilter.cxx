@@ -3,7 +3,7 @@
 #include "vtkSilhouetteEdgesFilter.h"
 
 #include "Medium/AirlightConvert.h"
-#include "Scene/AirlightAbort.h"
+#include "Scene/AirlightVTKVersions.h"
 #include "Silhouette/AirlightMeshCache.h"
 #include "Silhouette/AirlightWritePieces.h"
 #include "Silhouette/AirlightSilhouette.h"

@@ -10,7 +10,7 @@
 
 #include "Medium/AirlightConvert.h"
 #include "Occlusion/AirlightOccluders.h"
-#include "Scene/AirlightAbort.h"
+#include "Scene/AirlightVTKVersions.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkSMPTools.h"

@@ -4,12 +4,12 @@
 
 #include "Photometry/AirlightLightProperties.h"
 #include "Reference/AirlightReferenceMesh.h"
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkAirlightLight.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +21,6 @@ namespace
 {
 // What double precision resolves of the distance between a ray and a light, with some room.
 constexpr double RelativeRadius = 1e-12;
-
-// The least cosine by which VTK's mappers shade what is turned away from a headlight, since 9.2,
-// and the least of a specular reflection, since 9.3.
-constexpr double LeastToHeadlight = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0) ? 1e-6 : 0.0;
-constexpr double LeastReflection = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 1e-5 : 0.0;
 
 ReferenceLight Convert(
   vtkLight* light, const f64::AirlightMedia& media, const glm::dvec3& eye, double radius)

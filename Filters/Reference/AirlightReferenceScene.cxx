@@ -5,6 +5,7 @@
 #include "Reference/AirlightReferenceMesh.h"
 #include "Scene/AirlightClassTraits.h"
 #include "Scene/AirlightSceneProps.h"
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkActor.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -139,8 +140,7 @@ bool ReferenceScene::CanDraw(vtkActor* actor)
   note(actor->GetTexture() || property->GetNumberOfTextures() > 0, "textures");
   note(property->GetInterpolation() == VTK_PBR, "physically based shading");
   note(property->GetEdgeVisibility(), "edges of polygons");
-  note(mapper->IsA("vtkCompositePolyDataMapper2"),
-    "visibility and colours of single blocks (vtkCompositePolyDataMapper2)");
+  note(BlocksMapper::SafeDownCast(mapper), "visibility and colours of single blocks");
   return true;
 }
 

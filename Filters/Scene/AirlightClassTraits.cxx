@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/AirlightClassTraits.h"
 
+#include "Scene/AirlightVTKVersions.h"
+
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkMapper.h"
 
@@ -50,6 +52,8 @@ bool HasTrait(vtkObject* object, ClassTrait trait)
     { "vtkDataSetMapper", { T::InjectableShaders, T::DrawsItsInput, T::UsesItsProperty } },
     // Draws blocks, which may be hidden or have opacities of their own, and for each of which it
     // sets some uniforms.
+    { BlocksMapperName, { T::InjectableShaders, T::UsesItsProperty } },
+    // The same by its former name, which VTK 9.3 and 9.4 keep.
     { "vtkCompositePolyDataMapper2", { T::InjectableShaders, T::UsesItsProperty } },
     // Draws glyphs with helpers whose shaders are those of vtkPolyDataMapper.
     { "vtkOpenGLGlyph3DMapper", { T::InjectableShaders } },

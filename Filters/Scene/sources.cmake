@@ -7,5 +7,5 @@ airlight_sources(
     AirlightClassTraits
     AirlightSceneProps
   HEADERS
-    AirlightAbort.h
-    AirlightGeometryTimes.h)
+    AirlightGeometryTimes.h
+    AirlightVTKVersions.h)

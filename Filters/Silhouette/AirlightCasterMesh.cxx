@@ -7,9 +7,11 @@
 #include "Silhouette/AirlightMergedPoints.h"
 #include "Silhouette/AirlightParallel.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTypeInt64Array.h"
 
 #include <atomic>
 #include <memory>
@@ -44,13 +46,20 @@ public:
   explicit Corners(vtkCellArray* triangles)
     : Count(triangles->GetNumberOfCells())
   {
-    if (triangles->IsStorage64Bit())
+    vtkDataArray* ids = triangles->GetConnectivityArray();
+    if (auto* ids64 = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(ids))
     {
-      this->Ids64 = triangles->GetConnectivityArray64()->GetPointer(0);
+      this->Ids64 = ids64->GetPointer(0);
     }
-    else
+    else if (auto* ids32 = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(ids))
     {
-      this->Ids32 = triangles->GetConnectivityArray32()->GetPointer(0);
+      this->Ids32 = ids32->GetPointer(0);
+    }
+    else // from VTK 9.6 on cells may be kept in other ways
+    {
+      this->Copy = vtkSmartPointer<vtkTypeInt64Array>::New();
+      this->Copy->DeepCopy(ids);
+      this->Ids64 = this->Copy->GetPointer(0);
     }
   }
 
@@ -64,6 +73,7 @@ public:
   }
 
 private:
+  vtkSmartPointer<vtkTypeInt64Array> Copy;
   const vtkTypeInt64* Ids64 = nullptr;
   const vtkTypeInt32* Ids32 = nullptr;
   size_t Count = 0;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casters/AirlightCasterBlocks.h"
 
+#include "Scene/AirlightVTKVersions.h"
+
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkPolyData.h"
@@ -52,9 +53,9 @@ void AddBlocks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attribute
 //------------------------------------------------------------------------------
 std::vector<CasterBlock> GetBlocks(vtkCompositeDataSet* composite, vtkMapper* mapper)
 {
-  auto* mapper2 = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
+  auto* drawing = BlocksMapper::SafeDownCast(mapper);
   std::vector<CasterBlock> blocks;
-  AddBlocks(composite, mapper2 ? mapper2->GetCompositeDataDisplayAttributes() : nullptr, true, -1.0,
+  AddBlocks(composite, drawing ? drawing->GetCompositeDataDisplayAttributes() : nullptr, true, -1.0,
     blocks);
   return blocks;
 }

@@ -3,6 +3,7 @@
 #include "MapperShaders/AirlightMaterialSpecializations.h"
 
 #include "Scene/AirlightClassTraits.h"
+#include "Scene/AirlightVTKVersions.h"
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
@@ -31,7 +32,7 @@ MaterialSpecialization Find(vtkActor* actor)
   known.NoAmbient = property->GetAmbient() == 0.0;
   known.FullDiffuse = property->GetDiffuse() == 1.0;
   known.NoSpecular = property->GetSpecular() == 0.0;
-  known.Opaque = property->GetOpacity() == 1.0 && !mapper->IsA("vtkCompositePolyDataMapper2");
+  known.Opaque = property->GetOpacity() == 1.0 && !BlocksMapper::SafeDownCast(mapper);
   return known;
 }
 

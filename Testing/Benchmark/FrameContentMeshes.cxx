@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameContent.h"
 
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkActor.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkConeSource.h"
 #include "vtkContourFilter.h"
 #include "vtkCutter.h"
@@ -236,7 +236,7 @@ void AddBlocks(FrameScene& scene)
     blocks->SetBlock(
       i, MakeBall(0.4 * (i % 10) - 1.8, 0.2 + 0.4 * (i / 10 % 5), 0.5 * (i / 50) - 2.0, 0.12, 12));
   }
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<airlight::BlocksMapper> mapper;
   mapper->SetInputDataObject(blocks);
   AddMapper(scene, mapper);
 }

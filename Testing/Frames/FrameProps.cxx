@@ -8,11 +8,11 @@
 
 #include "RandomParts.h"
 
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkAppendFilter.h"
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkDataSetMapper.h"
 #include "vtkFollower.h"
 #include "vtkGlyph3DMapper.h"
@@ -146,7 +146,7 @@ void MakeComposite(FrameItem& item, Random& random)
   vtkNew<vtkPolyData> empty;
   blocks->SetBlock(1, empty);
   blocks->SetBlock(2, MakeFrameMesh(FRAME_CONE, random));
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<airlight::BlocksMapper> mapper;
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);
   mapper->SetInputDataObject(blocks);

@@ -20,11 +20,15 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkAssembly, vtkColorTransferFunction, vtkGlyph3DMapper, vtkLight, vtkLODProp3D,
     vtkPointGaussianMapper, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume,
     vtkVolumeProperty)
-from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401 draws volumes
 
 import airlight
+
+try:
+    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as BlocksMapper
+except ImportError:  # from VTK 9.5 on
+    from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as BlocksMapper
 
 PLACE = (0.0, 1.2, 0.0)
 
@@ -145,7 +149,7 @@ def make_composite():
     source.Update()
     blocks = vtkMultiBlockDataSet()
     blocks.SetBlock(0, source.GetOutput())
-    mapper = vtkCompositePolyDataMapper2()
+    mapper = BlocksMapper()
     mapper.SetInputDataObject(blocks)
     return make_actor(mapper)
 

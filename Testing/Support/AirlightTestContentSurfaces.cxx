@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestContent.h"
 
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkFloatArray.h"
 #include "vtkLineSource.h"
 #include "vtkMultiBlockDataSet.h"
@@ -170,7 +170,7 @@ void AddComposite(Scene& scene)
     blocks->SetBlock(i, Make(sphere));
   }
   const double green[3] = { 0.1, 0.9, 0.3 };
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<airlight::BlocksMapper> mapper;
   mapper->SetCompositeDataDisplayAttributes(attributes);
   mapper->SetInputDataObject(blocks);
   attributes->SetBlockColor(blocks->GetBlock(1), green);

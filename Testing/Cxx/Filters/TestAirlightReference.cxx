@@ -9,10 +9,10 @@
 #include "AirlightTestCompareScene.h"
 #include "AirlightTestScene.h"
 
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkAirlightReference.h"
 #include "vtkAssembly.h"
 #include "vtkCellData.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkConeSource.h"
 #include "vtkCylinderSource.h"
 #include "vtkDoubleArray.h"
@@ -180,7 +180,7 @@ void AddOthers(Scene& scene)
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, Make(ground));
   blocks->SetBlock(1, MakeSphere(0.3));
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<airlight::BlocksMapper> mapper;
   mapper->SetInputDataObject(blocks);
   scene.Renderer->AddActor(Scene::MakeActor(mapper));
 

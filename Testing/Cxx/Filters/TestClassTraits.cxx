@@ -5,9 +5,9 @@
 
 #include "Scene/AirlightClassTraits.h"
 
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkActor.h"
 #include "vtkAssembly.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkDataSetMapper.h"
 #include "vtkDefaultPass.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
@@ -93,7 +93,7 @@ int TestClassTraits(int, char*[])
   CheckTraits(vtkNew<DerivedMapper>(), {});
   CheckTraits(
     vtkNew<vtkDataSetMapper>(), { T::InjectableShaders, T::DrawsItsInput, T::UsesItsProperty });
-  CheckTraits(vtkNew<vtkCompositePolyDataMapper2>(), { T::InjectableShaders, T::UsesItsProperty });
+  CheckTraits(vtkNew<BlocksMapper>(), { T::InjectableShaders, T::UsesItsProperty });
   CheckTraits(vtkNew<vtkGlyph3DMapper>(), { T::InjectableShaders });
   CheckTraits(vtkNew<vtkPointGaussianMapper>(), {});
   CheckTraits(vtkNew<vtkDefaultPass>(), { T::OpaqueSurfaces });
@@ -102,7 +102,7 @@ int TestClassTraits(int, char*[])
   Check(DrawsItsPolygons(vtkNew<vtkPolyDataMapper>()), "polygons of vtkPolyDataMapper");
   Check(DrawsItsPolygons(vtkNew<DerivedMapper>()), "polygons of a derived mapper");
   Check(DrawsItsPolygons(vtkNew<vtkDataSetMapper>()), "polygons of vtkDataSetMapper");
-  Check(DrawsItsPolygons(vtkNew<vtkCompositePolyDataMapper2>()), "polygons of blocks");
+  Check(DrawsItsPolygons(vtkNew<BlocksMapper>()), "polygons of blocks");
   Check(!DrawsItsPolygons(vtkNew<vtkPointGaussianMapper>()), "point Gaussians");
   Check(!DrawsItsPolygons(vtkNew<vtkOpenGLSphereMapper>()), "imposters");
   Check(!DrawsItsPolygons(vtkNew<vtkGlyph3DMapper>()), "glyphs");

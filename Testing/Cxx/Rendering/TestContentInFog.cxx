@@ -6,9 +6,9 @@
 
 #include "AirlightTestContentFog.h"
 
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkAxesActor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkPropCollection.h"
 #include "vtkSkybox.h"
 
@@ -71,7 +71,7 @@ const std::vector<Content> Contents = {
     [](Fog& f) {
       AddEmissive(f, [](Scene& t) {
         AddComposite(t);
-        auto* mapper = vtkCompositePolyDataMapper2::SafeDownCast(
+        auto* mapper = airlight::BlocksMapper::SafeDownCast(
           t.Renderer->GetActors()->GetLastActor()->GetMapper());
         mapper->GetCompositeDataDisplayAttributes()->RemoveBlockOpacities();
       });

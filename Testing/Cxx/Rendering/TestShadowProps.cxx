@@ -7,11 +7,11 @@
 #include "AirlightTestBodies.h"
 #include "AirlightTestCompareScene.h"
 
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkAssembly.h"
 #include "vtkCellType.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositePolyDataMapper.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkConeSource.h"
 #include "vtkDataSetMapper.h"
 #include "vtkMultiBlockDataSet.h"
@@ -95,7 +95,7 @@ void TestBlocks()
   root->SetBlock(0, seen);
   root->SetBlock(1, group);
   root->SetBlock(2, hiddenGroup);
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<airlight::BlocksMapper> mapper;
   mapper->SetInputDataObject(root);
   mapper->ScalarVisibilityOff();
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;

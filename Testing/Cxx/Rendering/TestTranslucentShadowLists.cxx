@@ -8,9 +8,9 @@
 #include "AirlightTestCompareScene.h"
 #include "AirlightTestTools.h"
 
+#include "Scene/AirlightVTKVersions.h"
 #include "vtkAssembly.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkMultiBlockDataSet.h"
 
 #include <cstdlib>
@@ -172,7 +172,7 @@ void TestBlocks(Scene& scene)
   vtkNew<vtkMultiBlockDataSet> root;
   root->SetBlock(0, ball);
   root->SetBlock(1, sheet);
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<airlight::BlocksMapper> mapper;
   mapper->SetInputDataObject(root);
   mapper->ScalarVisibilityOff();
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
