@@ -53,6 +53,13 @@ vtk_module_include("${_vtk_build_module}"
 vtk_module_include("${_vtk_build_module}" SYSTEM
   PRIVATE "${AIRLIGHT_GLM_INCLUDE_DIR}" "${AIRLIGHT_EIGEN_INCLUDE_DIR}")
 
+vtk_module_link("${_vtk_build_module}"
+  PRIVATE ${CMAKE_DL_LIBS}) # vtkAirlightHeadlessWindow opens libEGL
+if (TARGET VTK::glew) # until VTK 9.3
+  vtk_module_link("${_vtk_build_module}"
+    PRIVATE VTK::glew)
+endif ()
+
 vtk_module_compile_features("${_vtk_build_module}"
   PUBLIC cxx_std_17)
 if (AIRLIGHT_WARNINGS) # not inside VTK, which has its own

@@ -2,5 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   CLASSES
+    vtkAirlightHeadlessWindow
     vtkAirlightPass
     vtkAirlightPolyDataMapper)

@@ -10,6 +10,7 @@
 #                    lists the files
 #   --with-analysis  the same, and clang-tidy for thorough checks, and gcovr for coverage
 #   --with-clang     also install Clang and its sanitizers, for fuzzing
+#   --with-wheel     also install what a wheel is built and tested with
 set -euo pipefail
 
 packages=(
@@ -23,7 +24,7 @@ packages=(
   # Python
   python3-vtk9 python3-numpy
   # to render without a screen
-  xvfb xauth libgl1-mesa-dri
+  xvfb xauth libgl1-mesa-dri libegl-dev libegl1 libegl-mesa0
 )
 
 for option in "$@"; do
@@ -32,6 +33,7 @@ for option in "$@"; do
     --with-doxygen) packages+=(doxygen) ;;
     --with-checks) packages+=(git cppcheck shellcheck pyflakes3) ;;
     --with-analysis) packages+=(git cppcheck shellcheck pyflakes3 clang-tidy gcovr) ;;
+    --with-wheel) packages+=(python3-dev python3-venv) ;;
     --with-clang) packages+=(clang libclang-rt-dev llvm) ;;
     -h | --help)
       sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"

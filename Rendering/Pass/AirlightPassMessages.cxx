@@ -11,6 +11,7 @@
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -127,16 +128,21 @@ void PassMessages::CheckLights(
 }
 
 //------------------------------------------------------------------------------
-void PassMessages::CheckPlan(
-  const FramePlan& plan, const PassProperties& properties, const CasterCache& casters)
+void PassMessages::CheckPlan(const FramePlan& plan, const PassProperties& properties,
+  const CasterCache& casters, vtkOpenGLRenderWindow* window)
 {
   const bool automatic = properties.Technique == ShadowTechnique::Automatic;
   if (plan.Reason == TechniqueReason::NoStorageBuffers)
   {
-    const std::string text =
-      "Shadow planes need OpenGL 4.3 with storage buffers, which this window lacks: shadows come "
-      "from shadow maps, which are less exact. Update the graphics driver, or call "
-      "SetShadowTechniqueToShadowMap().";
+    int major = 0;
+    int minor = 0;
+    window->GetOpenGLVersion(major, minor);
+    const std::string text = "Shadow planes need OpenGL 4.3 with storage buffers, and this " +
+      std::string(window->GetClassName()) + " has OpenGL " + std::to_string(major) + "." +
+      std::to_string(minor) +
+      ": shadows come from shadow maps, which are less exact. Update the graphics driver; without "
+      "a screen, draw in a vtkAirlightHeadlessWindow (Python: airlight.headless_window()), which "
+      "asks for the newest OpenGL; or call SetShadowTechniqueToShadowMap().";
     automatic ? this->WarnOnce(OldOpenGL, text) : this->ErrorOnce(OldOpenGL, text);
   }
   if (plan.Reason == TechniqueReason::NonPolygonalCasters)

@@ -17,6 +17,7 @@
 #include <vector>
 
 class vtkObject;
+class vtkOpenGLRenderWindow;
 class vtkVolume;
 
 namespace airlight
@@ -42,8 +43,8 @@ public:
 
   // A shadow technique other than the requested one, scattered light that a density image rules
   // out.
-  void CheckPlan(
-    const FramePlan& plan, const PassProperties& properties, const CasterCache& casters);
+  void CheckPlan(const FramePlan& plan, const PassProperties& properties,
+    const CasterCache& casters, vtkOpenGLRenderWindow* window);
 
   // Casters that have a shadow map as they have too many boundaries.
   void CheckCostlyCasters(const LightShadows::CostlyCasters& casters, const FramePlan& plan);

@@ -188,7 +188,7 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
   const PassProperties& properties = settings.Properties;
   const FramePlan plan = MakeFramePlan(properties, this->GetFacts(scene), limits);
   this->CurrentFrame.SetPlan(plan);
-  this->Messages.CheckPlan(plan, properties, this->Casters);
+  this->Messages.CheckPlan(plan, properties, this->Casters, scene.Window);
   if (plan.Plain)
   {
     this->CurrentFrame.ForgetBuffers();

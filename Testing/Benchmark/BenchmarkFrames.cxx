@@ -168,15 +168,14 @@ ReadyScene MakeScene(
   return { std::move(recipe), std::move(scene), std::move(base) };
 }
 
-// Scenes that are timed together, lest the machine's speed changes between them. With EGL there is one
-// window at a time.
+// Scenes that are timed together, lest the machine's speed changes between them.
 std::vector<std::vector<SceneRecipe>> GroupRecipes(const Options& options)
 {
   std::vector<std::vector<SceneRecipe>> groups;
   for (const SceneRecipe& recipe : benchmarks::ChooseRecipes(options))
   {
-    const bool joins = !options.Egl && recipe.Group != benchmarks::SceneGroup::None &&
-      !groups.empty() && groups.back().front().Group == recipe.Group;
+    const bool joins = recipe.Group != benchmarks::SceneGroup::None && !groups.empty() &&
+      groups.back().front().Group == recipe.Group;
     if (!joins)
     {
       groups.emplace_back();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameWindow.h"
 
-#include "EglWindow.h"
+#include "vtkAirlightHeadlessWindow.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -19,7 +19,10 @@ WindowMaker::WindowMaker(bool egl)
 {
   if (egl)
   {
-    StartEgl();
+    if (!vtkNew<vtkAirlightHeadlessWindow>()->SupportsOpenGL())
+    {
+      throw std::runtime_error("--egl: there is no context of OpenGL; VTK's message says why");
+    }
     return;
   }
   // VTK would end the program in its first frame.
@@ -37,7 +40,7 @@ vtkSmartPointer<vtkRenderWindow> WindowMaker::Make(int width, int height) const
   vtkSmartPointer<vtkRenderWindow> window;
   if (this->IsEgl)
   {
-    window.TakeReference(MakeEglWindow());
+    window = vtkSmartPointer<vtkAirlightHeadlessWindow>::New();
   }
   else
   {

@@ -17,11 +17,10 @@ namespace benchmarks
 class WindowMaker
 {
 public:
-  // Throws std::runtime_error that says what to do where the program was built without EGL, or
-  // where EGL has no device that draws with OpenGL; without `egl`, where no X server is named.
+  // Throws std::runtime_error that says what to do where EGL has no device that draws with OpenGL;
+  // without `egl`, where no X server is named.
   explicit WindowMaker(bool egl);
 
-  // With EGL all windows draw with the one context of this process, one window at a time.
   vtkSmartPointer<vtkRenderWindow> Make(int width, int height) const;
 
 private:

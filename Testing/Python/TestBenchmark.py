@@ -231,7 +231,7 @@ class TestBenchmark(unittest.TestCase):
     def test_egl(self):
         done = run("--egl", "--info", DISPLAY="")
         if done.returncode:
-            self.assertRegex(done.stderr, "^error: --egl: ")
+            self.assertRegex(done.stderr, "(?m)^error: --egl: ")
             self.skipTest(done.stderr)
         self.assertEqual(done.stderr, "")
         found = dict(line.split(": ", 1) for line in done.stdout.splitlines())
