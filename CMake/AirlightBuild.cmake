@@ -6,7 +6,9 @@ set(AIRLIGHT_HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/airlight")
 if (AIRLIGHT_WRAP_PYTHON)
   # Debian's VTK installs into lib/python3/dist-packages, which Python searches below /usr only.
   # The folder with the full version is searched below /usr and /usr/local alike.
-  vtk_module_python_default_destination(python_destination)
+  if (NOT AIRLIGHT_PYTHON_DESTINATION)
+    vtk_module_python_default_destination(python_destination)
+  endif ()
   string(REPLACE "/python3/" "/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/"
     python_destination "${python_destination}")
   set(AIRLIGHT_PYTHON_DESTINATION "${python_destination}" CACHE STRING
@@ -32,13 +34,18 @@ vtk_module_scan(
   HIDE_MODULES_FROM_CACHE ON
   ENABLE_TESTS            "${enable_tests}")
 
+set(library_version VERSION "${Airlight_VERSION}"
+  SOVERSION "${Airlight_VERSION_MAJOR}.${Airlight_VERSION_MINOR}")
+if (SKBUILD) # a wheel has no links
+  set(library_version)
+endif ()
+
 set(project_source_dir "${CMAKE_SOURCE_DIR}")
 set(CMAKE_SOURCE_DIR "${AIRLIGHT_MODULES_DIR}")
 vtk_module_build(
   MODULES                    ${modules}
   PACKAGE                    Airlight
-  VERSION                    "${Airlight_VERSION}"
-  SOVERSION                  "${Airlight_VERSION_MAJOR}.${Airlight_VERSION_MINOR}"
+  ${library_version}
   INSTALL_EXPORT             Airlight
   CMAKE_DESTINATION          "${AIRLIGHT_CMAKE_DESTINATION}"
   HEADERS_DESTINATION        "${AIRLIGHT_HEADERS_DESTINATION}"
@@ -50,6 +57,11 @@ vtk_module_build(
 set(CMAKE_SOURCE_DIR "${project_source_dir}")
 
 if (AIRLIGHT_WRAP_PYTHON)
+  set(python_stubs)
+  if (SKBUILD)
+    set(python_stubs BUILD_PYI_FILES ON)
+    add_custom_target(vtk_python_copy) # of VTK's own build, which VTK's rules name
+  endif ()
   vtk_module_wrap_python(
     MODULES             ${modules}
     TARGET              Airlight::Python
@@ -58,19 +70,22 @@ if (AIRLIGHT_WRAP_PYTHON)
     LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     CMAKE_DESTINATION   "${AIRLIGHT_CMAKE_DESTINATION}"
     INSTALL_HEADERS     OFF
-    SOABI               "${Python3_SOABI}")
+    SOABI               "${Python3_SOABI}"
+    ${python_stubs})
   configure_file(Wrapping/Python/airlight/__init__.py.in
     "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py" @ONLY)
-  foreach (file IN ITEMS __main__.py display.py paraview.py)
-    configure_file("Wrapping/Python/airlight/${file}"
-      "${AIRLIGHT_PYTHONPATH}/airlight/${file}" COPYONLY)
-  endforeach ()
   install(
     FILES       "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py"
-                "${AIRLIGHT_PYTHONPATH}/airlight/__main__.py"
-                "${AIRLIGHT_PYTHONPATH}/airlight/display.py"
-                "${AIRLIGHT_PYTHONPATH}/airlight/paraview.py"
     DESTINATION "${AIRLIGHT_PYTHON_DESTINATION}/airlight"
     COMPONENT   python)
+  foreach (file IN ITEMS __main__.py display.py headless.py paraview.py)
+    configure_file("Wrapping/Python/airlight/${file}"
+      "${AIRLIGHT_PYTHONPATH}/airlight/${file}" COPYONLY)
+    get_filename_component(folder "airlight/${file}" DIRECTORY)
+    install(
+      FILES       "${AIRLIGHT_PYTHONPATH}/airlight/${file}"
+      DESTINATION "${AIRLIGHT_PYTHON_DESTINATION}/${folder}"
+      COMPONENT   python)
+  endforeach ()
   message(STATUS "Python package airlight: PYTHONPATH=${AIRLIGHT_PYTHONPATH}")
 endif ()

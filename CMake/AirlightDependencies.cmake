@@ -1,4 +1,4 @@
-# What is looked for: VTK, with the modules that vtk.module names, and OpenVDB.
+# What is looked for: VTK, with the modules that vtk.module names.
 
 # Puts the lists of vtk.module in the variables <prefix>_DEPENDS, <prefix>_TEST_DEPENDS and so on.
 function (airlight_read_module prefix)
@@ -33,5 +33,3 @@ if (AIRLIGHT_WRAP_PYTHON AND NOT VTK_WRAP_PYTHON)
   message(FATAL_ERROR
     "This VTK has no Python wrapping: set AIRLIGHT_WRAP_PYTHON to OFF or VTK_DIR to another VTK.")
 endif ()
-
-include(CMake/AirlightOpenVDB.cmake)

@@ -31,11 +31,17 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 
-# An installed tree finds its own library wherever it is moved, and VTK where it was found.
-file(RELATIVE_PATH bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+# An installed tree finds its own library wherever it is moved, and VTK where it was found. A wheel finds
+# VTK beside itself.
 if (APPLE)
-  set(CMAKE_INSTALL_RPATH "@loader_path" "@loader_path/${bin_to_lib}")
+  set(own_folder "@loader_path")
 else ()
-  set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/${bin_to_lib}")
+  set(own_folder "$ORIGIN")
 endif ()
-set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+if (SKBUILD)
+  set(CMAKE_INSTALL_RPATH "${own_folder}" "${own_folder}/../vtkmodules")
+else ()
+  file(RELATIVE_PATH bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+  set(CMAKE_INSTALL_RPATH "${own_folder}" "${own_folder}/${bin_to_lib}")
+  set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+endif ()
