@@ -53,8 +53,7 @@ step "Configuring"
 configure -DAIRLIGHT_BUILD_EXAMPLES=ON -DAIRLIGHT_WRAP_PYTHON=ON
 
 step "Building"
-compile airlight
-compile vtkAirlightPython
+compile airlight AnimatedFog vtkAirlightPython
 python=$(cached Python3_EXECUTABLE)
 package=$build/$(cached AIRLIGHT_PYTHON_DESTINATION)
 PYTHONPATH=$package${PYTHONPATH:+:$PYTHONPATH} "$python" -m airlight > /dev/null ||

