@@ -97,6 +97,17 @@ std::string MakeSingleGeometryPass(const SurfaceShaderOptions& options)
 }
 
 //------------------------------------------------------------------------------
+void KeepSplatDepth(std::string& geometryShader)
+{
+  const std::string corner = "vec4(posNDC.xy + offset, posNDC.zw)";
+  const size_t at = geometryShader.find(corner);
+  if (at != std::string::npos)
+  {
+    geometryShader.insert(at, "gl_in[0].gl_Position.w * ");
+  }
+}
+
+//------------------------------------------------------------------------------
 void InjectSurfaceShader(
   std::string& fragmentShader, const SurfaceShaderOptions& options, bool pointGaussians)
 {

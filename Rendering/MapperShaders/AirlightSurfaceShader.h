@@ -74,6 +74,11 @@ struct SurfaceShaderOptions
 VTKAIRLIGHT_EXPORT void InjectSurfaceShader(
   std::string& fragmentShader, const SurfaceShaderOptions& text, bool pointGaussians = false);
 
+// Gives the corners of point Gaussians back their depth in a geometry shader. From VTK 9.4 on it
+// divides by w and goes on with w = 1, which leaves a fragment's place on the screen as it was, but
+// not gl_FragCoord.w, of which the pass makes its distance.
+void KeepSplatDepth(std::string& geometryShader);
+
 // Rewrites a mapper's vertex shader for SurfaceShaderOptions::AtVertices.
 void InjectVertexShader(std::string& vertexShader, const SurfaceShaderOptions& text);
 

@@ -85,7 +85,7 @@ void MapperHooks::MarkShader(std::string& fragment, vtkProp* prop)
 //------------------------------------------------------------------------------
 // VTK's mappers do not survive a shader that does not compile. So it is compiled before they do it;
 // they find it compiled in the window's cache.
-void MapperHooks::ChangeShader(const std::string& vertex, const std::string& geometry,
+void MapperHooks::ChangeShader(const std::string& vertex, std::string& geometry,
   std::string& fragment, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   if (!this->NotCompiled.empty())
@@ -93,6 +93,7 @@ void MapperHooks::ChangeShader(const std::string& vertex, const std::string& geo
     return;
   }
   std::string changed = fragment;
+  std::string changedGeometry = geometry;
   if (vtkVolume::SafeDownCast(prop))
   {
     InjectVolumeShader(changed, this->Options);
@@ -100,15 +101,21 @@ void MapperHooks::ChangeShader(const std::string& vertex, const std::string& geo
   else
   {
     SpecializeShader(changed, { this->Options.Lights, this->Materials.Compile(prop) });
-    this->ChangeSurfaceShader(changed, AirlightScenePass::IsPointGaussians(prop));
+    const bool splats = AirlightScenePass::IsPointGaussians(prop);
+    this->ChangeSurfaceShader(changed, splats);
+    if (splats)
+    {
+      KeepSplatDepth(changedGeometry);
+    }
   }
   if (this->Window && IsLastToChange(this->Pass, prop) &&
-    !this->Programs.GetOrCompile(this->Window, vertex, changed, geometry))
+    !this->Programs.GetOrCompile(this->Window, vertex, changed, changedGeometry))
   {
     this->NotCompiled = mapper->GetClassName();
     return;
   }
   fragment = changed;
+  geometry = changedGeometry;
 }
 
 //------------------------------------------------------------------------------

@@ -52,7 +52,7 @@ public:
 
   // vtkOpenGLRenderPass::PreReplaceShaderValues() and PostReplaceShaderValues().
   static void MarkShader(std::string& fragment, vtkProp* prop);
-  void ChangeShader(const std::string& vertex, const std::string& geometry, std::string& fragment,
+  void ChangeShader(const std::string& vertex, std::string& geometry, std::string& fragment,
     vtkAbstractMapper* mapper, vtkProp* prop);
 
   // After a frame: whether all shaders compiled. False with a reason in `error`; the next frame
