@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks who includes whom, and the code with clang-tidy, cppcheck, shellcheck and pyflakes.
+# Checks who includes whom, the version, the changelog, and the code with clang-tidy, cppcheck, shellcheck and pyflakes.
 #
 # Usage: Utilities/static-checks.sh --quick             all but clang-tidy; of C++ only the library
 #        Utilities/static-checks.sh --all               everything; clang-tidy takes a processor an hour
@@ -126,6 +126,14 @@ changed()
   } | sort -u
 }
 
+# One place for the version, and a changelog as the release notes are.
+check_releases()
+{
+  echo "version and changelog"
+  python3 Utilities/check-version.py || findings=1
+  python3 Utilities/changelog.py --check || findings=1
+}
+
 # Who may include whom, and lines of 100 columns in code.
 check_rooms()
 {
@@ -155,6 +163,7 @@ case ${1---help} in
 esac
 
 check_rooms
+check_releases
 check_shell
 check_python
 check_cpp
