@@ -3,12 +3,13 @@
 # to test a newcomer's steps and other releases of Debian. Needs root, debootstrap and 6 GB. It changes
 # nothing outside the folder of the root.
 #
-# Usage: Utilities/bare-root.sh [--suite NAME] [--root DIR] [--mirror URL] [COMMAND...]
+# Usage: Utilities/bare-root.sh [--suite NAME] [--root DIR] [--mirror URL] [--copy DIR] [COMMAND...]
 #
 #   --suite    the release: bookworm (Debian 12, the default), trixie (Debian 13)
 #   --root     the folder of the root; it is kept and reused. Default: a temporary folder, which is
 #              removed at the end
 #   --mirror   the mirror of Debian's packages. Default: the mirror that apt uses on this machine
+#   --copy     a folder that is copied into the clone, under its own name
 #   COMMAND    runs in a clone of the last commit. Default: Utilities/demo.sh --no-view, which renders
 #              Figure 1
 #
@@ -21,14 +22,16 @@ step_count=3
 suite=bookworm
 folder=
 mirror=
+copied=
 while (($#)); do
   case $1 in
-    --suite | --root | --mirror)
+    --suite | --root | --mirror | --copy)
       (($# >= 2)) || die "$1 needs a value."
       case $1 in
         --suite) suite=$2 ;;
         --root) folder=$2 ;;
         --mirror) mirror=$2 ;;
+        --copy) copied=$(realpath "$2") ;;
       esac
       shift 2
       ;;
@@ -72,6 +75,7 @@ start=$SECONDS
 TIMEFORMAT='%0R s by the clock; processors: %0U s in programs, %0S s in the system'
 rm -rf "$folder/root/airlight"
 time git clone --quiet "file://$root" "$folder/root/airlight"
+[[ -z $copied ]] || cp -r "$copied" "$folder/root/airlight/" || die "'$copied' could not be copied."
 
 # In a separate mount namespace, whose mounts disappear when it ends.
 step "Running ${command[*]}"
