@@ -3,6 +3,7 @@
 #include "vtkDrainePhaseFunction.h"
 
 #include "Phase/AirlightPhaseShape.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
 #include <cmath>
@@ -22,7 +23,7 @@ double Draine(double g, double alpha, double s)
 // At g = 0, with m = (1 + mu)/2: 1 + alpha mu^2 = 1 + alpha - 4 alpha m + 4 alpha m^2.
 airlight::PhaseFit FitEven(double alpha)
 {
-  const double f = 0.25 / M_PI / (1.0 + alpha / 3.0);
+  const double f = 0.25 / vtkMath::Pi() / (1.0 + alpha / 3.0);
   return { { { 1.0, { f * (1.0 + alpha), -4.0 * f * alpha, 4.0 * f * alpha } } } };
 }
 

@@ -3,9 +3,8 @@
 #include "vtkIsotropicPhaseFunction.h"
 
 #include "Phase/AirlightPhaseShape.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
-
-#include <cmath>
 
 vtkStandardNewMacro(vtkIsotropicPhaseFunction);
 
@@ -15,7 +14,7 @@ vtkIsotropicPhaseFunction::vtkIsotropicPhaseFunction() = default;
 vtkIsotropicPhaseFunction::~vtkIsotropicPhaseFunction() = default;
 
 //------------------------------------------------------------------------------
-double vtkIsotropicPhaseFunction::EvaluateHalfAngle(double) { return 0.25 / M_PI; }
+double vtkIsotropicPhaseFunction::EvaluateHalfAngle(double) { return 0.25 / vtkMath::Pi(); }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const airlight::PhaseShape> vtkIsotropicPhaseFunction::MakeShape(double)

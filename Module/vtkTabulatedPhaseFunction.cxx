@@ -3,6 +3,7 @@
 #include "vtkTabulatedPhaseFunction.h"
 
 #include "Phase/AirlightPhaseShape.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
@@ -81,7 +82,7 @@ std::string vtkTabulatedPhaseFunction::FindProblem()
 double vtkTabulatedPhaseFunction::EvaluateHalfAngle(double s)
 {
   const airlight::PhaseTable& function = this->Read();
-  return function.IsEmpty() ? 0.25 / M_PI : function.Evaluate(s);
+  return function.IsEmpty() ? 0.25 / vtkMath::Pi() : function.Evaluate(s);
 }
 
 //------------------------------------------------------------------------------

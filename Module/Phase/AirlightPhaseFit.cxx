@@ -5,6 +5,7 @@
 #include "Integration/AirlightMath.h"
 #include "Phase/AirlightPhaseFunctions.h"
 #include "Phase/AirlightPhaseSearch.h"
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <array>
@@ -136,13 +137,13 @@ bool HasClosedForm(const f64::AirlightPhase& phase)
 }
 
 //------------------------------------------------------------------------------
-PhaseFit ExactIsotropic() { return { { { 1.0, { 0.25 / M_PI, 0.0, 0.0 } } } }; }
+PhaseFit ExactIsotropic() { return { { { 1.0, { 0.25 / vtkMath::Pi(), 0.0, 0.0 } } } }; }
 
 //------------------------------------------------------------------------------
 // With m = 1/(1 + s^2) = (1 + cos)/2: 1 + cos^2 = 2 - 4 m + 4 m^2.
 PhaseFit ExactRayleigh()
 {
-  constexpr double f = 3.0 / (16.0 * M_PI);
+  constexpr double f = 3.0 / (16.0 * vtkMath::Pi());
   return { { { 1.0, { 2.0 * f, -4.0 * f, 4.0 * f } } } };
 }
 
@@ -152,15 +153,15 @@ PhaseFit ExactRayleigh()
 PhaseFit ExactSchlick(double k)
 {
   const double b2 = (1.0 - k) / (1.0 + k);
-  const double f = b2 / (4.0 * M_PI);
+  const double f = b2 / (4.0 * vtkMath::Pi());
   return { { { std::sqrt(b2), { f, f * (1.0 - b2), 0.0 } } } };
 }
 
 //------------------------------------------------------------------------------
 PhaseFit ExactMie(int n)
 {
-  PhaseFit fit{ { { 1.0, { 0.125 / M_PI, 0.0, 0.0 } } } };
-  fit.Factor = 0.125 / M_PI * (n + 1);
+  PhaseFit fit{ { { 1.0, { 0.125 / vtkMath::Pi(), 0.0, 0.0 } } } };
+  fit.Factor = 0.125 / vtkMath::Pi() * (n + 1);
   fit.Exponent = n;
   return fit;
 }
@@ -230,7 +231,7 @@ std::vector<double> TableSamples(const PhaseTable& table, int perRow)
   const int even = 45 * perRow;
   for (int i = 1; i < even; ++i)
   {
-    samples.push_back(std::tan(0.5 * M_PI * i / even));
+    samples.push_back(std::tan(0.5 * vtkMath::Pi() * i / even));
   }
   for (size_t i = 1; i < rows.size(); ++i)
   {

@@ -36,17 +36,17 @@ double OnePlusSquaredCosine(double s)
 double HenyeyGreenstein(double g, double s)
 {
   const double d = (1.0 - g) * (1.0 - g) * ForwardHalf(s) + (1.0 + g) * (1.0 + g) * BackwardHalf(s);
-  return (1.0 - g * g) / (4.0 * M_PI * d * std::sqrt(d));
+  return (1.0 - g * g) / (4.0 * vtkMath::Pi() * d * std::sqrt(d));
 }
 
 //------------------------------------------------------------------------------
-double Rayleigh(double s) { return 3.0 / (16.0 * M_PI) * OnePlusSquaredCosine(s); }
+double Rayleigh(double s) { return 3.0 / (16.0 * vtkMath::Pi()) * OnePlusSquaredCosine(s); }
 
 //------------------------------------------------------------------------------
 double Schlick(double k, double s)
 {
   const double d = (1.0 - k) * ForwardHalf(s) + (1.0 + k) * BackwardHalf(s);
-  return (1.0 - k * k) / (4.0 * M_PI * d * d);
+  return (1.0 - k * k) / (4.0 * vtkMath::Pi() * d * d);
 }
 
 //------------------------------------------------------------------------------
@@ -58,7 +58,7 @@ double CornetteShanks(double g, double s)
 //------------------------------------------------------------------------------
 double Mie(int n, double s)
 {
-  return (0.5 + 0.5 * (n + 1) * std::pow(ForwardHalf(s), n)) / (4.0 * M_PI);
+  return (0.5 + 0.5 * (n + 1) * std::pow(ForwardHalf(s), n)) / (4.0 * vtkMath::Pi());
 }
 
 //------------------------------------------------------------------------------
@@ -163,7 +163,7 @@ double PhaseTable::Integrate() const
       sum += reach * node.y * this->EvaluateAt(std::cos(angle)) * std::sin(angle);
     }
   }
-  return 2.0 * M_PI * sum;
+  return 2.0 * vtkMath::Pi() * sum;
 }
 
 //------------------------------------------------------------------------------

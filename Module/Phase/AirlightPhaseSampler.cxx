@@ -3,6 +3,7 @@
 #include "Phase/AirlightPhaseSampler.h"
 
 #include "Integration/AirlightMath.h"
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ public:
     for (int i = 1; i <= FirstIntervals; ++i)
     {
       const glm::dvec4 first = rows.back(); // a copy: the vector grows
-      this->AddRows(first, this->MakeRow(M_PI * i / FirstIntervals), MaximumDepth, rows);
+      this->AddRows(first, this->MakeRow(vtkMath::Pi() * i / FirstIntervals), MaximumDepth, rows);
     }
     return rows;
   }
@@ -41,7 +42,8 @@ private:
   // Scattering is symmetric about 0 and 180 degrees.
   double Logarithm(double angle) const
   {
-    const double folded = std::abs(angle) > M_PI ? 2.0 * M_PI - angle : std::abs(angle);
+    const double folded =
+      std::abs(angle) > vtkMath::Pi() ? 2.0 * vtkMath::Pi() - angle : std::abs(angle);
     return std::log(std::max(1e-300, this->Function(std::tan(0.5 * folded))));
   }
 
