@@ -21,6 +21,8 @@ PACKAGE = pathlib.Path(airlight.__file__).parent
 # What every VTK class has.
 COMMON = {"GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType", "IsA", "IsTypeOf",
           "NewInstance", "SafeDownCast", "__init__"}
+# Parts of docstrings that are lists.
+SECTIONS = {"Parameters", "Returns", "Raises", "Yields", "Attributes", "Warns"}
 # Modules that are a program or only the wrapped code.
 HIDDEN = {"__init__", "__main__"}
 
@@ -175,11 +177,35 @@ def class_page(node, classes):
 
 def docstring_markdown(doc, indent=True):
     """A docstring as Markdown, which has the same rule for code: it is indented. A module's text is
-    not indented by itself."""
+    not indented by itself. In sections such as Parameters, indented text explains the line above."""
     text = inspect.cleandoc(doc or "") if indent else (doc or "").strip()
-    lines = [line if line.startswith("    ") else re.sub(r"([*<])(?=\w)", r"\\\1", line)
-             for line in text.splitlines()]
+    lines, section, entry = [], False, False
+    for line, following in zip(text.splitlines(), [*text.splitlines()[1:], ""]):
+        if re.fullmatch(r"-{4,}", following) and len(following) == len(line):
+            section = line in SECTIONS
+            lines += ["", f"**{line}**"]
+        elif re.fullmatch(r"-{4,}", line):
+            lines.append("")
+        elif section and line and not line.startswith(" "):
+            lines.append(f"- `{line}`:")
+            entry = True
+        elif section and entry:
+            lines.append("  " + line.strip())
+        else:
+            lines.append(line if line.startswith("    ")
+                         else re.sub(r"([*<])(?=\w)", r"\\\1", line))
     return "\n".join(lines)
+
+
+def arguments_of(function):
+    """The signature, without self and without defaults that are no Python."""
+    text = str(inspect.signature(function))
+    text = re.sub(r"\A\(self(, )?", "(", text)
+    try:
+        ast.parse(f"def f{text}: pass")
+    except SyntaxError:
+        return "(...)"
+    return text
 
 
 def module_page(name):
@@ -192,10 +218,11 @@ def module_page(name):
     doc = docstring_markdown(module.__doc__, indent=False)
     text = f"# airlight.{name}\n\n```{{py:module}} airlight.{name}\n```\n\n{doc}\n\n"
     for key, value in vars(module).items():
-        if key.startswith("_") or getattr(value, "__module__", "") != module.__name__:
+        own = getattr(value, "__module__", "") == module.__name__
+        if key.startswith("_") or not (own or key in getattr(module, "__all__", ())):
             continue
         if inspect.isfunction(value):
-            text += directive(4, "py:function", f"{key}{inspect.signature(value)}",
+            text += directive(4, "py:function", key + arguments_of(value),
                               docstring_markdown(value.__doc__)) + "\n"
         elif inspect.isclass(value):
             members = ""
@@ -206,9 +233,9 @@ def module_page(name):
                     members += directive(4, "py:property", member,
                                          docstring_markdown(function.__doc__))
                 elif inspect.isfunction(function):
-                    members += directive(4, "py:method", f"{member}{inspect.signature(function)}",
+                    members += directive(4, "py:method", member + arguments_of(function),
                                          docstring_markdown(function.__doc__))
-            text += directive(5, "py:class", key,
+            text += directive(5, "py:class", f"{module.__name__}.{key}",
                               docstring_markdown(value.__doc__) + "\n\n" + members) + "\n"
     return text, (module.__doc__ or "").strip().splitlines()[0]
 

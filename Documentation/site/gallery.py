@@ -21,9 +21,8 @@ import airlight
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Folders of Examples/ whose programs are run, and the heading of each. Others are listed only.
 RUN = {"PyVista": "PyVista", "Python": "VTK in Python"}
-LISTED = {"ParaView": "ParaView", "Vedo": "vedo", "Trame": "trame", "Jupyter": "Jupyter"}
-# Arguments of examples that take others than -o PICTURE, and why some are not run.
-ARGUMENTS = {"content_in_fog": ["."]}
+LISTED = {"ParaView": "ParaView", "vedo": "vedo", "trame": "trame", "Jupyter": "Jupyter"}
+# Why some are not run.
 NOT_RUN = {"openvdb_to_numpy": "It needs a `.vdb` file.", "plume_as_fog": "It needs a `.vdb` file."}
 SUFFIXES = (".png", ".jpg", ".gif")
 SECONDS = 600  # at most for one example
@@ -57,6 +56,12 @@ class Example:
     def source(self):
         return (ROOT / self.path).read_text(encoding="utf-8")
 
+    def arguments(self):
+        """Those with which it writes pictures: an option -o, or a folder as its docstring says."""
+        if re.search("""["']-o["']""", self.source()):
+            return ["-o", f"{self.name}.png"]
+        return ["."] if re.search(rf"{self.name}\.py \[?FOLDER", self.source()) else []
+
     def texts(self):
         """(title, description) of its docstring."""
         doc = (ast.get_docstring(ast.parse(self.source())) or self.name).strip()
@@ -87,9 +92,7 @@ def fingerprint(example):
 
 def run(example, folder):
     """Runs it in a folder, unless the folder has its results. Raises if it fails."""
-    words = ARGUMENTS.get(example.name)
-    if words is None:
-        words = ["-o", f"{example.name}.png"] if re.search("""["']-o["']""", example.source()) else []
+    words = example.arguments()
     example.command = " ".join(["python", f"{example.name}.py", *words])
     kept = folder / "result.json"
     mark = fingerprint(example)

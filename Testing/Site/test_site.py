@@ -108,7 +108,8 @@ def test_gallery_is_complete():
         text = (SITE / page).read_text(encoding="utf-8")
         article = text.split("<article", 1)[1].split("</article>", 1)[0]
         run = "made without running" not in article
-        if run and re.search("""["']-o["']""", path.read_text(encoding="utf-8")):
+        writes = rf"""["']-o["']|{path.stem}\.py \[?FOLDER"""
+        if run and re.search(writes, path.read_text(encoding="utf-8")):
             assert "<img" in article, page
             drawn += 1
     assert drawn >= 6
