@@ -13,7 +13,8 @@
 #   COMMAND    runs in a clone of the last commit. Default: Utilities/demo.sh --no-view, which renders
 #              Figure 1
 #
-# AIRLIGHT_JOBS is the number of parallel jobs, as in the other scripts.
+# AIRLIGHT_JOBS is the number of parallel jobs, as in the other scripts. If PIP_CERT names a file of
+# certificates, as on machines behind a proxy, pip uses it in the root, too.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -69,6 +70,11 @@ if [[ ! -e $folder/airlight-root-complete ]]; then
 fi
 rm -f "$folder.debootstrap.log"
 cp --dereference /etc/resolv.conf /etc/hosts "$folder/etc/"
+settings=()
+if [[ -n ${PIP_CERT:-} ]]; then
+  cp --dereference "$PIP_CERT" "$folder/etc/pip-certificates.crt"
+  settings=(PIP_CERT=/etc/pip-certificates.crt)
+fi
 
 step "Cloning"
 start=$SECONDS
@@ -87,7 +93,8 @@ time unshare --mount --pid --fork --kill-child bash -c '
   mount --rbind /dev "$0/dev"
   mount -t tmpfs tmpfs "$0/tmp"
   exec chroot "$0" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
-    AIRLIGHT_JOBS="$1" bash -c "cd /root/airlight && exec \"\$@\"" bash "${@:2}"
-' "$folder" "$jobs" "${command[@]}" || result=$?
+    "$@"
+' "$folder" AIRLIGHT_JOBS="$jobs" "${settings[@]}" \
+  bash -c 'cd /root/airlight && exec "$@"' bash "${command[@]}" || result=$?
 echo "$suite: ${command[*]}: $((SECONDS - start)) s from the clone on, with $jobs jobs, exit $result"
 exit "$result"
