@@ -5,6 +5,7 @@ set(AIRLIGHT_BUILD_TESTING OFF)
 set(AIRLIGHT_BUILD_EXAMPLES OFF)
 set(AIRLIGHT_WRAP_PYTHON ON)
 set(CMAKE_INSTALL_LIBDIR "airlight")
+set(CMAKE_INSTALL_BINDIR "airlight") # for the libraries of Windows
 set(AIRLIGHT_PYTHON_DESTINATION ".")
 
 # PyPI has vtk-sdk for macOS only: for Linux, its parts are put together.
