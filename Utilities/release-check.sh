@@ -43,8 +43,9 @@ import airlight.display
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
+source = vtkSphereSource()
 mapper = vtkPolyDataMapper()
-mapper.SetInputConnection(vtkSphereSource().GetOutputPort())
+mapper.SetInputConnection(source.GetOutputPort())
 actor = vtkActor()
 actor.SetMapper(mapper)
 light = vtkLight()
