@@ -96,7 +96,7 @@ def assemble(root):
     for path in sorted((root / "Documentation" / "release").glob("*.md")):
         version, text = read_note(path)
         if not text.startswith("#"):
-            problems.append(f"{path.name} begins with neither a heading nor a version and a heading")
+            problems.append(f"{path.name} begins with neither a heading nor a version")
             continue
         versions.setdefault(version, []).append((title_of(path), path, text))
     current = project_version(root)
@@ -123,7 +123,8 @@ def mark_notes(root):
     for path in sorted((root / "Documentation" / "release").glob("*.md")):
         version, text = read_note(path)
         if version is None:
-            path.write_text(f"<!-- version: {project_version(root)} -->\n\n{text}", encoding="utf-8")
+            mark = f"<!-- version: {project_version(root)} -->\n\n"
+            path.write_text(mark + text, encoding="utf-8")
             count += 1
     return count
 

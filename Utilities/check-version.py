@@ -7,8 +7,8 @@ Usage: Utilities/check-version.py
 
 Everything else derives it: the library, the Debian packages, the wheel, the ParaView plugin and
 --version. Fails with a list of lines that set a version of their own, and of file and package names
-with another version. Release notes and the changelog speak of the past, and the test of this script has
-faults: they are left out.
+with another version. Release notes and the changelog, which speak of the past, and the test of this
+script, which has faults, are left out.
 """
 
 import argparse

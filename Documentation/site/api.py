@@ -13,6 +13,7 @@ import importlib
 import inspect
 import pathlib
 import re
+import textwrap
 
 import airlight
 
@@ -31,6 +32,9 @@ MACROS = (
     (re.compile(r"vtkGet\w*Macro\((\w+)"), ("Get{}",)),
     (re.compile(r"vtkBooleanMacro\((\w+)"), ("{}On", "{}Off")),
 )
+# The name of a declared method.
+DECLARED = re.compile(
+    r"(\w+)\([^()]*(?:\([^()]*\)[^()]*)*\)\s*(?:const)?\s*(?:override)?[;{]")
 # A constant and its remark, which may go on in the next lines.
 REMARK = re.compile(r"^\s+([A-Z][A-Z0-9_]+)(?:\s*=\s*\d+)?,?\s*///< *(.*(?:\n\s+///<.*)*)$",
                     re.MULTILINE)
@@ -49,8 +53,7 @@ def names_in(code):
     """The methods that a piece of a header declares."""
     names = [pattern.format(name) for macro, patterns in MACROS for name in macro.findall(code)
              for pattern in patterns]
-    return names + re.findall(r"(\w+)\([^()]*(?:\([^()]*\)[^()]*)*\)\s*(?:const)?\s*(?:override)?[;{]",
-                              code)
+    return names + DECLARED.findall(code)
 
 
 def read_header(name):
@@ -82,7 +85,8 @@ def read_header(name):
                 methods.setdefault(method, []).append(comment)
         for constant, remark in REMARK.findall(piece):
             constants[constant] = re.sub(r"\s+///< *", " ", remark)
-    return text, {key: "\n\n".join(dict.fromkeys(value)) for key, value in methods.items()}, constants
+    methods = {key: "\n\n".join(dict.fromkeys(value)) for key, value in methods.items()}
+    return text, methods, constants
 
 
 def docstring_text(doc):
@@ -177,8 +181,12 @@ def class_page(node, classes):
 
 def docstring_markdown(doc, indent=True):
     """A docstring as Markdown, which has the same rule for code: it is indented. A module's text is
-    not indented by itself. In sections such as Parameters, indented text explains the line above."""
+    not indented by itself. In sections such as Parameters, indented text explains the line above.
+    """
     text = inspect.cleandoc(doc or "") if indent else (doc or "").strip()
+    # A session is code: Markdown would take its prompts for quotations.
+    text = re.sub(r"^>>> .*(?:\n.+)*", lambda session: textwrap.indent(session.group(), "    "),
+                  text, flags=re.MULTILINE)
     lines, section, entry = [], False, False
     for line, following in zip(text.splitlines(), [*text.splitlines()[1:], ""]):
         if re.fullmatch(r"-{4,}", following) and len(following) == len(line):
@@ -201,6 +209,7 @@ def arguments_of(function):
     """The signature, without self and without defaults that are no Python."""
     text = str(inspect.signature(function))
     text = re.sub(r"\A\(self(, )?", "(", text)
+    text = re.sub(r"(: |-> )'([^']*)'", r"\1\2", text)  # annotations
     try:
         ast.parse(f"def f{text}: pass")
     except SyntaxError:
@@ -266,7 +275,7 @@ def write_pages(folder):
     text = ("# Python package\n\n```{py:module} airlight\n```\n\n"
             + docstring_markdown(airlight.__doc__.split("\nClasses:")[0], indent=False)
             + "\n\n## Modules\n\n" + table(modules) + "\n## Classes\n\n"
-            "They are the C++ classes, with the same methods. Their pages leave out what every class of "
-            "VTK has,\nsuch as `IsA()`.\n\n" + table(rows) + "\n```{toctree}\n:hidden:\n\n"
+            "They are the C++ classes, with the same methods. Their pages leave out what every class\n"
+            "of VTK has, such as `IsA()`.\n\n" + table(rows) + "\n```{toctree}\n:hidden:\n\n"
             + "\n".join(name for name, _ in modules + rows) + "\n```\n")
     (folder / "index.md").write_text(text, encoding="utf-8")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sphinx's settings for the documentation site. Utilities/site.sh prepares the pages and runs it."""
+"""Sphinx's settings for the documentation site. Utilities/site.sh runs it on the prepared pages."""
 
 import os
 

@@ -169,9 +169,9 @@ def card(example):
 def write_pages(folder, examples):
     for example in examples:
         write_page(folder, example)
-    text = ("# Gallery\n\nThe examples were run to make these pages, without a screen. Each page has the "
-            "pictures, the output and\nthe source. [More pictures](../gallery.md) show many kinds of VTK "
-            "content in fog.\n")
+    text = ("# Gallery\n\nThe examples were run to make these pages, without a screen. Each page has\n"
+            "the pictures, the output and the source. [More pictures](../gallery.md) show many kinds\n"
+            "of VTK content in fog.\n")
     for kind, heading in {**RUN, **LISTED}.items():
         listed = [example for example in examples if example.folder == kind]
         listed.sort(key=lambda example: (not example.pictures, example.name))

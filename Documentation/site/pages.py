@@ -150,7 +150,7 @@ Doxygen makes the C++ reference from the headers.
 
 <p><a class="sd-btn sd-btn-primary" href="doxygen/index.html">Open the C++ reference</a></p>
 
-Classes and methods have the same names in C++ and in Python: the pages of [Python](python/index.md) show
-them, too. In the build folder, `cmake --build . --target doc` makes the same reference;
+Classes and methods have the same names in C++ and in Python: the pages of [Python](python/index.md)
+show them, too. In the build folder, `cmake --build . --target doc` makes the same reference;
 [packages](packages.md) describes how to install headers and library.
 """

@@ -53,7 +53,8 @@ def test_checker_finds_faults(tmp_path):
     (tmp_path / "a.html").write_text(
         '<p id="here"><a href="#here">1</a><a href="b.html#there">2</a><a href="#gone">3</a>'
         '<a href="c.html">4</a><a href="../x.html">5</a><img src="p.png">6'
-        '<a href="https://example.invalid/">7</a><a href="b.html#gone">8</a><a href="/a.html">9</a>')
+        '<a href="https://example.invalid/">7</a><a href="b.html#gone">8</a>'
+        '<a href="/a.html">9</a>')
     (tmp_path / "b.html").write_text('<h1 id="there">b</h1><img src="a.html"/>')
     count, wrong, external = links.Site(tmp_path).problems()
     assert count == 9
