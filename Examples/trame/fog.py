@@ -216,7 +216,7 @@ class FogApplication(TrameApp):
                 v3.VBtn("Reset view", prepend_icon="mdi-camera-retake", click=self.reset_view)
             with self.ui.drawer, v3.VContainer(classes="pt-6"):
                 self.add_slider("visibility", "Visibility", "m", 4, 80, 1)
-                self.add_slider("intensity", "Lamp", "W/sr", 5, 200, 5)
+                self.add_slider("intensity", "Lamp", "W/sr", 10, 120, 5)
                 self.add_slider("height", "Height of the lamp", "m", 0.8, 3.8, 0.1)
                 v3.VSelect(v_model=("technique",), items=("techniques", TECHNIQUES),
                            label="Shadows", variant="outlined", density="compact")
