@@ -33,7 +33,7 @@ for option in "$@"; do
     --with-doxygen) packages+=(doxygen) ;;
     --with-checks) packages+=(git cppcheck shellcheck pyflakes3) ;;
     --with-analysis) packages+=(git cppcheck shellcheck pyflakes3 clang-tidy gcovr) ;;
-    --with-wheel) packages+=(python3-dev python3-venv) ;;
+    --with-wheel) packages+=(python3-dev python3-venv chromium) ;;
     --with-clang) packages+=(clang libclang-rt-dev llvm) ;;
     -h | --help)
       sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"

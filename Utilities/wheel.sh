@@ -3,13 +3,14 @@
 #
 # Usage: Utilities/wheel.sh                    all of it; leaves sdist and wheel in dist/
 #        Utilities/wheel.sh --build            builds and checks, and fills the environment for tests
-#        Utilities/wheel.sh --test [SUITE...]  tests what --build left: Wheel, Python
+#        Utilities/wheel.sh --test [SUITE...]  tests what --build left
 #        Utilities/wheel.sh --library [CTEST OPTION...]
 #                                              builds library and all tests for that VTK, in
 #                                              build/vtk-of-wheel, and runs them
 #
-# Suites: Wheel draws through EGL, then through X on a virtual display; Python are the tests of
-# Testing/Python that need no program. The wheel is for one version of Python: AIRLIGHT_PYTHON selects
+# Suites: Wheel (the package, the reference scenes, windows without a screen) draws through EGL, then
+# through X on a virtual display; Python are the tests of Testing/Python that need no program; PyVista
+# and Web (vedo, trame in a browser, Jupyter) are the folders of Testing. The wheel is for one version of Python: AIRLIGHT_PYTHON selects
 # the interpreter (default: python3 in /usr/bin). AIRLIGHT_JOBS is the number of parallel jobs
 # (default: one per processor).
 #
@@ -22,7 +23,7 @@ dependencies=(--with-wheel)
 python=${AIRLIGHT_PYTHON:-/usr/bin/python3}
 work=$build/wheel
 largest=20000000 # bytes
-suites=(Wheel Python)
+suites=(Wheel Python PyVista Web)
 # Of Testing/Python: without the program, and without OpenVDB.
 python_tests=(AirlightComparison AirlightReference Casters Composition Examples HeightFog Import
   LightScatters NearLight Package PolyDataMapper RayFilters ResampledDensity ShadowOpacity
@@ -60,7 +61,7 @@ build_wheel()
   ls -l "$root/dist"
 
   step "Installing the wheel into an empty virtual environment"
-  environment test "$work"/made/repaired/*.whl pytest
+  environment test "$work"/made/repaired/*.whl -r "$root/Testing/Web/requirements.txt"
 }
 
 # draw_with egl|x COMMAND...: through EGL alone, or through X on a virtual display.
@@ -75,10 +76,11 @@ draw_with()
 test_suite()
 {
   local interpreter=$work/test/bin/python window test
+  local pytest=("$interpreter" -m pytest -q -p no:cacheprovider)
   case $1 in
     Wheel)
       for window in egl x; do
-        draw_with "$window" "$interpreter" -m pytest -q -p no:cacheprovider "$root/Testing/Wheel"
+        draw_with "$window" "${pytest[@]}" "$root/Testing/Wheel"
       done
       ;;
     Python)
@@ -87,6 +89,8 @@ test_suite()
           -T "$work"
       done
       ;;
+    PyVista) draw_with egl "${pytest[@]}" "$root/Testing/PyVista" ;;
+    Web) AIRLIGHT_REQUIRE_ALL=1 draw_with x "${pytest[@]}" "$root/Testing/Web" ;;
     *) die "unknown suite '$1'; there are ${suites[*]}." ;;
   esac
 }
