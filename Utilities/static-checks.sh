@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Checks who includes whom, the version, the changelog, and the code with clang-tidy, cppcheck, shellcheck and pyflakes.
+# Checks who includes whom, version and changelog, and the code with clang-tidy, cppcheck, shellcheck
+# and pyflakes.
 #
 # Usage: Utilities/static-checks.sh --quick             all but clang-tidy; of C++ only the library
 #        Utilities/static-checks.sh --all               everything; clang-tidy takes a processor an hour
