@@ -245,7 +245,7 @@ def test_controls(browser):
 
 
 def test_drag(browser):
-    """Many values in a row: the last one is drawn, without one frame for each before."""
+    """Many values in a row, faster than frames: the last one is drawn."""
     reference = Reference()
     size = browser.size
     browser.wait_for(reference.draw(size), "drag-start")
