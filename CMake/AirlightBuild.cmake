@@ -72,16 +72,37 @@ if (AIRLIGHT_WRAP_PYTHON)
     INSTALL_HEADERS     OFF
     SOABI               "${Python3_SOABI}"
     ${python_stubs})
+  set(AIRLIGHT_PYTHON_FILES
+    __main__.py
+    display.py
+    headless.py
+    paraview.py
+    pyvista/__init__.py
+    pyvista/arguments.py
+    pyvista/buffers.py
+    pyvista/component.py
+    pyvista/dataset_accessor.py
+    pyvista/lamp.py
+    pyvista/messages.py
+    pyvista/pass_chain.py
+    pyvista/polydata_accessor.py
+    pyvista/provider.py
+    pyvista/requirements.py
+    pyvista/scene.py
+    pyvista/settings.py
+    pyvista/smooth_edges.py
+    pyvista/state.py
+    pyvista/subplot.py)
   configure_file(Wrapping/Python/airlight/__init__.py.in
     "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py" @ONLY)
   install(
     FILES       "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py"
     DESTINATION "${AIRLIGHT_PYTHON_DESTINATION}/airlight"
     COMPONENT   python)
-  foreach (file IN ITEMS __main__.py display.py headless.py paraview.py)
+  foreach (file IN LISTS AIRLIGHT_PYTHON_FILES)
+    get_filename_component(folder "airlight/${file}" DIRECTORY)
     configure_file("Wrapping/Python/airlight/${file}"
       "${AIRLIGHT_PYTHONPATH}/airlight/${file}" COPYONLY)
-    get_filename_component(folder "airlight/${file}" DIRECTORY)
     install(
       FILES       "${AIRLIGHT_PYTHONPATH}/airlight/${file}"
       DESTINATION "${AIRLIGHT_PYTHON_DESTINATION}/${folder}"

@@ -1,0 +1,166 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The settings of plotter.airlight.enable(), checked, and how a medium and a pass take them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+
+from airlight import vtkAirlightPass, vtkParticipatingMedium
+
+from . import arguments
+from .messages import Messages
+from .scene import Scene
+
+# Forward, as droplets scatter, but wide enough that lamps beside the view glow.
+ANISOTROPY = 0.5
+
+# Of the colour of the background: the sky over fog is brighter than the fog.
+AMBIENT_SHARE = 0.55
+
+SHADOWS = {
+    "automatic": vtkAirlightPass.AUTOMATIC,
+    "planes": vtkAirlightPass.SHADOW_PLANES,
+    "map": vtkAirlightPass.SHADOW_MAP,
+    "march": vtkAirlightPass.RAY_MARCH,
+    "none": vtkAirlightPass.NONE,
+}
+
+
+@dataclass
+class Settings:
+    """The settings of one subplot; None is derived from the scene. See AirlightComponent.enable."""
+
+    visibility: float | None = None
+    anisotropy: float | None = None
+    albedo: Any = 1.0
+    ambient: Any = None
+    region: Any = None
+    density: Any = None
+    scale_height: float | None = None
+    reference_height: float | None = None
+    shadows: Any = True
+    lamp: bool | None = None
+    white: float = 1.0
+    anti_aliasing: bool | None = None
+
+    def __post_init__(self) -> None:
+        if self.visibility is not None:
+            self.visibility = arguments.positive(
+                "visibility", self.visibility,
+                "the distance at which contrast falls to 2 %, in units of the scene")
+        if self.anisotropy is not None:
+            self.anisotropy = arguments.number(
+                "anisotropy", self.anisotropy, lambda g: -0.99 <= g <= 0.99,
+                "the mean cosine of the scattering angle, from -0.99 to 0.99")
+        self.albedo = arguments.rgb("albedo", self.albedo, "the scattered share of extinction", 1)
+        if self.ambient is not None:
+            self.ambient = arguments.rgb("ambient", self.ambient, "a radiance")
+        self.white = arguments.positive("white", self.white, "the radiance that is drawn white")
+        for name in ("lamp", "anti_aliasing"):
+            if getattr(self, name) not in (None, True, False):
+                raise TypeError(f"{name} is {getattr(self, name)!r}: give True, False or None.")
+        self._check_shadows()
+        self._check_region()
+        self._check_density()
+
+    def _check_shadows(self) -> None:
+        if isinstance(self.shadows, bool):
+            self.shadows = "automatic" if self.shadows else "none"
+        self.shadows = arguments.one_of("shadows", self.shadows, list(SHADOWS))
+
+    def _check_region(self) -> None:
+        if self.region is None:
+            return
+        if isinstance(self.region, pv.DataSet):
+            if not isinstance(self.region, pv.PolyData):
+                raise TypeError(f"region is a {type(self.region).__name__}: give a closed "
+                                "PolyData, as extract_surface() returns, or six bounds.")
+            return
+        self.region = arguments.vector("region", self.region, "xmin, xmax, ymin, ymax, zmin, zmax",
+                                       6)
+        if any(a > b for a, b in zip(self.region[::2], self.region[1::2])):
+            raise ValueError(f"region is {self.region!r}: each minimum has to be at most its "
+                             "maximum.")
+
+    def _check_density(self) -> None:
+        if self.density is not None:
+            if not isinstance(self.density, pv.ImageData):
+                raise TypeError(f"density is {self.density!r}: give a pyvista.ImageData whose "
+                                "active point scalars are the density.")
+            if self.scale_height is not None:
+                raise ValueError("density and scale_height are both given: give one of them.")
+        if self.scale_height is not None:
+            self.scale_height = arguments.positive(
+                "scale_height", self.scale_height, "the height over which density falls to 1/e")
+        if self.reference_height is not None:
+            self.reference_height = arguments.number(
+                "reference_height", self.reference_height, lambda _: True,
+                "the height (z) at which density is 1, a finite number")
+            if self.scale_height is None:
+                raise ValueError("reference_height is given without scale_height: give both.")
+
+    def apply_to_medium(self, medium: vtkParticipatingMedium) -> None:
+        """Set all that does not depend on the scene. ValueError if the medium refuses it."""
+        albedo = np.array(self.albedo)
+        with Messages(medium) as messages:
+            medium.SetScattering(*albedo)
+            medium.SetAbsorption(*(1 - albedo))
+            medium.SetPhaseFunctionToHenyeyGreenstein()
+            medium.SetAnisotropy(ANISOTROPY if self.anisotropy is None else self.anisotropy)
+            if self.visibility is not None:
+                medium.SetVisibility(self.visibility)
+            if self.ambient is not None:
+                medium.SetAmbientRadiance(*(x / self.white for x in self.ambient))
+            self._apply_region(medium)
+            self._apply_density(medium)
+        messages.raise_if_any(ValueError)
+
+    def _apply_region(self, medium: vtkParticipatingMedium) -> None:
+        if self.region is None:
+            medium.SetRegionToUnbounded()
+        elif isinstance(self.region, pv.PolyData):
+            medium.SetSurface(self.region)
+            medium.SetRegionToSurface()
+        else:
+            medium.SetBounds(*self.region)
+            medium.SetRegionToBox()
+
+    def _apply_density(self, medium: vtkParticipatingMedium) -> None:
+        if self.density is not None:
+            medium.SetDensityImage(self.density)
+            medium.SetDensityToImage()
+        elif self.scale_height is not None:
+            medium.SetUp(0, 0, 1)
+            medium.SetScaleHeight(self.scale_height)
+            medium.SetReferenceHeight(self.reference_height or 0.0)
+            medium.SetDensityToExponentialHeight()
+        else:
+            medium.SetDensityToUniform()
+
+    def derive_from_scene(self, medium: vtkParticipatingMedium, scene: Scene) -> None:
+        """Set what is None and depends on the scene's size."""
+        if self.visibility is None:
+            medium.SetVisibility(scene.visibility)
+        if self.scale_height is not None and self.reference_height is None:
+            medium.SetReferenceHeight(float(scene.low[2]))
+
+    def derive_ambient(self, medium: vtkParticipatingMedium, background: Any) -> None:
+        """Set the ambient radiance, if it is None, from the colour of the background."""
+        if self.ambient is None:
+            medium.SetAmbientRadiance(*(AMBIENT_SHARE * x for x in background))
+
+    def apply_to_pass(self, render_pass: vtkAirlightPass) -> None:
+        """Set the shadow technique."""
+        render_pass.SetShadowTechnique(SHADOWS[self.shadows])
+        render_pass.SetSurfaceShadows(self.shadows != "none")
+
+    def as_dict(self) -> dict[str, Any]:
+        """The settings as a dict of numbers, words, tuples and copies of data sets."""
+        values = {field.name: getattr(self, field.name) for field in fields(self)}
+        return {name: value.copy() if isinstance(value, pv.DataSet) else value
+                for name, value in values.items()}
