@@ -85,8 +85,9 @@ class AirlightComponent:
         ----------
         visibility : float, optional
             The distance at which the contrast of a black object against the horizon has fallen to
-            2 %, in units of the scene: 3.912 over the extinction coefficient. Above 0. None: the
-            far end of the scene, seen from the camera, keeps 30 % of its light.
+            2 %, in units of the scene: 3.912 over the extinction coefficient. Above 0;
+            ``math.inf`` is clear air. None: the far end of the scene, seen from the camera, keeps
+            30 % of its light.
         anisotropy : float, optional
             The mean cosine g of the scattering angle (Henyey and Greenstein): above 0 forward.
             -0.99 to 0.99. None: 0.5. Fog has 0.85, sea water 0.92.
@@ -291,19 +292,21 @@ class AirlightComponent:
         subplot.refresh()
         return self
 
-    def buffer(self, name: str = "Radiance") -> pv.ImageData:
+    def buffer(self, name: str = "Radiance", *, light: pv.Light | None = None) -> pv.ImageData:
         """Render a frame, and return a buffer of the active subplot.
 
         Parameters
         ----------
         name : str, default: "Radiance"
             ``"Radiance"``: what reaches the eye, RGB; ``"Airlight"``: the part that the medium
-            scattered into the ray, RGB; ``"Airlight:0"``: that of the first light;
+            scattered into the ray, RGB; ``"Airlight:0"``: that of the first light that is on;
             ``"Surface"``: the part from surfaces, attenuated, RGB; ``"Transmittance"``: from
             the eye to the surface, or through all of the medium, RGB; ``"Depth"``: the distance
             of the surface, -1 without one; ``"LitLength"``: the lit length of the ray;
             ``"BoundaryCount"``: shadow boundaries on the ray; ``"ErrorBound"``: a bound of the
             error of the airlight, RGB.
+        light : pyvista.Light, optional
+            The light whose airlight is returned, with the name ``"Airlight"``. None: all.
 
         Returns
         -------
@@ -320,6 +323,8 @@ class AirlightComponent:
         """
         subplot = self._active()
         name = buffers.check_name(name)
+        if light is not None:
+            name = subplot.find_airlight(name, light)
         if not subplot.enabled:
             raise RuntimeError("The subplot is in no medium: call plotter.airlight.enable() first.")
         return buffers.read(subplot.plotter, subplot, name)

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+import math
 from typing import Any
 
 import numpy as np
@@ -49,10 +50,11 @@ class Settings:
     anti_aliasing: bool | None = None
 
     def __post_init__(self) -> None:
-        if self.visibility is not None:
+        if self.visibility is not None and self.visibility != math.inf:
             self.visibility = arguments.positive(
                 "visibility", self.visibility,
-                "the distance at which contrast falls to 2 %, in units of the scene")
+                "the distance at which contrast falls to 2 %, in units of the scene (math.inf: "
+                "clear air)")
         if self.anisotropy is not None:
             self.anisotropy = arguments.number(
                 "anisotropy", self.anisotropy, lambda g: -0.99 <= g <= 0.99,
@@ -112,7 +114,10 @@ class Settings:
             medium.SetAbsorption(*(1 - albedo))
             medium.SetPhaseFunctionToHenyeyGreenstein()
             medium.SetAnisotropy(ANISOTROPY if self.anisotropy is None else self.anisotropy)
-            if self.visibility is not None:
+            if self.visibility == math.inf:
+                medium.SetScattering(0, 0, 0)
+                medium.SetAbsorption(0, 0, 0)
+            elif self.visibility is not None:
                 medium.SetVisibility(self.visibility)
             if self.ambient is not None:
                 medium.SetAmbientRadiance(*(x / self.white for x in self.ambient))

@@ -251,6 +251,16 @@ class Subplot:
         raise ValueError(f"light is {light!r}, which add_lamp() and add_sun() of this subplot did "
                          "not return.")
 
+    def find_airlight(self, name: str, light: Any) -> str:
+        """The name of the buffer of a light's airlight."""
+        if name != "Airlight":
+            raise ValueError(f"name is {name!r} and light is given: give the name 'Airlight'.")
+        lit = [each for each in self.renderer.GetLights() if each.GetSwitch()]
+        for index, each in enumerate(lit):
+            if each is light:
+                return f"Airlight:{index}"
+        raise ValueError(f"light is {light!r}: give a light of this subplot that is on.")
+
     def remove_lamp(self, lamp: Lamp) -> None:
         """Take a lamp from the renderer."""
         self.lamps = [each for each in self.lamps if each is not lamp]

@@ -1,0 +1,216 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""plotter.airlight: switching on and off, defaults, several subplots."""
+
+import numpy as np
+import pytest
+import pyvista as pv
+
+import airlight
+
+
+def test_found_by_entry_point(plotter):
+    assert type(plotter.airlight).__name__ == "AirlightComponent"
+    assert plotter.airlight is plotter.airlight
+
+
+def test_plot_is_unchanged_while_off(make_plotter):
+    pictures = []
+    for touch in (False, True):
+        plotter = make_plotter()
+        plotter.add_mesh(pv.Sphere())
+        if touch:
+            assert not plotter.airlight.enabled
+        pictures.append(plotter.screenshot())
+    np.testing.assert_array_equal(*pictures)
+
+
+def test_three_lines_make_fog(make_plotter):
+    """The ball is paler than without fog, the fog is brighter towards the lamp, nothing is black,
+    and little is clipped."""
+    plotter = make_plotter()
+    plotter.add_mesh(pv.Sphere(), color="red")
+    clear = plotter.screenshot()
+    plotter.airlight.enable()
+    foggy = plotter.screenshot()
+    ball = (slice(50, 70), slice(70, 90))
+    saturation = [np.ptp(picture[ball].astype(int), axis=-1).mean() for picture in (clear, foggy)]
+    assert saturation[1] < 0.7 * saturation[0]
+    assert saturation[1] > 0.15 * saturation[0]  # but it is seen
+    assert foggy[:20, :60].mean() > foggy[-20:, -60:].mean() + 20
+    assert foggy.min() > 30
+    assert (foggy == 255).all(axis=-1).mean() < 0.15
+
+
+@pytest.mark.parametrize("background", ["black", "white", "slategray"])
+def test_defaults_are_exposed_well(make_plotter, background):
+    plotter = make_plotter()
+    plotter.add_mesh(pv.Sphere(), color="tan")
+    plotter.background_color = background
+    plotter.airlight.enable()
+    picture = plotter.screenshot()
+    ball = picture[45:75, 65:95]
+    assert 40 < ball.mean() < 225
+    assert (picture == 255).all(axis=-1).mean() < 0.15
+
+
+def test_chains(plotter):
+    assert plotter.airlight.enable().disable() is plotter.airlight
+    assert not plotter.airlight.enabled
+
+
+def test_enable_and_disable(plotter):
+    plain = plotter.screenshot()
+    lights = len(plotter.renderer.lights)
+    samples = plotter.render_window.GetMultiSamples()
+    plotter.airlight.enable()
+    assert plotter.airlight.enabled
+    assert plotter.renderer.GetPass() is plotter.airlight.render_pass
+    assert (plotter.screenshot() != plain).any()
+    plotter.airlight.disable()
+    assert plotter.renderer.GetPass() is None
+    assert len(plotter.renderer.lights) == lights
+    assert plotter.render_window.GetMultiSamples() == samples
+    np.testing.assert_array_equal(plotter.screenshot(), plain)
+
+
+def test_visibility_is_derived_from_the_view(plotter):
+    """The far end of the scene keeps 30 % of its light."""
+    plotter.airlight.enable()
+    plotter.screenshot()
+    far = plotter.camera.distance + plotter.renderer.length / 2
+    extinction = plotter.airlight.medium.GetExtinction()[0]
+    assert np.exp(-extinction * far) == pytest.approx(0.3, rel=1e-3)
+    assert plotter.airlight.medium.GetAnisotropy() == 0.5
+
+
+def test_derived_values_follow_a_larger_scene(plotter):
+    plotter.airlight.enable()
+    plotter.screenshot()
+    before = plotter.airlight.medium.GetVisibility()
+    plotter.add_mesh(pv.Sphere(radius=20))
+    plotter.render()
+    assert plotter.airlight.medium.GetVisibility() > 5 * before
+    plotter.add_mesh(pv.Sphere(radius=0.1, center=(20.5, 0, 0)))
+    after = plotter.airlight.medium.GetVisibility()
+    plotter.render()
+    assert plotter.airlight.medium.GetVisibility() == after
+
+
+def test_enabled_before_meshes_are_added(make_plotter):
+    plotter = make_plotter()
+    plotter.airlight.enable()
+    plotter.add_mesh(pv.Sphere())
+    plotter.screenshot()
+    assert 1 < plotter.airlight.medium.GetVisibility() < 100
+
+
+def test_lamp_of_a_room_is_inside(make_plotter):
+    plotter = make_plotter()
+    plotter.add_mesh(pv.Box((0, 6, 0, 4, 0, 3)), color="white")
+    plotter.camera_position = [(5, 3, 1.6), (1, 1, 1.2), (0, 0, 1)]
+    plotter.airlight.enable()
+    plotter.screenshot()
+    lamp, = plotter.airlight.lamps
+    np.testing.assert_allclose(lamp.position, (3, 2, 2.55))
+
+
+def test_settings_reach_medium_and_pass(plotter):
+    plotter.airlight.enable(visibility=15, anisotropy=0.6, albedo=0.25, ambient="red",
+                            region=(-1, 1, -2, 2, -3, 3), shadows="planes")
+    medium = plotter.airlight.medium
+    assert medium.GetVisibility() == pytest.approx(15)
+    assert medium.GetAnisotropy() == 0.6
+    assert medium.GetAlbedo() == pytest.approx((0.25,) * 3)
+    assert medium.GetAmbientRadiance() == (1, 0, 0)
+    assert medium.GetBounds() == (-1, 1, -2, 2, -3, 3)
+    assert medium.GetRegion() == airlight.vtkParticipatingMedium.BOX
+    render_pass = plotter.airlight.render_pass
+    assert render_pass.GetShadowTechnique() == airlight.vtkAirlightPass.SHADOW_PLANES
+    plotter.airlight.enable(shadows=False)
+    assert render_pass.GetShadowTechnique() == airlight.vtkAirlightPass.NONE
+    assert plotter.airlight.medium.GetRegion() == airlight.vtkParticipatingMedium.UNBOUNDED
+
+
+def test_region_is_a_mesh_and_density_an_image(plotter):
+    plotter.airlight.enable(region=pv.Sphere(radius=2))
+    assert plotter.airlight.medium.GetRegion() == airlight.vtkParticipatingMedium.SURFACE
+    image = pv.ImageData(dimensions=(3, 3, 3))
+    image["soot"] = np.linspace(0, 1, 27)
+    plotter.airlight.enable(visibility=3, density=image)
+    assert plotter.airlight.medium.GetDensityImage() is image
+    rgb = [0, 0, 0]
+    airlight.vtkAirlight.Transmittance(plotter.airlight.medium, (0, 0, 0), (2, 0, 0), rgb)
+    assert rgb[0] == pytest.approx(np.exp(-3.912 / 3 * 2 * (1 / 26)))
+
+
+def test_height_fog_begins_at_the_bottom(plotter):
+    plotter.airlight.enable(scale_height=0.2)
+    plotter.screenshot()
+    assert plotter.airlight.medium.GetReferenceHeight() == pytest.approx(-0.5)
+
+
+def test_own_medium(plotter):
+    medium = airlight.vtkParticipatingMedium()
+    medium.SetScattering(0.1, 0.2, 0.3)
+    plotter.airlight.enable(medium=medium)
+    plotter.screenshot()
+    assert plotter.airlight.medium is medium
+    assert medium.GetScattering() == (0.1, 0.2, 0.3)
+    assert plotter.airlight.render_pass.GetMedium(0) is medium
+
+
+def test_describe(plotter):
+    assert plotter.airlight.describe() == "Airlight(off)"
+    plotter.airlight.enable(visibility=15)
+    assert plotter.airlight.describe() == (
+        "Airlight(visibility=15, anisotropy=0.5 (derived), shadows=automatic, 1 lamp (derived))")
+
+
+def test_subplots_are_apart(make_plotter):
+    plotter = make_plotter(shape=(1, 2), window_size=(320, 120))
+    for column, visibility in enumerate((None, 3)):
+        plotter.subplot(0, column)
+        plotter.add_mesh(pv.Sphere(), color="red")
+        if visibility:
+            plotter.airlight.enable(visibility=visibility)
+    picture = plotter.screenshot()
+    plain = make_plotter(shape=(1, 2), window_size=(320, 120))
+    for column in (0, 1):
+        plain.subplot(0, column)
+        plain.add_mesh(pv.Sphere(), color="red")
+    expected = plain.screenshot()
+    left, right = picture[:, :155].astype(int), picture[:, 165:].astype(int)
+    inside = expected[:, :155].astype(int)
+    # multisampling is off in a window with a medium: edges of the other subplot may differ
+    assert (abs(left - inside).max(axis=-1) > 8).mean() < 0.02
+    assert abs(right - expected[:, 165:]).mean() > 20
+    plotter.subplot(0, 0)
+    assert not plotter.airlight.enabled
+    plotter.subplot(0, 1)
+    assert plotter.airlight.enabled
+
+
+def test_buffer_of_each_subplot(make_plotter):
+    plotter = make_plotter(shape=(1, 2), window_size=(320, 120))
+    for column in (0, 1):
+        plotter.subplot(0, column)
+        plotter.add_mesh(pv.Sphere())
+        plotter.airlight.enable(visibility=(3, 300)[column])
+    clear = []
+    for column in (0, 1):
+        plotter.subplot(0, column)
+        image = plotter.airlight.buffer("Transmittance")
+        assert image.dimensions == (160, 120, 1)
+        clear.append(np.max(image["Transmittance"]))
+    assert clear[0] < 0.1 < clear[1]
+
+
+def test_all_corners_of_a_frame_of_a_second_plotter(make_plotter):
+    """Plotters do not share anything."""
+    first, second = make_plotter(), make_plotter()
+    for each in (first, second):
+        each.add_mesh(pv.Sphere())
+    first.airlight.enable()
+    assert not second.airlight.enabled
+    assert first.airlight.medium is not second.airlight.medium
