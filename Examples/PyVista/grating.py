@@ -12,13 +12,14 @@ import sys
 import pyvista as pv
 
 ROOM = (0, 6, -3, 3, 0, 3)  # m; the dust is inside
-IRRADIANCE = 9  # W/m^2; a radiance of 1 W/(m^2 sr) is white
+IRRADIANCE = 14  # W/m^2; a radiance of 1 W/(m^2 sr) is white
 
 
 def make_wall():
     """The wall at x = 0 with a window of slats."""
     parts = [pv.Cube(bounds=(-0.1, 0, -3, 3, 0, 0.9)), pv.Cube(bounds=(-0.1, 0, -3, 3, 2.5, 3)),
-             pv.Cube(bounds=(-0.1, 0, -3, -1.3, 0.9, 2.5)), pv.Cube(bounds=(-0.1, 0, 1.3, 3, 0.9, 2.5))]
+             pv.Cube(bounds=(-0.1, 0, -3, -1.3, 0.9, 2.5)),
+             pv.Cube(bounds=(-0.1, 0, 1.3, 3, 0.9, 2.5))]
     return pv.merge(parts)
 
 
@@ -40,7 +41,8 @@ def main():
     pl.add_mesh(pv.Sphere(center=(2.5, 0.4, 0.5), radius=0.5), color="steelblue",
                 smooth_shading=True)
 
-    pl.airlight.enable(visibility=22, anisotropy=0.4, region=ROOM, ambient=0.15)
+    pl.airlight.enable(visibility=22, anisotropy=0.4, region=ROOM, ambient=0.06)
+    pl.airlight.render_pass.EncodedOutputOn()  # for the eye
     sun = pl.airlight.add_sun((1, 0.12, -0.55), IRRADIANCE, color=(1, 0.93, 0.8))
 
     shadow = slats.airlight.shadow_volume(sun, bounds=ROOM)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Headlights in fog, seen from the roadside: the posts and the driver of a bicycle cut the beams.
+"""Headlights in fog, seen from the roadside: a cyclist cuts the beams.
 
     python3 headlights.py [FOLDER]     writes FOLDER/headlights.png; without a folder, a window
 """
@@ -13,7 +13,7 @@ import pyvista as pv
 
 VISIBILITY = 45  # m
 CANDELA = 18000  # of a low beam, in the middle
-WHITE = 130  # cd/m^2, the luminance that is drawn white
+WHITE = 35  # cd/m^2, the luminance that is drawn white
 
 
 def add_car(pl):
@@ -27,17 +27,22 @@ def add_car(pl):
                                     height=0.2), color="black")
 
 
+def add_tube(pl, a, b, radius, color):
+    pl.add_mesh(pv.Tube(pointa=a, pointb=b, radius=radius, n_sides=24), color=color)
+
+
 def add_cyclist(pl, x, y):
     """Wheels, a frame, and someone who sits on it."""
     for offset in (-0.5, 0.5):
         pl.add_mesh(pv.Disc(center=(x + offset, y, 0.34), inner=0.29, outer=0.34,
                             normal=(0, 1, 0), c_res=40), color="dimgray")
-    for a, b in (((-0.5, 0.34), (-0.1, 0.85)), ((-0.1, 0.85), (0.4, 0.8)), ((0.4, 0.8), (0.5, 0.34)),
-                 ((-0.1, 0.85), (0.0, 0.3)), ((0.4, 0.8), (0.0, 0.3)), ((0.42, 0.8), (0.35, 1.05))):
-        pl.add_mesh(pv.Tube(pointa=(x + a[0], y, a[1]), pointb=(x + b[0], y, b[1]), radius=0.025), color="navy")
-    pl.add_mesh(pv.Tube(pointa=(x - 0.1, y, 0.9), pointb=(x + 0.15, y, 1.45), radius=0.14), color="orange")
-    pl.add_mesh(pv.Tube(pointa=(x + 0.12, y, 1.38), pointb=(x + 0.36, y, 1.05), radius=0.05), color="orange")
-    pl.add_mesh(pv.Tube(pointa=(x - 0.1, y, 0.9), pointb=(x + 0.05, y, 0.35), radius=0.08), color="black")
+    hub, seat, head, pedals, fork = (-0.5, 0.34), (-0.1, 0.85), (0.4, 0.8), (0.0, 0.3), (0.5, 0.34)
+    for a, b in ((hub, seat), (seat, head), (head, fork), (seat, pedals), (head, pedals),
+                 (head, (0.35, 1.05))):
+        add_tube(pl, (x + a[0], y, a[1]), (x + b[0], y, b[1]), 0.025, "navy")
+    add_tube(pl, (x - 0.1, y, 0.9), (x + 0.15, y, 1.45), 0.14, "orange")
+    add_tube(pl, (x + 0.12, y, 1.38), (x + 0.36, y, 1.05), 0.05, "orange")
+    add_tube(pl, (x - 0.1, y, 0.9), (x + 0.05, y, 0.35), 0.08, "black")
     pl.add_mesh(pv.Sphere(center=(x + 0.2, y, 1.66), radius=0.12), color="tan")
 
 
@@ -53,12 +58,13 @@ def main():
         pl.add_mesh(pv.Cylinder(center=(x, 3.6, 0.5), direction=(0, 0, 1), radius=0.06, height=1),
                     color="white")
 
-    pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.7, white=WHITE, ambient=3)
+    pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.7, white=WHITE, ambient=1.2)
+    pl.airlight.render_pass.EncodedOutputOn()  # for the eye
     for y in (-0.65, 0.65):
         pl.airlight.add_lamp((0.06, y, 0.65), CANDELA, unit="cd", color=(1, 0.95, 0.85),
                              target=(30, y, 0.45), cone_angle=11)
 
-    pl.camera_position = [(15.5, -8.5, 2.2), (6, 0.6, 1.0), (0, 0, 1)]
+    pl.camera_position = [(13.5, -6.5, 2.0), (5.5, 0.6, 0.9), (0, 0, 1)]
     pl.camera.view_angle = 40
     pl.show(screenshot=os.path.join(folder, "headlights.png") if folder else None)
 

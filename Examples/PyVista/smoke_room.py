@@ -12,9 +12,9 @@ import sys
 import pyvista as pv
 from pyvista import examples
 
-VISIBILITY = 9  # m
-LAMP = (0.0, 1.3, 1.75)  # m, behind the sculpture
-INTENSITY = 5  # W/sr; a radiance of 1 W/(m^2 sr) is white
+VISIBILITY = 12  # m
+LAMP = (-0.24, 0.9, 1.05)  # m, behind the sculpture
+INTENSITY = 20  # W/sr; a radiance of 1 W/(m^2 sr) is white
 
 
 def make_sculpture():
@@ -40,11 +40,12 @@ def main():
     pl.add_mesh(pv.Cube(center=(0, 0, 0.4), x_length=0.9, y_length=0.5, z_length=0.8), color="tan")
     pl.add_mesh(make_sculpture(), color="saddlebrown", smooth_shading=True)
 
-    pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.6, ambient=0.02)
+    pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.6, ambient=0.03)
+    pl.airlight.render_pass.EncodedOutputOn()  # for the eye
     pl.airlight.add_lamp(LAMP, INTENSITY, color=(1.0, 0.9, 0.75))
 
-    pl.camera_position = [(1.5, -4.3, 1.5), (0, 0, 1.25), (0, 0, 1)]
-    pl.camera.view_angle = 45
+    pl.camera_position = [(0.9, -3.4, 1.35), (0, 0, 1.2), (0, 0, 1)]
+    pl.camera.view_angle = 50
     pl.show(screenshot=os.path.join(folder, "smoke_room.png") if folder else None)
 
 

@@ -18,7 +18,7 @@ import airlight
 
 ABSORPTION = (0.276, 0.047, 0.011)  # 1/m
 SCATTERING = 0.12  # 1/m
-INTENSITY = 55  # W/sr
+INTENSITY = 60  # W/sr
 
 
 def make_water():
@@ -27,7 +27,7 @@ def make_water():
     water.SetScattering(3 * [SCATTERING])
     water.SetPhaseFunctionToHenyeyGreenstein()
     water.SetAnisotropy(0.75)
-    water.SetAmbientRadiance(0.01, 0.06, 0.09)  # daylight from above, about
+    water.SetAmbientRadiance(0.005, 0.04, 0.07)  # daylight from above, about
     return water
 
 
@@ -56,21 +56,21 @@ def add_vehicle(pl, position):
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else None
     pl = pv.Plotter(off_screen=folder is not None, window_size=(1200, 750), lighting="none")
-    pl.background_color = (0.01, 0.06, 0.09)
+    pl.background_color = (0.005, 0.04, 0.07)
     pl.add_mesh(make_floor(), color=(0.75, 0.68, 0.52), smooth_shading=True)
     for x, y, radius in ((3.2, -0.7, 0.45), (4.6, 0.9, 0.6), (2.2, 1.2, 0.25)):
-        rock = pv.ParametricRandomHills(number_of_hills=0) if False else pv.Icosphere(
-            radius=radius, center=(x, y, 0.1), nsub=2)
-        pl.add_mesh(rock, color="gray")
+        pl.add_mesh(pv.Icosphere(radius=radius, center=(x, y, 0.1), nsub=2), color="gray")
     for x in (1.5, 3.5, 5.5):
         pl.add_mesh(pv.Cylinder(center=(x, 0.1, 0.75), direction=(0, 0, 1), radius=0.05,
                                 height=1.5), color="orangered")
     bow = add_vehicle(pl, (-0.8, -0.2, 1.35))
 
     pl.airlight.enable(medium=make_water())
+    pl.airlight.render_pass.EncodedOutputOn()  # for the eye
     pl.airlight.add_lamp(bow, INTENSITY, target=(4.5, 0.2, 0.2), cone_angle=32)
-    pl.camera_position = [(1.2, -5.2, 2.1), (1.5, 0, 0.75), (0, 0, 1)]
-    pl.camera.view_angle = 45
+    pl.airlight.add_lamp((-0.6, -3.0, 3.2), 8)  # of the diver who takes the picture
+    pl.camera_position = [(0.6, -5.0, 1.9), (1.2, 0, 0.8), (0, 0, 1)]
+    pl.camera.view_angle = 50
     pl.show(screenshot=os.path.join(folder, "underwater.png") if folder else None)
 
 

@@ -66,7 +66,8 @@ def channels(plotter):
 # The largest step of 255 that rounding and VTK's blending in 8 bits make.
 @pytest.mark.parametrize("draw, steps", [
     (scalars, 1), (smooth, 1), (texture, 1), (translucent, 3), (blocks, 1), (lines, 1), (points, 1),
-    (glyphs, 1), (clipped, 1), (gradient, 1), (channels, 1)], ids=lambda x: getattr(x, "__name__", ""))
+    (glyphs, 1), (clipped, 1), (gradient, 1), (channels, 1)],
+    ids=lambda value: getattr(value, "__name__", ""))
 def test_same_picture(make_plotter, draw, steps):
     pictures = []
     for medium in (False, True):
