@@ -44,18 +44,21 @@ def render_now(plotter: Any) -> None:
     window.SetOffScreenRendering(was_off_screen)
 
 
-def read(plotter: Any, subplot: Any, name: str) -> pv.ImageData:
-    """Render a frame and return a buffer of it; RuntimeError if there is no medium in it."""
+def read(plotter: Any, subplot: Any, source: str, name: str) -> pv.ImageData:
+    """Render a frame and return its buffer ``source`` as ``name``.
+
+    RuntimeError if there is no medium in the frame.
+    """
     recorded = subplot.render_pass.GetRecordBuffers()
     subplot.render_pass.RecordBuffersOn()
     with Messages(subplot.render_pass) as messages:
         render_now(plotter)
     render_pass = subplot.render_pass  # a chain of other passes may have made another one
-    found = render_pass.GetBuffer(name)
+    found = render_pass.GetBuffer(source)
     render_pass.SetRecordBuffers(recorded)
     if found is None:
-        reason = messages.text or subplot.refused or f"the frame has no buffer {name!r}"
-        raise RuntimeError(f"There is no buffer {name!r}: {reason}")
+        reason = messages.text or subplot.refused or f"the frame has no buffer {source!r}"
+        raise RuntimeError(f"There is no buffer {source!r}: {reason}")
     image = pv.ImageData(found, deep=True)
     values = image.point_data[image.point_data.keys()[0]]
     if name.partition(":")[0] in RADIANCES and subplot.settings.white != 1.0:

@@ -323,11 +323,10 @@ class AirlightComponent:
         """
         subplot = self._active()
         name = buffers.check_name(name)
-        if light is not None:
-            name = subplot.find_airlight(name, light)
+        source = name if light is None else subplot.find_airlight(name, light)
         if not subplot.enabled:
             raise RuntimeError("The subplot is in no medium: call plotter.airlight.enable() first.")
-        return buffers.read(subplot.plotter, subplot, name)
+        return buffers.read(subplot.plotter, subplot, source, name)
 
     def describe(self) -> str:
         """Return the settings of the active subplot in a line.
