@@ -23,7 +23,7 @@ TEXT = (".md", ".txt", ".cmake", ".in", ".py", ".toml", ".cfg", ".sh", ".yml", "
         ".h", ".cxx", ".xml", ".module", ".plugin", ".rst")
 # Lines that give Airlight a version.
 SETS = re.compile(r"""^\ +VERSION\ +"?\d+\.\d+ | ^project\(\S+\ +VERSION\ +\d
-                  | __version__\ *=\ *["']\d | ^version\ *=\ *["']\d
+                  | (?<!\.)__version__\ *=\ *["']\d | ^version\ *=\ *["']\d
                   | AIRLIGHT_VERSION\w*["']?\ *[=\s]\ *["']?\d
                   | [Aa]irlight\w*_VERSION\w*\ +"?\d""", re.VERBOSE)
 # Names of files and packages that contain it.
