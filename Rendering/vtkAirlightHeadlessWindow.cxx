@@ -111,6 +111,7 @@ void vtkAirlightHeadlessWindow::Render()
   // Not the superclass's: that would save and restore all of OpenGL's state, for those whose
   // context it is.
   this->vtkOpenGLRenderWindow::Render(); // NOLINT(bugprone-parent-virtual-call)
+  this->Context->Release();
 }
 
 //------------------------------------------------------------------------------

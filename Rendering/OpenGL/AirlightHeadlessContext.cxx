@@ -75,6 +75,26 @@ private:
   }
 };
 
+// A thread has one current context, and EGL refuses to make one current while there is one of GLX.
+void ReleaseGLX()
+{
+  void* opened = dlopen("libGLX.so.0", RTLD_LAZY | RTLD_NOLOAD);
+  opened = opened ? opened : dlopen("libGL.so.1", RTLD_LAZY | RTLD_NOLOAD);
+  if (!opened)
+  {
+    return;
+  }
+  const auto getDisplay = reinterpret_cast<void* (*)()>(dlsym(opened, "glXGetCurrentDisplay"));
+  const auto makeCurrent =
+    reinterpret_cast<int (*)(void*, unsigned long, void*)>(dlsym(opened, "glXMakeCurrent"));
+  void* display = getDisplay ? getDisplay() : nullptr;
+  if (display && makeCurrent)
+  {
+    makeCurrent(display, 0, nullptr);
+  }
+  dlclose(opened);
+}
+
 // Graphics cards first.
 std::vector<EGLDeviceEXT> FindDevices()
 {
@@ -176,10 +196,7 @@ HeadlessContext::~HeadlessContext()
   {
     return;
   }
-  if (this->IsCurrent())
-  {
-    egl.MakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  }
+  this->Release();
   if (this->Context != EGL_NO_CONTEXT)
   {
     egl.DestroyContext(this->Display, this->Context);
@@ -202,9 +219,19 @@ HeadlessContext::Function HeadlessContext::Find(const char* name)
 //------------------------------------------------------------------------------
 bool HeadlessContext::MakeCurrent() const
 {
+  ReleaseGLX();
   return this->Context != EGL_NO_CONTEXT &&
     Library::Get().MakeCurrent(this->Display, this->Surface, this->Surface, this->Context) ==
     EGL_TRUE;
+}
+
+//------------------------------------------------------------------------------
+void HeadlessContext::Release() const
+{
+  if (this->IsCurrent())
+  {
+    Library::Get().MakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -225,6 +252,7 @@ HeadlessContext::~HeadlessContext() = default;
 int HeadlessContext::CountDevices() { return 0; }
 HeadlessContext::Function HeadlessContext::Find(const char*) { return nullptr; }
 bool HeadlessContext::MakeCurrent() const { return false; }
+void HeadlessContext::Release() const {}
 bool HeadlessContext::IsCurrent() const { return false; }
 #endif
 }

@@ -34,7 +34,10 @@ public:
   HeadlessContext(const HeadlessContext&) = delete;
   void operator=(const HeadlessContext&) = delete;
 
+  // For this thread, in place of another of EGL or GLX. Release() makes room for one of GLX, which
+  // would be refused.
   bool MakeCurrent() const;
+  void Release() const;
   bool IsCurrent() const;
 
 private:

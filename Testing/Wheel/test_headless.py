@@ -69,8 +69,13 @@ def test_same_as_other_windows():
     other.Render()
     expected = radiance(render_pass)
     renderer, render_pass = make_scene()
-    airlight.headless_window(renderer, size=(64, 48)).Render()
+    window = airlight.headless_window(renderer, size=(64, 48))
+    window.Render()
     assert expected.max() > 1e-3
+    assert np.array_equal(radiance(render_pass), expected)
+    for _ in range(2):  # in turn
+        other.Render()
+        window.Render()
     assert np.array_equal(radiance(render_pass), expected)
 
 
