@@ -8,6 +8,7 @@
 
 #include "vtkPointGaussianMapper.h"
 #include "vtkRenderStepsPass.h"
+#include "vtkVersionMacros.h"
 
 #include <cstdlib>
 
@@ -87,6 +88,14 @@ void TestLayers(Fog& fog)
 }
 
 //------------------------------------------------------------------------------
+// Until 9.3 VTK makes a splat of a triangle that faces the eye. From 9.4 on it draws an ellipse on
+// the screen, all of it at the depth of the splat's middle: a plane across where the camera looks.
+glm::dvec3 GetSplatNormal(const glm::dvec3& place)
+{
+  return VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0) ? place - Fog::Eye
+                                                         : glm::dvec3(0.0, 0.0, 1.0);
+}
+
 // One splat before the background; its opacity in each pixel is what the clear frame shows. A
 // delegate draws all opaque geometry at once, splats too.
 void CheckSplat(Fog& fog, bool emissive, vtkRenderPass* delegate)
@@ -119,8 +128,7 @@ void CheckSplat(Fog& fog, bool emissive, vtkRenderPass* delegate)
       const glm::dvec3 direction = Fog::GetDirection(i, j);
       const glm::dvec3 added = GetColour(clear.at("Radiance"), i, j) - Background;
       const double opacity = emissive ? 0.0 : added.x / (colour.x - Background.x);
-      // VTK's splats face the eye.
-      const Layer layer{ colour, place, opacity, place - Fog::Eye };
+      const Layer layer{ colour, place, opacity, GetSplatNormal(place) };
       glm::dvec3 expected = Blend(fog, direction, { layer });
       if (emissive)
       {
