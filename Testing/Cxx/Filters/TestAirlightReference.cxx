@@ -25,6 +25,7 @@
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkTransform.h"
+#include "vtkVersionMacros.h"
 
 #include <cstdlib>
 
@@ -223,6 +224,9 @@ int TestAirlightReference(int, char*[])
   scene.Renderer->SetBackground(0.2, 0.4, 0.6); // whole numbers of 1/255: VTK rounds gradients
   scene.Renderer->SetBackground2(0.8, 0.6, 0.0);
   scene.Renderer->GradientBackgroundOn();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 1)
+  scene.Renderer->DitherGradientOff(); // since 9.3.1 VTK adds noise of half a step of 1/255
+#endif
   vtkNew<vtkAirlightReference> reference;
   reference->SetRenderer(scene.Renderer);
   reference->SetMedium(scene.Medium);
