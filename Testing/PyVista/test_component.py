@@ -115,6 +115,35 @@ def test_lamp_of_a_room_is_inside(make_plotter):
     np.testing.assert_allclose(lamp.position, (3, 2, 2.55))
 
 
+def test_camera_may_be_placed_after_enable(make_plotter):
+    found = []
+    for enable_first in (True, False):
+        plotter = make_plotter()
+        plotter.add_mesh(pv.Box((0, 6, 0, 4, 0, 3)), color="white")
+        if enable_first:
+            plotter.airlight.enable()
+            assert plotter.airlight.medium.GetVisibility() > 20  # as seen from afar
+        plotter.camera_position = [(5, 3, 1.6), (1, 1, 1.2), (0, 0, 1)]
+        if not enable_first:
+            plotter.airlight.enable()
+        plotter.screenshot()
+        found.append((plotter.airlight.medium.GetVisibility(),
+                      *plotter.airlight.lamps[0].position))
+    assert found[0] == pytest.approx(found[1])  # rounding of scaled coefficients
+
+
+def test_frames_without_changes_change_nothing(plotter):
+    """Otherwise caches would be filled again in each frame."""
+    plotter.airlight.enable().add_lamp((0, 0, 3))
+    plotter.screenshot()
+    plotter.render()
+    times = [each.GetMTime() for each in (plotter.airlight.medium, plotter.airlight.render_pass,
+                                          *plotter.renderer.lights)]
+    plotter.render()
+    assert times == [each.GetMTime() for each in (
+        plotter.airlight.medium, plotter.airlight.render_pass, *plotter.renderer.lights)]
+
+
 def test_settings_reach_medium_and_pass(plotter):
     plotter.airlight.enable(visibility=15, anisotropy=0.6, albedo=0.25, ambient="red",
                             region=(-1, 1, -2, 2, -3, 3), shadows="planes")

@@ -130,13 +130,17 @@ class Subplot:
 
     # Before each frame
 
-    def prepare(self) -> None:
-        """Bring lamps, derived values and the chain of passes up to date."""
+    def prepare(self, *, in_frame: bool = False) -> None:
+        """Bring lamps, derived values and the chain of passes up to date.
+
+        Values that are derived before the first frame are derived again in it, since the camera
+        may be placed until then.
+        """
         renderer = self._renderer()
         if not self.enabled or renderer is None or renderer.GetSelector() is not None:
             return
         self._quiet_camera_lights(renderer)
-        self._update_derived()
+        self._update_derived(in_frame and renderer.camera_set)
         if not self.is_provided:
             self._chain.install(renderer, self.render_pass)
         self._edges.update(renderer, self.render_pass)
@@ -160,7 +164,7 @@ class Subplot:
             if not vtkAirlightLight.GetScatters(light):
                 vtkAirlightLight.SetScatters(light, False)
 
-    def _update_derived(self) -> None:
+    def _update_derived(self, is_final: bool) -> None:
         renderer = self._renderer()
         scene = measure(renderer)
         if scene is None:
@@ -171,7 +175,7 @@ class Subplot:
             if has_changed:
                 self.settings.derive_from_scene(self.medium, scene)
         self._update_derived_lamp(scene, has_changed)
-        if has_changed:
+        if has_changed and is_final:
             self._diagonal, self._center = scene.diagonal, scene.center
 
     def _has_changed(self, scene: Any) -> bool:
@@ -294,4 +298,4 @@ class _Prepare:
     def __call__(self, *_event: Any) -> None:
         subplot = self._subplot()
         if subplot is not None:
-            subplot.prepare()
+            subplot.prepare(in_frame=True)
