@@ -393,7 +393,8 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   {
     medium->PrintSelf(os, indent.GetNextIndent());
   }
-  const char* techniques[] = { "None", "ShadowPlanes", "Automatic", "ShadowMap", "RayMarch" };
+  const char* techniques[] = { "None", "ShadowPlanes", "Automatic", "ShadowMap", "RayMarch",
+    "Froxels" };
   os << indent << "ShadowTechnique: " << techniques[this->ShadowTechnique] << "\n";
   os << indent << "EffectiveShadowTechnique: " << techniques[this->GetEffectiveShadowTechnique()]
      << "\n";

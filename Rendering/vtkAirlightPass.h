@@ -82,7 +82,8 @@ public:
     SHADOW_PLANES = 1, ///< from silhouette edges, to rounding; needs OpenGL 4.3
     AUTOMATIC = 2,     ///< SHADOW_PLANES where possible, else SHADOW_MAP with a warning; see below
     SHADOW_MAP = 3,    ///< lit intervals from shadow maps; see below
-    RAY_MARCH = 4      ///< SHADOW_MAP, with the integrand sampled at each step; for comparison
+    RAY_MARCH = 4,     ///< SHADOW_MAP, with the integrand sampled at each step; for comparison
+    FROXELS = 5        ///< a coarse grid in the view; GetEffectiveShadowTechnique() only
   };
 
   ///@{
@@ -91,8 +92,9 @@ public:
    *
    * AUTOMATIC uses SHADOW_PLANES. It uses SHADOW_MAP for casters with more shadow boundaries than
    * SetMaximumBoundariesPerPixel() allows and for opaque casters that have no shadow planes, and in
-   * frames in which OpenGL 4.3 is missing or the boundaries need too much memory. The first frame
-   * of each kind gives a warning. SHADOW_PLANES draws any number of boundaries; without OpenGL 4.3
+   * frames in which OpenGL 4.3 is missing or the boundaries need too much memory. It uses FROXELS
+   * for translucent casters with too many boundaries. The first frame of each kind gives a
+   * warning. SHADOW_PLANES draws any number of boundaries; without OpenGL 4.3
    * it uses SHADOW_MAP with an error, casters without planes are left out with a warning, and too
    * little memory is an error.
    */
@@ -120,10 +122,11 @@ public:
    * How many shadow boundaries a pixel may have on average in each light, for AUTOMATIC. The number
    * follows from the silhouettes, before anything is drawn. If there are more, the props with the
    * most get a shadow map in place of shadow planes, until the others have no more: a swarm of
-   * small things takes bounded time, while large casters keep exact edges. "ErrorBound" includes
-   * an estimate of the map's error. Translucent casters and those of other processes keep their
-   * planes. Range: not below 0. Default: 16, beyond which planes take longer than a map with Mesa's
-   * software renderer; VTK_DOUBLE_MAX for planes in any case.
+   * small things takes bounded time, while large casters keep exact edges. If translucent casters
+   * alone have more, all of them get FROXELS: their shadows, and the airlight before translucent
+   * surfaces, are interpolated from a coarse grid. "ErrorBound" includes an estimate of both errors.
+   * Casters of other processes keep their planes. Range: not below 0. Default: 16, beyond which
+   * planes take longer than a map with Mesa's software renderer; VTK_DOUBLE_MAX for planes always.
    */
   void SetMaximumBoundariesPerPixel(double boundaries);
   vtkGetMacro(MaximumBoundariesPerPixel, double);
@@ -141,8 +144,8 @@ public:
   ///@{
   /**
    * The technique of the last frame, or of one of its lights, never AUTOMATIC; see
-   * SetShadowTechnique(). SHADOW_MAP if any caster has a shadow map; NONE for a light that casts no
-   * shadows or was not in that frame.
+   * SetShadowTechnique(). SHADOW_MAP if any caster has a shadow map, else FROXELS if translucent
+   * casters have a grid; NONE for a light that casts no shadows or was not in that frame.
    */
   int GetEffectiveShadowTechnique();
   int GetEffectiveShadowTechnique(vtkLight* light);

@@ -55,6 +55,9 @@ struct Caster
     return glm::dvec3(this->ToWorld * glm::dvec4(this->Mesh->Points[point], 1.0));
   }
 
+  // Opaque ones block all light.
+  bool IsOpaque() const { return this->OpticalThickness.Blocks == glm::ivec3(1); }
+
   bool HasSameShape(const Caster& other) const
   {
     return this->Mesh == other.Mesh && this->ToWorld == other.ToWorld &&

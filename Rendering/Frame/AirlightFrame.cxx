@@ -58,9 +58,12 @@ bool Frame::Begin(const Input& input)
   needs.WithoutLight = this->Plan.ShadowingLight >= 0;
   needs.Record = this->Plan.Record;
   needs.Translucent = this->Plan.Translucent;
-  return this->Textures.Prepare(
-           this->GetWindow(), input.Rays.GetWidth(), input.Rays.GetHeight(), needs) ||
-    this->Fail(this->Textures.GetError());
+  if (!this->Textures.Prepare(
+        this->GetWindow(), input.Rays.GetWidth(), input.Rays.GetHeight(), needs))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  return this->BeginFroxels();
 }
 
 //------------------------------------------------------------------------------
@@ -112,20 +115,49 @@ bool Frame::DrawColours(SceneDrawer& scene)
 }
 
 //------------------------------------------------------------------------------
-bool Frame::PrepareCasters()
+double Frame::EstimateTranslucent(vtkOpenGLRenderWindow* window, const CameraUniforms& rays,
+  const f64::AirlightMedia& media, const std::vector<SceneLight>& lights,
+  const CasterCache& casters, const std::vector<vtkProp*>& solids)
+{
+  const FrameScene scene{ window, media, lights, rays, nullptr, rays.GetWidth(), rays.GetHeight() };
+  return this->Shadows.EstimateTranslucent(scene, casters, solids);
+}
+
+//------------------------------------------------------------------------------
+LightShadows::Options Frame::GetShadowOptions() const
 {
   LightShadows::Options options;
   options.Method = this->Plan.Shadows;
   options.SurfaceShadows = this->Plan.SurfaceShadows;
   options.TranslucentShadows = this->Plan.TranslucentShadows;
+  options.OpaqueOnly = this->Plan.Froxels;
   options.LimitPlanes = this->Plan.LimitPlanes;
   options.MaximumBoundaries = this->Plan.MaximumBoundaries;
   options.MapNonPolygonal = this->Plan.MapNonPolygonal;
   options.MapResolution = this->Plan.MapResolution;
   options.Steps = this->Plan.Steps;
   options.MemoryLimit = this->Plan.MemoryLimit;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+bool Frame::BeginFroxels()
+{
+  Froxels::Options options;
+  options.Boundaries = this->Plan.TranslucentBoundaries;
+  options.MaximumBoundaries = this->Plan.MaximumBoundaries;
+  options.Transmits = this->Plan.CastersInFroxels;
+  options.Record = this->Plan.Record;
+  return !this->Plan.Froxels ||
+    this->CoarseAir.Begin(this->Current->Renderer, this->GetScene(), options) ||
+    this->Fail(this->CoarseAir.GetError());
+}
+
+//------------------------------------------------------------------------------
+bool Frame::PrepareCasters()
+{
   if (!this->Shadows.Prepare(
-        this->GetScene(), options, *this->Current->Casters, this->Current->Solids))
+        this->GetScene(), this->GetShadowOptions(), *this->Current->Casters, this->Current->Solids))
   {
     return this->Fail(this->Shadows.GetError());
   }
@@ -250,6 +282,10 @@ bool Frame::ScatterLights()
   {
     return false;
   }
+  if (this->Plan.Froxels && !this->CoarseAir.Finish(this->GetScene()))
+  {
+    return this->Fail(this->CoarseAir.GetError());
+  }
   // The mappers read what the inscatter shaders wrote.
   if (this->Plan.TranslucentFragments || this->Shadows.TransmitsLight())
   {
@@ -264,8 +300,9 @@ bool Frame::ScatterLights()
 bool Frame::MayJoinOthers(int light)
 {
   const FrameScene scene = this->GetScene();
-  return !this->Plan.Record && !this->Plan.TranslucentFragments && scene.Lights[light].Scatters() &&
-    IsEquiangular(scene, light) && this->Shadows.IsUnshadowed(scene, light);
+  return !this->Plan.Record && !this->Plan.TranslucentFragments && !this->Plan.Froxels &&
+    scene.Lights[light].Scatters() && IsEquiangular(scene, light) &&
+    this->Shadows.IsUnshadowed(scene, light);
 }
 
 //------------------------------------------------------------------------------
@@ -297,6 +334,12 @@ bool Frame::ScatterLight(const InscatterTargets& targets, int light)
     this->TooMuch = this->Shadows.IsOverBudget() ? Excess::Boundaries : Excess::None;
     return this->Fail(this->Inscatter.GetError());
   }
+  if (this->Plan.Froxels && this->Current->SceneLights[light].Scatters() &&
+    !this->CoarseAir.ScatterLight(this->GetScene(), light, this->Current->Casters->GetCasters(),
+      this->Shadows.GetMap(light), targets))
+  {
+    return this->Fail(this->CoarseAir.GetError());
+  }
   if (this->Plan.Record)
   {
     if (!this->Buffers.RecordLight(this->Textures, light))
@@ -311,7 +354,9 @@ bool Frame::ScatterLight(const InscatterTargets& targets, int light)
 //------------------------------------------------------------------------------
 ShadowTechnique Frame::GetTechnique() const
 {
-  return this->Shadows.HasMap() ? ShadowTechnique::Map : this->Plan.Technique;
+  return this->Shadows.HasMap()   ? ShadowTechnique::Map
+    : this->Plan.CastersInFroxels ? ShadowTechnique::Froxels
+                                  : this->Plan.Technique;
 }
 
 //------------------------------------------------------------------------------
@@ -320,7 +365,7 @@ ShadowTechnique Frame::GetTechnique(const vtkLight* light) const
   switch (this->Shadows.GetMethod(light))
   {
     case ShadowMethod::Planes:
-      return ShadowTechnique::Planes;
+      return this->Plan.CastersInFroxels ? ShadowTechnique::Froxels : ShadowTechnique::Planes;
     case ShadowMethod::Map:
       return ShadowTechnique::Map;
     case ShadowMethod::March:
@@ -426,10 +471,11 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.EncodedInput = this->Plan.EncodedInput;
   values.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
   values.Transmittances = &this->Shadows.GetSurfaceTransmittance();
+  values.Froxels = this->Plan.Froxels ? &this->CoarseAir.GetNodes() : nullptr;
   // Without records the bits are those of the opaque surface, which lies behind the layers.
   values.UseLit = this->Plan.Shadows != ShadowMethod::None && this->Plan.SurfaceShadows &&
     (stage != SurfaceStage::Translucent ? !this->Plan.SingleGeometryPass
-                                        : values.Records != nullptr);
+                                        : values.Records || values.Froxels);
   return values;
 }
 
@@ -440,6 +486,7 @@ void Frame::ReleaseObjects(vtkWindow* window)
   this->Inscatter.Release();
   this->Composition.Release();
   this->FragmentLists.Release();
+  this->CoarseAir.Release(window);
   this->Shadows.ReleaseObjects(window);
   this->Textures.Release(window);
   this->Arrays.Release(window);

@@ -15,6 +15,9 @@
  * (AirlightSceneStages.cxx). Where no light's airlight has shadows, step 2 is done with step 4
  * (AirlightUnshadowedLights.cxx).
  *
+ * Where translucent things would cost too much, a coarse grid of the airlight takes their part in
+ * steps 2 to 4 (Froxels).
+ *
  * Each step is a class: GeometryPass (1, 3), LightShadows and InscatterPass (2), CompositePass (4,
  * 5), FrameRecorder. The frame knows their order and no more.
  */
@@ -25,6 +28,7 @@
 #include "Composite/AirlightCompositePass.h"
 #include "Frame/AirlightFramePlan.h"
 #include "Frame/AirlightFrameRecorder.h"
+#include "Frame/AirlightFroxels.h"
 #include "Frame/AirlightGeometryPass.h"
 #include "Frame/AirlightTargets.h"
 #include "Inscatter/AirlightInscatterPass.h"
@@ -70,11 +74,17 @@ public:
   void RemoveAllRemoteSilhouettes() { this->Shadows.RemoveAllRemoteSilhouettes(); }
   bool HasRemoteSilhouettes() const { return this->Shadows.HasRemoteSilhouettes(); }
 
+  // LightShadows::EstimateTranslucent(), for the plan.
+  double EstimateTranslucent(vtkOpenGLRenderWindow* window, const CameraUniforms& rays,
+    const f64::AirlightMedia& media, const std::vector<SceneLight>& lights,
+    const CasterCache& casters, const std::vector<vtkProp*>& solids);
+
   // How the frame is drawn; before Begin().
   void SetPlan(const FramePlan& plan) { this->Plan = plan; }
   const FramePlan& GetPlan() const { return this->Plan; }
 
-  // The technique of the last frame: maps if any caster has one; or that of a light in it.
+  // The technique of the last frame: maps if any caster has one, else froxels if any is in their
+  // grid; or that of a light in it.
   ShadowTechnique GetTechnique() const;
   ShadowTechnique GetTechnique(const vtkLight* light) const;
   // Those that have a map since they have too many boundaries.
@@ -145,6 +155,8 @@ private:
   bool CollectFragments(SceneDrawer& scene);
   bool SortFragments();
   bool ScatterLights();
+  LightShadows::Options GetShadowOptions() const;
+  bool BeginFroxels();
   bool ScatterLight(const InscatterTargets& targets, int light);
   bool MayJoinOthers(int light);
   bool ScatterUnshadowed(const InscatterTargets& targets, const std::vector<int>& lights);
@@ -159,6 +171,7 @@ private:
   Targets Textures;
   SceneArrays Arrays;
   TranslucentFragments FragmentLists;
+  Froxels CoarseAir;
   GeometryPass Geometry;
   LightShadows Shadows;
   InscatterPass Inscatter;

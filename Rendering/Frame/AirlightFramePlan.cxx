@@ -132,7 +132,7 @@ std::vector<LightFacts> GetScatteringLights(const SceneFacts& scene)
 // without shadows a fifth shorter (Documentation/benchmarks.md).
 bool IsUnshadowedInComposite(const FramePlan& plan, const SceneFacts& scene)
 {
-  if (plan.Record || plan.TranslucentFragments || plan.View != DebugView::Shaded ||
+  if (plan.Record || plan.TranslucentFragments || plan.Froxels || plan.View != DebugView::Shaded ||
     plan.Shadows == ShadowMethod::March || scene.DensityImage)
   {
     return false;
@@ -157,6 +157,14 @@ bool IsUnshadowedInFragments(const FramePlan& plan, const SceneFacts& scene)
       return HasClosedForm(light.Kind) && light.Kind == lights[0].Kind && !light.Photometric;
     });
 }
+
+//------------------------------------------------------------------------------
+// Volumes have nodes of their own on each ray.
+bool IsInFroxels(const FramePlan& plan, const SceneFacts& scene)
+{
+  return plan.Shadows == ShadowMethod::Planes && scene.TranslucentBoundaries >= 0.0 &&
+    plan.GetTranslucentCost() > plan.MaximumBoundaries && scene.Volumes == 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -174,9 +182,13 @@ FramePlan MakeFramePlan(
   plan.ScatteredSurfaceLight = properties.ScatteredSurfaceLight && !scene.DensityImage;
   plan.MemoryLimit = properties.MemoryLimit;
   plan.Translucent = properties.View == DebugView::Shaded && scene.DrawsOverMedium;
-  plan.NeedsRecords =
-    limits.StorageBuffers && !limits.RecordsOverMemory && !IsUnshadowedInFragments(plan, scene);
-  plan.RecordsOverMemory = plan.Translucent && limits.RecordsOverMemory;
+  plan.TranslucentBoundaries = std::max(scene.TranslucentBoundaries, 0.0);
+  plan.GaussianFragments = plan.Translucent ? scene.GaussianFragments : 0.0;
+  plan.Froxels = IsInFroxels(plan, scene);
+  plan.CastersInFroxels = plan.Froxels && plan.TranslucentShadows && scene.TranslucentCasters;
+  plan.NeedsRecords = limits.StorageBuffers && !limits.RecordsOverMemory && !plan.Froxels &&
+    !IsUnshadowedInFragments(plan, scene);
+  plan.RecordsOverMemory = plan.Translucent && limits.RecordsOverMemory && !plan.Froxels;
   plan.TranslucentFragments = plan.Translucent && plan.NeedsRecords;
   plan.VolumeNodes =
     GetVolumeNodeCount(scene.Volumes, scene.Width, scene.Height, properties.MemoryLimit);

@@ -27,7 +27,8 @@ enum class ShadowTechnique
   Planes = 1,
   Automatic = 2,
   Map = 3,
-  March = 4
+  March = 4,
+  Froxels = 5 // of a frame or a light, never requested
 };
 enum class DebugView
 {
@@ -79,6 +80,10 @@ struct SceneFacts
   bool DrawsOverMedium = false; // there may be translucent surfaces, volumes or point Gaussians
   bool NonPolygonalCasters = false;
   bool TranslucentCasters = false; // among those that cast
+  // Boundaries of translucent casters on a pixel, in the light with the most; below 0 if they cannot
+  // be in a froxel grid.
+  double TranslucentBoundaries = -1.0;
+  double GaussianFragments = 0.0; // of a pixel, likewise
   std::size_t Volumes = 0;
   int Width = 1;
   int Height = 1;
@@ -100,6 +105,9 @@ enum class TechniqueReason
   PlanesOverMemory
 };
 
+// The record of a translucent fragment takes as long as so many boundaries.
+constexpr double BoundariesPerFragment = 8.0;
+
 struct FramePlan
 {
   // VTK's own picture: the medium is clear, and there are no shadows on surfaces. VTK then draws
@@ -112,6 +120,19 @@ struct FramePlan
   bool LimitPlanes = false; // too many shadow boundaries are an error; the frame takes maps instead
   // Casters whose planes would give a pixel more boundaries have maps.
   double MaximumBoundaries = std::numeric_limits<double>::infinity();
+  // Where translucent casters would give a pixel too many boundaries, or point Gaussians too many
+  // fragments, a froxel grid takes the place of the planes of translucent casters and of the records
+  // of fragments.
+  bool Froxels = false;
+  double TranslucentBoundaries = 0.0; // that a pixel would have
+  double GaussianFragments = 0.0;
+  bool CastersInFroxels = false; // there are some
+
+  // What all that would cost, in boundaries.
+  double GetTranslucentCost() const
+  {
+    return this->TranslucentBoundaries + BoundariesPerFragment * this->GaussianFragments;
+  }
   bool MapNonPolygonal = false; // casters without planes have maps beside the planes of others
   int MapResolution = 1024;
   int Steps = 64;

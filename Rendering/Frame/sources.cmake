@@ -5,9 +5,12 @@ airlight_sources(
     AirlightFrame
     AirlightFramePlan
     AirlightFrameRecorder
+    AirlightFroxels
     AirlightGeometryPass
     AirlightTargets
   HEADERS
     AirlightSceneDrawer.h
   GLSL
+    glsl/AirlightFroxelFS.glsl
+    glsl/AirlightFroxelLossFS.glsl
     glsl/AirlightDistancesFS.glsl)

@@ -35,16 +35,6 @@ const char* GivenUniforms = "uniform AirlightMedia media;\nuniform AirlightLight
 
 static_assert(MaximumShadowingLights <= translucent_record::LightBits, "a bit for each light");
 
-// The rays, and the scattering of lights of this kind.
-std::string GetRaySource(const FrameScene& scene, int kind, bool photometry, bool cones)
-{
-  return "#define AIRLIGHT_MORE_LIT " + std::to_string(scene.Lights.size() > BitsPerChannel) +
-    "\n#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n"
-    "#define AIRLIGHT_PARALLEL " +
-    std::to_string(scene.Rays.IsParallel()) + "\n" + (cones ? "" : "#define AIRLIGHT_NO_CONE\n") +
-    GetScatteringSource(scene.Media, kind, photometry) + AirlightCameraShader + AirlightLightPixel;
-}
-
 // What a lit surface adds in the channels of bits.
 glm::vec4 GetLitBit(int light)
 {
@@ -73,6 +63,17 @@ InscatterShader::InscatterShader(const FrameScene& scene, const InscatterOptions
   , Equiangular(airlight::IsEquiangular(scene, light) && !shadows.TransmitsLight() &&
       shadow.CountsBoundaries())
 {
+}
+
+//------------------------------------------------------------------------------
+std::string InscatterShader::GetRaySource(
+  const FrameScene& scene, int kind, bool photometry, bool cones)
+{
+  return "#define AIRLIGHT_MORE_LIT " + std::to_string(scene.Lights.size() > BitsPerChannel) +
+    "\n#define AIRLIGHT_FULL_SCREEN\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n"
+    "#define AIRLIGHT_PARALLEL " +
+    std::to_string(scene.Rays.IsParallel()) + "\n" + (cones ? "" : "#define AIRLIGHT_NO_CONE\n") +
+    GetScatteringSource(scene.Media, kind, photometry) + AirlightCameraShader + AirlightLightPixel;
 }
 
 //------------------------------------------------------------------------------

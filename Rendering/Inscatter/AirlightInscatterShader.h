@@ -56,6 +56,9 @@ public:
   std::string GetSource(const InscatterDraw& draw, RayPart part) const;
   void SetUniforms(vtkShaderProgram* program, const InscatterDraw& draw, RayPart part) const;
 
+  // The rays, and the scattering of lights of this kind, for all shaders of airlight.
+  static std::string GetRaySource(const FrameScene& scene, int kind, bool photometry, bool cones);
+
   // Of several lights without shadows, see InscatterPass::DrawUnshadowed().
   static std::string GetUnshadowedSource(const FrameScene& scene, const std::vector<int>& lights);
   static void SetUnshadowedUniforms(

@@ -27,6 +27,15 @@ bool Casts(const FrameScene& scene, size_t light)
 // A light's shadows. Those that it does not need are null.
 struct LightShadows::OneLight
 {
+  PlanesShadow& MakePlanes(ShadowLists& lists)
+  {
+    if (!this->Planes)
+    {
+      this->Planes = std::make_unique<PlanesShadow>(lists);
+    }
+    return *this->Planes;
+  }
+
   void ReleaseMap(vtkWindow* window)
   {
     this->Mixed.reset();
@@ -85,13 +94,48 @@ bool LightShadows::Prepare(const FrameScene& scene, const Options& options,
   if (this->HasMaps())
   {
     std::copy_if(all.begin(), all.end(), std::back_inserter(this->OpaqueCasters),
-      [](const Caster& caster) { return caster.OpticalThickness.Blocks == glm::ivec3(1); });
+      [](const Caster& caster) { return caster.IsOpaque(); });
   }
   this->Casters = planes ? &all : this->HasMaps() ? &this->OpaqueCasters : nullptr;
   this->Faces =
     planes ? FindPlanarOccluders(all, solids, scene.Rays) : std::vector<PlanarOccluder>();
-  this->Transmits = planes && options.TranslucentShadows && casters.MetTranslucent();
+  this->Transmits =
+    planes && options.TranslucentShadows && !options.OpaqueOnly && casters.MetTranslucent();
   return this->PrepareTransmittance(scene);
+}
+
+//------------------------------------------------------------------------------
+double LightShadows::EstimateTranslucent(
+  const FrameScene& scene, const CasterCache& casters, const std::vector<vtkProp*>& solids)
+{
+  const std::vector<Caster>& all = casters.GetCasters();
+  if (std::all_of(all.begin(), all.end(), [](const Caster& caster) { return caster.IsOpaque(); }))
+  {
+    return 0.0;
+  }
+  if (std::any_of(all.begin(), all.end(), [](const Caster& caster) {
+        return !caster.IsOpaque() && caster.OpticalThickness.Blocks != glm::ivec3(0);
+      }))
+  {
+    return -1.0;
+  }
+  this->ResizeLights(scene);
+  const std::vector<PlanarOccluder> faces = FindPlanarOccluders(all, solids, scene.Rays);
+  const std::vector<NonPolygonalCaster> none;
+  const DrawActors draw;
+  const ShadowCasters shadowCasters{ all, none, faces, this->Remote, draw, 0 };
+  double most = 0.0;
+  for (size_t k = 0; k < this->Lights.size(); ++k)
+  {
+    if (Casts(scene, k))
+    {
+      most = std::max(most,
+        this->Lights[k]
+          .MakePlanes(this->Boundaries)
+          .EstimateTranslucent(scene, static_cast<int>(k), shadowCasters));
+    }
+  }
+  return most;
 }
 
 //------------------------------------------------------------------------------
@@ -113,13 +157,19 @@ bool LightShadows::PrepareTransmittance(const FrameScene& scene)
 
 //------------------------------------------------------------------------------
 // Lights that have gone away may have changed the numbers of the others.
-void LightShadows::MakeShadows(const FrameScene& scene)
+void LightShadows::ResizeLights(const FrameScene& scene)
 {
   if (this->Lights.size() > scene.Lights.size())
   {
     this->ReleaseMaps(scene.Window);
   }
   this->Lights.resize(scene.Lights.size());
+}
+
+//------------------------------------------------------------------------------
+void LightShadows::MakeShadows(const FrameScene& scene)
+{
+  this->ResizeLights(scene);
   for (size_t k = 0; k < this->Lights.size(); ++k)
   {
     this->Lights[k].Light = scene.Lights[k].Light;
@@ -133,12 +183,10 @@ void LightShadows::MakeShadow(OneLight& light, bool casts)
 {
   if (this->Current.Method == ShadowMethod::Planes)
   {
-    if (!light.Planes)
-    {
-      light.Planes = std::make_unique<PlanesShadow>(this->Boundaries);
-    }
+    PlanesShadow& planes = light.MakePlanes(this->Boundaries);
+    planes.SetOpaqueOnly(this->Current.OpaqueOnly);
     // A map has light and dark only.
-    light.Planes->SetMaximumBoundaries(
+    planes.SetMaximumBoundaries(
       this->Transmits ? std::numeric_limits<double>::infinity() : this->Current.MaximumBoundaries);
   }
   if (this->HasMaps() && casts && !light.Map)
@@ -285,6 +333,14 @@ LightShadow& LightShadows::Get(const FrameScene& scene, int light)
   }
   const bool march = this->Current.Method == ShadowMethod::March;
   return march ? static_cast<LightShadow&>(this->NoMap) : this->None;
+}
+
+//------------------------------------------------------------------------------
+MapShadow* LightShadows::GetMap(int light)
+{
+  MapShadow* map =
+    static_cast<size_t>(light) < this->Lights.size() ? this->Lights[light].Map.get() : nullptr;
+  return map && map->HasShadow() ? map : nullptr;
 }
 
 //------------------------------------------------------------------------------

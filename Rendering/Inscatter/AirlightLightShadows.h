@@ -40,6 +40,7 @@ public:
     ShadowMethod Method = ShadowMethod::None;
     bool SurfaceShadows = false;
     bool TranslucentShadows = false; // casters dim light by their opacity
+    bool OpaqueOnly = false;         // translucent casters have no planes here
     bool LimitPlanes = false;        // too many boundaries are an error
     // Of planes, a pixel: casters that have more get a map.
     double MaximumBoundaries = std::numeric_limits<double>::infinity();
@@ -54,6 +55,11 @@ public:
   bool Prepare(const FrameScene& scene, const Options& options, const CasterCache& casters,
     const std::vector<vtkProp*>& solids);
 
+  // Before Prepare(): how many boundaries of translucent casters a pixel would have in the light
+  // with the most. Below 0 if one of them blocks some channels of light and not others.
+  double EstimateTranslucent(
+    const FrameScene& scene, const CasterCache& casters, const std::vector<vtkProp*>& solids);
+
   // Whether casters let light through, and what they leave of it on opaque surfaces.
   bool TransmitsLight() const { return this->Transmits; }
   const ShadowTransmittance& GetSurfaceTransmittance() const { return this->SurfaceTransmittance; }
@@ -64,6 +70,9 @@ public:
 
   // A light's shadow; one without a shadow where it casts none.
   LightShadow& Get(const FrameScene& scene, int light);
+
+  // A light's shadow map; null if it has none.
+  MapShadow* GetMap(int light);
 
   // Whether nothing shadows a light, in the air and on surfaces.
   bool IsUnshadowed(const FrameScene& scene, int light)
@@ -115,6 +124,7 @@ private:
 
   bool Fail(const std::string& reason);
   bool PrepareTransmittance(const FrameScene& scene);
+  void ResizeLights(const FrameScene& scene);
   void MakeShadows(const FrameScene& scene);
   void MakeShadow(OneLight& light, bool casts);
   bool HasMaps() const;

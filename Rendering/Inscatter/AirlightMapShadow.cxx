@@ -128,6 +128,15 @@ LightShadow::Textures MapShadow::GetTextures()
 }
 
 //------------------------------------------------------------------------------
+std::string MapShadow::GetLookupSource() { return AirlightMapLookup; }
+
+//------------------------------------------------------------------------------
+void MapShadow::SetLookup(vtkShaderProgram* program, const FrameScene& scene) const
+{
+  this->Map.GetProjection().SetUniforms(program, scene.Rays);
+}
+
+//------------------------------------------------------------------------------
 void MapShadow::Release(vtkWindow* window)
 {
   this->Map.Release(window);

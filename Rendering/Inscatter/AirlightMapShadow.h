@@ -35,6 +35,12 @@ public:
   std::string GetBoundarySource(const InscatterDraw& draw, bool counted) const override;
   void Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw& draw) override;
   Textures GetTextures() override;
+
+  // For shaders that look single points up: AirlightMapLookup.glsl, its uniforms and its texture.
+  static std::string GetLookupSource();
+  void SetLookup(vtkShaderProgram* program, const FrameScene& scene) const;
+  vtkTextureObject* GetTexture() { return this->Map.GetTexture(); }
+
   void Release(vtkWindow* window);
 
 private:

@@ -42,8 +42,8 @@ PlanesShadow::PlanesShadow(ShadowLists& lists)
 }
 
 //------------------------------------------------------------------------------
-bool PlanesShadow::Update(
-  const FrameScene& scene, int light, const ShadowCasters& casters, const InscatterTargets&)
+void PlanesShadow::UpdateSilhouettes(
+  const FrameScene& scene, int light, const ShadowCasters& casters)
 {
   const glm::dvec4& position = scene.Lights[light].World;
   this->TruncationPlanes =
@@ -51,7 +51,14 @@ bool PlanesShadow::Update(
   this->Volumes.SetRemoteSilhouettes(
     FindSilhouettes(casters.Remote, static_cast<size_t>(light), position));
   this->Volumes.UpdateSilhouettes(casters.Polygonal, position, scene.Rays);
-  const std::vector<bool> left = this->FindLeftOut(scene, casters.Polygonal);
+}
+
+//------------------------------------------------------------------------------
+bool PlanesShadow::Update(
+  const FrameScene& scene, int light, const ShadowCasters& casters, const InscatterTargets&)
+{
+  this->UpdateSilhouettes(scene, light, casters);
+  std::vector<bool> left = this->FindLeftOut(scene, casters.Polygonal);
   this->LeftOut.clear();
   for (size_t i = 0; i < left.size(); ++i)
   {
@@ -60,20 +67,21 @@ bool PlanesShadow::Update(
       this->LeftOut.push_back(casters.Polygonal[i]);
     }
   }
+  left.resize(this->OpaqueOnly ? casters.Polygonal.size() : left.size());
+  for (size_t i = 0; i < left.size(); ++i)
+  {
+    left[i] = left[i] || (this->OpaqueOnly && !casters.Polygonal[i].IsOpaque());
+  }
   this->Volumes.LeaveOut(left);
   return !this->Volumes.Collect(scene.Rays) || this->Lists.SetVolumes(light, this->Volumes) ||
     this->Fail(this->Lists.GetError());
 }
 
 //------------------------------------------------------------------------------
-// Of many edges some are enough.
-std::vector<bool> PlanesShadow::FindLeftOut(
-  const FrameScene& scene, const std::vector<Caster>& casters)
+// How many boundaries a pixel has of each caster's edges. Of many edges some are enough.
+std::vector<double> PlanesShadow::EstimateEdges(
+  const FrameScene& scene, const std::vector<Caster>& casters) const
 {
-  if (std::isinf(this->MaximumBoundaries))
-  {
-    return {};
-  }
   size_t edges = 0;
   for (size_t i = 0; i < casters.size(); ++i)
   {
@@ -93,8 +101,57 @@ std::vector<bool> PlanesShadow::FindLeftOut(
     }
     first += own.size();
   }
+  return boundaries;
+}
+
+//------------------------------------------------------------------------------
+std::vector<bool> PlanesShadow::FindLeftOut(
+  const FrameScene& scene, const std::vector<Caster>& casters)
+{
+  if (std::isinf(this->MaximumBoundaries))
+  {
+    return {};
+  }
+  std::vector<double> boundaries = this->EstimateEdges(scene, casters);
+  for (size_t i = 0; i < casters.size(); ++i)
+  {
+    boundaries[i] = this->OpaqueOnly && !casters[i].IsOpaque() ? 0.0 : boundaries[i];
+  }
   this->Estimate = std::accumulate(boundaries.begin(), boundaries.end(), 0.0);
   return FindCostlyCasters(casters, boundaries, this->MaximumBoundaries);
+}
+
+//------------------------------------------------------------------------------
+// Rays cross the triangles of translucent casters, too.
+double PlanesShadow::EstimateTranslucent(
+  const FrameScene& scene, int light, const ShadowCasters& casters)
+{
+  this->UpdateSilhouettes(scene, light, casters);
+  const std::vector<double> edges = this->EstimateEdges(scene, casters.Polygonal);
+  size_t triangles = 0;
+  for (size_t i = 0; i < edges.size(); ++i)
+  {
+    triangles += casters.Polygonal[i].IsOpaque() ? 0 : this->Volumes.GetCaps(i).size();
+  }
+  const size_t stride = 1 + triangles / EstimatedEdges;
+  const BoundaryEstimate estimate(scene.Rays, this->Volumes.GetAnchor(), this->Volumes.GetLight());
+  double sum = 0.0;
+  size_t skip = 0;
+  for (size_t i = 0; i < edges.size(); ++i)
+  {
+    if (casters.Polygonal[i].IsOpaque())
+    {
+      continue;
+    }
+    sum += edges[i];
+    const std::vector<ShadowCap>& caps = this->Volumes.GetCaps(i);
+    for (; skip < caps.size(); skip += stride)
+    {
+      sum += stride * estimate.Get(caps[skip]);
+    }
+    skip -= caps.size();
+  }
+  return sum;
 }
 
 //------------------------------------------------------------------------------
@@ -176,6 +233,20 @@ double PlanesShadow::GetThicknessError() const
     error = std::max(error, airlight::GetThicknessError(layer));
   }
   return error;
+}
+
+//------------------------------------------------------------------------------
+bool PlanesShadow::FillNodes(
+  const FrameScene& scene, int light, const InscatterTargets& targets, const FroxelNodes& nodes)
+{
+  const std::string reason = targets.Bind({}, targets.Depth);
+  if (!reason.empty())
+  {
+    return this->Fail(reason);
+  }
+  return this->Lists.FillNodes(
+           scene.Window, this->GetSource(scene, light, targets.Distances), nodes) ||
+    this->Fail(this->Lists.GetError());
 }
 
 //------------------------------------------------------------------------------

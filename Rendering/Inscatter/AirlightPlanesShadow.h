@@ -25,6 +25,12 @@ public:
 
   // Leaves out casters by FindCostlyCasters() if there are more boundaries a pixel.
   void SetMaximumBoundaries(double most) { this->MaximumBoundaries = most; }
+  // Leaves out translucent casters; they are not among GetLeftOut().
+  void SetOpaqueOnly(bool only) { this->OpaqueOnly = only; }
+  // How many boundaries of translucent casters a pixel would have. Update() for the same casters
+  // comes next.
+  double EstimateTranslucent(const FrameScene& scene, int light, const ShadowCasters& casters);
+
   // Those of the last Update(), and how many boundaries a pixel would have with them.
   const std::vector<Caster>& GetLeftOut() const { return this->LeftOut; }
   double GetEstimate() const { return this->Estimate; }
@@ -46,10 +52,17 @@ public:
   double GetThicknessError() const override;
   size_t GetEdgeCount() const override { return this->Volumes.GetEdges().size(); }
 
+  // Adds the boundaries to the nodes of a froxel grid, into whose framebuffer `targets` binds.
+  bool FillNodes(
+    const FrameScene& scene, int light, const InscatterTargets& targets, const FroxelNodes& nodes);
+
   // Draws the outlines of the planes into the framebuffer that is bound.
   bool DrawWireframe(const FrameScene& scene, int light, vtkTextureObject* distances);
 
 private:
+  void UpdateSilhouettes(const FrameScene& scene, int light, const ShadowCasters& casters);
+  std::vector<double> EstimateEdges(
+    const FrameScene& scene, const std::vector<Caster>& casters) const;
   std::vector<bool> FindLeftOut(const FrameScene& scene, const std::vector<Caster>& casters);
   ShadowLists::Source GetSource(const FrameScene& scene, int light, vtkTextureObject* distances);
   bool DrawLong(bool counted, int row, int rows, const Draw& draw);
@@ -57,6 +70,7 @@ private:
   ShadowLists& Lists;
   ShadowVolumes Volumes;
   double MaximumBoundaries = std::numeric_limits<double>::infinity();
+  bool OpaqueOnly = false;
   std::vector<Caster> LeftOut;             // of the last Update()
   double Estimate = 0.0;                   // likewise
   std::vector<glm::vec4> TruncationPlanes; // likewise

@@ -5,6 +5,7 @@
 #include "AirlightCameraShader.h"
 #include "AirlightDisplay.h"
 #include "AirlightFragment.h"
+#include "AirlightInscatterFromFroxels.h"
 #include "AirlightInscatterToFragment.h"
 #include "AirlightInscatterToTranslucent.h"
 #include "AirlightSurface.h"
@@ -15,6 +16,7 @@
 #include "AirlightVertexMedium.h"
 #include "MapperShaders/AirlightMapperShader.h"
 #include "OpenGL/AirlightStorageBinding.h"
+#include "Translucency/AirlightFroxelNodes.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
 namespace airlight
@@ -49,8 +51,10 @@ std::string DefineStages()
 
 bool HasShadowTransmittance(const SurfaceShaderOptions& options)
 {
-  return options.InPass && options.TransmitsShadows;
+  return options.InPass && options.TransmitsShadows && !options.Froxels;
 }
+
+bool HasFroxels(const SurfaceShaderOptions& options) { return options.InPass && options.Froxels; }
 
 // The light that a surface receives from a scene light, for AirlightSurface.glsl.
 std::string GetReceivedLight(const LightSpecialization& sceneLight, const std::string& index)
@@ -90,7 +94,8 @@ std::string CommonDeclarations(const SurfaceShaderOptions& options)
   return options.Mathematics + DefineStages() +
     define("TRANSLUCENT_FRAGMENTS", HasRecords(options)) +
     define("SHADOW_TRANSMITTANCE", HasShadowTransmittance(options)) +
-    define("SCENE_LIGHTS", options.SceneLightCount) + define("BITS", BitsPerChannel) +
+    define("FROXELS", HasFroxels(options)) + define("SCENE_LIGHTS", options.SceneLightCount) +
+    define("BITS", BitsPerChannel) +
     define("ONLY_COLOURS",
       options.SingleGeometryPass && options.ViewportIsTarget && !options.Translucent) +
     define("MORE_LIT", options.SceneLightCount > BitsPerChannel) +
@@ -106,7 +111,8 @@ std::string StorageDeclarations(const SurfaceShaderOptions& options)
 {
   return (HasRecords(options) || HasShadowTransmittance(options) ? DefineStorageBindings() : "") +
     (HasRecords(options) ? TranslucentFragments::GetSource() : "") +
-    (HasShadowTransmittance(options) ? AirlightTransmittanceBuffer : "");
+    (HasShadowTransmittance(options) ? AirlightTransmittanceBuffer : "") +
+    (HasFroxels(options) ? FroxelNodes::GetLookupSource() : "");
 }
 }
 
@@ -124,6 +130,7 @@ std::string GetSurfaceDeclarations(const SurfaceShaderOptions& options)
       AirlightSurfaceIrradiance
     : "";
   const char* before = HasRecords(options) ? AirlightInscatterToTranslucent
+    : HasFroxels(options)                  ? AirlightInscatterFromFroxels
     : options.AtVertices                   ? ""
                                            : AirlightInscatterToFragment;
   const std::string medium =

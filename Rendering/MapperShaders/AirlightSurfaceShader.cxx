@@ -167,8 +167,8 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
   const std::vector<SceneLight>& sceneLights, bool scatteredLight, bool translucent)
 {
   const int sceneLightCount = static_cast<int>(sceneLights.size());
-  const bool lights =
-    scatteredLight || (translucent && !(options.InPass && options.TranslucentFragments));
+  const bool lights = scatteredLight ||
+    (translucent && !(options.InPass && (options.TranslucentFragments || options.Froxels)));
   const int kind = lights ? CommonKind(sceneLights) : AIRLIGHT_POINT_CLOSED;
   const bool photometry = std::any_of(sceneLights.begin(), sceneLights.end(),
     [](const SceneLight& sceneLight) { return sceneLight.Values.goniometric != 0; });

@@ -5,6 +5,7 @@
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightShaderLibrary.h"
 #include "Scene/AirlightCameraUniforms.h"
+#include "Translucency/AirlightFroxelNodes.h"
 #include "Translucency/AirlightShadowTransmittance.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
@@ -63,7 +64,8 @@ std::vector<vtkTextureObject*> SurfaceUniforms::GetTextures() const
 {
   std::vector<vtkTextureObject*> textures;
   for (vtkTextureObject* texture :
-    { this->Lit, this->MoreLit != this->Lit ? this->MoreLit : nullptr, this->Data })
+    { this->Lit, this->MoreLit != this->Lit ? this->MoreLit : nullptr, this->Data,
+      this->Froxels ? this->Froxels->GetTexture() : nullptr })
   {
     if (texture)
     {
@@ -92,6 +94,10 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   if (values.Records)
   {
     values.Records->Use(program);
+  }
+  if (values.Froxels)
+  {
+    values.Froxels->UseTexture(program);
   }
   if (values.Hides)
   {

@@ -20,6 +20,7 @@ class vtkTextureObject;
 namespace airlight
 {
 class CameraUniforms;
+class FroxelNodes;
 class ShadowTransmittance;
 class TranslucentFragments;
 
@@ -38,13 +39,14 @@ struct SurfaceUniforms
   vtkTextureObject* Data = nullptr;    // an active texture, or null where the shaders read none
   const TranslucentFragments* Records = nullptr; // null: there are none
   const ShadowTransmittance* Transmittances =
-    nullptr;                        // what casters leave of lights on opaque surfaces
-  bool EncodedInput = false;        // the mappers' colours are encoded for display
-  bool UseLit = false;              // false: all surfaces are lit
-  bool ScatteredIrradiance = false; // the shaders were rewritten for scattered light
-  bool Hides = false;               // the shader was rewritten to draw nothing on demand
-  bool Hidden = false;              // now it does
-  int Width = 0;                    // of the viewport
+    nullptr;                            // what casters leave of lights on opaque surfaces
+  const FroxelNodes* Froxels = nullptr; // null: there is no grid
+  bool EncodedInput = false;            // the mappers' colours are encoded for display
+  bool UseLit = false;                  // false: all surfaces are lit
+  bool ScatteredIrradiance = false;     // the shaders were rewritten for scattered light
+  bool Hides = false;                   // the shader was rewritten to draw nothing on demand
+  bool Hidden = false;                  // now it does
+  int Width = 0;                        // of the viewport
   int Height = 0;
   int VolumeNodes = 2;   // on the rays through volumes
   bool Additive = false; // adds to what is behind, and the medium has done so already

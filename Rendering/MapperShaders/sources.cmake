@@ -12,6 +12,7 @@ airlight_sources(
     AirlightSurfaceUniforms
     AirlightVolumeShader
   GLSL
+    glsl/AirlightInscatterFromFroxels.glsl
     glsl/AirlightInscatterToFragment.glsl
     glsl/AirlightFragment.glsl
     glsl/AirlightSurface.glsl

@@ -11,7 +11,7 @@ constexpr auto BindingCount = static_cast<GLuint>(StorageBinding::Count);
 // In the order of StorageBinding.
 constexpr const char* BindingNames[] = { "SILHOUETTE_EDGES", "BOUNDARIES", "LIST_HEADS",
   "TRANSLUCENT_FRAGMENTS", "TRANSLUCENT_HEADS", "SHADOW_TRANSMITTANCE", "CASTER_THICKNESS",
-  "K_BUFFER", "TRUNCATION_PLANES" };
+  "K_BUFFER", "TRUNCATION_PLANES", "FROXELS" };
 static_assert(sizeof(BindingNames) / sizeof(*BindingNames) == BindingCount, "a name for each");
 
 std::string MakeDefines()

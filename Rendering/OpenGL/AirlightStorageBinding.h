@@ -25,6 +25,7 @@ enum class StorageBinding : GLuint
   CasterThickness,
   KBuffer,
   TruncationPlanes,
+  FroxelNodes,
   Count
 };
 

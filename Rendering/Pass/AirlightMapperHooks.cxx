@@ -46,8 +46,9 @@ void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia&
   const bool other = records != options.TranslucentFragments || hides != options.Hides ||
     reads != options.ReadsLit || plan.SingleGeometryPass != options.SingleGeometryPass ||
     plan.ShadowingLight != options.ShadowingLight || known != options.ViewportIsTarget ||
-    (known && input.Parallel != options.Parallel);
+    plan.Froxels != options.Froxels || (known && input.Parallel != options.Parallel);
   options.TranslucentFragments = records;
+  options.Froxels = plan.Froxels;
   options.ViewportIsTarget = known;
   options.Parallel = known && input.Parallel;
   options.Hides = hides;

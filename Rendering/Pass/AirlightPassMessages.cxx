@@ -188,6 +188,28 @@ void PassMessages::CheckCostlyCasters(
             "exact shadows.";
     this->WarnOnce(CostlyCasters, text.str());
   }
+  if (plan.CastersInFroxels && plan.TranslucentBoundaries > plan.MaximumBoundaries)
+  {
+    std::ostringstream text;
+    text
+      << std::setprecision(3) << "Translucent casters would give a pixel about "
+      << plan.TranslucentBoundaries << " boundaries, more than " << plan.MaximumBoundaries
+      << ": their shadows, and the airlight before what is translucent, come from a coarse grid, "
+         "which is faster and less exact. Call SetMaximumBoundariesPerPixel() with more, or "
+         "SetShadowTechniqueToShadowPlanes(), for exact shadows.";
+    this->WarnOnce(CostlyTranslucency, text.str());
+  }
+  else if (plan.Froxels)
+  {
+    std::ostringstream text;
+    text << std::setprecision(3) << "Point Gaussians would give a pixel about "
+         << plan.GaussianFragments
+         << " fragments: the airlight and the shadows before them, and the shadows of translucent "
+            "casters, come from a coarse grid, which is faster and less exact. Call "
+            "SetMaximumBoundariesPerPixel() with more, or SetShadowTechniqueToShadowPlanes(), for "
+            "exact ones.";
+    this->WarnOnce(CostlyGaussians, text.str());
+  }
 }
 
 //------------------------------------------------------------------------------

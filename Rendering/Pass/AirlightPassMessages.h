@@ -46,7 +46,7 @@ public:
   void CheckPlan(const FramePlan& plan, const PassProperties& properties,
     const CasterCache& casters, vtkOpenGLRenderWindow* window);
 
-  // Casters that have a shadow map as they have too many boundaries.
+  // Casters that have a shadow map or are in a froxel grid as they have too many boundaries.
   void CheckCostlyCasters(const LightShadows::CostlyCasters& casters, const FramePlan& plan);
 
   // Keys of props that are no good, props that cannot cast.
@@ -73,6 +73,8 @@ private:
     AntialiasingLeftOut,
     CameraLights,
     CostlyCasters,
+    CostlyGaussians,
+    CostlyTranslucency,
     InvalidLights,
     LevelsOfDetail,
     ManyLights,

@@ -6,6 +6,7 @@
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightStorageBinding.h"
 #include "Pass/AirlightErrorRecovery.h"
+#include "Pass/AirlightGaussianFragments.h"
 #include "Pass/AirlightSceneSupport.h"
 #include "Scene/AirlightSceneProps.h"
 
@@ -186,7 +187,15 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
   const Viewport& viewport, const FrameLimits& limits, Scene& scene)
 {
   const PassProperties& properties = settings.Properties;
-  const FramePlan plan = MakeFramePlan(properties, this->GetFacts(scene), limits);
+  SceneFacts facts = this->GetFacts(scene);
+  if (properties.Technique == ShadowTechnique::Automatic && limits.StorageBuffers &&
+    !this->CurrentFrame.HasRemoteSilhouettes())
+  {
+    facts.TranslucentBoundaries = this->CurrentFrame.EstimateTranslucent(scene.Window, scene.Rays,
+      scene.Converted, scene.Lights, this->Casters, scene.Support->Solids);
+    facts.GaussianFragments = EstimateGaussianFragments(scene.Props, scene.Rays);
+  }
+  const FramePlan plan = MakeFramePlan(properties, facts, limits);
   this->CurrentFrame.SetPlan(plan);
   this->Messages.CheckPlan(plan, properties, this->Casters, scene.Window);
   if (plan.Plain)

@@ -5,6 +5,7 @@ airlight_sources(
     AirlightContext
     AirlightDelegateProps
     AirlightErrorRecovery
+    AirlightGaussianFragments
     AirlightMapperHooks
     AirlightPassMessages
     AirlightPassRenderer

@@ -53,6 +53,27 @@ Polygon Clip(const Polygon& polygon, const glm::dvec4& plane)
   }
   return inside;
 }
+
+// Of the picture, by a polygon in clip coordinates.
+double GetCoveredShare(Polygon polygon)
+{
+  // The picture's sides and the near clipping plane.
+  for (const glm::dvec4& plane : { glm::dvec4(0, 0, 1, 1), glm::dvec4(1, 0, 0, 1),
+         glm::dvec4(-1, 0, 0, 1), glm::dvec4(0, 1, 0, 1), glm::dvec4(0, -1, 0, 1) })
+  {
+    polygon = Clip(polygon, plane);
+  }
+  double area = 0.0;
+  for (size_t i = 0; i < polygon.Count; ++i)
+  {
+    const glm::dvec4& p = polygon.Corners[i];
+    const glm::dvec4& q = polygon.Corners[(i + 1) % polygon.Count];
+    const double scale = p.w * q.w;
+    area += scale > 0.0 ? (p.x * q.y - p.y * q.x) / scale : 0.0;
+  }
+  // The picture's area is 4.
+  return 0.125 * std::abs(area);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -78,37 +99,27 @@ glm::dvec4 BoundaryEstimate::GetFarCorner(
 }
 
 //------------------------------------------------------------------------------
-// Of the picture, by an edge's plane.
-double BoundaryEstimate::GetCoveredShare(
-  const glm::dvec3& a, const glm::dvec3& b, const glm::vec4& truncation) const
+double BoundaryEstimate::Get(const ShadowEdge& edge, const glm::vec4& truncation) const
 {
+  const glm::dvec3 a(edge.A);
+  const glm::dvec3 b(edge.B);
   Polygon polygon;
   polygon.Add(this->ToClip * glm::dvec4(a, 1.0));
   polygon.Add(this->ToClip * glm::dvec4(b, 1.0));
   polygon.Add(this->ToClip * this->GetFarCorner(b, truncation));
   polygon.Add(this->ToClip * this->GetFarCorner(a, truncation));
-  // The picture's sides and the near clipping plane.
-  for (const glm::dvec4& plane : { glm::dvec4(0, 0, 1, 1), glm::dvec4(1, 0, 0, 1),
-         glm::dvec4(-1, 0, 0, 1), glm::dvec4(0, 1, 0, 1), glm::dvec4(0, -1, 0, 1) })
-  {
-    polygon = Clip(polygon, plane);
-  }
-  double area = 0.0;
-  for (size_t i = 0; i < polygon.Count; ++i)
-  {
-    const glm::dvec4& p = polygon.Corners[i];
-    const glm::dvec4& q = polygon.Corners[(i + 1) % polygon.Count];
-    const double scale = p.w * q.w;
-    area += scale > 0.0 ? (p.x * q.y - p.y * q.x) / scale : 0.0;
-  }
-  // The picture's area is 4.
-  return 0.125 * std::abs(area);
+  return GetCoveredShare(polygon);
 }
 
 //------------------------------------------------------------------------------
-double BoundaryEstimate::Get(const ShadowEdge& edge, const glm::vec4& truncation) const
+double BoundaryEstimate::Get(const ShadowCap& cap) const
 {
-  return this->GetCoveredShare(glm::dvec3(edge.A), glm::dvec3(edge.B), truncation);
+  Polygon polygon;
+  for (const glm::vec4& corner : { cap.A, cap.B, cap.C })
+  {
+    polygon.Add(this->ToClip * glm::dvec4(glm::dvec3(corner), 1.0));
+  }
+  return GetCoveredShare(polygon);
 }
 
 //------------------------------------------------------------------------------

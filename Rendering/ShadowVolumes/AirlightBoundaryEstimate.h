@@ -33,9 +33,10 @@ public:
   // is 0 (FindTruncationPlanes()).
   double Get(const ShadowEdge& edge, const glm::vec4& truncation) const;
 
+  // Of a triangle that rays go through.
+  double Get(const ShadowCap& cap) const;
+
 private:
-  double GetCoveredShare(
-    const glm::dvec3& a, const glm::dvec3& b, const glm::vec4& truncation) const;
   glm::dvec4 GetFarCorner(const glm::dvec3& point, const glm::vec4& truncation) const;
 
   glm::dmat4 ToClip;

@@ -9,6 +9,7 @@
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightStorageBinding.h"
 #include "Scene/AirlightCameraUniforms.h"
+#include "Translucency/AirlightFroxelNodes.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -220,6 +221,48 @@ int ShadowLists::Fill(const Source& source, int row, int rows)
   state->vtkglDepthMask(GL_TRUE);
   source.Distances->Deactivate();
   return done;
+}
+
+//------------------------------------------------------------------------------
+bool ShadowLists::FillNodes(
+  vtkOpenGLRenderWindow* window, const Source& source, const FroxelNodes& nodes)
+{
+  this->Window = window;
+  if (!this->SetTruncationPlanes(source))
+  {
+    return false;
+  }
+  const std::string fragment =
+    "#define AIRLIGHT_SHADOW_TRANSMITTANCE 1\n#define AIRLIGHT_FROXELS\n" +
+    FroxelNodes::GetSource() + "#define AIRLIGHT_PARALLEL " +
+    std::to_string(source.Rays.IsParallel()) + "\n#define AIRLIGHT_FRAGMENT_IS_PIXEL\n" +
+    AirlightCameraShader + AirlightPlanesFS;
+  source.Distances->Activate();
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_CULL_FACE);
+  glEnable(GL_DEPTH_CLAMP);
+  bool ok = true;
+  for (PlaneKind kind : { PlaneKind::Plane, PlaneKind::Cap, PlaneKind::Near })
+  {
+    vtkShaderProgram* program = ok && !this->Planes.IsEmpty(kind, source.LightNumber)
+      ? this->GetPlanesProgram(kind, fragment, source)
+      : nullptr;
+    ok = ok && (program || this->Planes.IsEmpty(kind, source.LightNumber));
+    if (program)
+    {
+      program->SetUniformi("distances", source.Distances->GetTextureUnit());
+      program->SetUniformi("inParallel", source.Rays.IsParallel() ? 1 : 0);
+      nodes.Use(program, source.LightNumber);
+      this->Planes.Draw(kind, source.LightNumber);
+    }
+  }
+  glDisable(GL_DEPTH_CLAMP);
+  source.Distances->Deactivate();
+  // No test fails without it, see AirlightOpenGL.h.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  return ok;
 }
 
 //------------------------------------------------------------------------------

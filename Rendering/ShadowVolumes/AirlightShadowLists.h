@@ -25,8 +25,9 @@ class vtkWindow;
 
 namespace airlight
 {
-class Targets;
 class CameraUniforms;
+class FroxelNodes;
+class Targets;
 
 class ShadowLists
 {
@@ -68,6 +69,11 @@ public:
   // scene's depth. Returns the number of rows done, fewer where the memory limit asks for it; 0
   // with a reason in GetError() where nothing could be drawn.
   int Fill(const Source& source, int row, int rows);
+
+  // In place of lists: adds the boundaries of a light's planes to the nodes of a froxel grid, whose
+  // framebuffer is bound, without Prepare(). False with a reason in GetError() where a shader does
+  // not compile.
+  bool FillNodes(vtkOpenGLRenderWindow* window, const Source& source, const FroxelNodes& nodes);
 
   // Draws the outlines of a light's planes into the bound framebuffer, where nothing hides them;
   // red where the view enters a shadow through a plane, blue where it leaves it. False with a

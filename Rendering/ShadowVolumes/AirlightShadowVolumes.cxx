@@ -278,8 +278,9 @@ void ShadowVolumes::UpdateSilhouettes(const std::vector<Caster>& casters,
   const bool lightMoved = this->Light != light;
   this->Light = light;
   this->SetAnchor(casters);
-  this->Changed = this->UpdateParts(
+  const bool changed = this->UpdateParts(
     casters, ClippedRegions(view, anyPicture), lightMoved || oldAnchor != this->Anchor);
+  this->Changed = changed || this->Changed;
 }
 
 //------------------------------------------------------------------------------

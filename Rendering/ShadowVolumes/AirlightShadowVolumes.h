@@ -40,8 +40,9 @@ public:
   void LeaveOut(const std::vector<bool>& casters); // by number; none if empty
   bool Collect(const CameraUniforms& view);
 
-  // The edges of a caster's silhouette.
+  // The edges of a caster's silhouette, and its triangles that rays go through.
   const std::vector<ShadowEdge>& GetEdges(size_t caster) const { return this->Parts[caster].Edges; }
+  const std::vector<ShadowCap>& GetCaps(size_t caster) const { return this->Parts[caster].Caps; }
 
   // What the casters of other processes do in this light, for Update() to add.
   using RemoteSilhouettes = std::vector<std::shared_ptr<const LightSilhouettes>>;

@@ -77,6 +77,11 @@ void UseFile(const char* option, const std::string& file, const Task& task)
 //------------------------------------------------------------------------------
 const std::string& GetTechniqueName(int technique)
 {
+  static const std::string froxels = "Froxels"; // which nobody requests
+  if (technique == vtkAirlightPass::FROXELS)
+  {
+    return froxels;
+  }
   return std::find_if(Techniques.begin(), Techniques.end(), [technique](const auto& entry) {
     return entry.second == technique;
   })->first;

@@ -90,7 +90,26 @@ vec3 airlightTransmittanceOver(float way)
 #define AIRLIGHT_TRANSMITTANCE_FROM(k, at, point) airlightLightTransmittance(k, false, point)
 #endif
 
-#if AIRLIGHT_SHADOW_TRANSMITTANCE
+#if AIRLIGHT_FROXELS
+uniform int airlightFroxelLights[AIRLIGHT_SCENE_LIGHTS]; // place of light k, -1: it has no shadows
+
+// What casters leave of light k before a translucent fragment, and of those that let light through
+// on an opaque one. A translucent surface does not shadow its own lit side, which is the viewer's:
+// what counts is a node nearer to the eye.
+vec3 airlightShadowTransmittance(int k)
+{
+  int kind = 2 + airlightFroxelLights[k];
+  if (kind < 2 || airlightUseLit == 0)
+  {
+    return vec3(1.0);
+  }
+  vec2 p = airlightPixel();
+  float place = airlightFroxelPlace(airlightFragmentParameter());
+  bool translucent = airlightStage == AIRLIGHT_STAGE_TRANSLUCENT;
+  vec4 light = airlightFroxel(kind, p, translucent ? place - 1.0 : place);
+  return light.rgb * (translucent ? light.w : 1.0);
+}
+#elif AIRLIGHT_SHADOW_TRANSMITTANCE
 uniform int airlightTransmittanceSlots[AIRLIGHT_SCENE_LIGHTS]; // place of light k, -1: not dimmed
 
 // What translucent casters leave of light k.
@@ -134,7 +153,7 @@ vec3 airlightApplyShadows(int k, vec3 passed)
     }
   }
 #endif
-#if AIRLIGHT_SHADOW_TRANSMITTANCE
+#if AIRLIGHT_SHADOW_TRANSMITTANCE || AIRLIGHT_FROXELS
   passed *= airlightShadowTransmittance(k);
 #endif
   return passed;

@@ -1,7 +1,8 @@
 // Each fragment of a shadow plane is a boundary (t, +-weight) in one of its pixel's slots, or where
-// there is none left, in the pixel's list. What software renderers do for each of eight pixels in
-// turn takes most of the time, also where only one of them needs it: writing to memory, above all
-// atomically. The depth test, made lenient, rejects most of what the surface hides; who reads the
+// there is none left, in the pixel's list; or with AIRLIGHT_FROXELS, one more in the sums of the
+// first node of a froxel grid behind it (AirlightFroxelGrid.glsl). What software renderers do for
+// each of eight pixels in turn takes most of the time, also where only one of them needs it: writing
+// to memory, above all atomically. The depth test, made lenient, rejects most of what the surface hides; who reads the
 // boundaries leaves out the rest.
 
 layout(early_fragment_tests) in;
@@ -66,6 +67,23 @@ bool isBehindEdge(float t, vec2 p)
 }
 #endif
 
+#ifdef AIRLIGHT_FROXELS
+void addBoundary(ivec2 pixel, float t, int weight)
+{
+  ivec4 layer = shadowLayers[planeLayer];
+  int node = airlightFroxelNodeAt(t);
+  int number = airlightFroxelLightNumber(airlightFroxelLight);
+  if (layer.w != 0)
+  {
+    atomicAdd(froxelNumbers[airlightFroxelIndex(pixel, node, number + 3)], weight);
+    return;
+  }
+  for (int i = 0; i < 3; i++)
+  {
+    atomicAdd(froxelNumbers[airlightFroxelIndex(pixel, node, number + i)], weight * layer[i]);
+  }
+}
+#else
 void addBoundary(ivec2 pixel, float t, int weight)
 {
 #if AIRLIGHT_K_BUFFER_SIZE > 0
@@ -103,6 +121,7 @@ void addBoundary(ivec2 pixel, float t, int weight)
 #endif
   }
 }
+#endif
 
 // Where the pixel's ray meets the plane, on the unit of airlightDirection().
 float meetPlane(vec2 p)
