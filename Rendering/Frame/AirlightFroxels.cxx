@@ -166,7 +166,8 @@ bool Froxels::DrawRays(const FrameScene& coarse, int light, MapShadow* map)
     GetShaderVersion(true) +
       InscatterShader::GetRaySource(
         coarse, values.kind, values.goniometric != 0, values.cosCone > 0.0) +
-      FroxelNodes::GetSource() +
+      FroxelNodes::GetSource() + (this->Current.Record ? "#define AIRLIGHT_RECORD\n" : "") +
+      (this->Current.Transmits ? "#define AIRLIGHT_FROXEL_TRANSMITS\n" : "") +
       (map ? "#define AIRLIGHT_FROXEL_MAP\n" + MapShadow::GetLookupSource() : "") +
       AirlightFroxelFS);
   if (!program)
@@ -212,18 +213,22 @@ bool Froxels::ScatterLight(const FrameScene& scene, int light, const std::vector
 }
 
 //------------------------------------------------------------------------------
-bool Froxels::BindTexture()
+bool Froxels::DrawTexture(const FrameScene& scene, int firstKind, int kinds)
 {
-  return this->Textures.Bind({ this->Nodes.GetTexture() }, nullptr) ||
-    this->Fail(this->Textures.GetError());
+  if (!this->Textures.Bind({ this->Nodes.GetTexture() }, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  return this->Nodes.DrawTexture(scene.Window, firstKind, kinds) ||
+    this->Fail(this->Nodes.GetError());
 }
 
 //------------------------------------------------------------------------------
 bool Froxels::DrawLoss(const FrameScene& scene, const InscatterTargets& targets)
 {
-  if (!this->BindTexture() || !this->Nodes.DrawTexture(scene.Window, 1, 1))
+  if (!this->DrawTexture(scene, 1, 1))
   {
-    return this->Fail(this->Nodes.GetError());
+    return false;
   }
   const std::string reason = targets.Bind(targets.Scattered, nullptr);
   if (!reason.empty())
@@ -256,14 +261,8 @@ bool Froxels::DrawLoss(const FrameScene& scene, const InscatterTargets& targets)
 //------------------------------------------------------------------------------
 bool Froxels::Finish(const FrameScene& scene)
 {
-  if (!this->BindTexture())
-  {
-    return false;
-  }
   const int lights = this->Nodes.GetLayout().GetLightCount();
-  const bool ok = this->Nodes.DrawTexture(scene.Window, 0, 1) &&
-    (lights == 0 || this->Nodes.DrawTexture(scene.Window, 2, lights));
-  return ok || this->Fail(this->Nodes.GetError());
+  return this->DrawTexture(scene, 0, 1) && (lights == 0 || this->DrawTexture(scene, 2, lights));
 }
 
 //------------------------------------------------------------------------------

@@ -5,8 +5,9 @@
  * fragment, or each shadow boundary of a translucent caster, would cost too much (grids of froxels:
  * S. Hillaire, "Physically Based and Unified Volumetric Rendering in Frostbite", SIGGRAPH 2015).
  * The rays of a coarse picture have nodes at equal depths. Shadow planes of all casters are drawn
- * into it, and their boundaries added up between nodes: what arrives at a node is exact, and where
- * it changes in between is not known. At each node the grid has
+ * into it, and their boundaries are added up between nodes: what arrives at a node is exact, and
+ * where it changes in between is not known. Whatever the number of boundaries, a ray takes the same
+ * time and memory. At each node the grid has
  *
  *   - the airlight before it, for translucent fragments;
  *   - what translucent casters take of this, to be taken from that of the pixels, which they are
@@ -67,7 +68,7 @@ private:
   bool UpdateShadow(const FrameScene& coarse, int light, const std::vector<Caster>& casters);
   bool DrawRays(const FrameScene& coarse, int light, MapShadow* map);
   bool DrawLoss(const FrameScene& scene, const InscatterTargets& targets);
-  bool BindTexture();
+  bool DrawTexture(const FrameScene& scene, int firstKind, int kinds);
 
   Options Current;
   std::optional<CameraUniforms> Rays;

@@ -50,8 +50,7 @@ struct SurfaceShaderOptions
   int ScatteringLightCount = 0;            // at most; 0: surfaces get no scattered light
   bool Translucent = false;                // fragments may be put behind the medium before them
   bool TranslucentFragments = false;       // and have records (AirlightTranslucentFragments.h)
-  bool Froxels =
-    false;            // or, as shadows, take what they need from a froxel grid (AirlightFroxels.h)
+  bool Froxels = false;                    // or, as shadows do, read a grid (AirlightFroxels.h)
   bool Hides = false; // all fragments may be left out of a stage, as those of point Gaussians
   bool TransmitsShadows = false;   // casters may let light through (AirlightShadowTransmittance.h)
   bool ReadsLit = true;            // on opaque surfaces, by bits of a texture

@@ -153,9 +153,12 @@ void FroxelNodes::UseTexture(vtkShaderProgram* program) const
 {
   const Layout& layout = this->Current;
   const float tile[2] = { static_cast<float>(layout.Columns), static_cast<float>(layout.Rows) };
+  const float texel[2] = { 1.0f / static_cast<float>(this->Texture->GetWidth()),
+    1.0f / static_cast<float>(this->Texture->GetHeight()) };
   program->SetUniformi("airlightFroxels", this->Texture->GetTextureUnit());
   program->SetUniform2f("airlightFroxelTile", tile);
   program->SetUniform2f("airlightFroxelScale", &layout.PerPixel.x);
+  program->SetUniform2f("airlightFroxelTexel", texel);
   this->SetDepths(program);
   if (program->IsUniformUsed("airlightFroxelLights"))
   {

@@ -45,14 +45,73 @@ void setNumber(ivec2 pixel, int node, int number, float value)
   froxelNumbers[airlightFroxelIndex(pixel, node, number)] = floatBitsToInt(value);
 }
 
-void addRadiance(ivec2 pixel, int node, vec3 radiance)
+void addNumber(ivec2 pixel, int node, int number, float value)
+{
+  int index = airlightFroxelIndex(pixel, node, number);
+  setNumber(pixel, node, number, intBitsToFloat(froxelNumbers[index]) + value);
+}
+
+// What arrives at a node, at this point. It takes the place of the sums that it follows from.
+vec4 arriveAt(ivec2 pixel, int node, vec3 point, inout Arriving arriving)
+{
+  vec4 passing = vec4(1.0);
+  if (airlightFroxelLight >= 0)
+  {
+    arriving = addBoundaries(arriving, pixel, node);
+    passing = getPassing(arriving);
+#ifdef AIRLIGHT_FROXEL_MAP
+    passing.w *= airlightIsLit(point) ? 1.0 : 0.0;
+#endif
+    for (int i = 0; i < 4; i++)
+    {
+      setNumber(pixel, node, airlightFroxelLightNumber(airlightFroxelLight) + i, passing[i]);
+    }
+  }
+  return passing;
+}
+
+// A channel that does not scatter is dark, whatever the limit of its integral.
+bvec3 getScattering()
+{
+  vec3 sigmaS = vec3(0.0);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    sigmaS += media.item[i].sigmaS;
+  }
+  return greaterThan(sigmaS, vec3(0.0));
+}
+
+// What is scattered from node to node, into the ray so far.
+struct Scattered
+{
+  vec3 radiance;
+  vec3 loss;
+  float variance;
+};
+
+void addPart(inout Scattered sum, vec3 part, vec4 passing, vec4 next)
+{
+  vec3 change = part * abs(next.w * next.rgb - passing.w * passing.rgb);
+  float largest = max(change.r, max(change.g, change.b));
+  sum.variance += largest * largest;
+  part *= 0.5 * (passing.w + next.w);
+  vec3 mean = getMean(passing.rgb, next.rgb);
+  sum.radiance += part * mean;
+  sum.loss += part * (1.0 - mean);
+}
+
+void setNode(ivec2 pixel, int node, Scattered sum)
 {
   for (int i = 0; i < 3; i++)
   {
-    int index = airlightFroxelIndex(pixel, node, AIRLIGHT_FROXEL_RADIANCE + i);
-    froxelNumbers[index] =
-      floatBitsToInt(intBitsToFloat(froxelNumbers[index]) + radiance[i]);
+    addNumber(pixel, node, AIRLIGHT_FROXEL_RADIANCE + i, sum.radiance[i]);
+#ifdef AIRLIGHT_FROXEL_TRANSMITS
+    setNumber(pixel, node, AIRLIGHT_FROXEL_LOSS + i, sum.loss[i]);
+#endif
   }
+#ifdef AIRLIGHT_RECORD
+  setNumber(pixel, node, AIRLIGHT_FROXEL_LOSS + 3, sum.variance);
+#endif
 }
 
 void main()
@@ -64,45 +123,21 @@ void main()
   vec3 direction = airlightDirection(p) / unit;
   AirlightRay ray = airlightRayBeside(media, light, origin, direction, AIRLIGHT_FAR,
     airlightLightMoment(lightPixel, light, p, unit, origin, direction));
+  bvec3 scatters = getScattering();
   Arriving arriving = Arriving(startBlocks, startThickness);
   vec4 passing = getPassing(arriving);
-  vec3 tail = airlightTail3(media, light, ray, ray.lit.x);
   float from = ray.lit.x;
-  vec3 radiance = vec3(0.0);
-  vec3 loss = vec3(0.0);
-  float variance = 0.0;
+  vec3 tail = airlightTail3(media, light, ray, from);
+  Scattered sum = Scattered(vec3(0.0), vec3(0.0), 0.0);
   for (int node = 0; node < airlightFroxelNodes; node++)
   {
-    float to = clamp(unit * airlightFroxelDepth(node), from, ray.lit.y);
-    vec4 next = vec4(1.0);
-    if (airlightFroxelLight >= 0)
-    {
-      arriving = addBoundaries(arriving, pixel, node);
-      next = getPassing(arriving);
-#ifdef AIRLIGHT_FROXEL_MAP
-      next.w *= airlightIsLit(ray.origin + to * ray.direction) ? 1.0 : 0.0;
-#endif
-      for (int i = 0; i < 4; i++)
-      {
-        setNumber(pixel, node, airlightFroxelLightNumber(airlightFroxelLight) + i, next[i]);
-      }
-    }
+    float to = clamp(unit * airlightFroxelDepth(node), from, max(from, ray.lit.y));
+    vec4 next = arriveAt(pixel, node, ray.origin + to * ray.direction, arriving);
     vec3 toTail = airlightTail3(media, light, ray, to);
     vec3 part =
       to > from ? airlightInterval3(media, light, ray, from, tail, to, toTail) : vec3(0.0);
-    vec3 change = part * abs(next.w * next.rgb - passing.w * passing.rgb);
-    float largest = max(change.r, max(change.g, change.b));
-    variance += largest * largest;
-    part *= 0.5 * (passing.w + next.w);
-    vec3 mean = getMean(passing.rgb, next.rgb);
-    radiance += part * mean;
-    loss += part * (1.0 - mean);
-    addRadiance(pixel, node, radiance);
-    for (int i = 0; i < 3; i++)
-    {
-      setNumber(pixel, node, AIRLIGHT_FROXEL_LOSS + i, loss[i]);
-    }
-    setNumber(pixel, node, AIRLIGHT_FROXEL_LOSS + 3, variance);
+    addPart(sum, mix(vec3(0.0), part, scatters), passing, next);
+    setNode(pixel, node, sum);
     from = to;
     tail = toTail;
     passing = next;

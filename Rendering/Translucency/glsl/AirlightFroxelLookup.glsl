@@ -3,15 +3,15 @@
 uniform sampler2D airlightFroxels;
 uniform vec2 airlightFroxelTile;  // columns and rows of a tile
 uniform vec2 airlightFroxelScale; // columns and rows per pixel
+uniform vec2 airlightFroxelTexel; // the texture's size is 1
 
 // Of pixel p of the viewport; the kind is that of a tile.
 vec4 airlightFroxel(int kind, vec2 p, float place)
 {
   vec2 at = clamp(airlightFroxelScale * p, vec2(0.5), airlightFroxelTile - 0.5);
   float node = clamp(floor(place), 0.0, float(airlightFroxelNodes - 2));
-  vec2 size = vec2(textureSize(airlightFroxels, 0));
-  vec2 first = (at + airlightFroxelTile * vec2(float(kind), node)) / size;
-  vec2 next = first + vec2(0.0, airlightFroxelTile.y / size.y);
+  vec2 first = (at + airlightFroxelTile * vec2(float(kind), node)) * airlightFroxelTexel;
+  vec2 next = first + vec2(0.0, airlightFroxelTile.y * airlightFroxelTexel.y);
   return mix(textureLod(airlightFroxels, first, 0.0), textureLod(airlightFroxels, next, 0.0),
     clamp(place - node, 0.0, 1.0));
 }

@@ -174,6 +174,44 @@ void TestUnshadowedInComposite()
 }
 
 //------------------------------------------------------------------------------
+void TestFroxels()
+{
+  Case scene;
+  scene.Scene.DrawsOverMedium = true;
+  scene.Scene.TranslucentCasters = true;
+  scene.Scene.TranslucentBoundaries = 16.0;
+  FramePlan plan = scene.Make();
+  Check(!plan.Froxels && plan.TranslucentFragments, "as many boundaries as there may be");
+  scene.Scene.TranslucentBoundaries = 17.0;
+  plan = scene.Make();
+  Check(plan.Froxels && plan.CastersInFroxels && !plan.TranslucentFragments && !plan.NeedsRecords,
+    "more are in a grid, and no fragment has a record");
+  Check(plan.Shadows == ShadowMethod::Planes && !plan.SingleGeometryPass,
+    "opaque casters keep their planes, surfaces wait for the grid");
+
+  scene.Scene.Volumes = 1;
+  Check(!scene.Make().Froxels, "volumes have nodes of their own");
+  scene.Scene.Volumes = 0;
+  scene.Properties.Technique = ShadowTechnique::Planes;
+  Check(!scene.Make().Froxels, "not where planes are requested");
+  scene.Properties.Technique = ShadowTechnique::Automatic;
+  scene.Scene.NonPolygonalCasters = true;
+  Check(!scene.Make().Froxels, "nor where maps are alone");
+  scene.Scene.NonPolygonalCasters = false;
+
+  scene.Scene.TranslucentCasters = false;
+  scene.Scene.TranslucentBoundaries = 0.0;
+  scene.Scene.GaussianFragments = 2.0;
+  Check(!scene.Make().Froxels, "a fragment counts as eight boundaries");
+  scene.Scene.GaussianFragments = 2.1;
+  plan = scene.Make();
+  Check(plan.Froxels && !plan.CastersInFroxels && plan.SingleGeometryPass,
+    "more fragments read a grid; surfaces do not");
+  scene.Scene.TranslucentBoundaries = -1.0;
+  Check(!scene.Make().Froxels, "casters that cannot be in a grid keep records, too");
+}
+
+//------------------------------------------------------------------------------
 void TestOutputs()
 {
   Case scene;
@@ -230,6 +268,7 @@ int TestAirlightFramePlan(int, char*[])
   TestPlain();
   TestGeometryPasses();
   TestUnshadowedInComposite();
+  TestFroxels();
   TestOutputs();
   return airlight_test::Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
