@@ -124,9 +124,9 @@ public:
    * most get a shadow map in place of shadow planes, until the others have no more: a swarm of
    * small things takes bounded time, while large casters keep exact edges. If translucent casters
    * alone have more, all of them get FROXELS: their shadows, and the airlight before translucent
-   * surfaces, are interpolated from a coarse grid. "ErrorBound" includes an estimate of both errors.
+   * surfaces, are interpolated from a coarse grid. "ErrorBound" includes estimates of both errors.
    * Casters of other processes keep their planes. Range: not below 0. Default: 16, beyond which
-   * planes take longer than a map with Mesa's software renderer; VTK_DOUBLE_MAX for planes always.
+   * planes take longer than a map with Mesa's software renderer; VTK_DOUBLE_MAX for planes only.
    */
   void SetMaximumBoundariesPerPixel(double boundaries);
   vtkGetMacro(MaximumBoundariesPerPixel, double);

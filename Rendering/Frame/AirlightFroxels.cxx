@@ -152,7 +152,11 @@ bool Froxels::UpdateShadow(const FrameScene& coarse, int light, const std::vecto
     shadow = std::make_unique<PlanesShadow>(this->Boundaries);
   }
   const InscatterTargets targets = this->GetTargets();
-  const ShadowCasters shadowCasters{ casters, {}, {}, {}, {}, 0 };
+  const std::vector<NonPolygonalCaster> others;
+  const std::vector<PlanarOccluder> faces; // those of the picture hide nothing from these rays
+  const std::vector<ProcessSilhouettes> remote;
+  const DrawActors draw;
+  const ShadowCasters shadowCasters{ casters, others, faces, remote, draw, 0 };
   return (shadow->Update(coarse, light, shadowCasters, targets) &&
            shadow->FillNodes(coarse, light, targets, this->Nodes)) ||
     this->Fail(shadow->GetError());

@@ -1,9 +1,9 @@
 // Each fragment of a shadow plane is a boundary (t, +-weight) in one of its pixel's slots, or where
 // there is none left, in the pixel's list; or with AIRLIGHT_FROXELS, one more in the sums of the
 // first node of a froxel grid behind it (AirlightFroxelGrid.glsl). What software renderers do for
-// each of eight pixels in turn takes most of the time, also where only one of them needs it: writing
-// to memory, above all atomically. The depth test, made lenient, rejects most of what the surface hides; who reads the
-// boundaries leaves out the rest.
+// each of eight pixels in turn takes most of the time, also where only one of them needs it:
+// writing to memory, above all atomically. The depth test, made lenient, rejects most of what the
+// surface hides; who reads the boundaries leaves out the rest.
 
 layout(early_fragment_tests) in;
 

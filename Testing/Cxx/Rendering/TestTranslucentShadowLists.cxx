@@ -27,6 +27,7 @@ const glm::dvec3 Blue(0.7, 0.5, 0.05);
 void TestLongLists()
 {
   Scene scene(32, 24);
+  scene.Pass->SetShadowTechniqueToShadowPlanes(); // AUTOMATIC would take a grid
   Random random(3);
   std::vector<Triangle> sheets;
   for (int i = 0; i < 160; ++i)
@@ -61,6 +62,7 @@ void TestLongLists()
 void TestLengthsOfLists()
 {
   Scene scene(32, 24);
+  scene.Pass->SetShadowTechniqueToShadowPlanes(); // AUTOMATIC would take a grid
   const auto add = [&scene](int i, double opacity) {
     const double front = 2.0 + std::fmod(1.7 * i, 6.0);
     AddGlass(scene, MakeSheet({ 30.0 + 0.02 * i, -40, -9 }, { 0, 80, 0 }, { 0, 0, 9.0 + front }),
