@@ -80,8 +80,8 @@ struct SceneFacts
   bool DrawsOverMedium = false; // there may be translucent surfaces, volumes or point Gaussians
   bool NonPolygonalCasters = false;
   bool TranslucentCasters = false; // among those that cast
-  // Boundaries of translucent casters on a pixel, in the light with the most; below 0 if they cannot
-  // be in a froxel grid.
+  // Boundaries of translucent casters on a pixel, in the light with the most; below 0 if they
+  // cannot be in a froxel grid.
   double TranslucentBoundaries = -1.0;
   double GaussianFragments = 0.0; // of a pixel, likewise
   std::size_t Volumes = 0;
@@ -121,8 +121,8 @@ struct FramePlan
   // Casters whose planes would give a pixel more boundaries have maps.
   double MaximumBoundaries = std::numeric_limits<double>::infinity();
   // Where translucent casters would give a pixel too many boundaries, or point Gaussians too many
-  // fragments, a froxel grid takes the place of the planes of translucent casters and of the records
-  // of fragments.
+  // fragments, a froxel grid takes the place of the planes of translucent casters and of the
+  // records of fragments.
   bool Froxels = false;
   double TranslucentBoundaries = 0.0; // that a pixel would have
   double GaussianFragments = 0.0;
