@@ -2,6 +2,12 @@
 # from before GCC 5, distributions have the new ones, and a program that mixes them does not link.
 
 set(AIRLIGHT_OLD_STANDARD_LIBRARY OFF)
+if (NOT AIRLIGHT_STANDARD_LIBRARY_VTK STREQUAL VTK_DIR) # another VTK than last time
+  unset(AIRLIGHT_STANDARD_LIBRARY_ABI CACHE)
+  unset(AIRLIGHT_LINKS_WITH_ABI_0 CACHE)
+  unset(AIRLIGHT_LINKS_WITH_ABI_1 CACHE)
+  set(AIRLIGHT_STANDARD_LIBRARY_VTK "${VTK_DIR}" CACHE INTERNAL "VTK_DIR of this answer")
+endif ()
 if (CMAKE_SYSTEM_NAME STREQUAL "Linux")
   set(abi_source "${CMAKE_BINARY_DIR}/AirlightStandardLibrary.cxx")
   file(CONFIGURE OUTPUT "${abi_source}" CONTENT [[

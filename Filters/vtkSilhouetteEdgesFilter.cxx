@@ -5,8 +5,8 @@
 #include "Medium/AirlightConvert.h"
 #include "Scene/AirlightVTKVersions.h"
 #include "Silhouette/AirlightMeshCache.h"
-#include "Silhouette/AirlightWritePieces.h"
 #include "Silhouette/AirlightSilhouette.h"
+#include "Silhouette/AirlightWritePieces.h"
 
 #include "vtkCommand.h"
 #include "vtkInformation.h"

@@ -123,9 +123,10 @@ public:
    * follows from the silhouettes, before anything is drawn. If there are more, the props with the
    * most get a shadow map in place of shadow planes, until the others have no more: a swarm of
    * small things takes bounded time, while large casters keep exact edges. If translucent casters
-   * alone have more, all of them get FROXELS: their shadows, and the airlight before translucent
-   * surfaces, are interpolated from a coarse grid. "ErrorBound" includes estimates of both errors.
-   * Casters of other processes keep their planes. Range: not below 0. Default: 16, beyond which
+   * and point Gaussians together cost more, a fragment as eight boundaries, they get FROXELS: their
+   * shadows, and the airlight before translucent surfaces, are interpolated from a coarse grid.
+   * "ErrorBound" includes estimates of both errors, but not of shadows on surfaces. With casters of
+   * other processes, all keep their planes. Range: not below 0. Default: 16, beyond which
    * planes take longer than a map with Mesa's software renderer; VTK_DOUBLE_MAX for planes only.
    */
   void SetMaximumBoundariesPerPixel(double boundaries);

@@ -24,7 +24,7 @@ add()
 # same WHAT FOUND: compares a version.
 same() { [[ $2 == "$version" ]] || die "$1 has version '$2', not $version."; }
 
-# check_picture FILE: a picture in fog is neither empty nor of one colour.
+# check_picture FILE: a picture in fog takes more room than one of a single colour.
 check_picture()
 {
   [[ -s $1 ]] || die "there is no picture $1."
@@ -85,7 +85,13 @@ case $kind in
     start=$SECONDS
     virtual_environment "$(compgen -G "$dist/airlight-$version-*.whl")" pyvista
     same "the wheel's metadata" "$("$place/venv/bin/pip" show airlight | sed -n 's/^Version: //p')"
-    draw_with "$place/venv/bin/python" env VTK_DEFAULT_OPENGL_WINDOW=vtkEGLRenderWindow
+    # The first lines of README.md.
+    # shellcheck disable=SC2016 # a code fence
+    sed -n '/^```python$/,/^```$/{//!p;/^```$/q}' "$root/README.md" |
+      sed 's/pl.show()/pl.show(screenshot="plot.png")/' > plot.py
+    PYVISTA_OFF_SCREEN=true VTK_DEFAULT_OPENGL_WINDOW=vtkEGLRenderWindow \
+      "$place/venv/bin/python" plot.py
+    check_picture plot.png
     echo "the wheel: $((SECONDS - start)) s from pip install to the picture"
     ;;
   sdist)

@@ -38,6 +38,7 @@ check_ready()
 make_source()
 {
   step "Making the source archive"
+  rm -f "$dist"/airlight-*-source.tar.gz
   git -C "$root" archive --prefix="airlight-$version/" --format=tar.gz \
     -o "$dist/airlight-$version-source.tar.gz" HEAD || die "Git could not make the archive."
 }
@@ -45,7 +46,7 @@ make_source()
 make_wheel()
 {
   step "Making sdist and wheel"
-  rm -f "$dist"/airlight-*.whl "$dist/airlight-$version.tar.gz"
+  rm -f "$dist"/airlight-*.whl "$dist"/airlight-[0-9]*[0-9].tar.gz
   "$root/Utilities/wheel.sh" || die "the wheel could not be made; see above."
   compgen -G "$dist/airlight-$version-*.whl" > /dev/null ||
     die "Utilities/wheel.sh left no wheel of $version in dist/."

@@ -17,7 +17,7 @@ step_count=4
 dependencies=(--with-openvdb --with-clang)
 
 # Tests of other builds, of packages, of style, and of ParaView.
-unfit='Consumer|TestPackage|TestDebianPackages|TestRemoteModule|TestImport|ParaView|Reference$|Fuzz|TestDocumentation'
+unfit='Consumer|TestPackage|TestDebianPackages|TestRemoteModule|TestImport|ParaView|Reference$|Fuzz|TestDocumentation|AirlightWheel'
 # Tests of code that uses vtkSMPTools.
 shared='TestSilhouette|TestClosedSurface[.]cxx|TestClosedSurfaceRays|TestLitIntervals|TestOccluders|TestAirlightProbe|TestAirlightReference|TestShadowPlanes|TestShadowMeshes|TestDensityImage|TestRayFilterErrors'
 

@@ -6,7 +6,7 @@
 #
 #   --output     the folder of the site, which is replaced. Default: build/site/html
 #   --python     a Python that has Airlight: its Airlight is used. Default: the newest wheel in dist/,
-#                or else the Airlight of python3
+#                or else the wheel that is installed for python3
 #   --external   also fetches links to other sites; otherwise they are listed
 #   --test       also runs Testing/Site on the result, which needs Chromium and its driver
 #
@@ -73,7 +73,7 @@ venv=$build/site-venv
 wheel=
 [[ -n $python ]] || wheel=$(newest_wheel)
 python=${python:-$(command -v python3)} || die "'python3' is missing; install it first."
-[[ -x $venv/bin/python ]] || "$python" -m venv "$venv" ||
+[[ -x $venv/bin/pip ]] || "$python" -m venv --clear "$venv" ||
   die "the virtual environment could not be made (Debian: install python3-venv)."
 "$venv/bin/pip" -q install --disable-pip-version-check \
   -r "$root/Documentation/site/requirements.txt" || die "the requirements could not be installed."

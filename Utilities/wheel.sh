@@ -10,15 +10,15 @@
 #
 # Suites: Wheel (the package, the reference scenes, windows without a screen) draws through EGL, then
 # through X on a virtual display; Python are the tests of Testing/Python that need no program; PyVista
-# and Web (vedo, trame in a browser, Jupyter) are the folders of Testing. The wheel is for one version of Python: AIRLIGHT_PYTHON selects
-# the interpreter (default: python3 in /usr/bin). AIRLIGHT_JOBS is the number of parallel jobs
-# (default: one per processor).
+# and Web (vedo, trame in a browser, Jupyter) are the folders of Testing. The wheel is for one version
+# of Python: AIRLIGHT_PYTHON selects the interpreter (default: python3 in /usr/bin). AIRLIGHT_JOBS is
+# the number of parallel jobs (default: one per processor).
 #
 # --test exits with 125 if there is no wheel; the tests are then skipped.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
-step_count=5
+step_count=7
 dependencies=(--with-wheel)
 python=${AIRLIGHT_PYTHON:-/usr/bin/python3}
 work=$build/wheel
@@ -36,6 +36,12 @@ environment()
   "$python" -m venv "$work/$1" || die "$python makes no virtual environment (Debian: python3-venv)."
   "$work/$1/bin/pip" -q install --disable-pip-version-check "${@:2}" ||
     die "the packages ${*:2} could not be installed."
+}
+
+# tag: of the interpreter, as cp311.
+tag()
+{
+  "$python" -c 'import sys; print("cp%d%d" % sys.version_info[:2])'
 }
 
 build_wheel()
@@ -57,6 +63,8 @@ build_wheel()
   size=$(stat -c %s "$work"/made/repaired/*.whl)
   ((size < largest)) || die "the wheel has $size bytes, more than $largest."
   mkdir -p "$root/dist"
+  # Nothing of other versions: pip would be given both.
+  rm -f "$root"/dist/airlight-[0-9]*[0-9].tar.gz "$root"/dist/airlight-*-"$(tag)"-*.whl
   cp "$work"/made/*.tar.gz "$work"/made/repaired/*.whl "$root/dist/"
   ls -l "$root/dist"
 

@@ -82,11 +82,9 @@ def environment():
 def fingerprint(example):
     """Changes with the example and with the installed package."""
     digest = hashlib.sha256(example.source().encode())
-    for file in sorted(pathlib.Path(airlight.__file__).parent.glob("*")):
-        if file.is_file():
-            digest.update(f"{file.name} {file.stat().st_size}".encode())
-            if file.suffix == ".py":
-                digest.update(file.read_bytes())
+    for file in sorted(pathlib.Path(airlight.__file__).parent.rglob("*")):
+        if file.is_file() and file.parent.name != "__pycache__":
+            digest.update(file.name.encode() + file.read_bytes())
     return digest.hexdigest()
 
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What differs between the versions of VTK, from 9.1 to 9.7. No other file of the library asks for
- * VTK's version, except AirlightMapperShader, whose table holds the texts of VTK's shaders.
+ * VTK's version, except AirlightMapperShader, whose table holds the texts of VTK's shaders, and
+ * vtkAirlightHeadlessWindow, which loads OpenGL by GLEW where there is no glad.
  */
 
 #ifndef AirlightVTKVersions_h

@@ -148,6 +148,7 @@ bool Frame::BeginFroxels()
   options.MaximumBoundaries = this->Plan.MaximumBoundaries;
   options.Transmits = this->Plan.CastersInFroxels;
   options.Record = this->Plan.Record;
+  options.MemoryLimit = this->Plan.MemoryLimit;
   return !this->Plan.Froxels ||
     this->CoarseAir.Begin(this->Current->Renderer, this->GetScene(), options) ||
     this->Fail(this->CoarseAir.GetError());

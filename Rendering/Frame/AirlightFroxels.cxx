@@ -30,7 +30,7 @@ namespace
 // Pixels of the picture to a coarse one, each way: at least so many.
 constexpr int LeastPixels = 4;
 // Nodes on a ray.
-constexpr int NodeCount = 36;
+constexpr int NodeCount = 42;
 
 // Between which depths all that is visible is.
 std::pair<double, double> FindDepths(vtkRenderer* renderer, const CameraRays& rays)
@@ -77,7 +77,8 @@ FroxelNodes::Layout MakeLayout(
   const std::pair<double, double> depths = FindDepths(renderer, scene.Rays);
   layout.Nodes = NodeCount;
   layout.FirstDepth = depths.first;
-  layout.Step = (depths.second - depths.first) / (NodeCount - 1 - FroxelNodes::FarNodes);
+  layout.Step = (depths.second - depths.first) /
+    (NodeCount - 1 - FroxelNodes::NearNodes - FroxelNodes::FarNodes);
   layout.Lights = NumberLights(scene.Lights);
   const double share = options.Boundaries / std::max(options.MaximumBoundaries, 1.0);
   int pixels = std::max(LeastPixels, static_cast<int>(std::ceil(std::sqrt(share))));
@@ -86,7 +87,8 @@ FroxelNodes::Layout MakeLayout(
     layout.Columns = (scene.Width - 1) / pixels + 1;
     layout.Rows = (scene.Height - 1) / pixels + 1;
     ++pixels;
-  } while (!FroxelNodes::IsPossible(scene.Window, layout) && layout.Columns > 1);
+  } while (
+    !FroxelNodes::IsPossible(scene.Window, layout, options.MemoryLimit) && layout.Columns > 1);
   layout.PerPixel = glm::vec2(layout.Columns, layout.Rows) / glm::vec2(scene.Width, scene.Height);
   return layout;
 }

@@ -43,6 +43,7 @@ public:
     double MaximumBoundaries = 1.0; // that it may have
     bool Transmits = false;         // casters let light through
     bool Record = false;
+    std::uint64_t MemoryLimit = 0; // bytes
   };
 
   // For a frame: lays out the grid. Here and below false with a reason in GetError() where OpenGL

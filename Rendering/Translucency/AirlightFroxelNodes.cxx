@@ -56,11 +56,14 @@ std::uint64_t FroxelNodes::GetBytes(const Layout& layout)
 }
 
 //------------------------------------------------------------------------------
-bool FroxelNodes::IsPossible(vtkOpenGLRenderWindow* window, const Layout& layout)
+bool FroxelNodes::IsPossible(
+  vtkOpenGLRenderWindow* window, const Layout& layout, std::uint64_t memoryLimit)
 {
   const int most = vtkTextureObject::GetMaximumTextureSize(window);
+  // The texture takes about as much again.
   return GetBytes(layout) <= static_cast<std::uint64_t>(GetLargestStorageBlock()) &&
-    layout.Columns * (2 + layout.GetLightCount()) <= most && layout.Rows * layout.Nodes <= most;
+    2 * GetBytes(layout) <= memoryLimit && layout.Columns * (2 + layout.GetLightCount()) <= most &&
+    layout.Rows * layout.Nodes <= most;
 }
 
 //------------------------------------------------------------------------------

@@ -5,8 +5,7 @@
  * what it scatters before each node, and whether and how much of it arrives there. Then the nodes
  * become a texture, which is read with interpolation (glsl/AirlightFroxelLookup.glsl).
  *
- * Memory: 28 bytes a node and 16 for each light that casts shadows; as much again for the texture
- * and a third more.
+ * Memory: 28 bytes a node and 16 for each light that casts shadows; 32 and 16 for the texture.
  */
 
 #ifndef AirlightFroxelNodes_h
@@ -35,7 +34,8 @@ public:
   FroxelNodes();
   ~FroxelNodes();
 
-  // Nodes on a ray behind all that is visible.
+  // Nodes on a ray before and behind all that is visible.
+  static constexpr int NearNodes = 6;
   static constexpr int FarNodes = 7;
 
   // What shaders that write nodes begin with, after DefineStorageBindings(), and those that read
@@ -55,8 +55,9 @@ public:
 
     int GetLightCount() const;
   };
-  // Whether OpenGL has buffers and textures of this size.
-  static bool IsPossible(vtkOpenGLRenderWindow* window, const Layout& layout);
+  // Whether OpenGL has buffers and textures of this size, within a limit of bytes.
+  static bool IsPossible(
+    vtkOpenGLRenderWindow* window, const Layout& layout, std::uint64_t memoryLimit);
 
   // Room for these nodes, all 0. False with a reason in GetError() if OpenGL refuses it.
   bool Prepare(vtkOpenGLRenderWindow* window, const Layout& layout);

@@ -103,6 +103,7 @@ def test_other_methods(plotter, make_plotter):
     lambda state: state["lamps"][0].pop("power"),
     lambda state: state["lamps"][0].update(unit="lumen"),
     lambda state: state.update(medium={}),
+    lambda state: state["lamps"].append({**state["lamps"][0], "unit": "cd"}),
 ])
 def test_set_state(plotter, change):
     plotter.airlight.enable(visibility=3).add_lamp((0, 0, 2), 3)

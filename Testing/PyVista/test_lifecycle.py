@@ -190,6 +190,18 @@ def test_change_of_the_medium_is_shown(plotter):
     assert abs(plotter.screenshot() - before).mean() > 10
 
 
+def test_change_of_a_derived_value_is_kept(plotter):
+    plotter.airlight.enable()
+    plotter.screenshot()
+    medium = plotter.airlight.medium
+    medium.SetAmbientRadiance(0.5, 0.25, 0.125)
+    plotter.render()
+    assert medium.GetAmbientRadiance() == (0.5, 0.25, 0.125)
+    plotter.set_background("black")
+    plotter.render()
+    assert medium.GetAmbientRadiance() == (0, 0, 0)
+
+
 def test_screenshot_in_another_size_and_transparent(plotter):
     plotter.airlight.enable()
     assert plotter.screenshot(window_size=(200, 100)).shape == (100, 200, 3)

@@ -60,9 +60,8 @@ inline int PyVTKObject_SetProperty(PyObject* self, PyObject* value, void* method
 inline int PyVTKObject_SetPropertyMulti(PyObject* self, PyObject* value, void* methods)
 {
   const bool numbers = value && PySequence_Check(value) && !PyUnicode_Check(value);
-  return numbers
-    ? airlight_python::CallSetter(self, value, PySequence_Tuple(value), methods)
-    : PyVTKObject_SetProperty(self, value, methods);
+  return numbers ? airlight_python::CallSetter(self, value, PySequence_Tuple(value), methods)
+                 : PyVTKObject_SetProperty(self, value, methods);
 }
 
 // The methods remove all that was added, then add each item of the value.

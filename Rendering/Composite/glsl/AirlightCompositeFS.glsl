@@ -53,7 +53,8 @@ void main()
 #ifdef AIRLIGHT_UNSHADOWED_LIGHTS
   vec3 added = airlightUnshadowedRays(p, origin, direction, unit, end) + ambient;
 #else
-  vec3 added = texelFetch(scattered, pixel, 0).rgb + ambient;
+  // What a froxel grid takes away is interpolated, and may be more than there is.
+  vec3 added = max(texelFetch(scattered, pixel, 0).rgb, vec3(0.0)) + ambient;
 #endif
   // A picture with a transparent background becomes as opaque as the medium is.
   float opacity = 1.0 - (1.0 - colour.a) * dot(passes, vec3(1.0 / 3.0));

@@ -25,11 +25,13 @@ Arriving addBoundaries(Arriving before, ivec2 pixel, int node)
   return before;
 }
 
-// What translucent casters leave; w: 1 where no opaque one blocks the light.
+// What translucent casters leave; w: 1 where no opaque one blocks the light. A thickness far below 0
+// has overrun, beyond 2048.
 vec4 getPassing(Arriving arriving)
 {
-  return vec4(exp(-vec3(max(arriving.thickness, ivec3(0))) / 1048576.0),
-    arriving.blocks > 0 ? 0.0 : 1.0);
+  vec3 passing = exp(-vec3(max(arriving.thickness, ivec3(0))) / 1048576.0);
+  passing = mix(passing, vec3(0.0), lessThan(arriving.thickness, ivec3(-(1 << 26))));
+  return vec4(passing, arriving.blocks > 0 ? 0.0 : 1.0);
 }
 
 // The mean of exp(-t) between two values of t with these exponentials.

@@ -45,6 +45,7 @@ class Subplot:
         self._chain = PassChain()
         self._observer: int | None = None
         self._diagonal: float | None = None
+        self._background: tuple[float, ...] | None = None
         self._center: Any = None
         self.settings = Settings()
         self.own_medium: vtkParticipatingMedium | None = None
@@ -96,6 +97,14 @@ class Subplot:
             self._observer = renderer.AddObserver("StartEvent", _Prepare(self))
         self.prepare()
         self.refresh()
+
+    def check(self, settings: Settings, own_medium: vtkParticipatingMedium | None,
+              lamps: list[Lamp]) -> None:
+        """Raise what enable() and add_lamp() would with these, before anything changes."""
+        if own_medium is None:
+            settings.apply_to_medium(vtkParticipatingMedium())
+        provider.check(self.plotter, self.renderer)
+        self._check_units(lamps)
 
     def disable(self) -> None:
         """Draw the subplot as PyVista does."""
@@ -171,7 +180,10 @@ class Subplot:
             return
         has_changed = self._has_changed(scene)
         if self.own_medium is None:
-            self.settings.derive_ambient(self.medium, background(renderer))
+            color = tuple(background(renderer))
+            if has_changed or color != self._background:
+                self.settings.derive_ambient(self.medium, color)
+                self._background = color
             if has_changed:
                 self.settings.derive_from_scene(self.medium, scene)
         self._update_derived_lamp(scene, has_changed)
@@ -234,18 +246,22 @@ class Subplot:
     def add_lamp(self, lamp: Lamp) -> pv.Light:
         """Add a lamp to the renderer, and return its light."""
         renderer = self.renderer
-        other = next((each for each in self.lamps
-                      if each.system != lamp.system and not each.is_derived), None)
-        if other is not None:
-            raise ValueError(f"unit is {lamp.unit!r} and there is a lamp in {other.unit!r}: "
-                             "radiances of both units cannot be added. Give all lamps in watts "
-                             "(W/sr, W/m^2), or all in lumens (cd, lx).")
+        self._check_units([*self.lamps, lamp])
         lamp.expose(self.settings.white)
         self.lamps.append(lamp)
         renderer.add_light(lamp.light)
         self.prepare()
         self.refresh()
         return lamp.light
+
+    @staticmethod
+    def _check_units(lamps: list[Lamp]) -> None:
+        given = [lamp for lamp in lamps if not lamp.is_derived]
+        other = next((lamp for lamp in given if lamp.system != given[-1].system), None)
+        if other is not None:
+            raise ValueError(f"unit is {given[-1].unit!r} and there is a lamp in {other.unit!r}: "
+                             "radiances of both units cannot be added. Give all lamps in watts "
+                             "(W/sr, W/m^2), or all in lumens (cd, lx).")
 
     def find_lamp(self, light: Any) -> Lamp:
         """The lamp of a light; ValueError if it is none of this subplot."""
