@@ -25,8 +25,8 @@ Arriving addBoundaries(Arriving before, ivec2 pixel, int node)
   return before;
 }
 
-// What translucent casters leave; w: 1 where no opaque one blocks the light. A thickness far below 0
-// has overrun, beyond 2048.
+// What translucent casters leave; w: 1 where no opaque one blocks the light. A thickness far below
+// 0 has overrun, beyond 2048.
 vec4 getPassing(Arriving arriving)
 {
   vec3 passing = exp(-vec3(max(arriving.thickness, ivec3(0))) / 1048576.0);

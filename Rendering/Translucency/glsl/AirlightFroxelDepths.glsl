@@ -1,6 +1,6 @@
-// Where the nodes of a froxel grid are on a ray: at equal steps from the eye to what is visible, then
-// at equal steps of depth through that, then at growing ones, for the air behind; the last one at
-// infinity.
+// Where the nodes of a froxel grid are on a ray: at equal steps from the eye to what is visible,
+// then at equal steps of depth through that, then at growing ones, for the air behind; the last one
+// at infinity.
 
 uniform int airlightFroxelNodes;   // on a ray
 uniform vec2 airlightFroxelDepths; // where the visible begins, and from one node to the next in it
@@ -33,6 +33,7 @@ float airlightFroxelDepth(int node)
   float inside = max(float(node - AIRLIGHT_FROXEL_NEAR_NODES), 0.0);
   float place = min(inside, even) + 4.0 * (exp2(max(inside - even, 0.0)) - 1.0);
   float near = min(float(node) / float(AIRLIGHT_FROXEL_NEAR_NODES), 1.0);
-  float first = airlightFroxelDepths.x > 0.0 ? near * airlightFroxelDepths.x : airlightFroxelDepths.x;
+  float first = airlightFroxelDepths.x;
+  first *= first > 0.0 ? near : 1.0;
   return node + 1 < airlightFroxelNodes ? first + airlightFroxelDepths.y * place : 1e37;
 }
