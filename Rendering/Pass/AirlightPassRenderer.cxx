@@ -189,7 +189,7 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
   const PassProperties& properties = settings.Properties;
   SceneFacts facts = this->GetFacts(scene);
   if (properties.Technique == ShadowTechnique::Automatic && limits.StorageBuffers &&
-    !this->CurrentFrame.HasRemoteSilhouettes())
+    facts.Volumes == 0 && !this->CurrentFrame.HasRemoteSilhouettes())
   {
     facts.TranslucentBoundaries = this->CurrentFrame.EstimateTranslucent(scene.Window, scene.Rays,
       scene.Converted, scene.Lights, this->Casters, scene.Support->Solids);
