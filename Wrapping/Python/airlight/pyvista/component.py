@@ -412,7 +412,7 @@ class AirlightComponent:
             raise ValueError(f"state: {error}; give what get_state() returned.") from error
         medium = None if state["medium"] is None else medium_from_dict(state["medium"])
         lamps = [Lamp.from_dict(values) for values in state["lamps"]]
-        subplot.check(settings, medium, lamps)
+        subplot.check(settings, medium, lamps, enabled=state["enabled"])
         for lamp in [lamp for lamp in subplot.lamps if not lamp.is_derived]:
             subplot.remove_lamp(lamp)
         subplot.settings = settings

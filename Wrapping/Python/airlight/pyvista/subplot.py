@@ -99,11 +99,12 @@ class Subplot:
         self.refresh()
 
     def check(self, settings: Settings, own_medium: vtkParticipatingMedium | None,
-              lamps: list[Lamp]) -> None:
+              lamps: list[Lamp], *, enabled: bool) -> None:
         """Raise what enable() and add_lamp() would with these, before anything changes."""
-        if own_medium is None:
+        if enabled and own_medium is None:
             settings.apply_to_medium(vtkParticipatingMedium())
-        provider.check(self.plotter, self.renderer)
+        if enabled:
+            provider.check(self.plotter, self.renderer)
         self._check_units(lamps)
 
     def disable(self) -> None:
