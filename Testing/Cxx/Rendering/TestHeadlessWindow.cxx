@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkAirlightHeadlessWindow: the pictures of VTK's own windows, several at a time, and a device that
-// is not there.
+// vtkAirlightHeadlessWindow: the pictures of VTK's own windows, several at a time, and a device
+// that is not there.
 
 #include "AirlightTestErrors.h"
 #include "AirlightTestWindowScene.h"
