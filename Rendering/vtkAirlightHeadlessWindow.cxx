@@ -9,6 +9,7 @@
 #include "vtk_glew.h" // until VTK 9.3
 #endif
 
+#include <cstdlib>
 #include <string>
 
 vtkStandardNewMacro(vtkAirlightHeadlessWindow);
@@ -27,10 +28,16 @@ vtkAirlightHeadlessWindow::vtkAirlightHeadlessWindow()
 //------------------------------------------------------------------------------
 vtkAirlightHeadlessWindow::~vtkAirlightHeadlessWindow()
 {
-  // While there is a context. The superclass would do so without.
+  this->Finalize();
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightHeadlessWindow::Finalize()
+{
   if (this->Context)
   {
-    this->Finalize();
+    this->Superclass::Finalize();
+    this->Context.reset(); // as VTK's windows do; the next frame has a new one
   }
 }
 
@@ -89,10 +96,38 @@ void vtkAirlightHeadlessWindow::OpenGLInitContext()
     return;
   }
   this->ContextCreationTime.Modified();
+  GLfloat widths[2] = { 1.0f, 1.0f };
+  glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, widths);
+  this->MaximumHardwareLineWidth = widths[1];
   this->Initialized = true;
 #else
   this->Superclass::OpenGLInitContext();
 #endif
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightHeadlessWindow::OpenGLInit()
+{
+  // Not the superclass's: that would undo VTK's initial state, as the depth function.
+  this->vtkOpenGLRenderWindow::OpenGLInit(); // NOLINT(bugprone-parent-virtual-call)
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightHeadlessWindow::PushContext()
+{
+  if (this->SupportsOpenGL())
+  {
+    this->Context->Push();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightHeadlessWindow::PopContext()
+{
+  if (this->Context)
+  {
+    this->Context->Pop();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -111,7 +146,13 @@ void vtkAirlightHeadlessWindow::Render()
   // Not the superclass's: that would save and restore all of OpenGL's state, for those whose
   // context it is.
   this->vtkOpenGLRenderWindow::Render(); // NOLINT(bugprone-parent-virtual-call)
-  this->Context->Release();
+  // VTK leaves a frame's context current, and some who draw rely on that. A window of an X server
+  // cannot make its own current then.
+  const char* display = std::getenv("DISPLAY");
+  if (display && *display)
+  {
+    this->Context->Release();
+  }
 }
 
 //------------------------------------------------------------------------------

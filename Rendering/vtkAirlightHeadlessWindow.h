@@ -53,13 +53,17 @@ public:
 
   ///@{
   /**
-   * What VTK asks of a window. The first makes the context.
+   * What VTK asks of a window. The first makes the context, Finalize() ends it.
    */
   int SupportsOpenGL() override;
   void MakeCurrent() override;
   bool IsCurrent() override;
   vtkTypeBool IsDirect() override;
+  void Finalize() override;
   void OpenGLInitContext() override;
+  void OpenGLInit() override;
+  void PushContext() override;
+  void PopContext() override;
   void Render() override;
   ///@}
 

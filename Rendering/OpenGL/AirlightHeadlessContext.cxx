@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <vector>
 
 namespace airlight
 {
@@ -43,6 +42,8 @@ public:
   PFNEGLDESTROYCONTEXTPROC DestroyContext = nullptr;
   PFNEGLMAKECURRENTPROC MakeCurrent = nullptr;
   PFNEGLGETCURRENTCONTEXTPROC GetCurrentContext = nullptr;
+  PFNEGLGETCURRENTDISPLAYPROC GetCurrentDisplay = nullptr;
+  PFNEGLGETCURRENTSURFACEPROC GetCurrentSurface = nullptr;
 
 private:
   Library()
@@ -66,6 +67,8 @@ private:
     find(this->DestroyContext, "eglDestroyContext");
     find(this->MakeCurrent, "eglMakeCurrent");
     find(this->GetCurrentContext, "eglGetCurrentContext");
+    find(this->GetCurrentDisplay, "eglGetCurrentDisplay");
+    find(this->GetCurrentSurface, "eglGetCurrentSurface");
     const auto extension = [this](auto& function, const char* name) {
       function = reinterpret_cast<std::decay_t<decltype(function)>>(this->GetProcAddress(name));
     };
@@ -75,24 +78,43 @@ private:
   }
 };
 
+// The functions of libGLX, if this process has opened it. MakeCurrent is null where it has not.
+class GLX
+{
+public:
+  GLX()
+  {
+    void* opened = dlopen("libGLX.so.0", RTLD_LAZY | RTLD_NOLOAD);
+    opened = opened ? opened : dlopen("libGL.so.1", RTLD_LAZY | RTLD_NOLOAD);
+    if (!opened)
+    {
+      return;
+    }
+    const auto find = [opened](auto& function, const char* name) {
+      function = reinterpret_cast<std::decay_t<decltype(function)>>(dlsym(opened, name));
+    };
+    find(this->GetCurrentDisplay, "glXGetCurrentDisplay");
+    find(this->GetCurrentDrawable, "glXGetCurrentDrawable");
+    find(this->GetCurrentContext, "glXGetCurrentContext");
+    find(this->MakeCurrent, "glXMakeCurrent");
+    dlclose(opened); // those who draw with it keep it open
+  }
+
+  void* (*GetCurrentDisplay)() = nullptr;
+  unsigned long (*GetCurrentDrawable)() = nullptr;
+  void* (*GetCurrentContext)() = nullptr;
+  int (*MakeCurrent)(void*, unsigned long, void*) = nullptr;
+};
+
 // A thread has one current context, and EGL refuses to make one current while there is one of GLX.
 void ReleaseGLX()
 {
-  void* opened = dlopen("libGLX.so.0", RTLD_LAZY | RTLD_NOLOAD);
-  opened = opened ? opened : dlopen("libGL.so.1", RTLD_LAZY | RTLD_NOLOAD);
-  if (!opened)
+  const GLX glx;
+  void* display = glx.MakeCurrent ? glx.GetCurrentDisplay() : nullptr;
+  if (display)
   {
-    return;
+    glx.MakeCurrent(display, 0, nullptr);
   }
-  const auto getDisplay = reinterpret_cast<void* (*)()>(dlsym(opened, "glXGetCurrentDisplay"));
-  const auto makeCurrent =
-    reinterpret_cast<int (*)(void*, unsigned long, void*)>(dlsym(opened, "glXMakeCurrent"));
-  void* display = getDisplay ? getDisplay() : nullptr;
-  if (display && makeCurrent)
-  {
-    makeCurrent(display, 0, nullptr);
-  }
-  dlclose(opened);
 }
 
 // Graphics cards first.
@@ -235,6 +257,55 @@ void HeadlessContext::Release() const
 }
 
 //------------------------------------------------------------------------------
+HeadlessContext::Current HeadlessContext::GetCurrent()
+{
+  const GLX glx;
+  Current current;
+  current.Display = glx.MakeCurrent ? glx.GetCurrentDisplay() : nullptr;
+  if (current.Display)
+  {
+    current.Drawable = glx.GetCurrentDrawable();
+    current.Context = glx.GetCurrentContext();
+    return current;
+  }
+  const Library& egl = Library::Get();
+  if (egl.IsComplete())
+  {
+    current.Display = egl.GetCurrentDisplay();
+    current.Surface = egl.GetCurrentSurface(EGL_DRAW);
+    current.Context = egl.GetCurrentContext();
+  }
+  return current;
+}
+
+//------------------------------------------------------------------------------
+void HeadlessContext::Push()
+{
+  this->Before.push_back(GetCurrent());
+  this->MakeCurrent();
+}
+
+//------------------------------------------------------------------------------
+void HeadlessContext::Pop()
+{
+  if (this->Before.empty())
+  {
+    return;
+  }
+  const Current before = this->Before.back();
+  this->Before.pop_back();
+  this->Release();
+  if (before.Drawable)
+  {
+    GLX().MakeCurrent(before.Display, before.Drawable, before.Context);
+  }
+  else if (before.Context)
+  {
+    Library::Get().MakeCurrent(before.Display, before.Surface, before.Surface, before.Context);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool HeadlessContext::IsCurrent() const
 {
   return this->Context != EGL_NO_CONTEXT && Library::Get().GetCurrentContext() == this->Context;
@@ -253,6 +324,8 @@ int HeadlessContext::CountDevices() { return 0; }
 HeadlessContext::Function HeadlessContext::Find(const char*) { return nullptr; }
 bool HeadlessContext::MakeCurrent() const { return false; }
 void HeadlessContext::Release() const {}
+void HeadlessContext::Push() {}
+void HeadlessContext::Pop() {}
 bool HeadlessContext::IsCurrent() const { return false; }
 #endif
 }

@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace airlight
 {
@@ -40,12 +41,27 @@ public:
   void Release() const;
   bool IsCurrent() const;
 
+  // MakeCurrent(), and back to what was current before, of EGL or of GLX. Pairs may be nested.
+  void Push();
+  void Pop();
+
 private:
+  // What is current in a thread.
+  struct Current
+  {
+    void* Display = nullptr;
+    void* Surface = nullptr;    // of EGL
+    unsigned long Drawable = 0; // of GLX
+    void* Context = nullptr;
+  };
+  static Current GetCurrent();
+
   HeadlessContext() = default;
 
   void* Display = nullptr;
   void* Surface = nullptr; // is never drawn into
   void* Context = nullptr;
+  std::vector<Current> Before;
 };
 }
 
