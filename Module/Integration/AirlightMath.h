@@ -23,6 +23,7 @@
 #define AIRLIGHT_INOUT(T) T&
 #define AIRLIGHT_IN(T) const T&
 #define AIRLIGHT_PRECISE
+#define AIRLIGHT_ROLLED(count) (count)
 // Surfaces and tables lie in memory.
 #define AIRLIGHT_DATA_MEMBER const real4* data;
 #define AIRLIGHT_FETCH(owner, i) ((owner).data[(i)])

@@ -87,7 +87,7 @@ AIRLIGHT_FN real3 airlightAmbientPanel(AIRLIGHT_IN(AirlightMedia) media,
   real3 sum = real3(real(0.0));
   real middle = real(0.5) * (from + to);
   real halfLength = real(0.5) * (to - from);
-  for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
+  for (int k = 0; k < AIRLIGHT_ROLLED(AIRLIGHT_GAUSS_COUNT); k++)
   {
     real2 node = airlightGaussNode(k / 2);
     real t = middle + (k % 2 == 0 ? halfLength : -halfLength) * node.x;

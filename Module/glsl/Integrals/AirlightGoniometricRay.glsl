@@ -151,7 +151,7 @@ AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
   real3 sum = real3(real(0.0));
   real3 even = real3(real(0.0));
   real3 odd = real3(real(0.0));
-  for (int k = 0; k < count; k++)
+  for (int k = 0; k < AIRLIGHT_ROLLED(count); k++)
   {
     real4 node = airlightCellNode(narrow, k);
     real w = middle + reach * node.x;
@@ -161,7 +161,7 @@ AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
     real3 direction = normalize(ray.origin + (tL + x) * ray.direction - light.position);
     real3 value = (straight ? real(1.0) : r) *
       airlightPhotometryInside(light.photometry, cell, direction) *
-      airlightPointIntegrand(media, light, ray, piece, x, r);
+      airlightIntegrand(media, light, ray, piece, tL + x, x, r);
     sum += node.y * value;
     even += node.z * value;
     odd += node.w * value;
@@ -201,7 +201,7 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
   real3 limit = real3(real(AIRLIGHT_FAR)); // of a panel's error; none at first
   real3 sum = real3(real(0.0));
   int steps = 0;
-  for (int pass = 0; pass < 2; pass++)
+  for (int pass = 0; pass < AIRLIGHT_ROLLED(2); pass++)
   {
     real3 errorEstimate = real3(real(0.0));
     sum = real3(real(0.0));
@@ -223,7 +223,7 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
         // missed.
         bool beside = most < widest;
         real x = after;
-        for (int look = beside ? 0 : 1; look < 2; look++)
+        for (int look = beside ? 0 : 1; look < AIRLIGHT_ROLLED(2); look++)
         {
           cell = airlightPhotometryCell(light.photometry, normalize(foot + x * ray.direction));
           x = airlightPhotometryCut(line, cell, after);

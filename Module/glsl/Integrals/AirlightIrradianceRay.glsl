@@ -70,23 +70,21 @@ AIRLIGHT_FN real3 airlightIrradiancePiece(AIRLIGHT_IN(AirlightMedia) media,
 {
   real t0 = piece.from;
   real t1 = airlightNegligibleFrom(media, piece, ray.origin, ray.direction);
-  real3 errorEstimate;
-  if (airlightIsDirectional(light))
-  {
-    return airlightPanel(media, light, ray, piece, true, t0, t1, errorEstimate);
-  }
+  bool sun = airlightIsDirectional(light);
+  real v0 = sun ? t0 : airlightAsinh(airlightFromFoot(ray, t0) / ray.foot.h);
+  real v1 = sun ? t1 : airlightAsinh(airlightFromFoot(ray, t1) / ray.foot.h);
   // One panel on each side of the light's foot, where the peak is.
+  real middle = sun ? v1 : clamp(real(0.0), v0, v1);
   real3 sum = real3(real(0.0));
-  real v0 = airlightAsinh(airlightFromFoot(ray, t0) / ray.foot.h);
-  real v1 = airlightAsinh(airlightFromFoot(ray, t1) / ray.foot.h);
-  real middle = clamp(real(0.0), v0, v1);
-  if (middle > v0)
+  for (int side = 0; side < AIRLIGHT_ROLLED(2); side++)
   {
-    sum += airlightPanel(media, light, ray, piece, false, v0, middle, errorEstimate);
-  }
-  if (v1 > middle)
-  {
-    sum += airlightPanel(media, light, ray, piece, false, middle, v1, errorEstimate);
+    real from = side == 0 ? v0 : middle;
+    real to = side == 0 ? middle : v1;
+    if (to > from)
+    {
+      real3 errorEstimate;
+      sum += airlightPanel(media, light, ray, piece, sun, from, to, errorEstimate);
+    }
   }
   return sum;
 }

@@ -87,41 +87,37 @@ AIRLIGHT_FN real airlightPhotometricShare(AIRLIGHT_IN(AirlightLight) light, real
   return real(1.0);
 }
 
-// Optical depth on the way to a light at a place, and to one at infinity.
 #ifdef AIRLIGHT_GRID_STEPS
 real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point); // AirlightGridRay
-#define AIRLIGHT_LIGHT_DEPTH airlightLightDepth
-#define AIRLIGHT_SUN_DEPTH airlightLightDepth
-#else
-#define AIRLIGHT_LIGHT_DEPTH(media, light, point)                                                  \
-  airlightDepthBetween(media, point, (light).position)
-#define AIRLIGHT_SUN_DEPTH(media, light, point) airlightSunDepths(media, point, (light).position)
 #endif
 
-// The integrand for a light at a place, but for that share: x from the light's foot, r from the
-// light.
-AIRLIGHT_FN real3 airlightPointIntegrand(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real x, real r)
+// Optical depth on the way from a point to the light.
+AIRLIGHT_FN real3 airlightDepthToLight(
+  AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light, real3 point)
 {
-  real t = ray.range.x + ray.foot.tL + x;
-  real3 point = ray.origin + t * ray.direction;
-  real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
-    AIRLIGHT_LIGHT_DEPTH(media, light, point);
-  return airlightScattered(media, piece, point, -x / r) * airlightTransmittanceOf(depth) *
-    airlightFalloff(light, point, r);
+#ifdef AIRLIGHT_GRID_STEPS
+  return airlightLightDepth(media, light, point);
+#else
+  return airlightIsDirectional(light) ? airlightSunDepths(media, point, light.position)
+                                      : airlightDepthBetween(media, point, light.position);
+#endif
 }
 
-// The integrand for a light at infinity.
-AIRLIGHT_FN real3 airlightSunIntegrand(AIRLIGHT_IN(AirlightMedia) media,
+// The integrand at t, but for what a photometric table says: of a light at a place, x from its foot
+// and r from the light; of a light at infinity, which has neither. Called in few places, as the
+// three below: compilers put a copy of all that it takes into each.
+AIRLIGHT_FN real3 airlightIntegrand(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real t)
+  AIRLIGHT_IN(AirlightPiece) piece, real t, real x, real r)
 {
   real3 point = ray.origin + t * ray.direction;
   real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
-    AIRLIGHT_SUN_DEPTH(media, light, point);
-  return airlightScattered(media, piece, point, dot(light.position, ray.direction)) *
-    airlightTransmittanceOf(depth);
+    airlightDepthToLight(media, light, point);
+  bool sun = airlightIsDirectional(light);
+  real cosTheta = sun ? dot(light.position, ray.direction) : -x / r;
+  real3 value =
+    airlightScattered(media, piece, point, cosTheta) * airlightTransmittanceOf(depth);
+  return sun ? value : value * airlightFalloff(light, point, r);
 }
 
 // The integrand over v. `straight`: v is t, for lights at infinity, and for lights at a place on
@@ -131,22 +127,15 @@ AIRLIGHT_FN real3 airlightPanelValue(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
   AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v)
 {
-  if (airlightIsDirectional(light))
-  {
-    return airlightSunIntegrand(media, light, ray, piece, v);
-  }
-  if (straight)
-  {
-    real x = v - ray.range.x - ray.foot.tL;
-    real r = sqrt(ray.foot.h * ray.foot.h + x * x);
-    return airlightPointIntegrand(media, light, ray, piece, x, r);
-  }
-  real e = exp(v);
-  real r = real(0.5) * ray.foot.h * (e + real(1.0) / e);
-  real x = real(0.5) * ray.foot.h * (e - real(1.0) / e);
-  real3 point = ray.origin + (ray.range.x + ray.foot.tL + x) * ray.direction;
-  return r * airlightPhotometricShare(light, point) *
-    airlightPointIntegrand(media, light, ray, piece, x, r);
+  real tL = ray.range.x + ray.foot.tL;
+  real h = ray.foot.h;
+  real e = exp(straight ? real(0.0) : v);
+  real x = straight ? v - tL : real(0.5) * h * (e - real(1.0) / e);
+  real r = straight ? sqrt(h * h + x * x) : real(0.5) * h * (e + real(1.0) / e);
+  real t = airlightIsDirectional(light) ? v : tL + x;
+  return (straight ? real(1.0) : r) *
+    airlightPhotometricShare(light, ray.origin + t * ray.direction) *
+    airlightIntegrand(media, light, ray, piece, t, x, r);
 }
 
 // One panel by Gauss-Legendre quadrature; `errorEstimate` is how much it may be wrong by. In
@@ -164,7 +153,7 @@ AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(Ai
   real3 low = real3(real(0.0)); // the nodes' polynomial at the ends
   real3 high = real3(real(0.0));
 #endif
-  for (int k = 0; k < AIRLIGHT_GAUSS_COUNT; k++)
+  for (int k = 0; k < AIRLIGHT_ROLLED(AIRLIGHT_GAUSS_COUNT); k++)
   {
     bool above = k % 2 == 0;
     real2 node = airlightGaussNode(k / 2);
@@ -201,39 +190,4 @@ AIRLIGHT_FN real airlightAsinh(real x)
 AIRLIGHT_FN int airlightPanelCount(real length, real scale)
 {
   return int(clamp(length / scale, real(0.0), real(60.0))) + 1;
-}
-
-// The panels from v0 to v1 again, where `total` turned out not to be good enough. A panel whose
-// nodes are too few is halved, which finds the kinks.
-AIRLIGHT_FN real3 airlightHalvedPanels(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1, int panels, real3 total)
-{
-  real width = (v1 - v0) / real(panels);
-  real step = width;
-  real a = v0;
-  real3 sum = real3(real(0.0));
-  // Bounded, so that every driver ends: where nothing is halved any more, as many as there were at
-  // first (at most 122) reach the end.
-  for (int i = 0; i < AIRLIGHT_MOST_TRIES + 150 && a < v1; i++)
-  {
-    // The last one may be a rounding error wide.
-    real b = v1 - a < real(1.01) * step ? v1 : a + step;
-    real3 errorEstimate;
-    real3 value = airlightPanel(media, light, ray, piece, straight, a, b, errorEstimate);
-    // Written so that what is not a number ends it, too.
-    bool few = any(greaterThan(errorEstimate, real(AIRLIGHT_PANEL_TOLERANCE) * total));
-    if (few && step > width * real(1.0 / 512.0) && step > real(AIRLIGHT_NARROWEST) * abs(a) &&
-      AIRLIGHT_MAY_TRY)
-    {
-      step *= real(0.5);
-    }
-    else
-    {
-      sum += value;
-      a = b;
-      step = min(real(2.0) * step, width);
-    }
-  }
-  return sum;
 }

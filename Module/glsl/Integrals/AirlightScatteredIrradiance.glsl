@@ -42,7 +42,7 @@ AIRLIGHT_FN real3 airlightIrradianceRings(AIRLIGHT_IN(AirlightMedia) media,
   real v0 = sqrt(from);
   real reach = real(0.5) * (sqrt(to) - v0) / real(panels);
   real3 sum = real3(real(0.0));
-  for (int k = 0; k < panels * AIRLIGHT_GAUSS_COUNT; k++)
+  for (int k = 0; k < AIRLIGHT_ROLLED(panels * AIRLIGHT_GAUSS_COUNT); k++)
   {
     real2 node = airlightGaussNode((k % AIRLIGHT_GAUSS_COUNT) / 2);
     real middle = v0 + real(2 * (k / AIRLIGHT_GAUSS_COUNT) + 1) * reach;
@@ -112,7 +112,7 @@ AIRLIGHT_FN real airlightIrradianceEdge(
 {
   real low = real(0.0);
   real high = sqrt(real(AIRLIGHT_PI));
-  for (int i = 0; i < 12; i++)
+  for (int i = 0; i < AIRLIGHT_ROLLED(12); i++)
   {
     real middle = real(0.5) * (low + high);
     real gamma = middle * middle;

@@ -1,5 +1,53 @@
 // Quadrature piece by piece of a ray.
 
+// The panels from v0 to v1; where their sum turns out not to be good enough, again, and a panel
+// whose nodes are too few is then halved, which finds the kinks.
+AIRLIGHT_FN real3 airlightPanels(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1,
+  int panels)
+{
+  real width = (v1 - v0) / real(panels);
+  real3 limit = real3(real(AIRLIGHT_FAR)); // of a panel's error; none at first
+  real3 sum = real3(real(0.0));
+  // Bounded, so that every driver ends: at first there are at most 122 panels, and where nothing is
+  // halved any more as many reach the end.
+  int most = panels;
+  for (int pass = 0; pass < AIRLIGHT_ROLLED(2); pass++)
+  {
+    real3 errorEstimate = real3(real(0.0));
+    real step = width;
+    real a = v0;
+    sum = real3(real(0.0));
+    for (int i = 0; i < most && a < v1; i++)
+    {
+      // The last one may be a rounding error wide.
+      real b = v1 - a < real(1.01) * step ? v1 : a + step;
+      real3 part;
+      real3 value = airlightPanel(media, light, ray, piece, straight, a, b, part);
+      // Written so that what is not a number ends it, too.
+      if (any(greaterThan(part, limit)) && step > width * real(1.0 / 512.0) &&
+        step > real(AIRLIGHT_NARROWEST) * abs(a) && AIRLIGHT_MAY_TRY)
+      {
+        step *= real(0.5);
+      }
+      else
+      {
+        sum += value;
+        errorEstimate += part;
+        a = b;
+        step = min(real(2.0) * step, width);
+      }
+    }
+    if (!any(greaterThan(errorEstimate, real(2.0 * AIRLIGHT_PANEL_TOLERANCE) * sum)))
+    {
+      return sum;
+    }
+    limit = real(AIRLIGHT_PANEL_TOLERANCE) * sum;
+    most = AIRLIGHT_MOST_TRIES + 150;
+  }
+  return sum;
+}
+
 // A part of a piece without kinks.
 AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
@@ -23,19 +71,7 @@ AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_IN(AirlightMedia) media,
   // of larger panels sees it.
   panels = AIRLIGHT_FEW_ROUNDS ? panels * AIRLIGHT_SURFACE_PANELS : 1;
 #endif
-  real3 sum = real3(real(0.0));
-  real3 errorEstimate = real3(real(0.0));
-  for (int i = 0; i < panels; i++)
-  {
-    real a = v0 + (v1 - v0) * real(i) / real(panels);
-    real b = v0 + (v1 - v0) * real(i + 1) / real(panels);
-    real3 part;
-    sum += airlightPanel(media, light, ray, piece, straight, a, b, part);
-    errorEstimate += part;
-  }
-  return any(greaterThan(errorEstimate, real(2.0 * AIRLIGHT_PANEL_TOLERANCE) * sum))
-    ? airlightHalvedPanels(media, light, ray, piece, straight, v0, v1, panels, sum)
-    : sum;
+  return airlightPanels(media, light, ray, piece, straight, v0, v1, panels);
 }
 
 // The integral over [t0, t1], sigmaS included.

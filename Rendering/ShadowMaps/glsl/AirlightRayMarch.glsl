@@ -11,17 +11,16 @@ void lightFragments(AirlightRay ray);
 vec3 airlightMarchedStep(AirlightMarch march, float middle, float t, float a, float b)
 {
   AirlightPiece piece = airlightPieceAt(media, march.ray.origin, march.ray.direction, t, t);
-  if (!march.point)
-  {
-    return (airlightMarchDistance(march, b) - airlightMarchDistance(march, a)) *
-      airlightSunIntegrand(media, light, march.ray, piece, t);
-  }
-  // In equal angles: dt = r^2/h dphi.
   float h = march.ray.foot.h;
   float r2 = h * h + middle * middle;
+  vec3 value = airlightIntegrand(media, light, march.ray, piece, t, middle, sqrt(r2));
+  if (!march.point)
+  {
+    return (airlightMarchDistance(march, b) - airlightMarchDistance(march, a)) * value;
+  }
+  // In equal angles: dt = r^2/h dphi.
   vec3 point = march.ray.origin + t * march.ray.direction;
-  return march.turn / float(marchSteps) * (r2 / h) * airlightPhotometricShare(light, point) *
-    airlightPointIntegrand(media, light, march.ray, piece, middle, sqrt(r2));
+  return march.turn / float(marchSteps) * (r2 / h) * airlightPhotometricShare(light, point) * value;
 }
 
 vec3 airlightMarched(
