@@ -19,10 +19,10 @@ flat in int planeLayer;
 #if AIRLIGHT_CAPS
 // The surface that the ray ends on is none that it goes through. Its distance is as the mapper
 // draws it, which for triangles that are large or far from the eye has the rounding of their
-// corners, the more the more edge-on they are seen. NEARER is for graphics cards, which may move
-// corners by fractions of a pixel; no test fails without it on software renderers, which need not.
+// corners, the more the more edge-on they are seen. Graphics cards also move corners to whole
+// fractions of a pixel: so much of one the surface lies beside its place.
 uniform sampler2D distances;
-const float NEARER = 1.0 - 1e-5;
+const float SUBPIXEL = 1.0 / 256.0;
 flat in float planeRounding;
 #endif
 #if AIRLIGHT_NEAR_PLANES
@@ -135,6 +135,15 @@ float meetPlane(vec2 p)
 #endif
 }
 
+#if AIRLIGHT_CAPS
+// By how much that distance changes within SUBPIXEL.
+float getSubpixelChange(float t)
+{
+  float slope = abs(planeRay.y) + abs(planeRay.z);
+  return SUBPIXEL * slope * (airlightParallel != 0 ? 1.0 / abs(planeRay.w) : t * t / abs(planeRay.w));
+}
+#endif
+
 void main()
 {
   vec2 p = airlightPixel();
@@ -152,7 +161,8 @@ void main()
   float unit = airlightRayUnit(p);
   float surface = unit * texelFetch(distances, pixel, 0).r;
   float cosine = abs(dot(planeNormal, airlightDirection(p))) / length(airlightDirection(p));
-  if (surface >= 0.0 && !(cosine * t * unit < cosine * NEARER * surface - planeRounding))
+  float change = getSubpixelChange(t);
+  if (surface >= 0.0 && !(cosine * (t + change) * unit < cosine * surface - planeRounding))
   {
     return;
   }

@@ -6,9 +6,11 @@
 // lies before or beyond the clipping range. Against brute force (see AirlightTestBruteForce.h).
 
 #include "AirlightTestCompareScene.h"
+#include "AirlightTestTools.h"
 
 #include "vtkCubeSource.h"
 #include "vtkPlaneSource.h"
+#include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
 
 #include <cstdlib>
@@ -42,6 +44,36 @@ void TestCulledRoom()
     scene.Triangles[i].FrontCulled = true;
   }
   CompareScene("room with culled walls", scene);
+}
+
+// Graphics cards move each corner to the nearest 256th of a pixel, which software renderers do not:
+// here the mapper does. No wall shadows itself for that.
+void TestSnappedCorners()
+{
+  Scene scene;
+  scene.AddPointLight({ 1, 2, 1 });
+  vtkNew<vtkCubeSource> room;
+  room->SetBounds(-4, 4, -2.5, 3, -4, 4);
+  vtkActor* walls = scene.Add(room);
+  walls->GetProperty()->FrontfaceCullingOn();
+  vtkNew<vtkImageData> exact;
+  exact->DeepCopy(scene.Render().at("Surface"));
+  walls->GetShaderProperty()->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
+    Text("//VTK::PositionVC::Impl\n  vec2 steps = 128.0 * vec2(", scene.Width, ".0, ", scene.Height,
+      ".0);\n  gl_Position.xy = round(gl_Position.xy / gl_Position.w * steps) / steps * "
+      "gl_Position.w;\n"),
+    false);
+  const Buffers buffers = scene.Render();
+  vtkImageData* snapped = buffers.at("Surface");
+  int dark = 0;
+  for (int i = 0; i < scene.Width * scene.Height; ++i)
+  {
+    const int x = i % scene.Width;
+    const int y = i / scene.Width;
+    dark += GetValue(snapped, x, y) < 0.5 * GetValue(exact, x, y) ? 1 : 0;
+  }
+  std::cout << "corners snapped: " << dark << " pixels are dark\n";
+  Check(dark == 0, "no wall shadows itself");
 }
 
 // The same of a room whose points are far from the origin, of which VTK's mappers keep the rounding
@@ -158,6 +190,7 @@ void TestFarPlane()
 int TestShadowCutaway(int, char*[])
 {
   TestCulledRoom();
+  TestSnappedCorners();
   TestFarPoints(300.0);
   TestFarPoints(3000.0);
   TestNearPlane();
