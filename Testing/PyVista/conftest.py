@@ -12,6 +12,10 @@ import pytest
 
 pv = pytest.importorskip("pyvista", minversion="0.48")
 
+# Every warning is an error, but for one of VTK 9.5's own code with NumPy 2.5.
+OF_VTK = "ignore:Setting the shape on a NumPy array:DeprecationWarning"
+STRICT = ["-W", "error", "-W", OF_VTK]
+
 
 @pytest.fixture
 def make_plotter():

@@ -6,6 +6,7 @@ import inspect
 from pathlib import Path
 import re
 
+from conftest import OF_VTK
 import pytest
 import pyvista as pv
 
@@ -18,7 +19,7 @@ def test_there_are_blocks():
 
 
 @pytest.mark.parametrize("index", range(len(BLOCKS)))
-@pytest.mark.filterwarnings("error")
+@pytest.mark.filterwarnings("error", OF_VTK)
 def test_block(index, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(pv, "OFF_SCREEN", True)

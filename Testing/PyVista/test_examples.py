@@ -6,6 +6,7 @@ from pathlib import Path
 import subprocess
 import sys
 
+from conftest import STRICT
 import pytest
 import pyvista as pv
 
@@ -18,7 +19,7 @@ def test_there_are_examples():
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
 def test_example(example, tmp_path):
-    done = subprocess.run([sys.executable, "-W", "error", example, tmp_path], capture_output=True,
+    done = subprocess.run([sys.executable, *STRICT, example, tmp_path], capture_output=True,
                           text=True, timeout=500)
     errors = [line for line in done.stderr.splitlines() if "bad X server connection" not in line]
     assert (done.returncode, errors) == (0, [])

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import weakref
 
+from conftest import STRICT
 import numpy as np
 import pytest
 import pyvista as pv
@@ -18,7 +19,7 @@ import airlight
 def run(code, **environment):
     """A new interpreter's exit code, output and errors, less VTK's line on a missing X server."""
     import os
-    done = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True,
+    done = subprocess.run([sys.executable, *STRICT, "-c", code], capture_output=True,
                           text=True, env={**os.environ, **environment})
     errors = [line for line in done.stderr.splitlines() if "bad X server connection" not in line]
     return done.returncode, done.stdout, "\n".join(errors)
