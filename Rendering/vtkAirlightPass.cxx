@@ -200,6 +200,7 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   }
   PassRenderer::Settings settings;
   settings.LightRadius = this->LightRadius;
+  settings.SubpixelFrames = this->SubpixelFrames;
   settings.Delegate = this->DelegatePass;
   PassProperties& properties = settings.Properties;
   properties.Technique = static_cast<airlight::ShadowTechnique>(this->ShadowTechnique);
@@ -410,6 +411,7 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   const char* views[] = { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines" };
   os << indent << "DebugView: " << views[this->DebugView] << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
+  os << indent << "SubpixelFrames: " << this->SubpixelFrames << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
   os << indent << "RecordBuffers: " << this->RecordBuffers << "\n";
 }

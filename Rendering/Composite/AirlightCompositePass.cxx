@@ -145,11 +145,10 @@ bool CompositePass::DrawIntoViewport(
     return false;
   }
   program->SetUniformi("blended", blend ? 1 : 0);
-  SetViewportState(scene, x, y, blend);
   NamedTextures textures = GetTextures(scene, options, inputs);
   textures.emplace_back("sceneDepth", inputs.Depth);
-  this->ViewportQuad.Draw(textures);
-  RestoreState(scene);
+  this->ViewportQuad.DrawIntoViewport(
+    scene.Window->GetState(), textures, { x, y, scene.Width, scene.Height }, blend);
   return true;
 }
 
@@ -167,42 +166,10 @@ bool CompositePass::CopyIntoViewport(const FrameScene& scene, const Options& opt
   program->SetUniform2i("airlightViewport", corner);
   program->SetUniformi("encodedOutput", options.EncodedOutput ? 1 : 0);
   program->SetUniformi("blended", blend ? 1 : 0);
-  SetViewportState(scene, x, y, blend);
-  this->CopyQuad.Draw(
-    { { "radiances", radiance }, { "sceneDepth", inputs.Depth }, { "scene", inputs.Scene } });
-  RestoreState(scene);
+  this->CopyQuad.DrawIntoViewport(scene.Window->GetState(),
+    { { "radiances", radiance }, { "sceneDepth", inputs.Depth }, { "scene", inputs.Scene } },
+    { x, y, scene.Width, scene.Height }, blend);
   return true;
-}
-
-//------------------------------------------------------------------------------
-void CompositePass::SetViewportState(const FrameScene& scene, int x, int y, bool blend)
-{
-  vtkOpenGLState* state = scene.Window->GetState();
-  state->vtkglViewport(x, y, scene.Width, scene.Height);
-  state->vtkglScissor(x, y, scene.Width, scene.Height);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_ALWAYS);
-  state->vtkglDepthMask(GL_TRUE);
-  if (blend)
-  {
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  }
-  else
-  {
-    state->vtkglDisable(GL_BLEND);
-  }
-}
-
-//------------------------------------------------------------------------------
-void CompositePass::RestoreState(const FrameScene& scene)
-{
-  vtkOpenGLState* state = scene.Window->GetState();
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(
-    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 //------------------------------------------------------------------------------

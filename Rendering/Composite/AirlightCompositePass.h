@@ -74,8 +74,6 @@ private:
     Quad& quad, const FrameScene& scene, const Options& options, bool intoTextures, int x, int y);
   static NamedTextures GetTextures(
     const FrameScene& scene, const Options& options, const Inputs& inputs);
-  static void SetViewportState(const FrameScene& scene, int x, int y, bool blend);
-  static void RestoreState(const FrameScene& scene);
 
   Quad TextureQuad;
   Quad ViewportQuad;

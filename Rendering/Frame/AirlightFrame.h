@@ -119,6 +119,7 @@ public:
   // The buffers of vtkAirlightPass::GetBuffer(), after that.
   bool Record();
   vtkImageData* GetBuffer(const std::string& name) const { return this->Buffers.Get(name); }
+  FrameRecorder& GetBuffers() { return this->Buffers; }
   void ForgetBuffers() { this->Buffers.Clear(); }
 
   // Step 5: into the framebuffer that is bound, with the viewport at x, y.

@@ -51,6 +51,7 @@ struct PassProperties
   bool ScatteredSurfaceLight = false;
   bool LinearInput = true;
   bool EncodedOutput = false;
+  bool LinearFrame = false; // encodes nothing all the same: the frame is one of a mean
   bool Annotations = true;
   bool RecordBuffers = false;
   std::uint64_t MemoryLimit = std::uint64_t(1) << 30; // bytes

@@ -7,6 +7,9 @@
 #include "vtkImageData.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace airlight
 {
 //------------------------------------------------------------------------------
@@ -41,6 +44,40 @@ bool FrameRecorder::RecordLight(Targets& targets, int light)
   }
   this->Buffers["Airlight:" + std::to_string(light)] = targets.Read(0, 0, 3);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void FrameRecorder::AddToMean(float weight)
+{
+  for (const auto& buffer : this->Buffers)
+  {
+    if (buffer.first == "Depth" || buffer.first == "BoundaryCount")
+    {
+      continue;
+    }
+    vtkSmartPointer<vtkImageData>& sum = this->Sums[buffer.first];
+    const bool first = !sum;
+    if (first)
+    {
+      sum = vtkSmartPointer<vtkImageData>::New();
+      sum->DeepCopy(buffer.second);
+    }
+    const auto* values = static_cast<const float*>(buffer.second->GetScalarPointer());
+    auto* sums = static_cast<float*>(sum->GetScalarPointer());
+    const vtkIdType count = sum->GetNumberOfPoints() * sum->GetNumberOfScalarComponents();
+    std::transform(values, values + count, sums, sums,
+      [=](float value, float before) { return (first ? 0.0f : before) + weight * value; });
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameRecorder::TakeMean()
+{
+  for (auto& sum : this->Sums)
+  {
+    this->Buffers[sum.first] = std::move(sum.second);
+  }
+  this->Sums.clear();
 }
 
 //------------------------------------------------------------------------------

@@ -28,12 +28,22 @@ public:
   // Reads one light's airlight.
   bool RecordLight(Targets& targets, int light);
 
+  // The mean of several frames: each one's buffers times its weight are added up, and the sums then
+  // take the place of the last one's. Of several distances there is no mean that any ray has, nor
+  // of counts: those stay the last frame's.
+  void BeginMean() { this->Sums.clear(); }
+  void AddToMean(float weight);
+  void TakeMean();
+
   // Null for an unknown name.
   vtkImageData* Get(const std::string& name) const;
   void Clear() { this->Buffers.clear(); }
 
 private:
-  std::map<std::string, vtkSmartPointer<vtkImageData>> Buffers;
+  using Images = std::map<std::string, vtkSmartPointer<vtkImageData>>;
+
+  Images Buffers;
+  Images Sums;
 };
 }
 

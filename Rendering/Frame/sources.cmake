@@ -7,10 +7,13 @@ airlight_sources(
     AirlightFrameRecorder
     AirlightFroxels
     AirlightGeometryPass
+    AirlightSubpixelMean
     AirlightTargets
   HEADERS
     AirlightSceneDrawer.h
   GLSL
+    glsl/AirlightAddFS.glsl
     glsl/AirlightFroxelFS.glsl
     glsl/AirlightFroxelLossFS.glsl
-    glsl/AirlightDistancesFS.glsl)
+    glsl/AirlightDistancesFS.glsl
+    glsl/AirlightMeanFS.glsl)

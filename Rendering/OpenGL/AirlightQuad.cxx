@@ -68,6 +68,32 @@ void Quad::Draw(
 }
 
 //------------------------------------------------------------------------------
+void Quad::DrawIntoViewport(
+  vtkOpenGLState* state, const Textures& textures, const glm::ivec4& viewport, bool blend)
+{
+  state->vtkglViewport(viewport.x, viewport.y, viewport.z, viewport.w);
+  state->vtkglScissor(viewport.x, viewport.y, viewport.z, viewport.w);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglDepthMask(GL_TRUE);
+  if (blend)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  else
+  {
+    state->vtkglDisable(GL_BLEND);
+  }
+  this->Draw(textures);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+//------------------------------------------------------------------------------
 void Quad::Release()
 {
   DeleteVertexArray(this->VertexArray);

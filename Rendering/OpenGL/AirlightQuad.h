@@ -10,6 +10,8 @@
 #include "OpenGL/AirlightPixelArea.h"
 #include "OpenGL/AirlightProgram.h"
 
+#include <glm/vec4.hpp>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +33,11 @@ public:
   using Textures = std::vector<std::pair<const char*, vtkTextureObject*>>;
   void Draw(const Textures& textures) { this->Draw(textures, {}, nullptr); }
   void Draw(const Textures& textures, const std::vector<PixelArea>& areas, vtkOpenGLState* state);
+
+  // Draws a finished picture and its depth into a viewport (x, y, width, height) of the framebuffer
+  // that is bound; `blend`: over what it holds, of colours times their opacity.
+  void DrawIntoViewport(
+    vtkOpenGLState* state, const Textures& textures, const glm::ivec4& viewport, bool blend);
 
   void Release();
 

@@ -60,6 +60,31 @@ void UpdateStereo(vtkRenderer* renderer)
   }
 }
 
+// A renderer that keeps depths of others is drawn among them, by one frame.
+bool MayAverage(vtkRenderer* renderer)
+{
+  return renderer->GetErase() && !renderer->GetPreserveDepthBuffer();
+}
+
+// A camera whose picture is moved by parts of the window's half size, until this goes out of scope.
+class MovedCamera
+{
+public:
+  MovedCamera(vtkCamera* camera, const glm::dvec2& offset)
+    : Camera(camera)
+  {
+    this->Camera->GetWindowCenter(this->Center);
+    this->Camera->SetWindowCenter(this->Center[0] + offset.x, this->Center[1] + offset.y);
+  }
+  ~MovedCamera() { this->Camera->SetWindowCenter(this->Center[0], this->Center[1]); }
+  MovedCamera(const MovedCamera&) = delete;
+  void operator=(const MovedCamera&) = delete;
+
+private:
+  vtkCamera* Camera;
+  double Center[2];
+};
+
 // The state of OpenGL that a frame changes, restored when it goes out of scope.
 class StateSaver
 {
@@ -108,6 +133,7 @@ PassRenderer::PassRenderer(vtkObject* pass, const SceneStages::RenderHooks& hook
 {
   this->Context->SetRelease([this](vtkWindow* window) {
     this->CurrentFrame.Release(window);
+    this->Mean.Release(window);
     this->Casters.Clear();
     this->Stages.Release(window);
     this->Mappers.Release();
@@ -129,7 +155,8 @@ void PassRenderer::Render(
     return;
   }
   this->Messages.CheckMedia(this->Media);
-  if (this->RenderFrame(s, settings, viewport))
+  const bool mean = settings.SubpixelFrames > 1 && MayAverage(s->GetRenderer());
+  if (mean ? this->RenderMean(s, settings, viewport) : this->RenderFrame(s, settings, viewport))
   {
     this->Messages.ForgetFrame();
     return;
@@ -137,6 +164,77 @@ void PassRenderer::Render(
   this->Messages.ReportFrame(this->Error);
   this->Recover();
   this->Stages.GetPasses().DrawAll(s);
+}
+
+//------------------------------------------------------------------------------
+// The frame that is not moved is the last one: its depths stay.
+bool PassRenderer::RenderMean(
+  const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->Context->SetContext(window);
+  if (!CheckOpenGL(window, this->Error))
+  {
+    return false;
+  }
+  FrameRecorder& buffers = this->CurrentFrame.GetBuffers();
+  buffers.BeginMean();
+  {
+    const StateSaver saver(window, ShadowLists::IsSupported(window));
+    bool ok =
+      this->Mean.Begin(window, viewport.X + viewport.Width, viewport.Y + viewport.Height) ||
+      this->Fail(this->Mean.GetError());
+    for (int number = settings.SubpixelFrames - 1; ok && number >= 0; --number)
+    {
+      ok = this->RenderSubpixelFrame(s, settings, viewport, number);
+    }
+    if (!ok)
+    {
+      return false;
+    }
+  }
+  buffers.TakeMean();
+  const PassProperties& properties = settings.Properties;
+  const bool blend = renderer->GetPreserveColorBuffer() || renderer->Transparent();
+  if (!this->Mean.DrawIntoViewport({ viewport.X, viewport.Y, viewport.Width, viewport.Height },
+        properties.EncodedOutput || !properties.LinearInput, blend))
+  {
+    return this->Fail(this->Mean.GetError());
+  }
+  this->Stages.GetPasses().DrawOverFrame(s, properties.Annotations, this->Messages);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::RenderSubpixelFrame(
+  const vtkRenderState* s, const Settings& settings, const Viewport& viewport, int number)
+{
+  Settings frame = settings;
+  frame.Properties.Annotations = false;
+  frame.Properties.LinearFrame = true;
+  const glm::dvec2 offset = SubpixelMean::GetOffset(number, settings.SubpixelFrames);
+  // Of a picture in tiles, a camera shows one.
+  const glm::dvec2 size(viewport.Width, viewport.Height);
+  const MovedCamera camera(s->GetRenderer()->GetActiveCamera(), 2.0 * offset / size);
+  if (!this->Mean.BindFrame())
+  {
+    return this->Fail(this->Mean.GetError());
+  }
+  if (!this->RenderFrame(s, frame, viewport))
+  {
+    return false;
+  }
+  const float weight = 1.0f / static_cast<float>(settings.SubpixelFrames);
+  this->CurrentFrame.GetBuffers().AddToMean(weight);
+  return this->Mean.AddFrame(weight) || this->Fail(this->Mean.GetError());
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::Fail(const std::string& reason)
+{
+  this->Error = reason;
+  return false;
 }
 
 //------------------------------------------------------------------------------

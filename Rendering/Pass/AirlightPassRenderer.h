@@ -9,6 +9,7 @@
 
 #include "Frame/AirlightFrame.h"
 #include "Frame/AirlightFramePlan.h"
+#include "Frame/AirlightSubpixelMean.h"
 #include "Medium/AirlightMediaList.h"
 #include "Pass/AirlightContext.h"
 #include "Pass/AirlightMapperHooks.h"
@@ -37,6 +38,7 @@ public:
   {
     PassProperties Properties;
     double LightRadius = 0.0;
+    int SubpixelFrames = 1; // the picture is the mean of so many
     vtkRenderPass* Delegate = nullptr;
   };
   // Where a frame goes: the viewport in the framebuffer that is bound.
@@ -73,6 +75,9 @@ private:
   struct Scene;
 
   static std::array<size_t, 3> RecordsKey(const Scene& scene);
+  bool RenderMean(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
+  bool RenderSubpixelFrame(const vtkRenderState* s, const Settings& settings,
+    const Viewport& viewport, int number);
   bool RenderFrame(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderPlan(const vtkRenderState* s, const Settings& settings, const Viewport& viewport,
     const FrameLimits& limits, Scene& scene);
@@ -80,10 +85,12 @@ private:
   void CollectProps(const vtkRenderState* s, const Settings& settings, Scene& scene);
   SceneFacts GetFacts(const Scene& scene) const;
   bool Draw(const vtkRenderState* s, const FramePlan& plan, Scene& scene, const Viewport& viewport);
+  bool Fail(const std::string& reason);
   void Recover();
 
   CasterCache Casters;
   Frame CurrentFrame;
+  SubpixelMean Mean;
   PassMessages Messages;
   MapperHooks Mappers;
   SceneStages Stages;

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The mean of frames whose camera is moved by parts of a pixel: each frame is exact at its places,
+ * so that their mean tends to the mean over each pixel, at the edges of surfaces and of shadows.
+ */
+
+#ifndef AirlightSubpixelMean_h
+#define AirlightSubpixelMean_h
+
+#include "Frame/AirlightTargets.h"
+#include "OpenGL/AirlightQuad.h"
+
+#include <glm/vec2.hpp>
+
+#include <string>
+
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+namespace airlight
+{
+class SubpixelMean
+{
+public:
+  // By how many pixels frame `number` of `count` is moved, at most half a one; the first one is not.
+  // A Kronecker lattice of the golden ratio: even for any count. At straight edges of all
+  // directions its error is a sixth of one frame's with 16 frames, a twentieth with 64.
+  static glm::dvec2 GetOffset(int number, int count);
+
+  // For pictures of this size. False with a reason in GetError(), here and below.
+  bool Begin(vtkOpenGLRenderWindow* window, int width, int height);
+
+  // Binds and clears what a frame is drawn into; adds that frame times `weight`.
+  bool BindFrame();
+  bool AddFrame(float weight);
+
+  // The mean, and the depths of the last frame, into a viewport of the framebuffer that is bound;
+  // `encoded`: for display; `blend`: over what it holds.
+  bool DrawIntoViewport(const glm::ivec4& viewport, bool encoded, bool blend);
+
+  const std::string& GetError() const { return this->Error; }
+  void Release(vtkWindow* window);
+
+private:
+  bool Fail(const std::string& reason);
+
+  vtkOpenGLRenderWindow* Window = nullptr;
+  Targets Textures; // Scene: a frame; Scattered: the sum
+  Quad AddQuad;
+  Quad MeanQuad;
+  std::string Error;
+};
+}
+
+#endif

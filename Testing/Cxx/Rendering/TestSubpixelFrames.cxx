@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// vtkAirlightPass::SetSubpixelFrames(): the picture tends to the mean over each pixel, here of 256
+// pictures of cameras that the test moves; it is the same each time; and camera, depths, viewports
+// and annotations are as with one frame.
+
+#include "AirlightTestScene.h"
+#include "AirlightTestTools.h"
+#include "AirlightTestWindowScene.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+using namespace airlight_test;
+
+namespace
+{
+constexpr int Width = 96;
+constexpr int Height = 72;
+
+using Means = std::vector<double>;
+
+// The mean of pictures on a grid of 16 x 16 places in each pixel.
+Means AverageByHand(vtkRenderWindow* window, vtkRenderer* renderer)
+{
+  constexpr int Side = 16;
+  Means sum;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  for (int i = 0; i < Side * Side; ++i)
+  {
+    camera->SetWindowCenter(((i % Side + 0.5) / Side - 0.5) * 2.0 / Width,
+      ((i / Side + 0.5) / Side - 0.5) * 2.0 / Height);
+    const Picture picture = Capture(window);
+    sum.resize(picture.size());
+    std::transform(picture.begin(), picture.end(), sum.begin(), sum.begin(),
+      [](int value, double before) { return before + value / double(Side * Side); });
+  }
+  camera->SetWindowCenter(0.0, 0.0);
+  return sum;
+}
+
+// The root mean square of the differences, over the values that one frame has wrong by more than 4
+// steps of 255: the edges.
+double GetEdgeError(const Means& expected, const Picture& one, const Picture& picture)
+{
+  double sum = 0.0;
+  int count = 0;
+  for (size_t i = 0; i < expected.size(); ++i)
+  {
+    if (std::abs(one[i] - expected[i]) > 4.0)
+    {
+      sum += std::pow(picture[i] - expected[i], 2);
+      ++count;
+    }
+  }
+  Check(count > 100, Text("there are edges: ", count));
+  return std::sqrt(sum / std::max(count, 1));
+}
+
+void CheckEdges(const std::string& name, WindowScene& scene)
+{
+  const Picture one = Capture(scene.Window);
+  Check(*std::max_element(one.begin(), one.end()) < 255, name + ": nothing is cut off at white");
+  const Means expected = AverageByHand(scene.Window, scene.Renderer);
+  const double first = GetEdgeError(expected, one, one);
+  std::cout << name << ": one frame is off by " << first << " / 255";
+  const std::pair<int, double> goals[] = { { 16, 5.0 }, { 64, 12.0 } };
+  for (const auto& goal : goals)
+  {
+    scene.Pass->SetSubpixelFrames(goal.first);
+    const Picture mean = Capture(scene.Window);
+    const double error = GetEdgeError(expected, one, mean);
+    std::cout << ", " << goal.first << " by " << error;
+    Check(error < first / goal.second, Text(name, ": error of ", goal.first, " frames"));
+    Check(Capture(scene.Window) == mean, name + ": the same each time");
+  }
+  std::cout << "\n";
+  double center[2];
+  scene.Renderer->GetActiveCamera()->GetWindowCenter(center);
+  Check(center[0] == 0.0 && center[1] == 0.0, name + ": the camera is where it was");
+  scene.Pass->SetSubpixelFrames(1);
+  Check(Capture(scene.Window) == one, name + ": one frame as before");
+}
+
+//------------------------------------------------------------------------------
+// The mean is of radiance, those by hand are of what the window shows of it: the lamp is where its
+// glow, which is cut off at white, is not seen.
+void Hide(WindowScene& scene)
+{
+  vtkLightCollection* lights = scene.Renderer->GetLights();
+  vtkLight* lamp = vtkLight::SafeDownCast(lights->GetItemAsObject(0));
+  lamp->SetPosition(3.0, 4.5, 7.0);
+  lamp->SetIntensity(4.0);
+}
+
+void TestEdges()
+{
+  WindowScene scene(Width, Height, 1);
+  Hide(scene);
+  CheckEdges("opaque", scene);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  CheckEdges("parallel", scene);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
+  scene.Ball->GetProperty()->SetOpacity(0.5);
+  CheckEdges("translucent", scene);
+  scene.Ball->GetProperty()->SetOpacity(1.0);
+  scene.Pass->SetShadowTechniqueToRayMarch();
+  CheckEdges("march", scene);
+}
+
+//------------------------------------------------------------------------------
+// It is encoded once.
+void TestEncoding()
+{
+  WindowScene scene(Width, Height, 1);
+  Hide(scene);
+  scene.Pass->SetSubpixelFrames(16);
+  const Picture linear = Capture(scene.Window);
+  scene.Pass->SetEncodedOutput(true);
+  const Picture encoded = Capture(scene.Window);
+  int most = 0;
+  for (size_t i = 0; i < linear.size(); ++i)
+  {
+    // Back, as eight bits know dark colours better so.
+    const double back = 255.0 * std::pow(encoded[i] / 255.0, 2.2);
+    const double step = 255.0 * std::pow((encoded[i] + 1.0) / 255.0, 2.2) - back;
+    most = std::max(most, std::abs(back - linear[i]) > step + 1.0 ? 1 : 0);
+  }
+  Check(most == 0, "the mean is encoded, and not a mean of what is encoded");
+}
+
+//------------------------------------------------------------------------------
+void TestBuffers()
+{
+  Scene scene(Width, Height);
+  scene.AddPointLight({ 1, 3, 2 });
+  scene.Add(MakeSphere(1.0));
+  const Buffers one = scene.Render();
+  scene.Pass->SetSubpixelFrames(5);
+  const Buffers mean = scene.Render();
+  Check(one.size() == mean.size(), "the same buffers");
+  for (const char* name : { "Depth", "BoundaryCount" })
+  {
+    Check(AreSame(one.at(name), mean.at(name)), Text(name, " is of the middle"));
+  }
+  for (const char* name : { "Radiance", "Airlight", "LitLength" })
+  {
+    Check(!AreSame(one.at(name), mean.at(name)), Text(name, " is a mean"));
+  }
+  const Picture picture = Capture(scene.Window);
+  double most = 0.0;
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double value = GetValue(mean.at("Radiance"), i % Width, i / Width, c);
+      most = std::max(most, std::abs(255.0 * std::min(value, 1.0) - picture[3 * i + c]));
+    }
+  }
+  Check(most < 0.51, Text("the mean of the radiance is the picture, but for ", most));
+}
+
+//------------------------------------------------------------------------------
+// Text over the medium does not move, is not blurred, and not encoded.
+void TestAnnotations()
+{
+  WindowScene scene(Width, Height, 1);
+  vtkNew<vtkTextActor> text;
+  text->SetInput("fog");
+  text->GetTextProperty()->SetFontSize(30);
+  text->GetTextProperty()->SetColor(1.0, 1.0, 1.0);
+  scene.Renderer->AddActor2D(text);
+  const Picture one = Capture(scene.Window);
+  scene.Pass->SetSubpixelFrames(8);
+  const Picture mean = Capture(scene.Window);
+  int white = 0;
+  for (size_t i = 0; i < one.size(); ++i)
+  {
+    white += one[i] == 255 ? 1 : 0;
+    Check(one[i] != 255 || mean[i] == 255, "white text stays white");
+  }
+  Check(white > 100, Text("there is text: ", white));
+}
+
+//------------------------------------------------------------------------------
+// Two renderers side by side, and one in a layer above.
+void TestViewports()
+{
+  WindowScene left(Width, Height, 1);
+  left.Pass->SetSubpixelFrames(16);
+  const Picture whole = Capture(left.Window);
+  WindowScene right(Width, Height, 1);
+  right.Pass->SetSubpixelFrames(16);
+  const auto window = MakeWindow(2 * Width, Height);
+  Place(left, window, 0.0, 0, 0.5, 1);
+  Place(right, window, 0.5, 0, 1.0, 1);
+  const Picture both = Capture(window);
+  int different = 0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int i = 0; i < 3 * Width; ++i)
+    {
+      const int expected = whole[3 * Width * y + i];
+      different += both[6 * Width * y + i] != expected ? 1 : 0;
+      different += both[6 * Width * y + 3 * Width + i] != expected ? 1 : 0;
+    }
+  }
+  Check(different == 0, Text("viewports side by side: ", different, " values differ"));
+}
+
+//------------------------------------------------------------------------------
+// A picture in tiles is that of a larger window.
+void TestTiles()
+{
+  WindowScene large(2 * Width, 2 * Height, 1);
+  large.Pass->SetSubpixelFrames(16);
+  const Picture whole = Capture(large.Window);
+  WindowScene small(Width, Height, 1);
+  small.Pass->SetSubpixelFrames(16);
+  vtkNew<vtkWindowToImageFilter> filter;
+  filter->SetInput(small.Window);
+  filter->SetScale(2);
+  filter->ReadFrontBufferOff();
+  filter->Update();
+  vtkImageData* tiled = filter->GetOutput();
+  const auto* bytes = static_cast<const unsigned char*>(tiled->GetScalarPointer());
+  Check(tiled->GetNumberOfPoints() == 4 * Width * Height, "four tiles");
+  int most = 0;
+  for (size_t i = 0; i < whole.size(); ++i)
+  {
+    most = std::max(most, std::abs(whole[i] - bytes[i]));
+  }
+  Check(most <= 1, Text("tiles differ by ", most));
+}
+}
+
+//------------------------------------------------------------------------------
+int TestSubpixelFrames(int, char*[])
+{
+  TestEdges();
+  TestEncoding();
+  TestBuffers();
+  TestAnnotations();
+  TestViewports();
+  TestTiles();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
