@@ -205,6 +205,20 @@ class TestPictures(ProgramTest):
         with open(self.path("a.tiff"), "rb") as file:
             self.assertIn(linear.astype("<f4").tobytes(), file.read())
 
+    def test_antialiasing(self):
+        """Frames moved by parts of a pixel: as a picture of four times the size, at its edges."""
+        large = self.render(self.SCENE, "large.pfm", "--size", "640x480")
+        expected = large.reshape(120, 4, 160, 4, 3).mean(axis=(1, 3))
+        one = self.render(self.SCENE, "one.pfm")
+        mean = self.render(self.SCENE, "mean.pfm", "--antialiasing", "64")
+        typical = np.median(expected)
+        edges = (np.abs(one - expected) > 0.1 * typical) & (expected < 10 * typical)
+        self.assertGreater(edges.sum(), 100)
+
+        def error(picture):
+            return np.sqrt(np.mean((picture - expected)[edges] ** 2))
+        self.assertLess(error(mean), error(one) / 5)
+
     def test_buffers(self):
         for name, channels in (("Depth", 1), ("LitLength", 1), ("BoundaryCount", 1),
                                ("ErrorBound", 1),

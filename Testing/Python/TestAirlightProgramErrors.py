@@ -198,6 +198,8 @@ class TestBadScenes(ProgramTest):
                 (["--buffer", "Nothing"], ["--buffer", "Radiance"]),
                 (["--technique", "Magic"], ["--technique", "ShadowPlanes", "RayMarch"]),
                 (["--steps", "0"], ["--steps", "2048"]),
+                (["--antialiasing", "0"], ["--antialiasing", "1024"]),
+                (["--antialiasing", "4", "--reference"], ["--antialiasing", "--reference"]),
                 (["--no-medium", "--visibility", "3"], ["--no-medium"]),
                 (["--no-medium", "--exposure", "3"], ["--no-medium"])):
             with self.subTest(options=options):

@@ -23,6 +23,7 @@ struct RenderOptions
   std::string Output;
   std::string Exposure;
   bool Reference = false;
+  int Antialiasing = 1;
 };
 
 void Render(const RenderOptions& options)
@@ -40,6 +41,7 @@ void Render(const RenderOptions& options)
   }
   RenderSettings settings = options.Scene.GetSettings();
   settings.RecordBuffers = NeedsBuffers(picture, options.Output);
+  settings.SubpixelFrames = options.Antialiasing;
   if (settings.RecordBuffers && !settings.UseMedium)
   {
     throw UserError("--no-medium has no linear buffers: write a .png, without --exposure");
@@ -67,11 +69,18 @@ void AddRenderCommand(CLI::App& program)
       ->check(CLI::IsMember(GetBufferNames()));
   command->add_option(
     "--exposure", options->Exposure, "Multiply the linear values by this before they are written");
-  command->get_option("--no-medium")->excludes(buffer);
+  CLI::Option* antialiasing =
+    command
+      ->add_option("--antialiasing", options->Antialiasing,
+        "Mean of so many frames, moved by parts of a pixel: smooth edges of surfaces and shadows; "
+        "16 are good, 64 very good")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->get_option("--no-medium")->excludes(buffer)->excludes(antialiasing);
   CLI::Option* reference = command->add_flag("--reference", options->Reference,
     "Compute the picture on the CPU in double precision, without a display; slower, and without "
     "--ies and --glow");
-  for (const char* name : { "--no-medium", "--technique", "--steps", "--glow" })
+  for (const char* name : { "--no-medium", "--technique", "--steps", "--glow", "--antialiasing" })
   {
     reference->excludes(command->get_option(name));
   }

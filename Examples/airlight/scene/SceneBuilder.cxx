@@ -115,6 +115,7 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
     built.Pass->SetMedium(scene.Medium);
     built.Pass->SetShadowTechnique(settings.ShadowTechnique);
     built.Pass->SetNumberOfSteps(settings.Steps);
+    built.Pass->SetSubpixelFrames(settings.SubpixelFrames);
     built.Pass->SetRecordBuffers(settings.RecordBuffers);
     built.Pass->SetScatteredSurfaceLight(scene.ScatteredSurfaceLight);
     for (std::size_t i = 0; i < scene.Lights.size(); ++i)

@@ -22,7 +22,8 @@ struct RenderSettings
   bool UseMedium = true;      ///< false: VTK's plain lighting, without medium and shadows
   bool RecordBuffers = false; ///< for vtkAirlightPass::GetBuffer()
   int ShadowTechnique = vtkAirlightPass::AUTOMATIC;
-  int Steps = 64; ///< vtkAirlightPass::SetNumberOfSteps()
+  int Steps = 64;         ///< vtkAirlightPass::SetNumberOfSteps()
+  int SubpixelFrames = 1; ///< vtkAirlightPass::SetSubpixelFrames()
 };
 
 /**
