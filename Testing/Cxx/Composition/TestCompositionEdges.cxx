@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Smooth edges: what of VTK's antialiasing works with the pass, and how far it is from a picture
-// with sixteen samples a pixel.
+// Smooth edges: what of VTK's antialiasing works with the pass, and how far it and frames moved by
+// parts of a pixel are from a picture with 64 samples a pixel.
 
 #include "AirlightTestComposition.h"
 
@@ -17,7 +17,8 @@ using namespace airlight_test;
 
 namespace
 {
-constexpr int Side = 160; // square: SSAA's larger target then has the same shape
+constexpr int Side = 160;  // square: SSAA's larger target then has the same shape
+constexpr int Samples = 8; // of a pixel, each way
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkTexture> MakeTexture(const Picture& picture, int side)
@@ -53,7 +54,8 @@ Picture Process(const Picture& picture, int side, Outside* outside)
 }
 
 //------------------------------------------------------------------------------
-// Where blocks of four by four samples are not all alike: the picture's edges.
+// Where blocks of samples are not all alike, and none is cut off at white: the
+// picture's edges.
 struct Reference
 {
   explicit Reference(const Picture& large)
@@ -65,15 +67,17 @@ struct Reference
       double sum = 0.0;
       int least = 255;
       int most = 0;
-      for (int k = 0; k < 16; ++k)
+      for (int k = 0; k < Samples * Samples; ++k)
       {
-        const int value = large[3 * ((4 * y + k / 4) * 4 * Side + 4 * x + k % 4) + i % 3];
+        const int row = Samples * y + k / Samples;
+        const int column = Samples * x + k % Samples;
+        const int value = large[3 * (row * Samples * Side + column) + i % 3];
         sum += value;
         least = std::min(least, value);
         most = std::max(most, value);
       }
-      this->Values.push_back(sum / 16.0);
-      this->Edges.push_back(most - least > 20);
+      this->Values.push_back(sum / (Samples * Samples));
+      this->Edges.push_back(most - least > 20 && most < 255);
     }
   }
 
@@ -126,15 +130,22 @@ int TestCompositionEdges(int, char*[])
   Check(Compare(averaged, Process(scene.Show(scene.Pass), large, vtkNew<vtkSSAAPass>().Get())) == 0,
     "SSAA outside is SSAA of the larger picture");
 
-  scene.Window->SetSize(4 * Side, 4 * Side);
+  scene.Window->SetSize(Samples * Side, Samples * Side);
   const Reference reference(scene.Show(scene.Pass));
   const double none = reference.GetError(plain);
   const double withFxaa = reference.GetError(smooth);
   const double withSsaa = reference.GetError(averaged);
+  scene.Window->SetSize(Side, Side);
+  scene.Pass->SetSubpixelFrames(16);
+  const double with16 = reference.GetError(scene.Show(scene.Pass));
+  scene.Pass->SetSubpixelFrames(64);
+  const double with64 = reference.GetError(scene.Show(scene.Pass));
+  scene.Pass->SetSubpixelFrames(1);
   std::cout << "edges' error, steps of 1/255: " << none << ", FXAA " << withFxaa << ", SSAA "
-            << withSsaa << "\n";
-  Check(withFxaa < 0.8 * none, "FXAA brings edges closer to sixteen samples a pixel");
+            << withSsaa << ", 16 frames " << with16 << ", 64 frames " << with64 << "\n";
+  Check(withFxaa < 0.8 * none, "FXAA brings edges closer to 64 samples a pixel");
   Check(withSsaa < 0.4 * none, "SSAA does more");
+  Check(with16 < 0.5 * withSsaa && with64 < 0.25 * withSsaa, "frames moved by parts of a pixel");
 
   // Multisampling is lost, and nothing else.
   Composition multisampled(Side, Side);
