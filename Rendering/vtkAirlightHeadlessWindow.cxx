@@ -26,10 +26,7 @@ vtkAirlightHeadlessWindow::vtkAirlightHeadlessWindow()
 }
 
 //------------------------------------------------------------------------------
-vtkAirlightHeadlessWindow::~vtkAirlightHeadlessWindow()
-{
-  this->Finalize();
-}
+vtkAirlightHeadlessWindow::~vtkAirlightHeadlessWindow() { this->Finalize(); }
 
 //------------------------------------------------------------------------------
 void vtkAirlightHeadlessWindow::Finalize()

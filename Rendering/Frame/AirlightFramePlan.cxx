@@ -85,8 +85,8 @@ bool IsPlain(const FramePlan& plan, const PassProperties& properties, const Scen
 {
   const bool shadows = plan.Shadows != ShadowMethod::None && properties.SurfaceShadows;
   return scene.Clear && properties.View == DebugView::Shaded && !properties.RecordBuffers &&
-    !properties.LinearFrame &&
-    !(properties.EncodedOutput && properties.LinearInput) && properties.Annotations &&
+    !properties.LinearFrame && !(properties.EncodedOutput && properties.LinearInput) &&
+    properties.Annotations &&
     std::none_of(scene.Lights.begin(), scene.Lights.end(), [shadows](const LightFacts& light) {
       return light.Photometric || (shadows && light.Shadows());
     });
@@ -201,8 +201,7 @@ FramePlan MakeFramePlan(
   plan.Annotations = properties.Annotations;
   plan.Record = properties.RecordBuffers || properties.View == DebugView::BoundaryCount;
   plan.EncodedInput = !properties.LinearInput;
-  plan.EncodedOutput =
-    (properties.EncodedOutput || plan.EncodedInput) && !properties.LinearFrame;
+  plan.EncodedOutput = (properties.EncodedOutput || plan.EncodedInput) && !properties.LinearFrame;
   plan.PhaseErrorBound = scene.PhaseErrorBound;
   PlanGeometryPasses(plan, scene);
   plan.UnshadowedInComposite = IsUnshadowedInComposite(plan, scene);

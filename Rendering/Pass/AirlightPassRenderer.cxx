@@ -182,8 +182,7 @@ bool PassRenderer::RenderMean(
   buffers.BeginMean();
   {
     const StateSaver saver(window, ShadowLists::IsSupported(window));
-    bool ok =
-      this->Mean.Begin(window, viewport.X + viewport.Width, viewport.Y + viewport.Height) ||
+    bool ok = this->Mean.Begin(window, viewport.X + viewport.Width, viewport.Y + viewport.Height) ||
       this->Fail(this->Mean.GetError());
     for (int number = settings.SubpixelFrames - 1; ok && number >= 0; --number)
     {

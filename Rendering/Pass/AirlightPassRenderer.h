@@ -76,8 +76,8 @@ private:
 
   static std::array<size_t, 3> RecordsKey(const Scene& scene);
   bool RenderMean(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
-  bool RenderSubpixelFrame(const vtkRenderState* s, const Settings& settings,
-    const Viewport& viewport, int number);
+  bool RenderSubpixelFrame(
+    const vtkRenderState* s, const Settings& settings, const Viewport& viewport, int number);
   bool RenderFrame(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderPlan(const vtkRenderState* s, const Settings& settings, const Viewport& viewport,
     const FrameLimits& limits, Scene& scene);

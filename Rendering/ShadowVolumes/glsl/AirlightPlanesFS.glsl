@@ -139,8 +139,8 @@ float meetPlane(vec2 p)
 // By how much that distance changes within SUBPIXEL.
 float getSubpixelChange(float t)
 {
-  float slope = abs(planeRay.y) + abs(planeRay.z);
-  return SUBPIXEL * slope * (airlightParallel != 0 ? 1.0 / abs(planeRay.w) : t * t / abs(planeRay.w));
+  float slope = (abs(planeRay.y) + abs(planeRay.z)) / abs(planeRay.w);
+  return SUBPIXEL * (airlightParallel != 0 ? slope : t * t * slope);
 }
 #endif
 

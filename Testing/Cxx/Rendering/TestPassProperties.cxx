@@ -10,9 +10,9 @@
 #include "vtkAirlightComparison.h"
 #include "vtkAirlightProbeFilter.h"
 #include "vtkAirlightReference.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkShadowPlanesFilter.h"
 #include "vtkSphereSource.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -117,8 +117,8 @@ void CheckMaps(Scene& scene)
   scene.Pass->SetShadowTechniqueToShadowMap();
   scene.Pass->SetShadowMapResolution(8192);
   scene.Window->Render();
-  if (vtkTextureObject::GetMaximumTextureSize(
-        vtkOpenGLRenderWindow::SafeDownCast(scene.Window)) >= 24576)
+  if (vtkTextureObject::GetMaximumTextureSize(vtkOpenGLRenderWindow::SafeDownCast(scene.Window)) >=
+    24576)
   {
     Check(errors.Take() == 0 && scene.Pass->GetBuffer("Airlight"), "a map of this card's size");
     return;
