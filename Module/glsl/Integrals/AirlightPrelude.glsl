@@ -10,8 +10,8 @@
 #define AIRLIGHT_OUT(T) out T
 #define AIRLIGHT_INOUT(T) inout T
 #define AIRLIGHT_IN(T) T
-// The bound of a loop that compilers shall not unroll: 0 more, which they do not know. They put a
-// copy of all that a loop calls into each round, and one then takes half a minute for a program.
+// The bound of a loop that compilers do not unroll, as they do not know that 0 is added. Each round
+// would have a copy of all that it calls, and a program take some of them half a minute.
 uniform int airlightZero;
 #define AIRLIGHT_ROLLED(count) ((count) + airlightZero)
 // Forbids optimisations that change roundings. Below GLSL 4.00 an extension has the word, which the

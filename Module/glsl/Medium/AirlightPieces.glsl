@@ -7,7 +7,7 @@ AIRLIGHT_FN real3 airlightPanels(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(A
   int panels)
 {
   real width = (v1 - v0) / real(panels);
-  real3 limit = real3(real(AIRLIGHT_FAR)); // of a panel's error; none at first
+  real3 limit = real3(real(0.0)); // of a panel's error, the second time
   real3 sum = real3(real(0.0));
   // Bounded, so that every driver ends: at first there are at most 122 panels, and where nothing is
   // halved any more as many reach the end.
@@ -21,11 +21,12 @@ AIRLIGHT_FN real3 airlightPanels(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(A
     for (int i = 0; i < most && a < v1; i++)
     {
       // The last one may be a rounding error wide.
-      real b = v1 - a < real(1.01) * step ? v1 : a + step;
+      bool ends = v1 - a < real(1.01) * step || (pass == 0 && i == most - 1);
+      real b = ends ? v1 : a + step;
       real3 part;
       real3 value = airlightPanel(media, light, ray, piece, straight, a, b, part);
       // Written so that what is not a number ends it, too.
-      if (any(greaterThan(part, limit)) && step > width * real(1.0 / 512.0) &&
+      if (pass > 0 && any(greaterThan(part, limit)) && step > width * real(1.0 / 512.0) &&
         step > real(AIRLIGHT_NARROWEST) * abs(a) && AIRLIGHT_MAY_TRY)
       {
         step *= real(0.5);
