@@ -112,7 +112,8 @@ void vtkAirlightHeadlessWindow::OpenGLInit()
 //------------------------------------------------------------------------------
 void vtkAirlightHeadlessWindow::PushContext()
 {
-  if (this->SupportsOpenGL())
+  // Without a context there is nothing that belongs to it.
+  if (this->Context)
   {
     this->Context->Push();
   }
