@@ -34,6 +34,7 @@ PROPERTIES = (
     "ShadowTechnique", "ShadowMapResolution", "MaximumBoundariesPerPixel", "NumberOfSteps",
     "SurfaceShadows", "TranslucentShadows", "ScatteredSurfaceLight", "LinearInput",
     "EncodedOutput", "Annotations", "DebugView", "LightRadius", "MemoryLimit", "RecordBuffers",
+    "SubpixelFrames",
 )
 
 
