@@ -289,13 +289,14 @@ public:
   ///@{
   /**
    * How many frames make a picture: it is their mean, of radiance in single precision, with the
-   * camera moved by fixed parts of a pixel. Edges of surfaces and of shadows become smooth; at an
-   * edge, 16 frames leave about a fifth of the error of one, 64 frames a twentieth. The picture is
-   * the same each time, and takes so many times as long. Recorded buffers are means, too, but
-   * "Depth" and "BoundaryCount", which are those of the middle of each pixel, as the depths of the
-   * window are. EncodedOutput encodes the mean. A renderer that
-   * keeps depths of others (vtkRenderer::PreserveDepthBuffer, Erase off) draws one frame; so does
-   * a selection. Range: 1 to 1024. Default: 1.
+   * camera moved by fixed parts of a pixel. Edges of surfaces and of shadows become smooth: at
+   * edges, 16 frames leave less than a fifth of the error of one frame, 64 less than a twelfth. The
+   * picture is the same each time, and takes so many times as long. Recorded buffers are means,
+   * too, except "Depth" and "BoundaryCount": those are of the middle of each pixel, as the depths
+   * of the window are. EncodedOutput encodes the mean. The renderer's FXAA is left out. One frame
+   * is drawn for selections, for debug views of counts and planes, for a renderer that keeps
+   * depths of others (vtkRenderer::PreserveDepthBuffer, Erase off), and for cameras with
+   * UseOffAxisProjection or UseExplicitProjectionTransformMatrix. Range: 1 to 1024. Default: 1.
    */
   vtkSetClampMacro(SubpixelFrames, int, 1, 1024);
   vtkGetMacro(SubpixelFrames, int);

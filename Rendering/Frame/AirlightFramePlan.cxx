@@ -203,6 +203,7 @@ FramePlan MakeFramePlan(
   plan.EncodedInput = !properties.LinearInput;
   plan.EncodedOutput = (properties.EncodedOutput || plan.EncodedInput) && !properties.LinearFrame;
   plan.PhaseErrorBound = scene.PhaseErrorBound;
+  plan.LinearFrame = properties.LinearFrame;
   PlanGeometryPasses(plan, scene);
   plan.UnshadowedInComposite = IsUnshadowedInComposite(plan, scene);
   return plan;

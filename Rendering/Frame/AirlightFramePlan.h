@@ -51,7 +51,7 @@ struct PassProperties
   bool ScatteredSurfaceLight = false;
   bool LinearInput = true;
   bool EncodedOutput = false;
-  bool LinearFrame = false; // encodes nothing all the same: the frame is one of a mean
+  bool LinearFrame = false; // one of a mean: nothing is encoded, or drawn over it
   bool Annotations = true;
   bool RecordBuffers = false;
   std::uint64_t MemoryLimit = std::uint64_t(1) << 30; // bytes
@@ -162,6 +162,7 @@ struct FramePlan
   bool Annotations = true;    // drawn over the frame
   bool EncodedInput = false;  // the scene's colours are encoded for display
   bool EncodedOutput = false; // the picture is
+  bool LinearFrame = false;
   double PhaseErrorBound = 0.0;
   std::uint64_t MemoryLimit = 0; // bytes
 };

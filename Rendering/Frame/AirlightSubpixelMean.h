@@ -31,7 +31,7 @@ public:
   // For pictures of this size. False with a reason in GetError(), here and below.
   bool Begin(vtkOpenGLRenderWindow* window, int width, int height);
 
-  // Binds and clears what a frame is drawn into; adds that frame times `weight`.
+  // Binds and clears the target of one frame; adds that frame times `weight`.
   bool BindFrame();
   bool AddFrame(float weight);
 

@@ -7,6 +7,7 @@
 #include "OpenGL/AirlightStorageBinding.h"
 #include "Pass/AirlightErrorRecovery.h"
 #include "Pass/AirlightGaussianFragments.h"
+#include "Pass/AirlightScenePass.h"
 #include "Pass/AirlightSceneSupport.h"
 #include "Scene/AirlightSceneProps.h"
 
@@ -60,10 +61,15 @@ void UpdateStereo(vtkRenderer* renderer)
   }
 }
 
-// A renderer that keeps depths of others is drawn among them, by one frame.
-bool MayAverage(vtkRenderer* renderer)
+// A renderer that keeps depths of others is drawn among them, by one frame. Cameras with a matrix of
+// their own cannot be moved, and what debug views show are no colours.
+bool MayAverage(vtkRenderer* renderer, const PassRenderer::Settings& settings)
 {
-  return renderer->GetErase() && !renderer->GetPreserveDepthBuffer();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const DebugView view = settings.Properties.View;
+  return renderer->GetErase() && !renderer->GetPreserveDepthBuffer() &&
+    !camera->GetUseOffAxisProjection() && !camera->GetUseExplicitProjectionTransformMatrix() &&
+    (view == DebugView::Shaded || view == DebugView::AirlightOnly);
 }
 
 // A camera whose picture is moved by parts of the window's half size, until this goes out of scope.
@@ -155,7 +161,7 @@ void PassRenderer::Render(
     return;
   }
   this->Messages.CheckMedia(this->Media);
-  const bool mean = settings.SubpixelFrames > 1 && MayAverage(s->GetRenderer());
+  const bool mean = settings.SubpixelFrames > 1 && MayAverage(s->GetRenderer(), settings);
   if (mean ? this->RenderMean(s, settings, viewport) : this->RenderFrame(s, settings, viewport))
   {
     this->Messages.ForgetFrame();
@@ -180,18 +186,17 @@ bool PassRenderer::RenderMean(
   }
   FrameRecorder& buffers = this->CurrentFrame.GetBuffers();
   buffers.BeginMean();
+  StateSaver saver(window, ShadowLists::IsSupported(window));
+  bool ok = this->Mean.Begin(window, viewport.X + viewport.Width, viewport.Y + viewport.Height) ||
+    this->Fail(this->Mean.GetError());
+  for (int number = settings.SubpixelFrames - 1; ok && number >= 0; --number)
   {
-    const StateSaver saver(window, ShadowLists::IsSupported(window));
-    bool ok = this->Mean.Begin(window, viewport.X + viewport.Width, viewport.Y + viewport.Height) ||
-      this->Fail(this->Mean.GetError());
-    for (int number = settings.SubpixelFrames - 1; ok && number >= 0; --number)
-    {
-      ok = this->RenderSubpixelFrame(s, settings, viewport, number);
-    }
-    if (!ok)
-    {
-      return false;
-    }
+    ok = this->RenderSubpixelFrame(s, settings, viewport, number);
+  }
+  saver.PopFramebuffer();
+  if (!ok)
+  {
+    return false;
   }
   buffers.TakeMean();
   const PassProperties& properties = settings.Properties;
@@ -201,7 +206,11 @@ bool PassRenderer::RenderMean(
   {
     return this->Fail(this->Mean.GetError());
   }
-  this->Stages.GetPasses().DrawOverFrame(s, properties.Annotations, this->Messages);
+  // Without FXAA, which would blur edges that are smooth.
+  if (properties.Annotations)
+  {
+    AirlightScenePass::RenderOverlay(s);
+  }
   return true;
 }
 
@@ -409,7 +418,10 @@ bool PassRenderer::Draw(
     return false;
   }
   this->Messages.CheckCostlyCasters(this->CurrentFrame.GetCostlyCasters(), plan);
-  this->Stages.GetPasses().DrawOverFrame(s, plan.Annotations, this->Messages);
+  if (!plan.LinearFrame)
+  {
+    this->Stages.GetPasses().DrawOverFrame(s, plan.Annotations, this->Messages);
+  }
   return true;
 }
 
@@ -424,6 +436,7 @@ void PassRenderer::Recover()
     if (this->CurrentFrame.GetExcess() == Frame::Excess::None)
     {
       this->CurrentFrame.ReleaseObjects(window);
+      this->Mean.Release(window);
     }
   }
 }

@@ -191,7 +191,7 @@ void TestAnnotations()
 }
 
 //------------------------------------------------------------------------------
-// Two renderers side by side, and one in a layer above.
+// Two renderers side by side.
 void TestViewports()
 {
   WindowScene left(Width, Height, 1);
@@ -214,6 +214,37 @@ void TestViewports()
     }
   }
   Check(different == 0, Text("viewports side by side: ", different, " values differ"));
+}
+
+//------------------------------------------------------------------------------
+// FXAA is left out of a mean; and what cannot be averaged is one frame.
+void TestOneFrame()
+{
+  WindowScene scene(Width, Height, 1);
+  scene.Pass->SetSubpixelFrames(4);
+  const Picture mean = Capture(scene.Window);
+  scene.Renderer->UseFXAAOn();
+  Check(Capture(scene.Window) == mean, "without FXAA");
+  scene.Renderer->UseFXAAOff();
+  const auto check = [&scene](const std::string& name) {
+    scene.Pass->SetSubpixelFrames(4);
+    const Picture several = Capture(scene.Window);
+    scene.Pass->SetSubpixelFrames(1);
+    Check(Capture(scene.Window) == several, name + ": one frame");
+  };
+  scene.Pass->SetDebugViewToBoundaryCount();
+  check("counts");
+  scene.Pass->SetDebugViewToShadowPlanes();
+  check("planes");
+  scene.Pass->SetDebugViewToShaded();
+  scene.Renderer->PreserveDepthBufferOn();
+  check("depths of others");
+  scene.Renderer->PreserveDepthBufferOff();
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetExplicitProjectionTransformMatrix(
+    camera->GetProjectionTransformMatrix(scene.Renderer->GetTiledAspectRatio(), -1, 1));
+  camera->UseExplicitProjectionTransformMatrixOn();
+  check("a matrix of its own");
 }
 
 //------------------------------------------------------------------------------
@@ -250,6 +281,7 @@ int TestSubpixelFrames(int, char*[])
   TestBuffers();
   TestAnnotations();
   TestViewports();
+  TestOneFrame();
   TestTiles();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
