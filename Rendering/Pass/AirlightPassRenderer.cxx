@@ -61,8 +61,8 @@ void UpdateStereo(vtkRenderer* renderer)
   }
 }
 
-// A renderer that keeps depths of others is drawn among them, by one frame. Cameras with a matrix of
-// their own cannot be moved, and what debug views show are no colours.
+// A renderer that keeps depths of others is drawn among them, by one frame. Cameras with a matrix
+// of their own cannot be moved, and what debug views show are no colours.
 bool MayAverage(vtkRenderer* renderer, const PassRenderer::Settings& settings)
 {
   vtkCamera* camera = renderer->GetActiveCamera();

@@ -20,8 +20,8 @@ flat in int planeLayer;
 // The surface that the ray ends on is none that it goes through. Its distance is as the mapper
 // draws it, which for triangles that are large or far from the eye has the rounding of their
 // corners, the more the more edge-on they are seen. Graphics cards also move corners to whole
-// fractions of a pixel: so much of one the surface lies beside its place. NEARER is for roundings of
-// theirs where that changes no distance; no test fails without it.
+// fractions of a pixel: so much of one the surface lies beside its place. NEARER is for roundings
+// of theirs where that changes no distance; no test fails without it.
 uniform sampler2D distances;
 const float NEARER = 1.0 - 1e-5;
 const float SUBPIXEL = 1.0 / 256.0;
