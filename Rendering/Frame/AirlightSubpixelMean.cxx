@@ -3,8 +3,8 @@
 #include "Frame/AirlightSubpixelMean.h"
 
 #include "AirlightAddFS.h"
+#include "AirlightCopyFS.h"
 #include "AirlightDisplay.h"
-#include "AirlightMeanFS.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -86,16 +86,19 @@ bool SubpixelMean::AddFrame(float weight)
 bool SubpixelMean::DrawIntoViewport(const glm::ivec4& viewport, bool encoded, bool blend)
 {
   vtkShaderProgram* program = this->MeanQuad.GetOrCompile(
-    this->Window, std::string("#version 330\n") + AirlightDisplay + AirlightMeanFS);
+    this->Window, std::string("#version 330\n") + AirlightDisplay + AirlightCopyFS);
   if (!program)
   {
     return this->Fail(std::string("the shader of the frames' mean") + ProgramMaker::GetReason());
   }
+  const int corner[2] = { 0, 0 }; // the mean has the caller's pixels
+  program->SetUniform2i("airlightViewport", corner);
   program->SetUniformi("encodedOutput", encoded ? 1 : 0);
   program->SetUniformi("blended", blend ? 1 : 0);
   this->MeanQuad.DrawIntoViewport(this->Window->GetState(),
-    { { "mean", this->Textures.Scattered }, { "frameDepth", this->Textures.Depth } }, viewport,
-    blend);
+    { { "radiances", this->Textures.Scattered }, { "sceneDepth", this->Textures.Depth },
+      { "scene", this->Textures.Scattered } },
+    viewport, blend);
   return true;
 }
 

@@ -15,5 +15,4 @@ airlight_sources(
     glsl/AirlightAddFS.glsl
     glsl/AirlightFroxelFS.glsl
     glsl/AirlightFroxelLossFS.glsl
-    glsl/AirlightDistancesFS.glsl
-    glsl/AirlightMeanFS.glsl)
+    glsl/AirlightDistancesFS.glsl)
