@@ -61,6 +61,12 @@ void UpdateStereo(vtkRenderer* renderer)
   }
 }
 
+// Whether a frame goes over what the framebuffer holds.
+bool IsBlended(vtkRenderer* renderer)
+{
+  return renderer->GetPreserveColorBuffer() || renderer->Transparent();
+}
+
 // A renderer that keeps depths of others is drawn among them, by one frame. Cameras with a matrix
 // of their own cannot be moved, and what debug views show are no colours.
 bool MayAverage(vtkRenderer* renderer, const PassRenderer::Settings& settings)
@@ -200,9 +206,8 @@ bool PassRenderer::RenderMean(
   }
   buffers.TakeMean();
   const PassProperties& properties = settings.Properties;
-  const bool blend = renderer->GetPreserveColorBuffer() || renderer->Transparent();
   if (!this->Mean.DrawIntoViewport({ viewport.X, viewport.Y, viewport.Width, viewport.Height },
-        properties.EncodedOutput || !properties.LinearInput, blend))
+        properties.EncodedOutput || !properties.LinearInput, IsBlended(renderer)))
   {
     return this->Fail(this->Mean.GetError());
   }
@@ -219,7 +224,6 @@ bool PassRenderer::RenderSubpixelFrame(
   const vtkRenderState* s, const Settings& settings, const Viewport& viewport, int number)
 {
   Settings frame = settings;
-  frame.Properties.Annotations = false;
   frame.Properties.LinearFrame = true;
   const glm::dvec2 offset = SubpixelMean::GetOffset(number, settings.SubpixelFrames);
   // Of a picture in tiles, a camera shows one.
@@ -409,8 +413,7 @@ bool PassRenderer::Draw(
   {
     return false;
   }
-  const bool blend = renderer->GetPreserveColorBuffer() || renderer->Transparent();
-  ok = ok && this->CurrentFrame.Composite(viewport.X, viewport.Y, blend) &&
+  ok = ok && this->CurrentFrame.Composite(viewport.X, viewport.Y, IsBlended(renderer)) &&
     (plan.View != DebugView::Outlines || this->CurrentFrame.DrawPlanes());
   if (!ok)
   {
