@@ -17,6 +17,17 @@ namespace airlight
 #ifdef AIRLIGHT_HAS_EGL
 namespace
 {
+// Sets a pointer to the function of that name in a library that is open.
+struct Finder
+{
+  template <typename Function>
+  void operator()(Function& function, const char* name) const
+  {
+    function = reinterpret_cast<Function>(dlsym(this->Opened, name));
+  }
+  void* Opened;
+};
+
 // The functions of libEGL. All are null where it is missing or too old.
 class Library
 {
@@ -54,9 +65,7 @@ private:
     {
       return;
     }
-    const auto find = [opened](auto& function, const char* name) {
-      function = reinterpret_cast<std::decay_t<decltype(function)>>(dlsym(opened, name));
-    };
+    const Finder find{ opened };
     find(this->GetProcAddress, "eglGetProcAddress");
     find(this->Initialize, "eglInitialize");
     find(this->BindAPI, "eglBindAPI");
@@ -90,9 +99,7 @@ public:
     {
       return;
     }
-    const auto find = [opened](auto& function, const char* name) {
-      function = reinterpret_cast<std::decay_t<decltype(function)>>(dlsym(opened, name));
-    };
+    const Finder find{ opened };
     find(this->GetCurrentDisplay, "glXGetCurrentDisplay");
     find(this->GetCurrentDrawable, "glXGetCurrentDrawable");
     find(this->GetCurrentContext, "glXGetCurrentContext");
