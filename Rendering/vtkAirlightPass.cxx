@@ -18,6 +18,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 using namespace airlight;
@@ -39,17 +40,27 @@ vtkAirlightPass::~vtkAirlightPass() = default;
 //------------------------------------------------------------------------------
 AirlightMediaMethodsMacro(vtkAirlightPass);
 
+namespace
+{
+// Sets a choice among those up to `last`; the caller names itself and the choices.
+bool IsChoice(vtkObject* self, const char* property, int value, int last, const char* choices)
+{
+  if (value < 0 || value > last)
+  {
+    vtkErrorWithObjectMacro(
+      self, << property << " " << value << " is none of its values: use " << choices << ".");
+    return false;
+  }
+  return true;
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetShadowTechnique(int technique)
 {
-  if (technique < NONE || technique > RAY_MARCH)
-  {
-    vtkErrorMacro(<< "ShadowTechnique " << technique
-                  << " is not a technique: use NONE, SHADOW_PLANES, SHADOW_MAP, RAY_MARCH or "
-                     "AUTOMATIC.");
-    return;
-  }
-  if (this->ShadowTechnique != technique)
+  if (IsChoice(this, "ShadowTechnique", technique, RAY_MARCH,
+        "NONE, SHADOW_PLANES, SHADOW_MAP, RAY_MARCH or AUTOMATIC") &&
+    this->ShadowTechnique != technique)
   {
     this->ShadowTechnique = technique;
     this->Modified();
@@ -59,19 +70,61 @@ void vtkAirlightPass::SetShadowTechnique(int technique)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetDebugView(int view)
 {
-  if (view < SHADED || view > OUTLINES)
-  {
-    vtkErrorMacro(<< "DebugView " << view
-                  << " is not a view: use SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT or "
-                     "OUTLINES.");
-    return;
-  }
-  if (this->DebugView != view)
+  if (IsChoice(
+        this, "DebugView", view, OUTLINES, "SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT or OUTLINES") &&
+    this->DebugView != view)
   {
     this->DebugView = view;
     this->Modified();
   }
 }
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetToneMapping(int curve)
+{
+  if (IsChoice(this, "ToneMapping", curve, NEUTRAL_PBR,
+        "CLAMP, REINHARD, EXPONENTIAL, GENERIC_FILMIC or NEUTRAL_PBR") &&
+    this->ToneMapping != curve)
+  {
+    this->ToneMapping = curve;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetOutputColorSpace(int space)
+{
+  if (IsChoice(this, "OutputColorSpace", space, SRGB, "LINEAR, GAMMA_2_2 or SRGB") &&
+    this->OutputColorSpace != space)
+  {
+    this->OutputColorSpace = space;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetEncodedOutput(bool encoded)
+{
+  this->SetOutputColorSpace(encoded ? GAMMA_2_2 : LINEAR);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetExposure(double exposure)
+{
+  if (!(exposure > 0.0) || !std::isfinite(exposure))
+  {
+    vtkErrorMacro(<< "Exposure " << exposure << " must be finite and above 0; it stays "
+                  << this->Exposure << ".");
+    return;
+  }
+  if (this->Exposure != exposure)
+  {
+    this->Exposure = exposure;
+    this->Modified();
+  }
+}
+
+double vtkAirlightPass::GetEffectiveExposure() { return this->Impl->GetEffectiveExposure(); }
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetShadowMapResolution(int resolution)
@@ -212,12 +265,36 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   properties.TranslucentShadows = this->TranslucentShadows;
   properties.ScatteredSurfaceLight = this->ScatteredSurfaceLight;
   properties.LinearInput = this->LinearInput;
-  properties.EncodedOutput = this->EncodedOutput;
+  properties.Display = this->GetDisplay(s);
+  properties.AutomaticExposure = this->AutomaticExposure;
   properties.Annotations = this->Annotations;
   properties.RecordBuffers = this->RecordBuffers;
   properties.MemoryLimit = static_cast<std::uint64_t>(this->MemoryLimit) << 20;
   this->Impl->Render(s, settings, viewport);
   this->NumberOfRenderedProps = this->Impl->GetStages().GetPasses().GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+// A pass outside reads colours as numbers, to which nothing is to be added. The pattern begins at
+// the renderer's corner, which in tiles may be outside of what is drawn.
+DisplayStage vtkAirlightPass::GetDisplay(const vtkRenderState* s) const
+{
+  DisplayStage display;
+  display.Exposure = this->Exposure;
+  display.Curve = static_cast<airlight::ToneMapping>(this->ToneMapping);
+  display.Space = static_cast<airlight::ColorSpace>(this->OutputColorSpace);
+  display.Dithering = this->Dithering && !s->GetFrameBuffer();
+  vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
+  int corner[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const double size = window->GetTileScale()[i] * window->GetActualSize()[i];
+    corner[i] = static_cast<int>(std::lround(s->GetRenderer()->GetViewport()[i] * size) -
+      std::lround(window->GetTileViewport()[i] * size));
+  }
+  display.X = corner[0];
+  display.Y = corner[1];
+  return display;
 }
 
 //------------------------------------------------------------------------------
@@ -406,7 +483,13 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TranslucentShadows: " << this->TranslucentShadows << "\n";
   os << indent << "ScatteredSurfaceLight: " << this->ScatteredSurfaceLight << "\n";
   os << indent << "LinearInput: " << this->LinearInput << "\n";
-  os << indent << "EncodedOutput: " << this->EncodedOutput << "\n";
+  os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "AutomaticExposure: " << this->AutomaticExposure << "\n";
+  const char* curves[] = { "Clamp", "Reinhard", "Exponential", "GenericFilmic", "NeutralPBR" };
+  os << indent << "ToneMapping: " << curves[this->ToneMapping] << "\n";
+  const char* spaces[] = { "Linear", "Gamma22", "SRGB" };
+  os << indent << "OutputColorSpace: " << spaces[this->OutputColorSpace] << "\n";
+  os << indent << "Dithering: " << this->Dithering << "\n";
   os << indent << "Annotations: " << this->Annotations << "\n";
   const char* views[] = { "Shaded", "AirlightOnly", "BoundaryCount", "ShadowPlaneOutlines" };
   os << indent << "DebugView: " << views[this->DebugView] << "\n";

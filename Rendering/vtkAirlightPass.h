@@ -51,6 +51,7 @@ class vtkUnsignedCharArray;
 namespace airlight
 {
 class PassRenderer;
+struct DisplayStage;
 }
 
 class VTKAIRLIGHT_EXPORT vtkAirlightPass : public vtkDepthImageProcessingPass
@@ -219,7 +220,8 @@ public:
   /**
    * Whether the colours of VTK's mappers and backgrounds are linear radiances, as those of Phong
    * shading are. Off, they are decoded with a gamma of 2.2 before the medium is added, as
-   * physically based materials need it, and the picture is encoded again. Buffers are always
+   * physically based materials need it, and the picture is encoded again
+   * (SetOutputColorSpace()). Buffers are always
    * linear. Default: true.
    */
   vtkSetMacro(LinearInput, bool);
@@ -229,12 +231,98 @@ public:
 
   ///@{
   /**
-   * Whether the picture is encoded for display with a gamma of 2.2, which always happens if
-   * LinearInput is off. Switch it on for a vtkToneMappingPass outside, which decodes its input
-   * before it maps it. Buffers are always linear. Default: false.
+   * The factor of the radiance when it is shown: the first step of the display, which is exposure,
+   * tone mapping, the output's colour space, dithering, in this order. Buffers are not affected.
+   * 2^EV for an exposure value in stops. Range: finite, above 0. Default: 1.
    */
-  vtkSetMacro(EncodedOutput, bool);
-  vtkGetMacro(EncodedOutput, bool);
+  void SetExposure(double exposure);
+  vtkGetMacro(Exposure, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the exposure follows the picture: its middle luminance is shown as middle grey, 0.18,
+   * times Exposure. The middle is the mean of the logarithm, without the 40 % of the pixels that
+   * are darkest and the 5 % that are brightest, which are lamps. A black picture changes nothing.
+   * While the user moves something the exposure follows within some tenths of a second; pictures
+   * at rest are the same each time. Debug views have Exposure alone. Default: false.
+   */
+  vtkSetMacro(AutomaticExposure, bool);
+  vtkGetMacro(AutomaticExposure, bool);
+  vtkBooleanMacro(AutomaticExposure, bool);
+  ///@}
+
+  /**
+   * The factor of the radiance in the last picture: Exposure times what was measured.
+   */
+  double GetEffectiveExposure();
+
+  /**
+   * How radiances above 1 become colours. The numbers are vtkToneMappingPass's.
+   */
+  enum ToneMappingType
+  {
+    CLAMP = 0,          ///< they are white
+    REINHARD = 1,       ///< x/(1 + x)
+    EXPONENTIAL = 2,    ///< 1 - exp(-x)
+    GENERIC_FILMIC = 3, ///< the curve of film, with VTK's default anchors and the Academy's colours
+    NEUTRAL_PBR = 4     ///< colours up to 0.8 stay, brighter ones fade to white (Khronos)
+  };
+
+  ///@{
+  /**
+   * The tone mapping curve, in linear light. Default: CLAMP.
+   */
+  void SetToneMapping(int curve);
+  vtkGetMacro(ToneMapping, int);
+  void SetToneMappingToClamp() { this->SetToneMapping(CLAMP); }
+  void SetToneMappingToReinhard() { this->SetToneMapping(REINHARD); }
+  void SetToneMappingToExponential() { this->SetToneMapping(EXPONENTIAL); }
+  void SetToneMappingToGenericFilmic() { this->SetToneMapping(GENERIC_FILMIC); }
+  void SetToneMappingToNeutralPBR() { this->SetToneMapping(NEUTRAL_PBR); }
+  ///@}
+
+  /**
+   * What the numbers of the picture mean.
+   */
+  enum OutputColorSpaceType
+  {
+    LINEAR = 0,    ///< they are proportional to radiance
+    GAMMA_2_2 = 1, ///< its power of 1/2.2, as VTK's physically based shading and tone mapping
+    SRGB = 2       ///< IEC 61966-2-1, which screens and viewers of pictures expect
+  };
+
+  ///@{
+  /**
+   * The colour space of the picture. LINEAR is that of VTK's Phong shading, whose colours are shown
+   * as they are; with LinearInput off it is GAMMA_2_2. Use GAMMA_2_2 for a vtkToneMappingPass
+   * outside, which decodes its input, and LINEAR in a window with UseSRGBColorSpace.
+   * Default: LINEAR.
+   */
+  void SetOutputColorSpace(int space);
+  vtkGetMacro(OutputColorSpace, int);
+  void SetOutputColorSpaceToLinear() { this->SetOutputColorSpace(LINEAR); }
+  void SetOutputColorSpaceToGamma22() { this->SetOutputColorSpace(GAMMA_2_2); }
+  void SetOutputColorSpaceToSRGB() { this->SetOutputColorSpace(SRGB); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether smooth glows are kept from showing rings of 8-bit steps: a fixed pattern of less than
+   * half a step is added to each pixel, with a mean of 0. Flat colours that 8 bits can hold do not
+   * change, nor does clear air in VTK's own colours, nor what passes outside read. Default: true.
+   */
+  vtkSetMacro(Dithering, bool);
+  vtkGetMacro(Dithering, bool);
+  vtkBooleanMacro(Dithering, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The same as OutputColorSpace: GAMMA_2_2 if on, LINEAR if off.
+   */
+  void SetEncodedOutput(bool encoded);
+  bool GetEncodedOutput() { return this->OutputColorSpace == GAMMA_2_2; }
   vtkBooleanMacro(EncodedOutput, bool);
   ///@}
 
@@ -293,8 +381,8 @@ public:
    * edges, 16 frames leave less than a fifth of the error of one frame, 64 less than a twelfth. The
    * picture is the same each time, and takes so many times as long. Recorded buffers are means,
    * too, except "Depth" and "BoundaryCount": those are of the middle of each pixel, as the depths
-   * of the window are. EncodedOutput encodes the mean. The renderer's FXAA is left out. One frame
-   * is drawn for selections, for debug views of counts and planes, for a renderer that keeps
+   * of the window are. The mean is displayed, not its frames. The renderer's FXAA is left out. One
+   * frame is drawn for selections, for debug views of counts and planes, for a renderer that keeps
    * depths of others (vtkRenderer::PreserveDepthBuffer, Erase off), and for cameras with
    * UseOffAxisProjection or UseExplicitProjectionTransformMatrix. Range: 1 to 1024. Default: 1.
    */
@@ -443,6 +531,8 @@ private:
   vtkAirlightPass(const vtkAirlightPass&) = delete;
   void operator=(const vtkAirlightPass&) = delete;
 
+  airlight::DisplayStage GetDisplay(const vtkRenderState* s) const;
+
   int ShadowTechnique = AUTOMATIC;
   int ShadowMapResolution = 1024;
   double MaximumBoundariesPerPixel = 16.0;
@@ -451,7 +541,11 @@ private:
   bool TranslucentShadows = true;
   bool ScatteredSurfaceLight = false;
   bool LinearInput = true;
-  bool EncodedOutput = false;
+  double Exposure = 1.0;
+  bool AutomaticExposure = false;
+  int ToneMapping = CLAMP;
+  int OutputColorSpace = LINEAR;
+  bool Dithering = true;
   bool Annotations = true;
   int DebugView = SHADED;
   double LightRadius = 0.0;

@@ -5,7 +5,7 @@
 #include "AirlightCameraShader.h"
 #include "AirlightCompositeFS.h"
 #include "AirlightCopyFS.h"
-#include "AirlightDisplay.h"
+#include "AirlightDecode.h"
 #include "AirlightLightPixel.h"
 #include "AirlightShadowingLight.h"
 #include "OpenGL/AirlightOpenGL.h"
@@ -49,13 +49,12 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     Define("DEBUG_VIEW", intoTextures ? 0 : options.DebugView) +
     Define("SHADOWING_LIGHT", options.ShadowingLight) + Define("BITS", options.LightsPerChannel) +
     Define("AMBIENT", HasAmbient(scene.Media)) + Define("ENCODED_INPUT", options.EncodedInput) +
-    Define("ENCODED_OUTPUT", options.EncodedOutput) + Define("PARALLEL", scene.Rays.IsParallel()) +
-    "#define AIRLIGHT_FULL_SCREEN\n" + GetScatteringSource(scene.Media, kind, false) +
-    AirlightCameraShader + AirlightLightPixel +
+    Define("PARALLEL", scene.Rays.IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
+    GetScatteringSource(scene.Media, kind, false) + AirlightCameraShader + AirlightLightPixel +
     (equiangular ? GetEquiangularSource() : "uniform AirlightMedia media;\n") +
     (options.Unshadowed ? GetUnshadowedSource(lights) : "") +
-    (options.ShadowingLight >= 0 ? AirlightShadowingLight : "") + AirlightDisplay +
-    AirlightCompositeFS;
+    (options.ShadowingLight >= 0 ? AirlightShadowingLight : "") + AirlightDecode +
+    (intoTextures ? "" : options.Display.GetSource()) + AirlightCompositeFS;
 }
 }
 
@@ -145,6 +144,7 @@ bool CompositePass::DrawIntoViewport(
     return false;
   }
   program->SetUniformi("blended", blend ? 1 : 0);
+  options.Display.SetUniforms(program);
   NamedTextures textures = GetTextures(scene, options, inputs);
   textures.emplace_back("sceneDepth", inputs.Depth);
   this->ViewportQuad.DrawIntoViewport(
@@ -157,14 +157,14 @@ bool CompositePass::CopyIntoViewport(const FrameScene& scene, const Options& opt
   const Inputs& inputs, vtkTextureObject* radiance, int x, int y, bool blend)
 {
   vtkShaderProgram* program = this->CopyQuad.GetOrCompile(
-    scene.Window, std::string("#version 330\n") + AirlightDisplay + AirlightCopyFS);
+    scene.Window, "#version 330\n" + options.Display.GetSource() + AirlightCopyFS);
   if (!program)
   {
     return this->Fail("the shader of the last step");
   }
   const int corner[2] = { x, y };
   program->SetUniform2i("airlightViewport", corner);
-  program->SetUniformi("encodedOutput", options.EncodedOutput ? 1 : 0);
+  options.Display.SetUniforms(program);
   program->SetUniformi("blended", blend ? 1 : 0);
   this->CopyQuad.DrawIntoViewport(scene.Window->GetState(),
     { { "radiances", radiance }, { "sceneDepth", inputs.Depth }, { "scene", inputs.Scene } },

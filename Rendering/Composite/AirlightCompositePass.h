@@ -8,6 +8,7 @@
 #ifndef AirlightCompositePass_h
 #define AirlightCompositePass_h
 
+#include "Composite/AirlightDisplayStage.h"
 #include "OpenGL/AirlightQuad.h"
 #include "Scene/AirlightFrameScene.h"
 
@@ -35,7 +36,7 @@ public:
     bool Record = false;
     float AmbientError = 0.0f; // of what the media scatter of the ambient light, relative; recorded
     bool EncodedInput = false;
-    bool EncodedOutput = false;
+    DisplayStage Display; // into viewports only
   };
 
   // What earlier steps drew; null where they drew none.

@@ -3,7 +3,9 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightCompositePass
+    AirlightDisplayStage
   GLSL
     glsl/AirlightCompositeFS.glsl
     glsl/AirlightCopyFS.glsl
+    glsl/AirlightDisplay.glsl
     glsl/AirlightShadowingLight.glsl)

@@ -57,7 +57,7 @@ bool Frame::Begin(const Input& input)
   needs.Drawn = !this->Plan.AllShadersInjectable;
   needs.WithoutLight = this->Plan.ShadowingLight >= 0;
   needs.Record = this->Plan.Record;
-  needs.Translucent = this->Plan.Translucent;
+  needs.Translucent = this->Plan.Translucent || this->Plan.MeasuresExposure;
   if (!this->Textures.Prepare(
         this->GetWindow(), input.Rays.GetWidth(), input.Rays.GetHeight(), needs))
   {
@@ -80,7 +80,7 @@ bool Frame::Draw(SceneDrawer& scene)
   {
     return false;
   }
-  if ((this->Plan.Translucent || this->Plan.KeepBuffers) && !this->CompositeTranslucent())
+  if ((this->HasRadiance() || this->Plan.KeepBuffers) && !this->CompositeTranslucent())
   {
     return false;
   }
@@ -394,7 +394,6 @@ CompositePass::Options Frame::GetCompositeOptions() const
   options.Record = this->Plan.Record;
   options.AmbientError = ClosedFormError;
   options.EncodedInput = this->Plan.EncodedInput;
-  options.EncodedOutput = this->Plan.EncodedOutput;
   return options;
 }
 
@@ -434,12 +433,13 @@ bool Frame::CompositeTranslucent()
 }
 
 //------------------------------------------------------------------------------
-bool Frame::Composite(int x, int y, bool blend)
+bool Frame::Composite(int x, int y, const DisplayStage& display, bool blend)
 {
   const FrameScene scene = this->GetScene();
-  const CompositePass::Options options = this->GetCompositeOptions();
   const CompositePass::Inputs inputs = this->GetCompositeInputs();
-  const bool ok = this->Plan.Translucent
+  CompositePass::Options options = this->GetCompositeOptions();
+  options.Display = display;
+  const bool ok = this->HasRadiance()
     ? this->Composition.CopyIntoViewport(
         scene, options, inputs, this->Textures.Radiance, x, y, blend)
     : this->Composition.DrawIntoViewport(scene, options, inputs, x, y, blend);

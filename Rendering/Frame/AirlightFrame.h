@@ -123,7 +123,10 @@ public:
   void ForgetBuffers() { this->Buffers.Clear(); }
 
   // Step 5: into the framebuffer that is bound, with the viewport at x, y.
-  bool Composite(int x, int y, bool blend);
+  bool Composite(int x, int y, const DisplayStage& display, bool blend);
+
+  // The radiance, if the plan measures its exposure.
+  vtkTextureObject* GetRadiance() { return this->Textures.Radiance; }
 
   // Over it, the edges of all shadow planes.
   bool DrawPlanes();
@@ -162,6 +165,7 @@ private:
   bool MayJoinOthers(int light);
   bool ScatterUnshadowed(const InscatterTargets& targets, const std::vector<int>& lights);
   bool CompositeTranslucent();
+  bool HasRadiance() const { return this->Plan.Translucent || this->Plan.MeasuresExposure; }
 
   FrameScene GetScene();
   InscatterTargets GetInscatterTargets();

@@ -81,12 +81,21 @@ ShadowMethod GetMethod(ShadowTechnique technique)
 }
 
 //------------------------------------------------------------------------------
+// Whether VTK's own picture is what the display would make of it.
+bool IsShownAsDrawn(const PassProperties& properties)
+{
+  const ColorSpace input = properties.LinearInput ? ColorSpace::Linear : ColorSpace::Gamma22;
+  const DisplayStage display = GetDisplay(properties);
+  return display.Curve == ToneMapping::Clamp && display.Space == input && display.Exposure == 1.0 &&
+    !properties.AutomaticExposure;
+}
+
+//------------------------------------------------------------------------------
 bool IsPlain(const FramePlan& plan, const PassProperties& properties, const SceneFacts& scene)
 {
   const bool shadows = plan.Shadows != ShadowMethod::None && properties.SurfaceShadows;
   return scene.Clear && properties.View == DebugView::Shaded && !properties.RecordBuffers &&
-    !properties.LinearFrame && !(properties.EncodedOutput && properties.LinearInput) &&
-    properties.Annotations &&
+    !properties.LinearFrame && properties.Annotations && IsShownAsDrawn(properties) &&
     std::none_of(scene.Lights.begin(), scene.Lights.end(), [shadows](const LightFacts& light) {
       return light.Photometric || (shadows && light.Shadows());
     });
@@ -160,12 +169,44 @@ bool IsUnshadowedInFragments(const FramePlan& plan, const SceneFacts& scene)
 }
 
 //------------------------------------------------------------------------------
+// Clear air is shown in VTK's own colours.
+void PlanDisplay(FramePlan& plan, const PassProperties& properties, const SceneFacts& scene)
+{
+  plan.LinearFrame = properties.LinearFrame;
+  if (plan.LinearFrame)
+  {
+    return;
+  }
+  plan.Display = GetDisplay(properties);
+  plan.Display.Dithering =
+    plan.Display.Dithering && !(scene.Clear && plan.Display.IsProportional());
+  plan.MeasuresExposure = MeasuresExposure(properties);
+}
+
+//------------------------------------------------------------------------------
 // Volumes have nodes of their own on each ray.
 bool IsInFroxels(const FramePlan& plan, const SceneFacts& scene)
 {
   return plan.Shadows == ShadowMethod::Planes && scene.TranslucentBoundaries >= 0.0 &&
     plan.GetTranslucentCost() > plan.MaximumBoundaries && scene.Volumes == 0;
 }
+}
+
+//------------------------------------------------------------------------------
+// Colours that are encoded for display have to be encoded again.
+DisplayStage GetDisplay(const PassProperties& properties)
+{
+  DisplayStage display = properties.Display;
+  if (!properties.LinearInput && display.Space == ColorSpace::Linear)
+  {
+    display.Space = ColorSpace::Gamma22;
+  }
+  return display;
+}
+
+bool MeasuresExposure(const PassProperties& properties)
+{
+  return properties.AutomaticExposure && properties.View == DebugView::Shaded;
 }
 
 //------------------------------------------------------------------------------
@@ -201,9 +242,8 @@ FramePlan MakeFramePlan(
   plan.Annotations = properties.Annotations;
   plan.Record = properties.RecordBuffers || properties.View == DebugView::BoundaryCount;
   plan.EncodedInput = !properties.LinearInput;
-  plan.EncodedOutput = (properties.EncodedOutput || plan.EncodedInput) && !properties.LinearFrame;
+  PlanDisplay(plan, properties, scene);
   plan.PhaseErrorBound = scene.PhaseErrorBound;
-  plan.LinearFrame = properties.LinearFrame;
   PlanGeometryPasses(plan, scene);
   plan.UnshadowedInComposite = IsUnshadowedInComposite(plan, scene);
   return plan;

@@ -10,6 +10,7 @@
 #ifndef AirlightFramePlan_h
 #define AirlightFramePlan_h
 
+#include "Composite/AirlightDisplayStage.h"
 #include "Inscatter/AirlightShadowMethod.h"
 #include "vtkAirlightModule.h" // for export macro
 
@@ -50,8 +51,9 @@ struct PassProperties
   bool TranslucentShadows = true;
   bool ScatteredSurfaceLight = false;
   bool LinearInput = true;
-  bool EncodedOutput = false;
-  bool LinearFrame = false; // one of a mean: nothing is encoded, or drawn over it
+  DisplayStage Display;
+  bool AutomaticExposure = false;
+  bool LinearFrame = false; // one of a mean: its radiance is kept, and nothing drawn over it
   bool Annotations = true;
   bool RecordBuffers = false;
   std::uint64_t MemoryLimit = std::uint64_t(1) << 30; // bytes
@@ -157,15 +159,20 @@ struct FramePlan
   bool UnshadowedInComposite = false;
 
   DebugView View = DebugView::Shaded;
-  bool Record = false;        // the shaders write what GetBuffer() gives
-  bool KeepBuffers = false;   // and it is kept
-  bool Annotations = true;    // drawn over the frame
-  bool EncodedInput = false;  // the scene's colours are encoded for display
-  bool EncodedOutput = false; // the picture is
+  bool Record = false;       // the shaders write what GetBuffer() gives
+  bool KeepBuffers = false;  // and it is kept
+  bool Annotations = true;   // drawn over the frame
+  bool EncodedInput = false; // the scene's colours are encoded for display
+  DisplayStage Display;
+  bool MeasuresExposure = false; // which the display multiplies
   bool LinearFrame = false;
   double PhaseErrorBound = 0.0;
   std::uint64_t MemoryLimit = 0; // bytes
 };
+
+// How pictures with these properties are shown.
+DisplayStage GetDisplay(const PassProperties& properties);
+bool MeasuresExposure(const PassProperties& properties);
 
 VTKAIRLIGHT_EXPORT FramePlan MakeFramePlan(
   const PassProperties& properties, const SceneFacts& scene, const FrameLimits& limits);

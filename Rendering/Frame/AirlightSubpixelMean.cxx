@@ -4,7 +4,6 @@
 
 #include "AirlightAddFS.h"
 #include "AirlightCopyFS.h"
-#include "AirlightDisplay.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -83,17 +82,18 @@ bool SubpixelMean::AddFrame(float weight)
 }
 
 //------------------------------------------------------------------------------
-bool SubpixelMean::DrawIntoViewport(const glm::ivec4& viewport, bool encoded, bool blend)
+bool SubpixelMean::DrawIntoViewport(
+  const glm::ivec4& viewport, const DisplayStage& display, bool blend)
 {
   vtkShaderProgram* program = this->MeanQuad.GetOrCompile(
-    this->Window, std::string("#version 330\n") + AirlightDisplay + AirlightCopyFS);
+    this->Window, "#version 330\n" + display.GetSource() + AirlightCopyFS);
   if (!program)
   {
     return this->Fail(std::string("the shader of the frames' mean") + ProgramMaker::GetReason());
   }
   const int corner[2] = { 0, 0 }; // the mean has the caller's pixels
   program->SetUniform2i("airlightViewport", corner);
-  program->SetUniformi("encodedOutput", encoded ? 1 : 0);
+  display.SetUniforms(program);
   program->SetUniformi("blended", blend ? 1 : 0);
   this->MeanQuad.DrawIntoViewport(this->Window->GetState(),
     { { "radiances", this->Textures.Scattered }, { "sceneDepth", this->Textures.Depth },

@@ -8,6 +8,7 @@
 #ifndef AirlightSubpixelMean_h
 #define AirlightSubpixelMean_h
 
+#include "Composite/AirlightDisplayStage.h"
 #include "Frame/AirlightTargets.h"
 #include "OpenGL/AirlightQuad.h"
 
@@ -35,9 +36,11 @@ public:
   bool BindFrame();
   bool AddFrame(float weight);
 
+  vtkTextureObject* GetRadiance() { return this->Textures.Scattered; }
+
   // The mean, and the depths of the last frame, into a viewport of the framebuffer that is bound;
-  // `encoded`: for display; `blend`: over what it holds.
-  bool DrawIntoViewport(const glm::ivec4& viewport, bool encoded, bool blend);
+  // `blend`: over what it holds.
+  bool DrawIntoViewport(const glm::ivec4& viewport, const DisplayStage& display, bool blend);
 
   const std::string& GetError() const { return this->Error; }
   void Release(vtkWindow* window);

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
+    AirlightExposureMeter
     AirlightFrame
     AirlightFramePlan
     AirlightFrameRecorder
@@ -15,4 +16,5 @@ airlight_sources(
     glsl/AirlightAddFS.glsl
     glsl/AirlightFroxelFS.glsl
     glsl/AirlightFroxelLossFS.glsl
-    glsl/AirlightDistancesFS.glsl)
+    glsl/AirlightDistancesFS.glsl
+    glsl/AirlightLuminanceFS.glsl)

@@ -3,7 +3,7 @@
 #include "MapperShaders/AirlightSurfaceDeclarations.h"
 
 #include "AirlightCameraShader.h"
-#include "AirlightDisplay.h"
+#include "AirlightDecode.h"
 #include "AirlightFragment.h"
 #include "AirlightInscatterFromFroxels.h"
 #include "AirlightInscatterToFragment.h"
@@ -134,7 +134,7 @@ std::string GetSurfaceDeclarations(const SurfaceShaderOptions& options)
     : options.AtVertices                   ? ""
                                            : AirlightInscatterToFragment;
   const std::string medium =
-    options.Translucent ? std::string(before) + AirlightDisplay + AirlightSurfaceMedium : "";
+    options.Translucent ? std::string(before) + AirlightDecode + AirlightSurfaceMedium : "";
   return CommonDeclarations(options) + AirlightCameraShader + AirlightFragment +
     StorageDeclarations(options) + AirlightSurface + scattered + medium + Undefine;
 }
@@ -152,7 +152,7 @@ std::string GetVolumeDeclarations(const SurfaceShaderOptions& options, const std
   return CommonDeclarations(options) + AirlightCameraShader + AirlightFragment +
     StorageDeclarations(options) + AirlightSurface +
     (HasRecords(options) ? AirlightInscatterToTranslucent : AirlightInscatterToFragment) +
-    AirlightDisplay + volume + Undefine;
+    AirlightDecode + volume + Undefine;
 }
 
 //------------------------------------------------------------------------------

@@ -11,5 +11,5 @@ airlight_sources(
   HEADERS
     AirlightOpenGL.h
   GLSL
-    glsl/AirlightDisplay.glsl
+    glsl/AirlightDecode.glsl
     glsl/AirlightFullScreenVS.glsl)

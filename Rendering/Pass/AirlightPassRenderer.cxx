@@ -67,36 +67,6 @@ bool IsBlended(vtkRenderer* renderer)
   return renderer->GetPreserveColorBuffer() || renderer->Transparent();
 }
 
-// A renderer that keeps depths of others is drawn among them, by one frame. Cameras with a matrix
-// of their own cannot be moved, and what debug views show are no colours.
-bool MayAverage(vtkRenderer* renderer, const PassRenderer::Settings& settings)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const DebugView view = settings.Properties.View;
-  return renderer->GetErase() && !renderer->GetPreserveDepthBuffer() &&
-    !camera->GetUseOffAxisProjection() && !camera->GetUseExplicitProjectionTransformMatrix() &&
-    (view == DebugView::Shaded || view == DebugView::AirlightOnly);
-}
-
-// A camera whose picture is moved by parts of the window's half size, until this goes out of scope.
-class MovedCamera
-{
-public:
-  MovedCamera(vtkCamera* camera, const glm::dvec2& offset)
-    : Camera(camera)
-  {
-    this->Camera->GetWindowCenter(this->Center);
-    this->Camera->SetWindowCenter(this->Center[0] + offset.x, this->Center[1] + offset.y);
-  }
-  ~MovedCamera() { this->Camera->SetWindowCenter(this->Center[0], this->Center[1]); }
-  MovedCamera(const MovedCamera&) = delete;
-  void operator=(const MovedCamera&) = delete;
-
-private:
-  vtkCamera* Camera;
-  double Center[2];
-};
-
 // The state of OpenGL that a frame changes, restored when it goes out of scope.
 class StateSaver
 {
@@ -146,6 +116,7 @@ PassRenderer::PassRenderer(vtkObject* pass, const SceneStages::RenderHooks& hook
   this->Context->SetRelease([this](vtkWindow* window) {
     this->CurrentFrame.Release(window);
     this->Mean.Release(window);
+    this->Exposure.Release(window);
     this->Casters.Clear();
     this->Stages.Release(window);
     this->Mappers.Release();
@@ -167,7 +138,8 @@ void PassRenderer::Render(
     return;
   }
   this->Messages.CheckMedia(this->Media);
-  const bool mean = settings.SubpixelFrames > 1 && MayAverage(s->GetRenderer(), settings);
+  const bool mean = settings.SubpixelFrames > 1 &&
+    SubpixelFrames::MayAverage(s->GetRenderer(), settings.Properties.View);
   if (mean ? this->RenderMean(s, settings, viewport) : this->RenderFrame(s, settings, viewport))
   {
     this->Messages.ForgetFrame();
@@ -179,7 +151,6 @@ void PassRenderer::Render(
 }
 
 //------------------------------------------------------------------------------
-// The frame that is not moved is the last one: its depths stay.
 bool PassRenderer::RenderMean(
   const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
 {
@@ -190,29 +161,29 @@ bool PassRenderer::RenderMean(
   {
     return false;
   }
-  FrameRecorder& buffers = this->CurrentFrame.GetBuffers();
-  buffers.BeginMean();
+  const glm::ivec4 picture(viewport.X, viewport.Y, viewport.Width, viewport.Height);
+  Settings frame = settings;
+  frame.Properties.LinearFrame = true;
+  this->Error.clear();
   StateSaver saver(window, ShadowLists::IsSupported(window));
-  bool ok = this->Mean.Begin(window, viewport.X + viewport.Width, viewport.Y + viewport.Height) ||
-    this->Fail(this->Mean.GetError());
-  for (int number = settings.SubpixelFrames - 1; ok && number >= 0; --number)
+  if (!this->Mean.Render(renderer, picture, settings.SubpixelFrames,
+        this->CurrentFrame.GetBuffers(), [&] { return this->RenderFrame(s, frame, viewport); }))
   {
-    ok = this->RenderSubpixelFrame(s, settings, viewport, number);
+    return this->Error.empty() ? this->Fail(this->Mean.GetError()) : false;
   }
-  saver.PopFramebuffer();
-  if (!ok)
+  DisplayStage display = GetDisplay(settings.Properties);
+  if (MeasuresExposure(settings.Properties) &&
+    !this->MeasureExposure(window, this->Mean.GetRadiance(), picture, display))
   {
     return false;
   }
-  buffers.TakeMean();
-  const PassProperties& properties = settings.Properties;
-  if (!this->Mean.DrawIntoViewport({ viewport.X, viewport.Y, viewport.Width, viewport.Height },
-        properties.EncodedOutput || !properties.LinearInput, IsBlended(renderer)))
+  saver.PopFramebuffer();
+  if (!this->Mean.DrawIntoViewport(picture, display, IsBlended(renderer)))
   {
     return this->Fail(this->Mean.GetError());
   }
   // Without FXAA, which would blur edges that are smooth.
-  if (properties.Annotations)
+  if (settings.Properties.Annotations)
   {
     AirlightScenePass::RenderOverlay(s);
   }
@@ -220,26 +191,16 @@ bool PassRenderer::RenderMean(
 }
 
 //------------------------------------------------------------------------------
-bool PassRenderer::RenderSubpixelFrame(
-  const vtkRenderState* s, const Settings& settings, const Viewport& viewport, int number)
+bool PassRenderer::MeasureExposure(vtkOpenGLRenderWindow* window, vtkTextureObject* radiances,
+  const glm::ivec4& picture, DisplayStage& display)
 {
-  Settings frame = settings;
-  frame.Properties.LinearFrame = true;
-  const glm::dvec2 offset = SubpixelMean::GetOffset(number, settings.SubpixelFrames);
-  // Of a picture in tiles, a camera shows one.
-  const glm::dvec2 size(viewport.Width, viewport.Height);
-  const MovedCamera camera(s->GetRenderer()->GetActiveCamera(), 2.0 * offset / size);
-  if (!this->Mean.BindFrame())
+  if (!this->Exposure.Measure(window, radiances, picture))
   {
-    return this->Fail(this->Mean.GetError());
+    return this->Fail(this->Exposure.GetError());
   }
-  if (!this->RenderFrame(s, frame, viewport))
-  {
-    return false;
-  }
-  const float weight = 1.0f / static_cast<float>(settings.SubpixelFrames);
-  this->CurrentFrame.GetBuffers().AddToMean(weight);
-  return this->Mean.AddFrame(weight) || this->Fail(this->Mean.GetError());
+  display.Exposure *= this->Exposure.GetExposure();
+  this->EffectiveExposure = display.Exposure;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -307,6 +268,7 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
   }
   const FramePlan plan = MakeFramePlan(properties, facts, limits);
   this->CurrentFrame.SetPlan(plan);
+  this->EffectiveExposure = plan.Plain ? 1.0 : plan.Display.Exposure;
   this->Messages.CheckPlan(plan, properties, this->Casters, scene.Window);
   if (plan.Plain)
   {
@@ -408,17 +370,25 @@ bool PassRenderer::Draw(
     this->Stages.End();
     ok = ok && (!plan.KeepBuffers || this->CurrentFrame.Record());
   }
+  ok = ok || this->Fail(this->CurrentFrame.GetError());
+  DisplayStage display = plan.Display;
+  ok = ok &&
+    (!plan.MeasuresExposure ||
+      this->MeasureExposure(scene.Window, this->CurrentFrame.GetRadiance(),
+        { 0, 0, viewport.Width, viewport.Height }, display));
   saver.PopFramebuffer();
   if (!this->Mappers.CheckCompiled(this->Error))
   {
     return false;
   }
-  ok = ok && this->CurrentFrame.Composite(viewport.X, viewport.Y, IsBlended(renderer)) &&
-    (plan.View != DebugView::Outlines || this->CurrentFrame.DrawPlanes());
   if (!ok)
   {
-    this->Error = this->CurrentFrame.GetError();
     return false;
+  }
+  if (!this->CurrentFrame.Composite(viewport.X, viewport.Y, display, IsBlended(renderer)) ||
+    (plan.View == DebugView::Outlines && !this->CurrentFrame.DrawPlanes()))
+  {
+    return this->Fail(this->CurrentFrame.GetError());
   }
   this->Messages.CheckCostlyCasters(this->CurrentFrame.GetCostlyCasters(), plan);
   if (!plan.LinearFrame)
@@ -440,6 +410,7 @@ void PassRenderer::Recover()
     {
       this->CurrentFrame.ReleaseObjects(window);
       this->Mean.Release(window);
+      this->Exposure.Release(window);
     }
   }
 }

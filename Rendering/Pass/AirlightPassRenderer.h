@@ -7,14 +7,15 @@
 #ifndef AirlightPassRenderer_h
 #define AirlightPassRenderer_h
 
+#include "Frame/AirlightExposureMeter.h"
 #include "Frame/AirlightFrame.h"
 #include "Frame/AirlightFramePlan.h"
-#include "Frame/AirlightSubpixelMean.h"
 #include "Medium/AirlightMediaList.h"
 #include "Pass/AirlightContext.h"
 #include "Pass/AirlightMapperHooks.h"
 #include "Pass/AirlightPassMessages.h"
 #include "Pass/AirlightSceneStages.h"
+#include "Pass/AirlightSubpixelFrames.h"
 
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
@@ -67,6 +68,9 @@ public:
   // Frees all OpenGL objects, in whichever window they are.
   void Release() { this->Context->SetContext(nullptr); }
 
+  // The factor of the last picture's radiance.
+  double GetEffectiveExposure() const { return this->EffectiveExposure; }
+
   Frame& GetFrame() { return this->CurrentFrame; }
   MapperHooks& GetMappers() { return this->Mappers; }
   SceneStages& GetStages() { return this->Stages; }
@@ -76,8 +80,8 @@ private:
 
   static std::array<size_t, 3> RecordsKey(const Scene& scene);
   bool RenderMean(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
-  bool RenderSubpixelFrame(
-    const vtkRenderState* s, const Settings& settings, const Viewport& viewport, int number);
+  bool MeasureExposure(vtkOpenGLRenderWindow* window, vtkTextureObject* radiances,
+    const glm::ivec4& picture, DisplayStage& display);
   bool RenderFrame(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderPlan(const vtkRenderState* s, const Settings& settings, const Viewport& viewport,
     const FrameLimits& limits, Scene& scene);
@@ -90,7 +94,9 @@ private:
 
   CasterCache Casters;
   Frame CurrentFrame;
-  SubpixelMean Mean;
+  SubpixelFrames Mean;
+  ExposureMeter Exposure;
+  double EffectiveExposure = 1.0;
   PassMessages Messages;
   MapperHooks Mappers;
   SceneStages Stages;

@@ -12,4 +12,5 @@ airlight_sources(
     AirlightScenePass
     AirlightSceneStages
     AirlightSceneSupport
-    AirlightStagePasses)
+    AirlightStagePasses
+    AirlightSubpixelFrames)

@@ -195,15 +195,30 @@ class TestPictures(ProgramTest):
     def test_formats_agree(self):
         linear = self.render(self.SCENE, "a.pfm")
         self.assertEqual(linear.shape, (120, 160, 3))
-        picture = self.render(self.SCENE, "a.png")
-        self.assertLessEqual(np.abs(picture - linear.clip(0, 1)).max(), 1 / 255)
+        plain = ("--antialiasing", "1", "--tone-mapping", "clamp", "--color-space", "linear")
+        picture = self.render(self.SCENE, "a.png", *plain, "--exposure", "1")
+        self.assertLessEqual(np.abs(picture - linear.clip(0, 1)).max(), 1.0001 / 255)
         np.testing.assert_array_equal(
             self.render(self.SCENE, "b.pfm", "--exposure", "4"), linear * 4)
-        exposed = self.render(self.SCENE, "b.png", "--exposure", "4")
-        self.assertLessEqual(np.abs(exposed - (linear * 4).clip(0, 1)).max(), 0.5001 / 255)
+        exposed = self.render(self.SCENE, "b.png", *plain, "--exposure", "4")
+        self.assertLessEqual(np.abs(exposed - (linear * 4).clip(0, 1)).max(), 1.0001 / 255)
         self.succeed("render", self.SCENE, "-o", self.path("a.tiff"))
         with open(self.path("a.tiff"), "rb") as file:
             self.assertIn(linear.astype("<f4").tobytes(), file.read())
+
+    def test_display(self):
+        """A picture is the radiance as screens show it: middle grey, sRGB, smooth edges."""
+        linear = self.render(self.SCENE, "a.pfm", "--antialiasing", "16")
+        picture = self.render(self.SCENE, "a.png")
+        fixed = self.render(self.SCENE, "b.png", "--exposure", "0.5", "--tone-mapping", "clamp")
+        decoded = np.where(fixed <= 0.04045, fixed / 12.92, ((fixed + 0.055) / 1.055) ** 2.4)
+        # A step of 255 is at most 2.4/1.055 steps of radiance.
+        error = np.abs(decoded - (0.5 * linear).clip(0, 1))
+        self.assertLessEqual(error.max(), 2.3 / 255)
+        self.assertLess((picture == 1).mean(), 0.01)
+        luminance = np.sort((picture @ [0.2126, 0.7152, 0.0722]).ravel())
+        middle = luminance[int(0.4 * luminance.size):int(0.95 * luminance.size)].mean()
+        self.assertAlmostEqual(middle, 0.46, delta=0.05)  # sRGB of 0.18
 
     def test_antialiasing(self):
         """Frames moved by parts of a pixel: as a picture of four times the size, at its edges."""
@@ -269,7 +284,8 @@ class TestPictures(ProgramTest):
             self.assertEqual(code, 0, errors)
         frames = [read_png(self.path(f"--frames{i:02d}.png")) for i in range(3)]
         np.testing.assert_array_equal(frames[1], read_png(self.path("--frame01.png")))
-        still = self.render(self.SCENE, "still.png", "--size", "80x60")
+        still = self.render(self.SCENE, "still.png", "--size", "80x60", "--exposure", "1",
+                            "--antialiasing", "1")
         self.assertLessEqual(np.abs(frames[0] - still).max(), 1 / 255)
         self.assertGreater(np.abs(frames[1] - frames[0]).max(), 0.05)
         self.assertGreater(np.abs(frames[2] - frames[1]).max(), 0.05)

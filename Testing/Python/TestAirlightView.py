@@ -21,7 +21,10 @@ CAMERA = {"position": [0.2, 0.1, 5.0], "focal_point": [0.0, 0.0, 0.0], "view_up"
 LAMP = np.array((1.0, 1.0, 2.0))
 POWER = np.array((8.0, 9.0, 10.0))
 ALBEDO = np.array((0.9, 0.7, 0.5))
-HALF = 0.51 / 255  # rounding to 8 bits, and single precision
+STEP = 1.01 / 255  # dithering and rounding to 8 bits, and single precision
+
+# The window shows radiance.
+LINEAR = ("--exposure", "1", "--tone-mapping", "clamp", "--color-space", "linear")
 
 # A square before the wall, which takes the lamp's light from a part of it.
 BLOCKER = WALL.replace("-50 -50 0\n50 -50 0\n50 50 0\n-50 50 0",
@@ -74,7 +77,8 @@ class TestView(ProgramTest):
         """What the viewer prints for each screenshot, and the pictures."""
         lines = ["# StreamVersion 1.1", *sum(events, []), *press("q")]
         log = self.write("log.txt", "\n".join(lines))
-        output = self.succeed("view", scene, "--play", log, "--screenshots",
+        shown = () if "--no-medium" in options else LINEAR
+        output = self.succeed("view", scene, *shown, "--play", log, "--screenshots",
                               self.path("shot-%02d.png"), *options)
         found = re.findall(r"^(.*\.png): (.*)$", output, re.MULTILINE)
         return [text for _, text in found], [read_png(file) for file, _ in found]
@@ -88,7 +92,7 @@ class TestView(ProgramTest):
         for extinction, picture, text in zip(extinctions, pictures, texts, strict=True):
             expected = lit_wall(extinction)
             self.assertTrue(0.15 < expected.max() < 0.99)
-            self.assertLess(np.abs(picture - expected).max(), HALF)
+            self.assertLess(np.abs(picture - expected).max(), STEP)
             self.assertAlmostEqual(float(re.search(r"visibility ([\d.]+)", text)[1]),
                                    3.912 / extinction, delta=1e-3 * 3.912 / extinction)
         self.assertLess(pictures[1].mean(), 0.8 * pictures[0].mean())
@@ -117,7 +121,7 @@ class TestView(ProgramTest):
             terms = sigma / (4 * np.pi) * np.exp(-sigma * (r + t)) / r**2 * weight
             expected.append((terms.sum(axis=-1)[..., None] * power).clip(0, 1))
         for picture, value in zip(pictures, expected, strict=True):
-            self.assertLess(np.abs(picture[::9, ::9] - value).max(), HALF + 1e-3)
+            self.assertLess(np.abs(picture[::9, ::9] - value).max(), STEP + 1e-3)
         self.assertGreater(pictures[1].mean(), 1.1 * pictures[0].mean())
 
     def test_techniques(self):
@@ -138,16 +142,17 @@ class TestView(ProgramTest):
         wall = lit_wall(0.05)
         hidden, shaded = crosses(eye, 0.02), crosses(LAMP, 0.02)
         for index in (2, 4):  # no shadows
-            self.assertLess(np.abs(pictures[index] - wall)[~hidden].max(), HALF)
+            self.assertLess(np.abs(pictures[index] - wall)[~hidden].max(), STEP)
         dark = crosses(LAMP, -0.02) & ~hidden & (wall.min(axis=-1) > 0.05)
         self.assertGreater(dark.sum(), 500)
         for index in (0, 1, 3):
             self.assertEqual(pictures[index][dark].max(), 0)
-            self.assertLess(np.abs(pictures[index] - wall)[~hidden & ~shaded].max(), HALF)
+            self.assertLess(np.abs(pictures[index] - wall)[~hidden & ~shaded].max(), STEP)
         # A screenshot is what `airlight render` draws.
         for index, name in ((0, "ShadowPlanes"), (1, "ShadowMap")):
             np.testing.assert_array_equal(
-                pictures[index], self.render(scene, "x.png", "--technique", name))
+                pictures[index], self.render(scene, "x.png", "--technique", name, *LINEAR,
+                                             "--antialiasing", "1"))
 
     def test_lamp(self):
         """Keys and mouse move the lamp, by shares of the picture's height at its distance."""
@@ -172,7 +177,7 @@ class TestView(ProgramTest):
         for place, text, picture in zip(places, texts, pictures, strict=True):
             shown = re.search(r"lamp 1 of 1 at ([^;]*);", text)[1].split(",")
             np.testing.assert_allclose(np.array(shown, float), place, atol=1e-5)
-            self.assertLess(np.abs(picture - lit_wall(0.05, place)).max(), HALF)
+            self.assertLess(np.abs(picture - lit_wall(0.05, place)).max(), STEP)
         self.assertGreater(np.abs(pictures[0] - pictures[1]).max(), 0.05)
 
     def test_sun(self):
@@ -195,7 +200,7 @@ class TestView(ProgramTest):
                          [("1", "from"), ("2", "at")])
         np.testing.assert_allclose(np.array(shown[0][2].split(","), float), turned, atol=1e-5)
         for picture in pictures:
-            self.assertLess(np.abs(picture - 2 / np.pi * turned[2] * ALBEDO).max(), HALF)
+            self.assertLess(np.abs(picture - 2 / np.pi * turned[2] * ALBEDO).max(), STEP)
 
     def test_views(self):
         """Airlight alone, and boundaries only where the blocker's shadow is; drag and r."""
@@ -207,13 +212,13 @@ class TestView(ProgramTest):
         self.assertEqual(names[:4], ["airlight only", "boundary count", "outlines of shadows",
                                      "picture"])
         airlight = self.render(scene, "a.pfm", "--buffer", "Airlight").clip(0, 1)
-        self.assertLess(np.abs(pictures[0] - airlight).max(), HALF)
+        self.assertLess(np.abs(pictures[0] - airlight).max(), STEP)
         count = self.render(scene, "n.pfm", "--buffer", "BoundaryCount")[..., 0]
         self.assertTrue(200 < (count > 0).sum() < 0.5 * count.size)
         np.testing.assert_array_equal(pictures[1].max(axis=-1) > 0, count > 0)
         red = (pictures[2][..., 0] > 0.5) & (pictures[2][..., 2] < 0.2)
         self.assertGreater(red.sum(), 20)  # the outlines where the view enters the shadow
-        picture = self.render(scene, "x.png")
+        picture = self.render(scene, "x.png", *LINEAR, "--antialiasing", "1")
         np.testing.assert_array_equal(pictures[3], picture)
         self.assertGreater(np.abs(pictures[4] - picture).mean(), 0.01)  # turned
         np.testing.assert_array_equal(pictures[5], picture)
@@ -255,7 +260,7 @@ class TestView(ProgramTest):
         self.press_for_real(scene)
         with open(self.path("record.txt"), encoding="ascii") as file:
             log = self.write("again.txt", file.read() + "\n".join(press("q")))
-        output = self.succeed("view", scene, "--play", log, "--screenshots",
+        output = self.succeed("view", scene, *LINEAR, "--play", log, "--screenshots",
                               self.path("played-%d.png"))
         self.assertIn("played-0.png", output)
         for name in ("shot-01", "real-0", "played-0"):
@@ -265,7 +270,7 @@ class TestView(ProgramTest):
     def press_for_real(self, scene):
         """The keys i, Left, s, q as the X server sends them to the window."""
         viewer = subprocess.Popen(
-            [PROGRAM, "view", scene, "--record", self.path("record.txt"), "--screenshots",
+            [PROGRAM, "view", scene, *LINEAR, "--record", self.path("record.txt"), "--screenshots",
              self.path("real-%d.png")], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         try:
             keyboard = Keyboard("Airlight", 60)

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
 
-#include "commands/OptionText.h"
+#include "commands/DisplayOptions.h"
 #include "commands/SceneOptions.h"
 #include "formats/Picture.h"
 #include "formats/UserError.h"
 #include "scene/ReferencePicture.h"
 
-#include <limits>
 #include <memory>
 
 namespace airlight
@@ -19,20 +18,23 @@ namespace
 struct RenderOptions
 {
   SceneOptions Scene;
+  DisplayOptions Display;
   PictureSettings Picture;
   std::string Output;
-  std::string Exposure;
   bool Reference = false;
-  int Antialiasing = 1;
+  int Antialiasing = 0;
 };
+
+// Numbers are those of the pixels' middles, pictures are smooth.
+constexpr int PictureFrames = 16;
 
 void Render(const RenderOptions& options)
 {
   PictureSettings picture = options.Picture;
-  if (!options.Exposure.empty())
+  const bool buffers = NeedsBuffers(picture, options.Output);
+  if (buffers || options.Reference)
   {
-    picture.Exposure =
-      ParseNumber("--exposure", options.Exposure, 0.0, std::numeric_limits<double>::max());
+    picture.Exposure = options.Display.GetFactor();
   }
   if (options.Reference)
   {
@@ -40,11 +42,21 @@ void Render(const RenderOptions& options)
     return;
   }
   RenderSettings settings = options.Scene.GetSettings();
-  settings.RecordBuffers = NeedsBuffers(picture, options.Output);
-  settings.SubpixelFrames = options.Antialiasing;
-  if (settings.RecordBuffers && !settings.UseMedium)
+  settings.RecordBuffers = buffers;
+  settings.SubpixelFrames = options.Antialiasing > 0 ? options.Antialiasing
+    : buffers                                        ? 1
+                                                     : PictureFrames;
+  if (buffers)
   {
-    throw UserError("--no-medium has no linear buffers: write a .png, without --exposure");
+    settings.Display.OutputColorSpace = vtkAirlightPass::LINEAR;
+  }
+  else
+  {
+    settings.Display = options.Display.GetSettings();
+  }
+  if (buffers && !settings.UseMedium)
+  {
+    throw UserError("--no-medium has no linear buffers: write a .png");
   }
   RenderedScene scene = BuildScene(options.Scene.Load(), settings);
   RenderToFile(scene, picture, options.Output);
@@ -59,28 +71,33 @@ void AddRenderCommand(CLI::App& program)
   options->Scene.AddTo(command);
   command
     ->add_option("-o,--output", options->Output,
-      "Picture to write: .png holds 8 bits per channel, clamped to 0..1, without gamma; .pfm "
-      "(bottom row first) and .tiff hold linear floats")
+      "Picture to write: .png holds 8 bits per channel, as screens show them; .pfm (bottom row "
+      "first) and .tiff hold linear floats, as buffers and --reference do, which a .png clamps to "
+      "0..1")
     ->required();
   CLI::Option* buffer =
     command
       ->add_option("--buffer", options->Picture.Buffer,
         "One of the pass's buffers in place of the picture; a .png clamps it to 0..1")
       ->check(CLI::IsMember(GetBufferNames()));
-  command->add_option(
-    "--exposure", options->Exposure, "Multiply the linear values by this before they are written");
+  options->Display.AddTo(command);
   CLI::Option* antialiasing =
     command
       ->add_option("--antialiasing", options->Antialiasing,
         "Mean of so many frames, moved by parts of a pixel: smooth edges of surfaces and shadows; "
-        "16 are good, 64 very good")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->get_option("--no-medium")->excludes(buffer)->excludes(antialiasing);
+        "16 are good, 64 very good (default 16; linear floats and buffers 1)")
+      ->check(CLI::Range(1, 1024));
+  CLI::Option* noMedium = command->get_option("--no-medium");
+  noMedium->excludes(buffer)->excludes(antialiasing);
   CLI::Option* reference = command->add_flag("--reference", options->Reference,
     "Compute the picture on the CPU in double precision, without a display; slower, and without "
     "--ies and --glow");
-  for (const char* name : { "--no-medium", "--technique", "--steps", "--glow", "--antialiasing" })
+  for (const std::string& name : DisplayOptions::GetNames())
+  {
+    noMedium->excludes(command->get_option(name));
+  }
+  for (const char* name : { "--no-medium", "--technique", "--steps", "--glow", "--antialiasing",
+         "--tone-mapping", "--color-space" })
   {
     reference->excludes(command->get_option(name));
   }

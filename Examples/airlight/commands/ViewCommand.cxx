@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
 
+#include "commands/DisplayOptions.h"
 #include "commands/SceneOptions.h"
 #include "viewer/Viewer.h"
 
@@ -15,6 +16,7 @@ namespace
 struct ViewOptions
 {
   SceneOptions Scene;
+  DisplayOptions Display;
   ViewerSettings Viewer;
 };
 
@@ -22,6 +24,7 @@ void View(const ViewOptions& options)
 {
   RenderSettings settings = options.Scene.GetSettings();
   settings.OffScreen = false;
+  settings.Display = options.Display.GetSettings();
   Viewer viewer(options.Scene.Load(), settings, options.Viewer);
   viewer.Run();
 }
@@ -33,6 +36,11 @@ void AddViewCommand(CLI::App& program)
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command = program.add_subcommand("view", "Show a scene or a model in a window");
   options->Scene.AddTo(command);
+  options->Display.AddTo(command);
+  for (const std::string& name : DisplayOptions::GetNames())
+  {
+    command->get_option("--no-medium")->excludes(command->get_option(name));
+  }
   ViewerSettings& viewer = options->Viewer;
   command
     ->add_option("--screenshots", viewer.Screenshots,

@@ -58,8 +58,7 @@ const std::vector<std::string>& GetBufferNames()
 //------------------------------------------------------------------------------
 bool NeedsBuffers(const PictureSettings& settings, const std::string& fileName)
 {
-  return !settings.Buffer.empty() || settings.Exposure != 1.0 ||
-    CheckImageFile(fileName) != ImageFormat::Png;
+  return CheckImageFile(fileName) != ImageFormat::Png || !settings.Buffer.empty();
 }
 
 //------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ namespace airlight
 struct PictureSettings
 {
   std::string Buffer;    ///< one of GetBufferNames(); empty: the picture
-  double Exposure = 1.0; ///< linear values are multiplied by it
+  double Exposure = 1.0; ///< buffers are multiplied by it
 };
 
 /**

@@ -117,6 +117,10 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
     built.Pass->SetNumberOfSteps(settings.Steps);
     built.Pass->SetSubpixelFrames(settings.SubpixelFrames);
     built.Pass->SetRecordBuffers(settings.RecordBuffers);
+    built.Pass->SetExposure(settings.Display.Exposure);
+    built.Pass->SetAutomaticExposure(settings.Display.AutomaticExposure);
+    built.Pass->SetToneMapping(settings.Display.ToneMapping);
+    built.Pass->SetOutputColorSpace(settings.Display.OutputColorSpace);
     built.Pass->SetScatteredSurfaceLight(scene.ScatteredSurfaceLight);
     for (std::size_t i = 0; i < scene.Lights.size(); ++i)
     {

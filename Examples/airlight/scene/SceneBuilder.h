@@ -16,6 +16,17 @@
 namespace airlight
 {
 
+/**
+ * Properties of vtkAirlightPass of the same names: how radiance is shown on a screen.
+ */
+struct DisplaySettings
+{
+  double Exposure = 1.0;
+  bool AutomaticExposure = false;
+  int ToneMapping = vtkAirlightPass::NEUTRAL_PBR;
+  int OutputColorSpace = vtkAirlightPass::SRGB;
+};
+
 struct RenderSettings
 {
   bool OffScreen = true;
@@ -24,6 +35,7 @@ struct RenderSettings
   int ShadowTechnique = vtkAirlightPass::AUTOMATIC;
   int Steps = 64;         ///< vtkAirlightPass::SetNumberOfSteps()
   int SubpixelFrames = 1; ///< vtkAirlightPass::SetSubpixelFrames()
+  DisplaySettings Display;
 };
 
 /**

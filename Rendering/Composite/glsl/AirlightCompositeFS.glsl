@@ -69,9 +69,7 @@ void main()
 #if AIRLIGHT_DEBUG_VIEW == 1
   radiance = vec4(added, 1.0);
 #endif
-#if AIRLIGHT_ENCODED_OUTPUT
-  radiance = airlightEncode(radiance, blended != 0);
-#endif
+  radiance = airlightDisplay(radiance, blended != 0);
 #if AIRLIGHT_DEBUG_VIEW == 2
   // Black, red, yellow, white: 0, 5, 39, 255 and more boundaries.
   float heat = 3.0 * log2(1.0 + texelFetch(counts, pixel, 0).r) / 8.0;

@@ -4,7 +4,6 @@ uniform sampler2D radiances;
 uniform sampler2D sceneDepth;
 uniform sampler2D scene;
 uniform ivec2 airlightViewport;
-uniform int encodedOutput; // 1: the picture is encoded for display
 uniform int blended; // over what the framebuffer holds
 
 layout(location = 0) out vec4 radiance;
@@ -15,9 +14,6 @@ void main()
   radiance = texelFetch(radiances, pixel, 0);
   // What blends over opaque surfaces leaves them opaque, which VTK's passes do not keep to.
   radiance.a = texelFetch(scene, pixel, 0).a >= 1.0 ? 1.0 : radiance.a;
-  if (encodedOutput != 0)
-  {
-    radiance = airlightEncode(radiance, blended != 0);
-  }
+  radiance = airlightDisplay(radiance, blended != 0);
   gl_FragDepth = texelFetch(sceneDepth, pixel, 0).r;
 }

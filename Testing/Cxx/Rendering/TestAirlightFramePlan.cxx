@@ -217,13 +217,16 @@ void TestOutputs()
   Case scene;
   FramePlan plan = scene.Make();
   Check(!plan.Record && !plan.KeepBuffers && !plan.Translucent, "nothing is recorded");
-  Check(!plan.EncodedInput && !plan.EncodedOutput, "linear colours stay linear");
-  scene.Properties.EncodedOutput = true;
-  Check(!scene.Make().EncodedInput && scene.Make().EncodedOutput, "or are encoded");
-  scene.Properties.LinearInput = false;
-  scene.Properties.EncodedOutput = false;
+  using airlight::ColorSpace;
   Check(
-    scene.Make().EncodedInput && scene.Make().EncodedOutput, "encoded colours are encoded again");
+    !plan.EncodedInput && plan.Display.Space == ColorSpace::Linear, "linear colours stay linear");
+  scene.Properties.Display.Space = ColorSpace::SRGB;
+  Check(
+    !scene.Make().EncodedInput && scene.Make().Display.Space == ColorSpace::SRGB, "or are encoded");
+  scene.Properties.Display.Space = ColorSpace::Linear;
+  scene.Properties.LinearInput = false;
+  Check(scene.Make().EncodedInput && scene.Make().Display.Space == ColorSpace::Gamma22,
+    "encoded colours are encoded again");
   scene.Properties.View = DebugView::BoundaryCount;
   scene.Scene.DrawsOverMedium = true;
   plan = scene.Make();

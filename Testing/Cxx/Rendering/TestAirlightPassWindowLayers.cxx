@@ -64,6 +64,7 @@ vtkSmartPointer<vtkRenderer> AddLayer(vtkRenderWindow* window, vtkCamera* camera
 void TestLayerAbove()
 {
   WindowScene scene;
+  scene.Pass->DitheringOff();
   const Picture fog = Capture(scene.Window);
   const auto above = AddLayer(scene.Window, scene.Renderer->GetActiveCamera(), 1);
   above->AddActor(MakeSign());
@@ -113,6 +114,7 @@ void TestLayerOver(bool sameLayer, void (*makeMedium)(Scene&), const std::string
   const std::string what =
     (sameLayer ? "colours preserved, " : "pass in the layer above, ") + medium;
   WindowScene scene;
+  scene.Pass->DitheringOff();
   makeMedium(scene);
   scene.Window->RemoveRenderer(scene.Renderer);
   const auto below = AddLayer(scene.Window, scene.Renderer->GetActiveCamera(), 0);
@@ -168,6 +170,7 @@ void TestTexturedBackground()
   vtkNew<vtkTexture> texture;
   texture->SetInputData(image);
   WindowScene scene;
+  scene.Pass->DitheringOff();
   MakeGrey(scene);
   scene.Renderer->SetBackgroundTexture(texture);
   scene.Renderer->TexturedBackgroundOn();
@@ -220,6 +223,7 @@ void TestTexturedBackground()
 void TestOpacity(void (*makeMedium)(Scene&), const std::string& medium)
 {
   WindowScene scene;
+  scene.Pass->DitheringOff();
   makeMedium(scene);
   scene.Window->SetAlphaBitPlanes(1);
   scene.Window->Render();

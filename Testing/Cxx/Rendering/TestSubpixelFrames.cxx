@@ -143,6 +143,7 @@ void TestBuffers()
   Scene scene(Width, Height);
   scene.AddPointLight({ 1, 3, 2 });
   scene.Add(MakeSphere(1.0));
+  scene.Pass->DitheringOff();
   const Buffers one = scene.Render();
   scene.Pass->SetSubpixelFrames(5);
   const Buffers mean = scene.Render();

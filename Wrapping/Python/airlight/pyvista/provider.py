@@ -33,7 +33,7 @@ REFUSED = {
 PROPERTIES = (
     "ShadowTechnique", "ShadowMapResolution", "MaximumBoundariesPerPixel", "NumberOfSteps",
     "SurfaceShadows", "TranslucentShadows", "ScatteredSurfaceLight", "LinearInput",
-    "EncodedOutput", "Annotations", "DebugView", "LightRadius", "MemoryLimit", "RecordBuffers",
+    "Exposure", "AutomaticExposure", "ToneMapping", "OutputColorSpace", "Dithering", "Annotations", "DebugView", "LightRadius", "MemoryLimit", "RecordBuffers",
     "SubpixelFrames",
 )
 

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/DisplayOptions.h"
+
+#include "commands/OptionText.h"
+#include "formats/UserError.h"
+
+#include <limits>
+#include <map>
+
+namespace airlight
+{
+
+namespace
+{
+const char* const Automatic = "auto";
+
+const std::map<std::string, int> Curves = { { "clamp", vtkAirlightPass::CLAMP },
+  { "reinhard", vtkAirlightPass::REINHARD }, { "exponential", vtkAirlightPass::EXPONENTIAL },
+  { "filmic", vtkAirlightPass::GENERIC_FILMIC }, { "neutral", vtkAirlightPass::NEUTRAL_PBR } };
+
+const std::map<std::string, int> ColorSpaces = { { "srgb", vtkAirlightPass::SRGB },
+  { "linear", vtkAirlightPass::LINEAR } };
+
+double ParseExposure(const std::string& text)
+{
+  const double exposure =
+    ParseNumber("--exposure", text, 0.0, static_cast<double>(std::numeric_limits<float>::max()));
+  if (!(exposure > 0.0))
+  {
+    throw UserError("--exposure '" + text + "': a factor above 0, or " + Automatic);
+  }
+  return exposure;
+}
+}
+
+//------------------------------------------------------------------------------
+void DisplayOptions::AddTo(CLI::App* command)
+{
+  command->add_option("--exposure", this->Exposure,
+    "Factor of the radiance; auto shows the picture's middle luminance as middle grey (default "
+    "auto; "
+    "of linear floats 1)");
+  command
+    ->add_option("--tone-mapping", this->ToneMapping,
+      "How radiances above 1 become colours: clamp, reinhard, exponential, filmic, or neutral, "
+      "which keeps those below 0.8")
+    ->check(CLI::IsMember(&Curves))
+    ->capture_default_str();
+  command
+    ->add_option("--color-space", this->ColorSpace,
+      "Numbers of the picture: srgb, which screens expect, or linear")
+    ->check(CLI::IsMember(&ColorSpaces))
+    ->capture_default_str();
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::string>& DisplayOptions::GetNames()
+{
+  static const std::vector<std::string> names = { "--exposure", "--tone-mapping", "--color-space" };
+  return names;
+}
+
+//------------------------------------------------------------------------------
+DisplaySettings DisplayOptions::GetSettings() const
+{
+  DisplaySettings settings;
+  settings.AutomaticExposure = this->Exposure.empty() || this->Exposure == Automatic;
+  settings.Exposure = settings.AutomaticExposure ? 1.0 : this->GetFactor();
+  settings.ToneMapping = Curves.at(this->ToneMapping);
+  settings.OutputColorSpace = ColorSpaces.at(this->ColorSpace);
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+double DisplayOptions::GetFactor() const
+{
+  if (this->Exposure == Automatic)
+  {
+    throw UserError("--exposure auto is for pictures: linear values take a number");
+  }
+  return this->Exposure.empty() ? 1.0 : ParseExposure(this->Exposure);
+}
+
+}

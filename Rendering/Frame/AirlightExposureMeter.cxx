@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/AirlightExposureMeter.h"
+
+#include "AirlightLuminanceFS.h"
+#include "OpenGL/AirlightOpenGL.h"
+
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace airlight
+{
+namespace
+{
+constexpr int Blocks = 64; // along each side of the picture
+constexpr double MiddleGrey = 0.18;
+constexpr double Darkest = 0.4; // the share of the pixels that are too dark to count
+constexpr double Brightest = 0.05;
+constexpr double AdaptationTime = 0.3;        // s
+constexpr double InteractiveUpdateRate = 1.0; // that a window asks for while it is moved
+}
+
+//------------------------------------------------------------------------------
+double ChooseExposure(std::vector<LuminanceBlock> blocks)
+{
+  std::sort(blocks.begin(), blocks.end(),
+    [](const LuminanceBlock& a, const LuminanceBlock& b) { return a.Logarithm < b.Logarithm; });
+  double total = 0.0;
+  for (const LuminanceBlock& block : blocks)
+  {
+    total += block.Count;
+  }
+  if (!(total > 0.0))
+  {
+    return 0.0;
+  }
+  double sum = 0.0;
+  double weight = 0.0;
+  double before = 0.0;
+  for (const LuminanceBlock& block : blocks)
+  {
+    // The part of this block between the two limits.
+    const double first = std::max(before, Darkest * total);
+    const double last = std::min(before + block.Count, (1.0 - Brightest) * total);
+    const double share = std::max(last - first, 0.0);
+    sum += share * block.Logarithm;
+    weight += share;
+    before += block.Count;
+  }
+  return MiddleGrey / std::exp2(sum / weight);
+}
+
+//------------------------------------------------------------------------------
+bool ExposureMeter::Measure(
+  vtkOpenGLRenderWindow* window, vtkTextureObject* radiances, const glm::ivec4& picture)
+{
+  vtkShaderProgram* program =
+    this->LuminanceQuad.GetOrCompile(window, std::string("#version 330\n") + AirlightLuminanceFS);
+  if (!program)
+  {
+    this->Error = std::string("the shader that measures luminance") + ProgramMaker::GetReason();
+    return false;
+  }
+  if (!this->Textures.Prepare(window, Blocks, Blocks, {}) ||
+    !this->Textures.Bind({ this->Textures.Scattered }, nullptr))
+  {
+    this->Error = this->Textures.GetError();
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  program->SetUniform2i("corner", &picture.x);
+  program->SetUniform2i("size", &picture.z);
+  const int block[2] = { (picture.z + Blocks - 1) / Blocks, (picture.w + Blocks - 1) / Blocks };
+  program->SetUniform2i("blockSize", block);
+  this->LuminanceQuad.Draw({ { "radiances", radiances } });
+  const vtkSmartPointer<vtkImageData> image = this->Textures.Read(0, 0, 2);
+  const auto* values = static_cast<const float*>(image->GetScalarPointer());
+  std::vector<LuminanceBlock> blocks(static_cast<size_t>(Blocks) * Blocks);
+  for (size_t i = 0; i < blocks.size(); ++i)
+  {
+    blocks[i] = { values[2 * i], values[2 * i + 1] };
+  }
+  this->Follow(window, ChooseExposure(blocks));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void ExposureMeter::Follow(vtkOpenGLRenderWindow* window, double measured)
+{
+  const double now = vtkTimerLog::GetUniversalTime();
+  const double passed = std::max(now - this->Time, 0.0);
+  this->Time = now;
+  if (!(measured > 0.0))
+  {
+    return;
+  }
+  const bool moving = window->GetDesiredUpdateRate() >= InteractiveUpdateRate;
+  const double share = moving ? 1.0 - std::exp(-passed / AdaptationTime) : 1.0;
+  this->Exposure *= std::pow(measured / this->Exposure, share);
+}
+
+//------------------------------------------------------------------------------
+void ExposureMeter::Release(vtkWindow* window)
+{
+  this->LuminanceQuad.Release();
+  this->Textures.Release(window);
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A picture of several frames: each of a camera that is moved by a part of a pixel.
+ */
+
+#ifndef AirlightSubpixelFrames_h
+#define AirlightSubpixelFrames_h
+
+#include "Frame/AirlightFramePlan.h"
+#include "Frame/AirlightFrameRecorder.h"
+#include "Frame/AirlightSubpixelMean.h"
+
+#include <functional>
+#include <string>
+
+class vtkRenderer;
+
+namespace airlight
+{
+class SubpixelFrames
+{
+public:
+  // Whether a renderer's picture may be the mean of several.
+  static bool MayAverage(vtkRenderer* renderer, DebugView view);
+
+  // Renders the mean of so many frames, and of their recorded buffers. `renderFrame` renders one
+  // into the framebuffer that is bound, at the picture's corner. False if it is, or with a reason
+  // in GetError().
+  bool Render(vtkRenderer* renderer, const glm::ivec4& picture, int count, FrameRecorder& buffers,
+    const std::function<bool()>& renderFrame);
+
+  vtkTextureObject* GetRadiance() { return this->Mean.GetRadiance(); }
+
+  // As SubpixelMean's.
+  bool DrawIntoViewport(const glm::ivec4& picture, const DisplayStage& display, bool blend);
+
+  const std::string& GetError() const { return this->Mean.GetError(); }
+  void Release(vtkWindow* window) { this->Mean.Release(window); }
+
+private:
+  SubpixelMean Mean;
+};
+}
+
+#endif
