@@ -61,9 +61,10 @@ PYTHONPATH=$package${PYTHONPATH:+:$PYTHONPATH} "$python" -m airlight > /dev/null
 
 step "Rendering Figure 1 into $output"
 cd "$output"
-"${run[@]}" render "$scene" --no-medium -o figure1-a.png
-"${run[@]}" render "$scene" --technique None -o figure1-b.png
-"${run[@]}" render "$scene" -o figure1-c.png
+shown=(--exposure 0.6) # the same, or they would not compare
+"${run[@]}" render "$scene" "${shown[@]}" --no-medium -o figure1-a.png
+"${run[@]}" render "$scene" "${shown[@]}" --technique None -o figure1-b.png
+"${run[@]}" render "$scene" "${shown[@]}" -o figure1-c.png
 "${run[@]}" montage figure1-a.png figure1-b.png figure1-c.png -o figure1.png
 echo "Done: $PWD/figure1.png"
 echo "In Python: PYTHONPATH=$package $python -m airlight"

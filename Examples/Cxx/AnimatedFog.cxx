@@ -148,6 +148,7 @@ void Run(const AnimationOptions& options)
   RenderSettings settings;
   settings.OffScreen = !options.Live;
   settings.RecordBuffers = !options.Live && NeedsBuffers(PictureSettings(), options.Output);
+  settings.SubpixelFrames = options.Live || settings.RecordBuffers ? 1 : PictureFrames;
   RenderedScene rendered = BuildScene(scene, settings);
   FogAnimation animation(scene, rendered, surface, options.Period);
   if (options.Live)

@@ -191,16 +191,17 @@ class TestPictures(ProgramTest):
     """Formats, exposure and plain lighting."""
 
     SCENE = scene_file("S3_ground_occluders")
+    PLAIN = ("--exposure", "1", "--antialiasing", "1", "--tone-mapping", "clamp", "--color-space",
+             "linear")
 
     def test_formats_agree(self):
         linear = self.render(self.SCENE, "a.pfm")
         self.assertEqual(linear.shape, (120, 160, 3))
-        plain = ("--antialiasing", "1", "--tone-mapping", "clamp", "--color-space", "linear")
-        picture = self.render(self.SCENE, "a.png", *plain, "--exposure", "1")
+        picture = self.render(self.SCENE, "a.png", *self.PLAIN)
         self.assertLessEqual(np.abs(picture - linear.clip(0, 1)).max(), 1.0001 / 255)
         np.testing.assert_array_equal(
             self.render(self.SCENE, "b.pfm", "--exposure", "4"), linear * 4)
-        exposed = self.render(self.SCENE, "b.png", *plain, "--exposure", "4")
+        exposed = self.render(self.SCENE, "b.png", *self.PLAIN[2:], "--exposure", "4")
         self.assertLessEqual(np.abs(exposed - (linear * 4).clip(0, 1)).max(), 1.0001 / 255)
         self.succeed("render", self.SCENE, "-o", self.path("a.tiff"))
         with open(self.path("a.tiff"), "rb") as file:
@@ -250,7 +251,7 @@ class TestPictures(ProgramTest):
 
     def test_plain_lighting(self):
         """Without medium and shadows the ground shows albedo/pi * I cos(theta)/r^2."""
-        picture = self.render(self.SCENE, "plain.png", "--no-medium")
+        picture = self.render(self.SCENE, "plain.png", "--no-medium", *self.PLAIN)
         mask = read_pfm(reference_file("S3_ground_occluders", "mask"))[..., 0] > 0.5
         depth = read_pfm(reference_file("S3_ground_occluders", "depth"))[..., 0]
         with open(self.SCENE) as file:
@@ -284,8 +285,7 @@ class TestPictures(ProgramTest):
             self.assertEqual(code, 0, errors)
         frames = [read_png(self.path(f"--frames{i:02d}.png")) for i in range(3)]
         np.testing.assert_array_equal(frames[1], read_png(self.path("--frame01.png")))
-        still = self.render(self.SCENE, "still.png", "--size", "80x60", "--exposure", "1",
-                            "--antialiasing", "1")
+        still = self.render(self.SCENE, "still.png", "--size", "80x60", "--exposure", "1")
         self.assertLessEqual(np.abs(frames[0] - still).max(), 1 / 255)
         self.assertGreater(np.abs(frames[1] - frames[0]).max(), 0.05)
         self.assertGreater(np.abs(frames[2] - frames[1]).max(), 0.05)

@@ -201,7 +201,8 @@ class TestBadScenes(ProgramTest):
                 (["--antialiasing", "0"], ["--antialiasing", "1024"]),
                 (["--antialiasing", "4", "--reference"], ["--antialiasing", "--reference"]),
                 (["--no-medium", "--visibility", "3"], ["--no-medium"]),
-                (["--no-medium", "--exposure", "3"], ["--no-medium"])):
+                (["--exposure", "0"], ["--exposure '0'", "auto"]),
+                (["--tone-mapping", "gamma"], ["--tone-mapping", "gamma"])):
             with self.subTest(options=options):
                 self.fail_with(words, "render", scene, *output, *options)
         self.fail_with(["x.jpg", "png, pfm, tiff"], "render", scene, "-o", "x.jpg")

@@ -77,8 +77,7 @@ class TestView(ProgramTest):
         """What the viewer prints for each screenshot, and the pictures."""
         lines = ["# StreamVersion 1.1", *sum(events, []), *press("q")]
         log = self.write("log.txt", "\n".join(lines))
-        shown = () if "--no-medium" in options else LINEAR
-        output = self.succeed("view", scene, *shown, "--play", log, "--screenshots",
+        output = self.succeed("view", scene, *LINEAR, "--play", log, "--screenshots",
                               self.path("shot-%02d.png"), *options)
         found = re.findall(r"^(.*\.png): (.*)$", output, re.MULTILINE)
         return [text for _, text in found], [read_png(file) for file, _ in found]

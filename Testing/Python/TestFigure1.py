@@ -16,6 +16,7 @@ from programtest import ANIMATED_FOG, SOURCE, ProgramTest, read_png
 FIGURE = os.path.join(SOURCE, "Examples", "Data", "figure1.json")
 BASELINE = os.path.join(SOURCE, "Testing", "Data", "Baseline")
 SIZE = ("--size", "640x360")
+SHOWN = ("--exposure", "0.6")
 
 
 class TestFigure1(ProgramTest):
@@ -26,15 +27,15 @@ class TestFigure1(ProgramTest):
         self.assertLessEqual((difference > 3 / 255).any(axis=-1).mean(), 1e-3)
 
     def test_classical(self):
-        picture = self.render(FIGURE, "a.png", "--no-medium", *SIZE)
+        picture = self.render(FIGURE, "a.png", "--no-medium", *SIZE, *SHOWN)
         self.compare(picture, "Figure1-a.png")
 
     def test_scattering(self):
-        picture = self.render(FIGURE, "b.png", "--technique", "None", *SIZE)
+        picture = self.render(FIGURE, "b.png", "--technique", "None", *SIZE, *SHOWN)
         self.compare(picture, "Figure1-b.png")
 
     def test_shadows(self):
-        picture = self.render(FIGURE, "c.png", *SIZE)
+        picture = self.render(FIGURE, "c.png", *SIZE, *SHOWN)
         self.compare(picture, "Figure1-c.png")
 
     def test_shadows_only_take_light_away(self):

@@ -55,13 +55,6 @@ void DisplayOptions::AddTo(CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-const std::vector<std::string>& DisplayOptions::GetNames()
-{
-  static const std::vector<std::string> names = { "--exposure", "--tone-mapping", "--color-space" };
-  return names;
-}
-
-//------------------------------------------------------------------------------
 DisplaySettings DisplayOptions::GetSettings() const
 {
   DisplaySettings settings;

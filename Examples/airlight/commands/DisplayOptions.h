@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
-#include <vector>
 
 namespace airlight
 {
@@ -35,11 +34,6 @@ public:
    * UserError.
    */
   double GetFactor() const;
-
-  /**
-   * The options' names, which need a picture.
-   */
-  static const std::vector<std::string>& GetNames();
 
 private:
   std::string Exposure;

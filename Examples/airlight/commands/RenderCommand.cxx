@@ -25,9 +25,6 @@ struct RenderOptions
   int Antialiasing = 0;
 };
 
-// Numbers are those of the pixels' middles, pictures are smooth.
-constexpr int PictureFrames = 16;
-
 void Render(const RenderOptions& options)
 {
   PictureSettings picture = options.Picture;
@@ -81,21 +78,15 @@ void AddRenderCommand(CLI::App& program)
         "One of the pass's buffers in place of the picture; a .png clamps it to 0..1")
       ->check(CLI::IsMember(GetBufferNames()));
   options->Display.AddTo(command);
-  CLI::Option* antialiasing =
-    command
-      ->add_option("--antialiasing", options->Antialiasing,
-        "Mean of so many frames, moved by parts of a pixel: smooth edges of surfaces and shadows; "
-        "16 are good, 64 very good (default 16; linear floats and buffers 1)")
-      ->check(CLI::Range(1, 1024));
-  CLI::Option* noMedium = command->get_option("--no-medium");
-  noMedium->excludes(buffer)->excludes(antialiasing);
+  command
+    ->add_option("--antialiasing", options->Antialiasing,
+      "Mean of so many frames, moved by parts of a pixel: smooth edges of surfaces and shadows; "
+      "16 are good, 64 very good (default 16; linear floats and buffers 1)")
+    ->check(CLI::Range(1, 1024));
+  command->get_option("--no-medium")->excludes(buffer);
   CLI::Option* reference = command->add_flag("--reference", options->Reference,
     "Compute the picture on the CPU in double precision, without a display; slower, and without "
     "--ies and --glow");
-  for (const std::string& name : DisplayOptions::GetNames())
-  {
-    noMedium->excludes(command->get_option(name));
-  }
   for (const char* name : { "--no-medium", "--technique", "--steps", "--glow", "--antialiasing",
          "--tone-mapping", "--color-space" })
   {

@@ -37,10 +37,6 @@ void AddViewCommand(CLI::App& program)
   CLI::App* command = program.add_subcommand("view", "Show a scene or a model in a window");
   options->Scene.AddTo(command);
   options->Display.AddTo(command);
-  for (const std::string& name : DisplayOptions::GetNames())
-  {
-    command->get_option("--no-medium")->excludes(command->get_option(name));
-  }
   ViewerSettings& viewer = options->Viewer;
   command
     ->add_option("--screenshots", viewer.Screenshots,

@@ -3,6 +3,7 @@
 #include "formats/ImportedFile.h"
 
 #include "formats/Files.h"
+#include "formats/ModelColours.h"
 #include "formats/PolyDataFile.h"
 #include "formats/UserError.h"
 #include "formats/VTKMessages.h"
@@ -86,11 +87,20 @@ const std::map<std::string, ImporterMaker>& GetImporterMakers()
 void MakeMatt(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
+  const bool linear = property->GetInterpolation() == VTK_PBR; // a glTF material
   if (property->GetInterpolation() == VTK_PBR)
   {
     property->SetInterpolationToPhong();
     actor->SetTexture(property->GetTexture("albedoTex"));
     property->RemoveAllTextures();
+  }
+  if (!linear)
+  {
+    property->SetDiffuseColor(DecodeSRGB(property->GetDiffuseColor()).data());
+  }
+  if (actor->GetTexture())
+  {
+    actor->GetTexture()->UseSRGBColorSpaceOn();
   }
   property->SetAmbient(0.0);
   property->SetDiffuse(1.0);

@@ -5,17 +5,15 @@
 #include "formats/ChildProcess.h"
 #include "formats/Files.h"
 #include "formats/ImportedFile.h"
+#include "formats/ModelColours.h"
 #include "formats/PolyDataFile.h"
 #include "formats/UserError.h"
 #include "scene/LambertActor.h"
 
 #include <vtkAppendPolyData.h>
-#include <vtkDataArray.h>
 #include <vtkMatrixToLinearTransform.h>
-#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkTransformPolyDataFilter.h>
-#include <vtkUnsignedCharArray.h>
 
 namespace airlight
 {
@@ -23,13 +21,6 @@ namespace airlight
 namespace
 {
 constexpr double DefaultAlbedo = 0.7;
-
-// Colours come as bytes; other arrays are measurements, which say nothing about reflection.
-bool HasColors(vtkPolyData* mesh)
-{
-  auto* colors = vtkUnsignedCharArray::SafeDownCast(mesh->GetPointData()->GetScalars());
-  return colors && colors->GetNumberOfComponents() >= 3;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -56,10 +47,10 @@ std::vector<Surface> ReadModel(const std::string& fileName)
     }
     return surfaces;
   }
-  vtkSmartPointer<vtkPolyData> mesh = ReadPolyDataFile(fileName);
+  const vtkSmartPointer<vtkPolyData> mesh = DecodeColours(ReadPolyDataFile(fileName));
   vtkSmartPointer<vtkActor> actor =
-    MakeLambertActor(mesh, { DefaultAlbedo, DefaultAlbedo, DefaultAlbedo });
-  actor->GetMapper()->SetScalarVisibility(HasColors(mesh));
+    MakeLambertActor(mesh, { DefaultAlbedo, DefaultAlbedo, DefaultAlbedo }, Shading::Smooth);
+  actor->GetMapper()->SetScalarVisibility(HasColours(mesh));
   surfaces.push_back({ fileName, actor });
   return surfaces;
 }

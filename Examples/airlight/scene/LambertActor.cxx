@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/LambertActor.h"
 
+#include <vtkCleanPolyData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
@@ -13,6 +14,8 @@ namespace airlight
 
 namespace
 {
+constexpr double SmoothAngle = 40.0; // degrees: sharper edges stay sharp
+
 // Polygons keep their order and their winding, which alone decides on the normal's side; the mapper
 // turns it to the viewer. Points are not split: shadows need the edges that polygons share.
 vtkSmartPointer<vtkPolyData> MakeFlat(vtkPolyData* mesh)
@@ -30,13 +33,32 @@ vtkSmartPointer<vtkPolyData> MakeFlat(vtkPolyData* mesh)
   normals->Update();
   return normals->GetOutput();
 }
+
+// Triangles of files that know no shared points (STL) share them here.
+vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh)
+{
+  if (mesh->GetPointData()->GetNormals())
+  {
+    return mesh;
+  }
+  vtkNew<vtkCleanPolyData> merged;
+  merged->SetInputData(mesh);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(merged->GetOutputPort());
+  normals->SetFeatureAngle(SmoothAngle);
+  normals->ConsistencyOff();
+  normals->AutoOrientNormalsOff();
+  normals->Update();
+  return normals->GetOutput();
+}
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkActor> MakeLambertActor(vtkPolyData* mesh, const Vector3& albedo)
+vtkSmartPointer<vtkActor> MakeLambertActor(
+  vtkPolyData* mesh, const Vector3& albedo, Shading shading)
 {
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(MakeFlat(mesh));
+  mapper->SetInputData(shading == Shading::Smooth ? MakeSmooth(mesh) : MakeFlat(mesh));
   mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);

@@ -12,12 +12,19 @@
 namespace airlight
 {
 
+enum class Shading
+{
+  Flat,  ///< the normals of polygons
+  Smooth ///< the mesh's own normals, or those of points but for sharp edges
+};
+
 /**
  * A mesh as an opaque, two-sided, perfectly matt surface of the given albedo: it sends the radiance
- * albedo/pi times its irradiance in all directions, with the flat normal of each polygon turned to
- * the viewer. No ambient light, no highlight.
+ * albedo/pi times its irradiance in all directions, with normals turned to the viewer. No ambient
+ * light, no highlight.
  */
-vtkSmartPointer<vtkActor> MakeLambertActor(vtkPolyData* mesh, const Vector3& albedo);
+vtkSmartPointer<vtkActor> MakeLambertActor(
+  vtkPolyData* mesh, const Vector3& albedo, Shading shading);
 
 }
 

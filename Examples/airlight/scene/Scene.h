@@ -57,6 +57,7 @@ struct LightSource
   Vector3 Power = { 1.0, 1.0, 1.0 };      ///< radiant intensity W/sr; directional: irradiance W/m^2
   double ConeHalfAngle = 30.0;            ///< spot, degrees
   double Exponent = 0.0;                  ///< spot: intensity times cos(angle to the axis)^exponent
+  bool Scatters = true;                   ///< vtkAirlightLight::SetScatters()
 
   /// Point and spot: a photometric file, empty for none. A point shines along Direction then, and
   /// Power is that of its brightest direction.

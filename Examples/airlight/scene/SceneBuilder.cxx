@@ -7,6 +7,7 @@
 #include "scene/Display.h"
 
 #include <vtkAirlight.h>
+#include <vtkAirlightLight.h>
 #include <vtkCamera.h>
 #include <vtkMath.h>
 
@@ -38,6 +39,10 @@ vtkSmartPointer<vtkLight> MakeLight(const LightSource& source)
   light->SetLightTypeToSceneLight();
   light->SetPosition(position.data());
   light->SetFocalPoint(target.data());
+  if (!source.Scatters)
+  {
+    vtkAirlightLight::SetScatters(light, false);
+  }
   return light;
 }
 
@@ -53,6 +58,15 @@ void AddPhotometry(vtkAirlightPass* pass, vtkLight* light, const LightSource& so
     const Vector3& up = source.PhotometryUp;
     pass->SetLightPhotometryUp(light, up[0], up[1], up[2]);
   }
+}
+
+void SetDisplay(vtkAirlightPass* pass, const RenderSettings& settings)
+{
+  pass->SetSubpixelFrames(settings.SubpixelFrames);
+  pass->SetExposure(settings.Display.Exposure);
+  pass->SetAutomaticExposure(settings.Display.AutomaticExposure);
+  pass->SetToneMapping(settings.Display.ToneMapping);
+  pass->SetOutputColorSpace(settings.Display.OutputColorSpace);
 }
 
 // The picture's camera, with a depth range that holds every surface. There may be none.
@@ -109,24 +123,25 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
 {
   CheckDisplay();
   RenderedScene built = MakeRenderer(scene);
+  auto pass = vtkSmartPointer<vtkAirlightPass>::New();
+  SetDisplay(pass, settings);
+  built.Renderer->SetPass(pass);
   if (settings.UseMedium)
   {
-    built.Pass = vtkSmartPointer<vtkAirlightPass>::New();
-    built.Pass->SetMedium(scene.Medium);
-    built.Pass->SetShadowTechnique(settings.ShadowTechnique);
-    built.Pass->SetNumberOfSteps(settings.Steps);
-    built.Pass->SetSubpixelFrames(settings.SubpixelFrames);
-    built.Pass->SetRecordBuffers(settings.RecordBuffers);
-    built.Pass->SetExposure(settings.Display.Exposure);
-    built.Pass->SetAutomaticExposure(settings.Display.AutomaticExposure);
-    built.Pass->SetToneMapping(settings.Display.ToneMapping);
-    built.Pass->SetOutputColorSpace(settings.Display.OutputColorSpace);
-    built.Pass->SetScatteredSurfaceLight(scene.ScatteredSurfaceLight);
+    built.Pass = pass;
+    pass->SetMedium(scene.Medium);
+    pass->SetShadowTechnique(settings.ShadowTechnique);
+    pass->SetNumberOfSteps(settings.Steps);
+    pass->SetRecordBuffers(settings.RecordBuffers);
+    pass->SetScatteredSurfaceLight(scene.ScatteredSurfaceLight);
     for (std::size_t i = 0; i < scene.Lights.size(); ++i)
     {
-      AddPhotometry(built.Pass, built.Lights[i], scene.Lights[i]);
+      AddPhotometry(pass, built.Lights[i], scene.Lights[i]);
     }
-    built.Renderer->SetPass(built.Pass);
+  }
+  else
+  {
+    pass->SetShadowTechniqueToNone();
   }
   built.Window = vtkSmartPointer<vtkRenderWindow>::New();
   built.Window->SetMultiSamples(0);

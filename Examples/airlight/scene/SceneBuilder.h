@@ -27,6 +27,8 @@ struct DisplaySettings
   int OutputColorSpace = vtkAirlightPass::SRGB;
 };
 
+constexpr int PictureFrames = 16; ///< whose mean is smooth; numbers are of the pixels' middles
+
 struct RenderSettings
 {
   bool OffScreen = true;

@@ -159,7 +159,7 @@ std::vector<Surface> ReadSurfaces(const LocatedJson& json, const std::vector<std
   {
     const std::string& file = files[surfaces.size()];
     const Vector3 albedo = item["albedo"].GetVector(0.0, 1.0);
-    surfaces.push_back({ file, MakeLambertActor(ReadMesh(file), albedo) });
+    surfaces.push_back({ file, MakeLambertActor(ReadMesh(file), albedo, Shading::Flat) });
   }
   return surfaces;
 }
