@@ -111,9 +111,9 @@ void vtkAirlightPass::SetEncodedOutput(bool encoded)
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetExposure(double exposure)
 {
-  if (!(exposure > 0.0) || !std::isfinite(exposure))
+  if (!(exposure >= 1e-30) || !(exposure <= 1e30))
   {
-    vtkErrorMacro(<< "Exposure " << exposure << " must be finite and above 0; it stays "
+    vtkErrorMacro(<< "Exposure " << exposure << " must be from 1e-30 to 1e30; it stays "
                   << this->Exposure << ".");
     return;
   }

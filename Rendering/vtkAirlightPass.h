@@ -233,7 +233,7 @@ public:
   /**
    * The factor of the radiance when it is shown: the first step of the display, which is exposure,
    * tone mapping, the output's colour space, dithering, in this order. Buffers are not affected.
-   * 2^EV for an exposure value in stops. Range: finite, above 0. Default: 1.
+   * 2^EV for an exposure value in stops. Range: 1e-30 to 1e30. Default: 1.
    */
   void SetExposure(double exposure);
   vtkGetMacro(Exposure, double);
@@ -241,11 +241,14 @@ public:
 
   ///@{
   /**
-   * Whether the exposure follows the picture: its middle luminance is shown as middle grey, 0.18,
-   * times Exposure. The middle is the mean of the logarithm, without the 40 % of the pixels that
-   * are darkest and the 5 % that are brightest, which are lamps. A black picture changes nothing.
-   * While the user moves something the exposure follows within some tenths of a second; pictures
-   * at rest are the same each time. Debug views have Exposure alone. Default: false.
+   * Whether the exposure follows the picture: its middle luminance becomes middle grey, 0.18, times
+   * Exposure, before tone mapping. The middle is the mean of the logarithm, in blocks of 1/64 of
+   * the picture's sides, without black pixels and the 40 % of the others that are darkest and the
+   * 5 % that are brightest, which are lamps. A black picture changes nothing. While the user moves
+   * something the exposure follows within some tenths of a second; pictures at rest are the same
+   * each time. The right eye has the exposure of the left one, and a picture in tiles that of the
+   * last whole picture of its renderer, or of its first tile. Debug views have Exposure alone.
+   * Default: false.
    */
   vtkSetMacro(AutomaticExposure, bool);
   vtkGetMacro(AutomaticExposure, bool);
@@ -253,7 +256,8 @@ public:
   ///@}
 
   /**
-   * The factor of the radiance in the last picture: Exposure times what was measured.
+   * The factor of the radiance in the last picture: Exposure times what was measured; 1 where VTK's
+   * own picture is shown.
    */
   double GetEffectiveExposure();
 
@@ -266,7 +270,7 @@ public:
     REINHARD = 1,       ///< x/(1 + x)
     EXPONENTIAL = 2,    ///< 1 - exp(-x)
     GENERIC_FILMIC = 3, ///< the curve of film, with VTK's default anchors and the Academy's colours
-    NEUTRAL_PBR = 4     ///< colours up to 0.8 stay, brighter ones fade to white (Khronos)
+    NEUTRAL_PBR = 4     ///< Khronos PBR Neutral: hues below 0.8 stay, brighter fade to white
   };
 
   ///@{
@@ -319,7 +323,7 @@ public:
 
   ///@{
   /**
-   * The same as OutputColorSpace: GAMMA_2_2 if on, LINEAR if off.
+   * The same as OutputColorSpace: GAMMA_2_2 if on, LINEAR if off. Off for SRGB.
    */
   void SetEncodedOutput(bool encoded);
   bool GetEncodedOutput() { return this->OutputColorSpace == GAMMA_2_2; }

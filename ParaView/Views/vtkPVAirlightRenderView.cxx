@@ -141,9 +141,14 @@ void vtkPVAirlightRenderView::Render(bool interactive, bool skip_rendering)
   {
     this->SynchronizedRenderers->SetRenderPass(own);
   }
-  this->Pass->SetEncodedOutput(
-    vtkToneMappingPass::SafeDownCast(this->SynchronizedRenderers->GetImageProcessingPass()));
+  // ParaView's tone mapping decodes its input.
+  const int space = this->Pass->GetOutputColorSpace();
+  if (vtkToneMappingPass::SafeDownCast(this->SynchronizedRenderers->GetImageProcessingPass()))
+  {
+    this->Pass->SetOutputColorSpaceToGamma22();
+  }
   this->Superclass::Render(interactive, skip_rendering);
+  this->Pass->SetOutputColorSpace(space);
   this->Remote->Spread(this->GetRenderer(), false);
 }
 

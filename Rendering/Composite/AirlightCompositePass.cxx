@@ -24,11 +24,6 @@ namespace airlight
 {
 namespace
 {
-std::string Define(const char* name, int value)
-{
-  return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
-}
-
 bool HasAmbient(const f64::AirlightMedia& media)
 {
   return std::any_of(media.item, media.item + media.count,
@@ -44,12 +39,15 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
   const bool cones = std::any_of(
     lights.begin(), lights.end(), [&](int k) { return scene.Lights[k].Values.cosCone > 0.0; });
   return GetShaderVersion(false) + (cones ? "" : "#define AIRLIGHT_NO_CONE\n") +
-    Define("EQUIANGULAR", equiangular) + (intoTextures ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
+    Define("AIRLIGHT_EQUIANGULAR", equiangular) +
+    (intoTextures ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
     (intoTextures && options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
-    Define("DEBUG_VIEW", intoTextures ? 0 : options.DebugView) +
-    Define("SHADOWING_LIGHT", options.ShadowingLight) + Define("BITS", options.LightsPerChannel) +
-    Define("AMBIENT", HasAmbient(scene.Media)) + Define("ENCODED_INPUT", options.EncodedInput) +
-    Define("PARALLEL", scene.Rays.IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
+    Define("AIRLIGHT_DEBUG_VIEW", intoTextures ? 0 : options.DebugView) +
+    Define("AIRLIGHT_SHADOWING_LIGHT", options.ShadowingLight) +
+    Define("AIRLIGHT_BITS", options.LightsPerChannel) +
+    Define("AIRLIGHT_AMBIENT", HasAmbient(scene.Media)) +
+    Define("AIRLIGHT_ENCODED_INPUT", options.EncodedInput) +
+    Define("AIRLIGHT_PARALLEL", scene.Rays.IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
     GetScatteringSource(scene.Media, kind, false) + AirlightCameraShader + AirlightLightPixel +
     (equiangular ? GetEquiangularSource() : "uniform AirlightMedia media;\n") +
     (options.Unshadowed ? GetUnshadowedSource(lights) : "") +

@@ -3,6 +3,7 @@
 #include "Composite/AirlightDisplayStage.h"
 
 #include "AirlightDisplay.h"
+#include "OpenGL/AirlightProgram.h"
 
 #include "vtkShaderProgram.h"
 
@@ -19,11 +20,6 @@ constexpr double Shoulder = 0.9714;
 constexpr double MiddleIn = 0.18;
 constexpr double MiddleOut = 0.18;
 constexpr double LargestRadiance = 11.0785; // becomes white
-
-std::string Define(const char* name, int value)
-{
-  return std::string("#define AIRLIGHT_") + name + " " + std::to_string(value) + "\n";
-}
 
 // x^a / (x^(a d) b + c), with b and c such that the middle and white are where the anchors say.
 void SetFilmic(vtkShaderProgram* program)
@@ -43,9 +39,9 @@ void SetFilmic(vtkShaderProgram* program)
 //------------------------------------------------------------------------------
 std::string DisplayStage::GetSource() const
 {
-  return Define("TONE_MAPPING", static_cast<int>(this->Curve)) +
-    Define("COLOR_SPACE", static_cast<int>(this->Space)) + Define("DITHERING", this->Dithering) +
-    AirlightDisplay;
+  return Define("AIRLIGHT_TONE_MAPPING", static_cast<int>(this->Curve)) +
+    Define("AIRLIGHT_COLOR_SPACE", static_cast<int>(this->Space)) +
+    Define("AIRLIGHT_DITHERING", this->Dithering) + AirlightDisplay;
 }
 
 //------------------------------------------------------------------------------

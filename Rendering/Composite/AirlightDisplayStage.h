@@ -39,12 +39,6 @@ struct DisplayStage
   int X = 0; // where the renderer's picture begins, in the target's pixels
   int Y = 0;
 
-  // Whether nothing but the exposure changes radiances up to 1.
-  bool IsProportional() const
-  {
-    return this->Curve == ToneMapping::Clamp && this->Space == ColorSpace::Linear;
-  }
-
   // The shader's airlightDisplay(). Exposure is a uniform.
   std::string GetSource() const;
 

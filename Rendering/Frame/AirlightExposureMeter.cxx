@@ -5,15 +5,18 @@
 #include "AirlightLuminanceFS.h"
 #include "OpenGL/AirlightOpenGL.h"
 
+#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace airlight
 {
@@ -23,6 +26,7 @@ constexpr int Blocks = 64; // along each side of the picture
 constexpr double MiddleGrey = 0.18;
 constexpr double Darkest = 0.4; // the share of the pixels that are too dark to count
 constexpr double Brightest = 0.05;
+constexpr double Residue = 1e-5; // of the brightest block: shadows may hold roundings of light
 constexpr double AdaptationTime = 0.3;        // s
 constexpr double InteractiveUpdateRate = 1.0; // that a window asks for while it is moved
 }
@@ -30,17 +34,21 @@ constexpr double InteractiveUpdateRate = 1.0; // that a window asks for while it
 //------------------------------------------------------------------------------
 double ChooseExposure(std::vector<LuminanceBlock> blocks)
 {
-  std::sort(blocks.begin(), blocks.end(),
-    [](const LuminanceBlock& a, const LuminanceBlock& b) { return a.Logarithm < b.Logarithm; });
-  double total = 0.0;
-  for (const LuminanceBlock& block : blocks)
-  {
-    total += block.Count;
-  }
-  if (!(total > 0.0))
+  const auto end = std::remove_if(
+    blocks.begin(), blocks.end(), [](const LuminanceBlock& block) { return !(block.Count > 0.0); });
+  blocks.erase(end, blocks.end());
+  if (blocks.empty())
   {
     return 0.0;
   }
+  std::sort(blocks.begin(), blocks.end(),
+    [](const LuminanceBlock& a, const LuminanceBlock& b) { return a.Logarithm < b.Logarithm; });
+  const double least = blocks.back().Logarithm + std::log2(Residue);
+  blocks.erase(blocks.begin(),
+    std::find_if(blocks.begin(), blocks.end(),
+      [least](const LuminanceBlock& block) { return block.Logarithm >= least; }));
+  const double total = std::accumulate(blocks.begin(), blocks.end(), 0.0,
+    [](double sum, const LuminanceBlock& block) { return sum + block.Count; });
   double sum = 0.0;
   double weight = 0.0;
   double before = 0.0;
@@ -58,9 +66,30 @@ double ChooseExposure(std::vector<LuminanceBlock> blocks)
 }
 
 //------------------------------------------------------------------------------
-bool ExposureMeter::Measure(
-  vtkOpenGLRenderWindow* window, vtkTextureObject* radiances, const glm::ivec4& picture)
+bool ExposureMeter::IsPart(vtkRenderer* renderer) const
 {
+  const int* tiles = renderer->GetRenderWindow()->GetTileScale();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const bool tile = tiles[0] * tiles[1] > 1;
+  const bool right = camera->GetStereo() && !camera->GetLeftEye();
+  return this->Measured == renderer && (tile || right);
+}
+
+//------------------------------------------------------------------------------
+bool ExposureMeter::Measure(
+  vtkRenderer* renderer, vtkTextureObject* radiances, const glm::ivec4& picture)
+{
+  if (this->IsPart(renderer))
+  {
+    return true;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (this->Measured != renderer)
+  {
+    this->Measured = renderer;
+    this->Exposure = 1.0;
+    this->Time = 0.0;
+  }
   vtkShaderProgram* program =
     this->LuminanceQuad.GetOrCompile(window, std::string("#version 330\n") + AirlightLuminanceFS);
   if (!program)

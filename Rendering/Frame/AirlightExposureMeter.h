@@ -10,12 +10,16 @@
 #include "Frame/AirlightTargets.h"
 #include "OpenGL/AirlightQuad.h"
 
+#include "vtkAirlightModule.h" // for export macro
+#include "vtkWeakPointer.h"
+
 #include <glm/vec4.hpp>
 
 #include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
+class vtkRenderer;
 class vtkTextureObject;
 class vtkWindow;
 
@@ -24,11 +28,11 @@ namespace airlight
 class ExposureMeter
 {
 public:
-  // Of a part of a texture (corner and size). Binds a framebuffer. While the user moves something
-  // the exposure follows what is measured within some tenths of a second. False with a reason in
+  // Of a renderer's picture, a part of a texture (corner and size). Binds a framebuffer. While the
+  // user moves something the exposure follows what is measured within some tenths of a second. The
+  // right eye has the left one's, a tile that of the picture before. False with a reason in
   // GetError().
-  bool Measure(
-    vtkOpenGLRenderWindow* window, vtkTextureObject* radiances, const glm::ivec4& picture);
+  bool Measure(vtkRenderer* renderer, vtkTextureObject* radiances, const glm::ivec4& picture);
 
   // The factor of the radiance. What is black does not change it.
   double GetExposure() const { return this->Exposure; }
@@ -37,10 +41,12 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  bool IsPart(vtkRenderer* renderer) const;
   void Follow(vtkOpenGLRenderWindow* window, double measured);
 
   Targets Textures;
   Quad LuminanceQuad;
+  vtkWeakPointer<vtkRenderer> Measured; // whose exposure it is
   double Exposure = 1.0;
   double Time = 0.0; // of the last picture, in seconds
   std::string Error;
@@ -54,8 +60,8 @@ struct LuminanceBlock
 };
 
 // The exposure for these blocks, 0 if all are black. Neither the brightest, which are lamps, nor
-// the darkest count.
-double ChooseExposure(std::vector<LuminanceBlock> blocks);
+// the darkest count, nor what is black but for roundings.
+VTKAIRLIGHT_EXPORT double ChooseExposure(std::vector<LuminanceBlock> blocks);
 }
 
 #endif

@@ -57,7 +57,7 @@ bool Frame::Begin(const Input& input)
   needs.Drawn = !this->Plan.AllShadersInjectable;
   needs.WithoutLight = this->Plan.ShadowingLight >= 0;
   needs.Record = this->Plan.Record;
-  needs.Translucent = this->Plan.Translucent || this->Plan.MeasuresExposure;
+  needs.Radiance = this->HasRadiance();
   if (!this->Textures.Prepare(
         this->GetWindow(), input.Rays.GetWidth(), input.Rays.GetHeight(), needs))
   {

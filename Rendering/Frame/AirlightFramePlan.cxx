@@ -81,13 +81,19 @@ ShadowMethod GetMethod(ShadowTechnique technique)
 }
 
 //------------------------------------------------------------------------------
+// What is encoded for display has to be encoded again.
+ColorSpace GetColorSpace(const PassProperties& properties)
+{
+  const ColorSpace space = properties.Display.Space;
+  return !properties.LinearInput && space == ColorSpace::Linear ? ColorSpace::Gamma22 : space;
+}
+
 // Whether VTK's own picture is what the display would make of it.
 bool IsShownAsDrawn(const PassProperties& properties)
 {
   const ColorSpace input = properties.LinearInput ? ColorSpace::Linear : ColorSpace::Gamma22;
-  const DisplayStage display = GetDisplay(properties);
-  return display.Curve == ToneMapping::Clamp && display.Space == input && display.Exposure == 1.0 &&
-    !properties.AutomaticExposure;
+  return properties.Display.Curve == ToneMapping::Clamp && GetColorSpace(properties) == input &&
+    properties.Display.Exposure == 1.0 && !properties.AutomaticExposure;
 }
 
 //------------------------------------------------------------------------------
@@ -169,21 +175,6 @@ bool IsUnshadowedInFragments(const FramePlan& plan, const SceneFacts& scene)
 }
 
 //------------------------------------------------------------------------------
-// Clear air is shown in VTK's own colours.
-void PlanDisplay(FramePlan& plan, const PassProperties& properties, const SceneFacts& scene)
-{
-  plan.LinearFrame = properties.LinearFrame;
-  if (plan.LinearFrame)
-  {
-    return;
-  }
-  plan.Display = GetDisplay(properties);
-  plan.Display.Dithering =
-    plan.Display.Dithering && !(scene.Clear && plan.Display.IsProportional());
-  plan.MeasuresExposure = MeasuresExposure(properties);
-}
-
-//------------------------------------------------------------------------------
 // Volumes have nodes of their own on each ray.
 bool IsInFroxels(const FramePlan& plan, const SceneFacts& scene)
 {
@@ -193,14 +184,12 @@ bool IsInFroxels(const FramePlan& plan, const SceneFacts& scene)
 }
 
 //------------------------------------------------------------------------------
-// Colours that are encoded for display have to be encoded again.
-DisplayStage GetDisplay(const PassProperties& properties)
+// Clear air is shown in VTK's own colours.
+DisplayStage GetDisplay(const PassProperties& properties, bool clear)
 {
   DisplayStage display = properties.Display;
-  if (!properties.LinearInput && display.Space == ColorSpace::Linear)
-  {
-    display.Space = ColorSpace::Gamma22;
-  }
+  display.Space = GetColorSpace(properties);
+  display.Dithering = display.Dithering && !(clear && IsShownAsDrawn(properties));
   return display;
 }
 
@@ -242,7 +231,9 @@ FramePlan MakeFramePlan(
   plan.Annotations = properties.Annotations;
   plan.Record = properties.RecordBuffers || properties.View == DebugView::BoundaryCount;
   plan.EncodedInput = !properties.LinearInput;
-  PlanDisplay(plan, properties, scene);
+  plan.LinearFrame = properties.LinearFrame;
+  plan.Display = plan.LinearFrame ? DisplayStage() : GetDisplay(properties, scene.Clear);
+  plan.MeasuresExposure = !plan.LinearFrame && MeasuresExposure(properties);
   plan.PhaseErrorBound = scene.PhaseErrorBound;
   PlanGeometryPasses(plan, scene);
   plan.UnshadowedInComposite = IsUnshadowedInComposite(plan, scene);

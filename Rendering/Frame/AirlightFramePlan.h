@@ -170,8 +170,8 @@ struct FramePlan
   std::uint64_t MemoryLimit = 0; // bytes
 };
 
-// How pictures with these properties are shown.
-DisplayStage GetDisplay(const PassProperties& properties);
+// How pictures with these properties are shown, of clear air or not.
+DisplayStage GetDisplay(const PassProperties& properties, bool clear);
 bool MeasuresExposure(const PassProperties& properties);
 
 VTKAIRLIGHT_EXPORT FramePlan MakeFramePlan(

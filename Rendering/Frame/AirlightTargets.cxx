@@ -74,7 +74,7 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, cons
           : this->Depth->AllocateDepth(width, height, vtkTextureObject::Fixed32));
   }
   this->Depth->Resize(width, height);
-  if (needs.Record || needs.Translucent)
+  if (needs.Record || needs.Radiance)
   {
     ok = ok && this->Allocate(this->Radiance, 4);
   }

@@ -35,7 +35,7 @@ public:
     bool Drawn = false;
     bool WithoutLight = false;
     bool Record = false;
-    bool Translucent = false;
+    bool Radiance = false;
   };
   bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, const Needs& needs);
   const std::string& GetError() const { return this->Error; }
@@ -68,7 +68,7 @@ public:
   vtkNew<vtkTextureObject> Lit;      // RGB: those of others, 24 a channel; only where there are any
   vtkNew<vtkTextureObject> Counts;   // recorded only: boundaries; error bound; lit length
   vtkNew<vtkTextureObject> Single;   // recorded: one light's airlight
-  vtkNew<vtkTextureObject> Radiance; // recorded, or to draw translucent surfaces into
+  vtkNew<vtkTextureObject> Radiance; // recorded, measured, or to draw translucent surfaces into
   vtkNew<vtkTextureObject> Airlight;
   vtkNew<vtkTextureObject> Surface;
   vtkNew<vtkTextureObject> Transmittance;

@@ -31,6 +31,12 @@ std::string GetShaderVersion(bool storage)
 }
 
 //------------------------------------------------------------------------------
+std::string Define(const std::string& name, int value)
+{
+  return "#define " + name + " " + std::to_string(value) + "\n";
+}
+
+//------------------------------------------------------------------------------
 bool IsLastToChange(const vtkObjectBase* pass, vtkProp* prop)
 {
   vtkInformation* keys = prop->GetPropertyKeys();

@@ -23,6 +23,9 @@ namespace airlight
 // First lines of a shader; `storage`: it has storage buffers.
 std::string GetShaderVersion(bool storage);
 
+// A line that defines a macro.
+std::string Define(const std::string& name, int value);
+
 // Whether `pass` is the last that changes a prop's shaders; null: whether no pass does. Where
 // others do later, or the user's replacements, what is compiled is known to the mapper alone.
 bool IsLastToChange(const vtkObjectBase* pass, vtkProp* prop);

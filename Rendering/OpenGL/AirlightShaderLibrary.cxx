@@ -26,6 +26,7 @@
 #include "AirlightScatteredIrradiance.h"
 #include "AirlightScattering.h"
 #include "Integration/AirlightIntegrate.h"
+#include "OpenGL/AirlightProgram.h"
 
 #include "vtkShaderProgram.h"
 
@@ -36,11 +37,6 @@ namespace airlight
 {
 namespace
 {
-std::string Define(const std::string& name, int value)
-{
-  return "#define " + name + " " + std::to_string(value) + "\n";
-}
-
 // What all media have in common, said when shaders are compiled.
 std::string DefineCommon(const f64::AirlightMedia& media)
 {

@@ -146,6 +146,7 @@ void PassRenderer::Render(
     return;
   }
   this->Messages.ReportFrame(this->Error);
+  this->EffectiveExposure = 1.0; // VTK's picture
   this->Recover();
   this->Stages.GetPasses().DrawAll(s);
 }
@@ -164,16 +165,16 @@ bool PassRenderer::RenderMean(
   const glm::ivec4 picture(viewport.X, viewport.Y, viewport.Width, viewport.Height);
   Settings frame = settings;
   frame.Properties.LinearFrame = true;
-  this->Error.clear();
   StateSaver saver(window, ShadowLists::IsSupported(window));
   if (!this->Mean.Render(renderer, picture, settings.SubpixelFrames,
         this->CurrentFrame.GetBuffers(), [&] { return this->RenderFrame(s, frame, viewport); }))
   {
     return this->Error.empty() ? this->Fail(this->Mean.GetError()) : false;
   }
-  DisplayStage display = GetDisplay(settings.Properties);
+  DisplayStage display = GetDisplay(settings.Properties, this->CurrentFrame.IsClear());
+  this->EffectiveExposure = display.Exposure;
   if (MeasuresExposure(settings.Properties) &&
-    !this->MeasureExposure(window, this->Mean.GetRadiance(), picture, display))
+    !this->MeasureExposure(renderer, this->Mean.GetRadiance(), picture, display))
   {
     return false;
   }
@@ -191,10 +192,10 @@ bool PassRenderer::RenderMean(
 }
 
 //------------------------------------------------------------------------------
-bool PassRenderer::MeasureExposure(vtkOpenGLRenderWindow* window, vtkTextureObject* radiances,
+bool PassRenderer::MeasureExposure(vtkRenderer* renderer, vtkTextureObject* radiances,
   const glm::ivec4& picture, DisplayStage& display)
 {
-  if (!this->Exposure.Measure(window, radiances, picture))
+  if (!this->Exposure.Measure(renderer, radiances, picture))
   {
     return this->Fail(this->Exposure.GetError());
   }
@@ -240,6 +241,10 @@ bool PassRenderer::RenderFrame(
   {
     limits.PlanesOverMemory = true;
     ok = this->RenderPlan(s, settings, viewport, limits, scene);
+  }
+  if (ok)
+  {
+    this->Error.clear(); // of a plan that was tried before
   }
   return ok;
 }
@@ -374,7 +379,7 @@ bool PassRenderer::Draw(
   DisplayStage display = plan.Display;
   ok = ok &&
     (!plan.MeasuresExposure ||
-      this->MeasureExposure(scene.Window, this->CurrentFrame.GetRadiance(),
+      this->MeasureExposure(renderer, this->CurrentFrame.GetRadiance(),
         { 0, 0, viewport.Width, viewport.Height }, display));
   saver.PopFramebuffer();
   if (!this->Mappers.CheckCompiled(this->Error))

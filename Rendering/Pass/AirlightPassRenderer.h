@@ -80,7 +80,7 @@ private:
 
   static std::array<size_t, 3> RecordsKey(const Scene& scene);
   bool RenderMean(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
-  bool MeasureExposure(vtkOpenGLRenderWindow* window, vtkTextureObject* radiances,
+  bool MeasureExposure(vtkRenderer* renderer, vtkTextureObject* radiances,
     const glm::ivec4& picture, DisplayStage& display);
   bool RenderFrame(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderPlan(const vtkRenderState* s, const Settings& settings, const Viewport& viewport,

@@ -25,8 +25,8 @@ public:
   static bool MayAverage(vtkRenderer* renderer, DebugView view);
 
   // Renders the mean of so many frames, and of their recorded buffers. `renderFrame` renders one
-  // into the framebuffer that is bound, at the picture's corner. False if it is, or with a reason
-  // in GetError().
+  // into the framebuffer that is bound, at the picture's corner. False if it returns false, or with
+  // a reason in GetError().
   bool Render(vtkRenderer* renderer, const glm::ivec4& picture, int count, FrameRecorder& buffers,
     const std::function<bool()>& renderFrame);
 

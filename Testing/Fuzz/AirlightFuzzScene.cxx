@@ -154,6 +154,24 @@ void ChangeLight(Input& input, vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
+void ChangeDisplay(Input& input, vtkAirlightPass* pass)
+{
+  switch (input.Integer(0, 4))
+  {
+    case 0:
+      return pass->SetExposure(input.Number());
+    case 1:
+      return pass->SetAutomaticExposure(input.Flag());
+    case 2:
+      return pass->SetToneMapping(input.Integer(-1, 6));
+    case 3:
+      return pass->SetSubpixelFrames(input.Integer(0, 3));
+    default:
+      return pass->SetOutputColorSpace(input.Integer(-1, 4));
+  }
+}
+
+//------------------------------------------------------------------------------
 void ChangePass(
   Input& input, vtkAirlightPass* pass, vtkParticipatingMedium* medium, vtkLight* light)
 {
@@ -180,7 +198,7 @@ void ChangePass(
     case 9:
       return pass->SetLinearInput(input.Flag());
     case 10:
-      return pass->SetEncodedOutput(input.Flag());
+      return ChangeDisplay(input, pass);
     case 11:
       return pass->SetAnnotations(input.Flag());
     case 12:

@@ -202,6 +202,8 @@ class TestBadScenes(ProgramTest):
                 (["--antialiasing", "4", "--reference"], ["--antialiasing", "--reference"]),
                 (["--no-medium", "--visibility", "3"], ["--no-medium"]),
                 (["--exposure", "0"], ["--exposure '0'", "auto"]),
+                (["--tone-mapping", "clamp", "--buffer", "Depth"], ["--tone-mapping"]),
+                (["--exposure", "auto", "--buffer", "Depth"], ["--exposure auto"]),
                 (["--tone-mapping", "gamma"], ["--tone-mapping", "gamma"])):
             with self.subTest(options=options):
                 self.fail_with(words, "render", scene, *output, *options)

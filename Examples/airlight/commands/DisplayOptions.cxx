@@ -5,7 +5,6 @@
 #include "commands/OptionText.h"
 #include "formats/UserError.h"
 
-#include <limits>
 #include <map>
 
 namespace airlight
@@ -24,9 +23,8 @@ const std::map<std::string, int> ColorSpaces = { { "srgb", vtkAirlightPass::SRGB
 
 double ParseExposure(const std::string& text)
 {
-  const double exposure =
-    ParseNumber("--exposure", text, 0.0, static_cast<double>(std::numeric_limits<float>::max()));
-  if (!(exposure > 0.0))
+  const double exposure = ParseNumber("--exposure", text, 0.0, LargestNumber);
+  if (!(exposure > 1.0 / LargestNumber))
   {
     throw UserError("--exposure '" + text + "': a factor above 0, or " + Automatic);
   }
@@ -44,14 +42,12 @@ void DisplayOptions::AddTo(CLI::App* command)
   command
     ->add_option("--tone-mapping", this->ToneMapping,
       "How radiances above 1 become colours: clamp, reinhard, exponential, filmic, or neutral, "
-      "which keeps those below 0.8")
-    ->check(CLI::IsMember(&Curves))
-    ->capture_default_str();
+      "which keeps hues below 0.8 (default neutral)")
+    ->check(CLI::IsMember(&Curves));
   command
     ->add_option("--color-space", this->ColorSpace,
-      "Numbers of the picture: srgb, which screens expect, or linear")
-    ->check(CLI::IsMember(&ColorSpaces))
-    ->capture_default_str();
+      "Numbers of the picture: srgb, which screens expect, or linear (default srgb)")
+    ->check(CLI::IsMember(&ColorSpaces));
 }
 
 //------------------------------------------------------------------------------
@@ -59,15 +55,25 @@ DisplaySettings DisplayOptions::GetSettings() const
 {
   DisplaySettings settings;
   settings.AutomaticExposure = this->Exposure.empty() || this->Exposure == Automatic;
-  settings.Exposure = settings.AutomaticExposure ? 1.0 : this->GetFactor();
-  settings.ToneMapping = Curves.at(this->ToneMapping);
-  settings.OutputColorSpace = ColorSpaces.at(this->ColorSpace);
+  settings.Exposure = settings.AutomaticExposure ? 1.0 : ParseExposure(this->Exposure);
+  if (!this->ToneMapping.empty())
+  {
+    settings.ToneMapping = Curves.at(this->ToneMapping);
+  }
+  if (!this->ColorSpace.empty())
+  {
+    settings.OutputColorSpace = ColorSpaces.at(this->ColorSpace);
+  }
   return settings;
 }
 
 //------------------------------------------------------------------------------
 double DisplayOptions::GetFactor() const
 {
+  if (!this->ToneMapping.empty() || !this->ColorSpace.empty())
+  {
+    throw UserError("--tone-mapping and --color-space are for pictures: linear values stay linear");
+  }
   if (this->Exposure == Automatic)
   {
     throw UserError("--exposure auto is for pictures: linear values take a number");

@@ -37,8 +37,8 @@ public:
 
 private:
   std::string Exposure;
-  std::string ToneMapping = "neutral";
-  std::string ColorSpace = "srgb";
+  std::string ToneMapping;
+  std::string ColorSpace;
 };
 
 }

@@ -43,11 +43,7 @@ void Render(const RenderOptions& options)
   settings.SubpixelFrames = options.Antialiasing > 0 ? options.Antialiasing
     : buffers                                        ? 1
                                                      : PictureFrames;
-  if (buffers)
-  {
-    settings.Display.OutputColorSpace = vtkAirlightPass::LINEAR;
-  }
-  else
+  if (!buffers)
   {
     settings.Display = options.Display.GetSettings();
   }

@@ -79,13 +79,14 @@ vec3 airlightDither()
 }
 
 // Of a colour, or where it is to be blended of a colour times its opacity. VTK's backgrounds have
-// no opacity, and are not blended.
+// no opacity, and are not blended. Airlight may be brighter than its opacity.
 vec4 airlightDisplay(vec4 colour, bool blended)
 {
 #if AIRLIGHT_TONE_MAPPING != 0 || AIRLIGHT_COLOR_SPACE != 0
-  float opacity = blended ? max(colour.a, 1e-6) : 1.0;
-  vec3 straight = airlightExposure * max(colour.rgb, vec3(0.0)) / opacity;
-  vec3 shown = airlightEncoded(airlightToneMapped(straight)) * opacity;
+  vec3 exposed = clamp(airlightExposure * colour.rgb, vec3(0.0), vec3(1e30));
+  float brightest = max(exposed.r, max(exposed.g, exposed.b));
+  float opacity = blended ? clamp(max(colour.a, brightest), 1e-6, 1.0) : 1.0;
+  vec3 shown = airlightEncoded(airlightToneMapped(exposed / opacity)) * opacity;
 #else
   vec3 shown = airlightExposure * colour.rgb;
 #endif

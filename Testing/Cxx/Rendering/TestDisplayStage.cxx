@@ -7,6 +7,7 @@
 
 #include "AirlightTestErrors.h"
 #include "AirlightTestWindowScene.h"
+#include "Frame/AirlightExposureMeter.h"
 
 #include "vtkLightCollection.h"
 #include "vtkToneMappingPass.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 
 using namespace airlight_test;
 
@@ -32,7 +34,7 @@ double DecodeSRGB(double value)
 
 double DecodeLinear(double value) { return value; }
 
-double DecodeGamma(double value) { return std::pow(value, 2.2); }
+double DecodeGamma(double value) { return std::pow(std::max(value, 0.0), 2.2); }
 
 // A picture of the recorded radiance: how far beyond half a step of 8 bits it is at most, in steps,
 // and how many values are neither black nor white.
@@ -76,6 +78,10 @@ void TestColorSpaces()
     scene.Pass->SetOutputColorSpaceToLinear();
     CheckDecoded("linear, three times as bright" + suffix, scene, DecodeLinear, 3.0);
     Check(scene.Pass->GetEffectiveExposure() == 3.0, "the exposure that was set");
+    scene.Pass->SetSubpixelFrames(2);
+    CheckDecoded("linear, three times as bright, mean" + suffix, scene, DecodeLinear, 3.0);
+    Check(scene.Pass->GetEffectiveExposure() == 3.0, "the exposure of a mean");
+    scene.Pass->SetSubpixelFrames(1);
     scene.Pass->SetExposure(1.0);
     scene.Pass->SetOutputColorSpaceToGamma22();
     CheckDecoded("gamma" + suffix, scene, DecodeGamma, 1.0);
@@ -230,6 +236,11 @@ public:
   }
 };
 
+double GetMean(const Picture& picture)
+{
+  return std::accumulate(picture.begin(), picture.end(), 0.0) / static_cast<double>(picture.size());
+}
+
 void TestDithering()
 {
   Glow scene;
@@ -245,10 +256,9 @@ void TestDithering()
             << "; means of 64 pixels are off by " << plain.first << " and " << errors.first
             << " steps, of all by " << plain.second << " and " << errors.second << "\n";
   Check(ring > 25 && plain.first > 0.4, "without dithering there are rings");
-  // Less than half a step changes no value that 8 bits can hold, and few beside it.
   Check(run < 0.6 * ring, "with it they are taken apart");
   Check(errors.first < 0.5 * plain.first, "and means of few pixels are right");
-  Check(std::abs(errors.second) < 1e-3 * 28.0, "the mean of all stays");
+  Check(std::abs(errors.second) < 1e-3 * GetMean(dithered), "the mean of all stays");
   // A picture in tiles has the pattern of one window.
   scene.Pass->DitheringOn();
   vtkNew<vtkWindowToImageFilter> tiles;
@@ -286,6 +296,15 @@ void TestClearAir()
   Check(Compare(shown, plain) == 0, "clear air is VTK's picture");
   scene.Pass->SetRecordBuffers(false);
   Check(Compare(Capture(scene.Window), plain) == 0, "without buffers, too");
+  // A mean is not VTK's picture, but nothing is added to it.
+  scene.Renderer->SetBackground(0.3101, 0.5213, 0.7399);
+  const Picture one = Capture(scene.Window);
+  scene.Pass->SetSubpixelFrames(2);
+  const Picture mean = Capture(scene.Window);
+  Check(
+    std::equal(one.end() - 60, one.end(), mean.end() - 60), "a mean of clear air is not dithered");
+  scene.Pass->SetSubpixelFrames(1);
+  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
   scene.Pass->SetOutputColorSpaceToSRGB();
   const Picture encoded = Capture(scene.Window);
   double worst = 0.0;
@@ -365,11 +384,59 @@ void TestAutomaticExposure()
   Capture(scene.Window);
   Check(std::abs(scene.Pass->GetEffectiveExposure() * 1e4 / rest - 1.0) < 1e-2,
     "at rest it has arrived");
+  // Tiles have the exposure of the whole picture before them.
+  const double whole = scene.Pass->GetEffectiveExposure();
+  vtkNew<vtkWindowToImageFilter> tiles;
+  tiles->SetInput(scene.Window);
+  tiles->SetScale(2);
+  tiles->ReadFrontBufferOff();
+  tiles->Update();
+  Check(scene.Pass->GetEffectiveExposure() == whole, "tiles have one exposure");
+  Capture(scene.Window);
   const double before = scene.Pass->GetEffectiveExposure();
   SetPower(scene, 0.0);
   const Picture black = Capture(scene.Window);
   Check(*std::max_element(black.begin(), black.end()) == 0, "black stays black");
   Check(scene.Pass->GetEffectiveExposure() == before, "and says nothing of the exposure");
+}
+
+// What is black but for roundings says nothing of the exposure of a narrow beam.
+void TestResidues()
+{
+  std::vector<airlight::LuminanceBlock> blocks(100, { std::log2(1e-9), 100.0 });
+  std::fill(blocks.begin(), blocks.begin() + 4, airlight::LuminanceBlock{ 1.0, 100.0 });
+  Check(std::abs(airlight::ChooseExposure(blocks) - 0.09) < 1e-12, "the beam's exposure");
+  std::fill(blocks.begin(), blocks.end(), airlight::LuminanceBlock{ 0.0, 0.0 });
+  Check(airlight::ChooseExposure(blocks) == 0.0, "no exposure of black");
+}
+
+//------------------------------------------------------------------------------
+// In a layer above others, a glow may be brighter than it is opaque.
+void TestBlended()
+{
+  Scene scene(Width, Height);
+  scene.AddPointLight({ 0, 0, -5 }, { 90.0, 70.0, 50.0 });
+  scene.Medium->SetScattering(0.01, 0.01, 0.01);
+  scene.Medium->SetRegionToSphere();
+  scene.Medium->SetCenter(0.0, 0.0, -5.0);
+  scene.Medium->SetRadius(3.0);
+  vtkNew<vtkRenderer> other;
+  other->DrawOff();
+  scene.Window->AddRenderer(other);
+  scene.Window->SetNumberOfLayers(2);
+  other->SetLayer(1);
+  scene.Pass->SetToneMappingToReinhard();
+  scene.Pass->SetOutputColorSpaceToSRGB();
+  const Picture alone = Capture(scene.Window);
+  other->DrawOn();
+  other->SetLayer(0);
+  scene.Renderer->SetLayer(1);
+  const Picture above = Capture(scene.Window);
+  const int brightest = *std::max_element(alone.begin(), alone.end());
+  const int blended = *std::max_element(above.begin(), above.end());
+  std::cout << "glow of " << brightest << "/255, in a layer above " << blended << "\n";
+  Check(brightest > 200 && blended > 0.9 * brightest, "a glow in a layer above is bright");
+  Check(scene.Pass->GetDithering() && Capture(scene.Window) == above, "and the same each time");
 }
 
 //------------------------------------------------------------------------------
@@ -378,7 +445,8 @@ void TestErrors()
   Scene scene(40, 30);
   ErrorListener errors(scene.Pass);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double exposure : { 0.0, -1.0, nan, std::numeric_limits<double>::infinity() })
+  for (const double exposure :
+    { 0.0, -1.0, 1e300, 1e-300, nan, std::numeric_limits<double>::infinity() })
   {
     scene.Pass->SetExposure(exposure);
     Check(errors.Take() == 1 && errors.GetText().find("Exposure") != std::string::npos,
@@ -409,6 +477,8 @@ int TestDisplayStage(int, char*[])
   TestDithering();
   TestClearAir();
   TestAutomaticExposure();
+  TestResidues();
+  TestBlended();
   TestErrors();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -50,6 +50,9 @@ void CheckSwitches()
     &Pass::GetScatteredSurfaceLight);
   CheckSwitch<Pass>(pass, "LinearInput", &Pass::SetLinearInput, &Pass::GetLinearInput);
   CheckSwitch<Pass>(pass, "EncodedOutput", &Pass::SetEncodedOutput, &Pass::GetEncodedOutput);
+  CheckSwitch<Pass>(
+    pass, "AutomaticExposure", &Pass::SetAutomaticExposure, &Pass::GetAutomaticExposure);
+  CheckSwitch<Pass>(pass, "Dithering", &Pass::SetDithering, &Pass::GetDithering);
   CheckSwitch<Pass>(pass, "Annotations", &Pass::SetAnnotations, &Pass::GetAnnotations);
   CheckSwitch<Pass>(pass, "RecordBuffers", &Pass::SetRecordBuffers, &Pass::GetRecordBuffers);
   vtkNew<vtkAirlightComparison> comparison;

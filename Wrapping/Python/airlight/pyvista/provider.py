@@ -33,8 +33,8 @@ REFUSED = {
 PROPERTIES = (
     "ShadowTechnique", "ShadowMapResolution", "MaximumBoundariesPerPixel", "NumberOfSteps",
     "SurfaceShadows", "TranslucentShadows", "ScatteredSurfaceLight", "LinearInput",
-    "Exposure", "AutomaticExposure", "ToneMapping", "OutputColorSpace", "Dithering", "Annotations", "DebugView", "LightRadius", "MemoryLimit", "RecordBuffers",
-    "SubpixelFrames",
+    "Exposure", "AutomaticExposure", "ToneMapping", "OutputColorSpace", "Dithering",
+    "Annotations", "DebugView", "LightRadius", "MemoryLimit", "RecordBuffers", "SubpixelFrames",
 )
 
 
