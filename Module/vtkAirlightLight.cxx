@@ -22,6 +22,15 @@ bool CheckLight(const vtkLight* light, const char* function)
   }
   return light != nullptr;
 }
+
+void ChangeExtent(vtkLight* light, const LampExtent& extent)
+{
+  const std::string error = SetExtent(light, extent);
+  if (!error.empty())
+  {
+    vtkErrorWithObjectMacro(light, << error);
+  }
+}
 }
 
 vtkStandardNewMacro(vtkAirlightLight);
@@ -112,6 +121,51 @@ void vtkAirlightLight::SetPhotometryUp(vtkLight* light, double x, double y, doub
 void vtkAirlightLight::GetPhotometryUp(vtkLight* light, double up[3])
 {
   std::copy_n(&GetProperties(light).PhotometryUp.x, 3, up);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightLight::SetRadius(vtkLight* light, double radius)
+{
+  if (CheckLight(light, "SetRadius()"))
+  {
+    LampExtent extent = GetProperties(light).Extent;
+    extent.Radius = radius;
+    ChangeExtent(light, extent);
+  }
+}
+
+double vtkAirlightLight::GetRadius(vtkLight* light) { return GetProperties(light).Extent.Radius; }
+
+//------------------------------------------------------------------------------
+void vtkAirlightLight::SetSize(vtkLight* light, double width, double height)
+{
+  if (CheckLight(light, "SetSize()"))
+  {
+    LampExtent extent = GetProperties(light).Extent;
+    extent.Size = { width, height };
+    ChangeExtent(light, extent);
+  }
+}
+
+void vtkAirlightLight::GetSize(vtkLight* light, double size[2])
+{
+  std::copy_n(&GetProperties(light).Extent.Size.x, 2, size);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightLight::SetAngularDiameter(vtkLight* light, double degrees)
+{
+  if (CheckLight(light, "SetAngularDiameter()"))
+  {
+    LampExtent extent = GetProperties(light).Extent;
+    extent.AngularDiameter = degrees;
+    ChangeExtent(light, extent);
+  }
+}
+
+double vtkAirlightLight::GetAngularDiameter(vtkLight* light)
+{
+  return GetProperties(light).Extent.AngularDiameter;
 }
 
 //------------------------------------------------------------------------------

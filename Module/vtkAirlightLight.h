@@ -4,7 +4,7 @@
  * @class   vtkAirlightLight
  * @brief   properties of a vtkLight that VTK does not have
  *
- * Units, scattering and photometric files of lights. The properties are stored in the light itself
+ * Units, scattering, photometric files and extents of lights. The properties are stored in the light itself
  * (vtkLight::GetInformation()), so that everything that meets the light uses the same: passes,
  * mappers, vtkAirlightReference. vtkLight::DeepCopy() copies them. All functions are static.
  *
@@ -84,6 +84,30 @@ public:
    */
   static void SetPhotometryUp(vtkLight* light, double x, double y, double z);
   static void GetPhotometryUp(vtkLight* light, double up[3]);
+  ///@}
+
+  ///@{
+  /**
+   * The extent of a lamp, which shines by the same intensity from all its points: soft borders of
+   * shadows in the medium and on surfaces. vtkAirlightPass takes another point of it for each of
+   * its SubpixelFrames; with one frame, and in everything else, a lamp is a point. The points are
+   * those of
+   *
+   * - a rectangle of SetSize() across the light's axis, its height along SetPhotometryUp();
+   * - a disc of SetRadius() across the axis, for spotlights and photometric files;
+   * - a ball of SetRadius() for other positional lights, dense towards its surface such that it
+   *   looks evenly bright from everywhere, as a sphere that emits by Lambert's law does;
+   * - a disc of SetAngularDiameter() in the sky, for directional lights.
+   *
+   * Lights that are fixed to the camera are points. Radius and size in world units, the angle in
+   * degrees (the sun: 0.53). Range: finite, at least 0; the angle below 180. Default: 0.
+   */
+  static void SetRadius(vtkLight* light, double radius);
+  static double GetRadius(vtkLight* light);
+  static void SetSize(vtkLight* light, double width, double height);
+  static void GetSize(vtkLight* light, double size[2]);
+  static void SetAngularDiameter(vtkLight* light, double degrees);
+  static double GetAngularDiameter(vtkLight* light);
   ///@}
 
 protected:

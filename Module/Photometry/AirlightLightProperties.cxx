@@ -107,6 +107,29 @@ std::string SetPhotometryUp(vtkLight* light, const glm::dvec3& up)
 }
 
 //------------------------------------------------------------------------------
+std::string SetExtent(vtkLight* light, const LampExtent& extent)
+{
+  const glm::dvec4 values(extent.Radius, extent.Size, extent.AngularDiameter);
+  const bool valid = glm::all(glm::greaterThanEqual(values, glm::dvec4(0.0))) &&
+    IsModerate(glm::dvec3(values)) && extent.AngularDiameter < 180.0;
+  if (!valid)
+  {
+    std::ostringstream text;
+    text << "The extent of a lamp must be finite and at least 0, and an angle below 180: the light "
+            "keeps its own. It got radius "
+         << values.x << ", size " << values.y << " x " << values.z << ", angular diameter "
+         << values.w << ".";
+    return text.str();
+  }
+  const LampExtent& old = GetProperties(light).Extent;
+  if (values != glm::dvec4(old.Radius, old.Size, old.AngularDiameter))
+  {
+    ChangeProperties(light).Extent = extent;
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
 std::string GetCameraLightsText(int count, bool dark)
 {
   const std::string lights = count == 1 ? "1 light is" : std::to_string(count) + " lights are";

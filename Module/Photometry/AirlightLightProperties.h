@@ -20,6 +20,14 @@
 
 namespace airlight
 {
+// vtkAirlightLight::SetRadius() and the like.
+struct LampExtent
+{
+  double Radius = 0.0;
+  glm::dvec2 Size{ 0.0, 0.0 };
+  double AngularDiameter = 0.0; // degrees
+};
+
 struct LightProperties
 {
   bool ScattersIsSet = false;
@@ -28,6 +36,7 @@ struct LightProperties
   std::shared_ptr<const Photometry> Goniometry; // null: the same intensity in all directions
   std::shared_ptr<const std::vector<glm::dvec4>> Table; // the packed goniometry
   glm::dvec3 PhotometryUp{ 0.0, 1.0, 0.0 };
+  LampExtent Extent;
 };
 
 // Those of a light; the defaults if nothing was set, and for null.
@@ -37,6 +46,7 @@ VTKAIRLIGHT_EXPORT const LightProperties& GetProperties(vtkLight* light);
 VTKAIRLIGHT_EXPORT void SetScatters(vtkLight* light, bool scatters);
 VTKAIRLIGHT_EXPORT std::string SetPhotometry(vtkLight* light, const char* file);
 VTKAIRLIGHT_EXPORT std::string SetPhotometryUp(vtkLight* light, const glm::dvec3& up);
+VTKAIRLIGHT_EXPORT std::string SetExtent(vtkLight* light, const LampExtent& extent);
 
 // Headlights and camera lights are there to show surfaces. Scattered, they would veil every picture
 // evenly.

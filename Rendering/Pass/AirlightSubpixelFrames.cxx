@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pass/AirlightSubpixelFrames.h"
 
+#include "Scene/AirlightLampSamples.h"
+
 #include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
@@ -56,6 +58,7 @@ bool SubpixelFrames::Render(vtkRenderer* renderer, const glm::ivec4& picture, in
   {
     const MovedCamera camera(
       renderer->GetActiveCamera(), 2.0 * SubpixelMean::GetOffset(number, count) / size);
+    const MovedLamps lamps(renderer, number);
     ok = this->Mean.BindFrame() && renderFrame();
     if (ok)
     {

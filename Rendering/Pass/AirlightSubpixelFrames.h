@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A picture of several frames: each of a camera that is moved by a part of a pixel.
+ * A picture of several frames: each of a camera that is moved by a part of a pixel, and of other
+ * points of its lamps.
  */
 
 #ifndef AirlightSubpixelFrames_h

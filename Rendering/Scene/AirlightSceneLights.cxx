@@ -53,22 +53,6 @@ glm::dvec3 TransformDirection(vtkLight* light, vtkRenderer* renderer, const glm:
   return matrix ? glm::dvec3(ToGlm(matrix) * glm::dvec4(direction, 0.0)) : direction;
 }
 
-// `up` made perpendicular to the axis; another direction across it where up lies along it.
-glm::dvec3 MakeAcross(glm::dvec3 up, const glm::dvec3& axis)
-{
-  // Squares of very small or large components would leave the range of numbers.
-  up /= std::max({ std::abs(up.x), std::abs(up.y), std::abs(up.z) });
-  for (const glm::dvec3& other : { up, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.0, 0.0) })
-  {
-    const glm::dvec3 across = other - glm::dot(other, axis) * axis;
-    if (glm::length(across) > 1e-6 * glm::length(other))
-    {
-      return glm::normalize(across);
-    }
-  }
-  return glm::dvec3(0.0, 1.0, 0.0);
-}
-
 // A light without power in the medium still lights surfaces: those have its colour from VTK.
 void LeaveOut(SceneLight& sceneLight)
 {
@@ -102,6 +86,22 @@ void ApplyPhotometry(vtkRenderer* renderer, SceneLight& sceneLight)
     MakeAcross(TransformDirection(sceneLight.Light, renderer, properties.PhotometryUp),
       sceneLight.Values.photometry.axis);
 }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 MakeAcross(glm::dvec3 up, const glm::dvec3& axis)
+{
+  // Squares of very small or large components would leave the range of numbers.
+  up /= std::max({ std::abs(up.x), std::abs(up.y), std::abs(up.z) });
+  for (const glm::dvec3& other : { up, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.0, 0.0) })
+  {
+    const glm::dvec3 across = other - glm::dot(other, axis) * axis;
+    if (glm::length(across) > 1e-6 * glm::length(other))
+    {
+      return glm::normalize(across);
+    }
+  }
+  return glm::dvec3(0.0, 1.0, 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -48,6 +48,9 @@ int CommonKind(const std::vector<SceneLight>& sceneLights);
 std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
   const CameraUniforms& view, double radius, bool photometric);
 
+// `up` made perpendicular to the axis; another direction across it where up lies along it.
+glm::dvec3 MakeAcross(glm::dvec3 up, const glm::dvec3& axis);
+
 // GetCameraLightsText() of these lights.
 inline bool IsLeftOut(const SceneLight& sceneLight) { return sceneLight.LeftOut; }
 std::string DescribeLeftOut(const std::vector<SceneLight>& sceneLights);

@@ -5,6 +5,7 @@ airlight_sources(
     AirlightCameraUniforms
     AirlightEquiangularLights
     AirlightFrameScene
+    AirlightLampSamples
     AirlightSceneArrays
     AirlightSceneLights
     AirlightLightGrid
