@@ -4,9 +4,10 @@
  * @class   vtkAirlightLight
  * @brief   properties of a vtkLight that VTK does not have
  *
- * Units, scattering, photometric files and extents of lights. The properties are stored in the light itself
- * (vtkLight::GetInformation()), so that everything that meets the light uses the same: passes,
- * mappers, vtkAirlightReference. vtkLight::DeepCopy() copies them. All functions are static.
+ * Units, scattering, photometric files and extents of lights. The properties are stored in the
+ * light itself (vtkLight::GetInformation()), so that everything that meets the light uses the same:
+ * passes, mappers, vtkAirlightReference. vtkLight::DeepCopy() copies them. All functions are
+ * static.
  *
  * Errors: a null light and invalid values give an error, and the old value is kept.
  *

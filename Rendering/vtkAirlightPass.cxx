@@ -42,7 +42,7 @@ AirlightMediaMethodsMacro(vtkAirlightPass);
 
 namespace
 {
-// Sets a choice among those up to `last`; the caller names itself and the choices.
+// Whether a property may have this value, of those from 0 to `last`. If not, an error names them.
 bool IsChoice(vtkObject* self, const char* property, int value, int last, const char* choices)
 {
   if (value < 0 || value > last)

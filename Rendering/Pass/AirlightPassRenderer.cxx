@@ -165,6 +165,7 @@ bool PassRenderer::RenderMean(
   const glm::ivec4 picture(viewport.X, viewport.Y, viewport.Width, viewport.Height);
   Settings frame = settings;
   frame.Properties.LinearFrame = true;
+  this->Error.clear();
   StateSaver saver(window, ShadowLists::IsSupported(window));
   if (!this->Mean.Render(renderer, picture, settings.SubpixelFrames,
         this->CurrentFrame.GetBuffers(), [&] { return this->RenderFrame(s, frame, viewport); }))
@@ -199,7 +200,8 @@ bool PassRenderer::MeasureExposure(vtkRenderer* renderer, vtkTextureObject* radi
   {
     return this->Fail(this->Exposure.GetError());
   }
-  display.Exposure *= this->Exposure.GetExposure();
+  // Single precision holds no more.
+  display.Exposure = std::min(display.Exposure * this->Exposure.GetExposure(), 1e30);
   this->EffectiveExposure = display.Exposure;
   return true;
 }

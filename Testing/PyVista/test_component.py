@@ -243,3 +243,26 @@ def test_all_corners_of_a_frame_of_a_second_plotter(make_plotter):
     first.airlight.enable()
     assert not second.airlight.enabled
     assert first.airlight.medium is not second.airlight.medium
+
+
+def test_display(plotter):
+    """Radiances above white fade to white, and edges are smooth."""
+    plotter.add_mesh(pv.Sphere())
+    plotter.airlight.enable(visibility=6)
+    plotter.airlight.add_lamp((0, 0, 1), 40, radius=0.1)
+    render_pass = plotter.airlight.render_pass
+    neutral = plotter.screenshot(return_img=True)
+    assert render_pass.GetToneMapping() == airlight.vtkAirlightPass.NEUTRAL_PBR
+    plotter.airlight.enable(visibility=6, tone_mapping="clamp")
+    clamped = plotter.screenshot(return_img=True)
+    assert (neutral == 255).mean() < 0.5 * (clamped == 255).mean()
+    plotter.airlight.enable(visibility=6, color_space="srgb", frames=8)
+    encoded = plotter.screenshot(return_img=True)
+    assert render_pass.GetSubpixelFrames() == 8
+    assert encoded.mean() > neutral.mean()
+    plotter.airlight.enable(visibility=float("inf"))
+    assert render_pass.GetToneMapping() == airlight.vtkAirlightPass.CLAMP
+    state = plotter.airlight.get_state()
+    assert state["lamps"][0]["radius"] == 0.1
+    plotter.airlight.set_state(state)
+    assert airlight.vtkAirlightLight.GetRadius(plotter.airlight.lamps[0]) == 0.1

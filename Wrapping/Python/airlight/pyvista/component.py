@@ -75,7 +75,8 @@ class AirlightComponent:
                reference_height: float | None = None,
                medium: vtkParticipatingMedium | None = None, shadows: bool | str = True,
                lamp: bool | None = None, white: float = 1.0,
-               anti_aliasing: bool | None = None) -> AirlightComponent:
+               anti_aliasing: bool | None = None, tone_mapping: str | None = None,
+               color_space: str = "linear", frames: int = 1) -> AirlightComponent:
         """Put the active subplot into a medium.
 
         What is None is derived from the scene at the first frame, and again if the scene's size
@@ -122,6 +123,16 @@ class AirlightComponent:
         anti_aliasing : bool, optional
             Whether edges are smoothed by FXAA instead of the window's multisampling, which has no
             effect on a medium. None: yes, unless PyVista's SSAA is on.
+        tone_mapping : str, optional
+            How radiances above white become colours: ``"neutral"`` keeps hues below 0.8 and fades
+            brighter ones to white; ``"clamp"`` cuts them off; ``"filmic"``, ``"reinhard"``,
+            ``"exponential"``. None: neutral, in clear air (``math.inf``) clamp.
+        color_space : str, default: "linear"
+            ``"linear"``: colours are shown as PyVista shows them. ``"srgb"``: radiances are encoded
+            as screens expect; colours of meshes are then linear reflectances, and lighter.
+        frames : int, default: 1
+            How many frames make a picture, whose mean has smooth edges of surfaces and shadows, and
+            soft shadows of lamps with a radius. 16 are good, 64 very good. 1 to 1024.
 
         Returns
         -------
@@ -148,7 +159,8 @@ class AirlightComponent:
                 raise ValueError(f"medium and {names[0]} are both given: set {names[0]} in the "
                                  "medium, or give no medium.")
         settings = Settings(**given, albedo=albedo, shadows=shadows, lamp=lamp, white=white,
-                            anti_aliasing=anti_aliasing)
+                            anti_aliasing=anti_aliasing, tone_mapping=tone_mapping,
+                            color_space=color_space, frames=frames)
         subplot.enable(settings, medium)
         return self
 
@@ -191,7 +203,7 @@ class AirlightComponent:
     def add_lamp(self, position: Any, intensity: Any = None, *, unit: str | None = None,
                  color: Any = "white", target: Any = None, direction: Any = None,
                  cone_angle: float | None = None, exponent: float = 0.0,
-                 ies: Any = None) -> pv.Light:
+                 ies: Any = None, radius: float = 0.0) -> pv.Light:
         """Add a lamp to the active subplot, in physical units.
 
         Parameters
@@ -220,6 +232,10 @@ class AirlightComponent:
             than 0 are slower.
         ies : str | os.PathLike, optional
             A photometric file of IES LM-63, which says how the lamp emits by direction.
+        radius : float, default: 0.0
+            The radius of the lamp: of a sphere, or of a disc across the axis of a spotlight or a
+            photometric file. Its shadows are soft where ``frames`` of enable() is above 1. At
+            least 0.
 
         Returns
         -------
@@ -235,7 +251,7 @@ class AirlightComponent:
         """
         subplot = self._active()
         lamp = make_lamp(position, intensity, unit, color, target, direction, cone_angle, exponent,
-                         ies, subplot.derive_intensity)
+                         ies, radius, subplot.derive_intensity)
         return subplot.add_lamp(lamp)
 
     def add_sun(self, direction: Any, irradiance: Any = 2.5, *, unit: str = "W/m^2",

@@ -74,6 +74,7 @@ class Lamp:
             "cone_angle": float(light.cone_angle),
             "exponent": float(light.exponent),
             "ies": vtkAirlightLight.GetPhotometry(light) or None,
+            "radius": float(vtkAirlightLight.GetRadius(light)),
             "on": bool(light.on),
         }
 
@@ -93,12 +94,19 @@ class Lamp:
                        is_sun=is_sun)
             light.on = values["on"]
             ies = values["ies"]
+            set_radius(light, values.get("radius", 0.0))  # states of older versions have none
         except KeyError as error:
             raise ValueError(f"state: a lamp has no {error}; give what get_state() returned.") \
                 from None
         if ies:
             read_photometry(light, ies)
         return lamp
+
+
+def set_radius(light: pv.Light, radius: float) -> None:
+    """Give a lamp its radius; 0 needs nothing."""
+    if radius != vtkAirlightLight.GetRadius(light):
+        vtkAirlightLight.SetRadius(light, radius)
 
 
 def read_photometry(light: pv.Light, ies: Any) -> None:
@@ -116,7 +124,7 @@ def read_photometry(light: pv.Light, ies: Any) -> None:
 
 def make_lamp(position: Any, intensity: Any, unit: str | None, color: Any, target: Any,
               direction: Any, cone_angle: Any, exponent: Any, ies: Any,
-              derive: Any) -> Lamp:
+              radius: Any, derive: Any) -> Lamp:
     """A lamp from the arguments of AirlightComponent.add_lamp(), checked.
 
     ``derive(position)`` returns the intensity for None.
@@ -143,8 +151,11 @@ def make_lamp(position: Any, intensity: Any, unit: str | None, color: Any, targe
     exponent = arguments.number("exponent", exponent, lambda x: 0 <= x <= 128,
                                 "the exponent of the cosine in a cone, from 0 to 128")
     color = arguments.rgb("color", color, "a colour")
+    radius = arguments.number("radius", radius, lambda x: x >= 0,
+                              "the radius of the lamp, a finite number, at least 0")
     light = pv.Light(position=position, focal_point=np.add(position, aim), positional=True,
                      cone_angle=cone_angle, exponent=exponent)
+    set_radius(light, radius)
     if ies is not None:
         read_photometry(light, ies)
         if intensity is None:

@@ -32,6 +32,17 @@ SHADOWS = {
 }
 
 
+TONE_MAPPINGS = {
+    "clamp": vtkAirlightPass.CLAMP,
+    "reinhard": vtkAirlightPass.REINHARD,
+    "exponential": vtkAirlightPass.EXPONENTIAL,
+    "filmic": vtkAirlightPass.GENERIC_FILMIC,
+    "neutral": vtkAirlightPass.NEUTRAL_PBR,
+}
+
+COLOR_SPACES = {"linear": vtkAirlightPass.LINEAR, "srgb": vtkAirlightPass.SRGB}
+
+
 @dataclass
 class Settings:
     """The settings of one subplot; None is derived from the scene. See AirlightComponent.enable."""
@@ -48,6 +59,9 @@ class Settings:
     lamp: bool | None = None
     white: float = 1.0
     anti_aliasing: bool | None = None
+    tone_mapping: str | None = None
+    color_space: str = "linear"
+    frames: int = 1
 
     def __post_init__(self) -> None:
         if self.visibility is not None and self.visibility != math.inf:
@@ -66,6 +80,13 @@ class Settings:
         for name in ("lamp", "anti_aliasing"):
             if getattr(self, name) not in (None, True, False):
                 raise TypeError(f"{name} is {getattr(self, name)!r}: give True, False or None.")
+        if self.tone_mapping is not None:
+            self.tone_mapping = arguments.one_of("tone_mapping", self.tone_mapping,
+                                                 list(TONE_MAPPINGS))
+        self.color_space = arguments.one_of("color_space", self.color_space, list(COLOR_SPACES))
+        self.frames = int(arguments.number(
+            "frames", self.frames, lambda n: 1 <= n <= 1024 and n == int(n),
+            "how many frames make a picture, a whole number from 1 to 1024"))
         self._check_shadows()
         self._check_region()
         self._check_density()
@@ -160,9 +181,14 @@ class Settings:
             medium.SetAmbientRadiance(*(AMBIENT_SHARE * x for x in background))
 
     def apply_to_pass(self, render_pass: vtkAirlightPass) -> None:
-        """Set the shadow technique."""
+        """Set the shadow technique and the display."""
         render_pass.SetShadowTechnique(SHADOWS[self.shadows])
         render_pass.SetSurfaceShadows(self.shadows != "none")
+        # Clear air is to look as without the pass.
+        curve = self.tone_mapping or ("clamp" if self.visibility == math.inf else "neutral")
+        render_pass.SetToneMapping(TONE_MAPPINGS[curve])
+        render_pass.SetOutputColorSpace(COLOR_SPACES[self.color_space])
+        render_pass.SetSubpixelFrames(self.frames)
 
     def as_dict(self) -> dict[str, Any]:
         """The settings as a dict of numbers, words, tuples and copies of data sets."""
