@@ -95,12 +95,15 @@ public:
    * those of
    *
    * - a rectangle of SetSize() across the light's axis, its height along SetPhotometryUp();
-   * - a disc of SetRadius() across the axis, for spotlights and photometric files;
+   * - without a size, a disc of SetRadius() across the axis, for spotlights and photometric files;
    * - a ball of SetRadius() for other positional lights, dense towards its surface such that it
-   *   looks evenly bright from everywhere, as a sphere that emits by Lambert's law does;
-   * - a disc of SetAngularDiameter() in the sky, for directional lights.
+   *   looks evenly bright from afar, as a sphere that emits by Lambert's law does;
+   * - a disc of SetAngularDiameter() in the sky, for directional lights, whose irradiance is that
+   *   of a surface across the direction of each point.
    *
-   * Lights that are fixed to the camera are points. Radius and size in world units, the angle in
+   * Lights that are fixed to the camera are points, and all lights while the pass has silhouettes
+   * of other processes. A light whose focal point is its position has no axis. The pass moves the
+   * light for each frame, and back, which invokes its ModifiedEvent. Radius and size in world units, the angle in
    * degrees (the sun: 0.53). Range: finite, at least 0; the angle below 180. Default: 0.
    */
   static void SetRadius(vtkLight* light, double radius);

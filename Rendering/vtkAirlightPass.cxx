@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirlightPass.h"
 
+#include "Frame/AirlightExposureMeter.h"
 #include "Medium/AirlightMediaMethods.h"
 #include "Pass/AirlightPassRenderer.h"
 #include "Photometry/AirlightLightProperties.h"
 #include "Scene/AirlightCasterKeys.h"
 #include "vtkAirlightLight.h"
 
+#include "vtkCommand.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -42,6 +44,17 @@ AirlightMediaMethodsMacro(vtkAirlightPass);
 
 namespace
 {
+// Interactor styles let the window ask for this rate while the user moves something.
+bool IsMoving(vtkRenderWindow* window)
+{
+  return window->GetDesiredUpdateRate() >= InteractiveUpdateRate;
+}
+
+bool HasInput(vtkRenderWindow* window)
+{
+  return window->GetInteractor() && !window->GetOffScreenRendering() && window->GetEventPending();
+}
+
 // Whether a property may have this value, of those from 0 to `last`. If not, an error names them.
 bool IsChoice(vtkObject* self, const char* property, int value, int last, const char* choices)
 {
@@ -253,7 +266,12 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   }
   PassRenderer::Settings settings;
   settings.LightRadius = this->LightRadius;
-  settings.SubpixelFrames = this->SubpixelFrames;
+  vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
+  settings.SubpixelFrames = IsMoving(window) ? 1 : this->SubpixelFrames;
+  settings.Progress = [this, window](double done) {
+    this->InvokeEvent(vtkCommand::ProgressEvent, &done);
+    return window->CheckAbortStatus() == 0 && !HasInput(window);
+  };
   settings.Delegate = this->DelegatePass;
   PassProperties& properties = settings.Properties;
   properties.Technique = static_cast<airlight::ShadowTechnique>(this->ShadowTechnique);

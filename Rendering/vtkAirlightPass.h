@@ -243,8 +243,8 @@ public:
   /**
    * Whether the exposure follows the picture: its middle luminance becomes middle grey, 0.18, times
    * Exposure, before tone mapping. The middle is the mean of the logarithm, in blocks of 1/64 of
-   * the picture's sides, without black pixels and the 40 % of the others that are darkest and the
-   * 5 % that are brightest, which are lamps. A black picture changes nothing. While the user moves
+   * the picture's sides, without what is black or below 1e-5 of the brightest block, the 40 % of
+   * the other pixels that are darkest and the 5 % that are brightest, which are lamps. A black picture changes nothing. While the user moves
    * something the exposure follows within some tenths of a second; pictures at rest are the same
    * each time. The right eye has the exposure of the left one, and a picture in tiles that of the
    * last whole picture of its renderer, or of its first tile. Debug views have Exposure alone.
@@ -388,7 +388,12 @@ public:
    * of the window are. The mean is displayed, not its frames. The renderer's FXAA is left out. One
    * frame is drawn for selections, for debug views of counts and planes, for a renderer that keeps
    * depths of others (vtkRenderer::PreserveDepthBuffer, Erase off), and for cameras with
-   * UseOffAxisProjection or UseExplicitProjectionTransformMatrix. Range: 1 to 1024. Default: 1.
+   * UseOffAxisProjection or UseExplicitProjectionTransformMatrix; and while the user moves
+   * something, which a window's DesiredUpdateRate of 1 or more tells, as interactor styles set it:
+   * the frame at rest that they draw then has all. After each frame the pass invokes
+   * vtkCommand::ProgressEvent with the share that is done. vtkRenderWindow::CheckAbortStatus() and
+   * input that waits in a window with an interactor end the mean with that frame.
+   * Range: 1 to 1024. Default: 1.
    */
   vtkSetClampMacro(SubpixelFrames, int, 1, 1024);
   vtkGetMacro(SubpixelFrames, int);

@@ -97,7 +97,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(dust);
   pass->RecordBuffersOn();
-  pass->EncodedOutputOn(); // for the eye
+  pass->SetToneMappingToNeutralPBR(); // for the eye
+  pass->SetOutputColorSpaceToSRGB();
   vtkNew<vtkRenderer> renderer;
   renderer->UseFXAAOn();
   renderer->SetBackground(0.5, 0.7, 0.9); // the sky in the windows

@@ -112,7 +112,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(fog);
   pass->RecordBuffersOn();
-  pass->EncodedOutputOn(); // for the eye
+  pass->SetToneMappingToNeutralPBR(); // for the eye
+  pass->SetOutputColorSpaceToSRGB();
   vtkNew<vtkRenderer> renderer;
   renderer->SetPass(pass);
   AddLamp(renderer, -0.62, low);

@@ -184,7 +184,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(smoke);
   pass->RecordBuffersOn();
-  pass->EncodedOutputOn(); // for the eye
+  pass->SetToneMappingToNeutralPBR(); // for the eye
+  pass->SetOutputColorSpaceToSRGB();
   vtkNew<vtkRenderer> renderer;
   renderer->UseFXAAOn();
   renderer->AddLight(lens);

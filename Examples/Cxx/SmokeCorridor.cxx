@@ -181,7 +181,8 @@ int main(int argc, char* argv[])
   smoke->SetAmbientRadiance(Ambient, Ambient, Ambient);
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(smoke);
-  pass->EncodedOutputOn(); // for the eye
+  pass->SetToneMappingToNeutralPBR(); // for the eye
+  pass->SetOutputColorSpaceToSRGB();
   vtkNew<vtkRenderer> renderer;
   renderer->UseFXAAOn();
   renderer->SetPass(pass);

@@ -164,7 +164,8 @@ int main(int argc, char* argv[])
   lamp->SetExponent(0.0);
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(water);
-  pass->EncodedOutputOn(); // for the eye
+  pass->SetToneMappingToNeutralPBR(); // for the eye
+  pass->SetOutputColorSpaceToSRGB();
   vtkNew<vtkRenderer> renderer;
   renderer->UseFXAAOn();
   renderer->AddLight(lamp);

@@ -121,7 +121,8 @@ def main():
     dust_pass = airlight.vtkAirlightPass()
     dust_pass.SetMedium(dust)
     dust_pass.RecordBuffersOn()
-    dust_pass.EncodedOutputOn()  # for the eye
+    dust_pass.SetToneMappingToNeutralPBR()  # for the eye
+    dust_pass.SetOutputColorSpaceToSRGB()
     renderer.SetPass(dust_pass)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(EYE)

@@ -74,7 +74,8 @@ def make_view(beam, viewport):
     fog_pass = airlight.vtkAirlightPass()
     fog_pass.SetMedium(fog)
     fog_pass.RecordBuffersOn()
-    fog_pass.EncodedOutputOn()  # for the eye
+    fog_pass.SetToneMappingToNeutralPBR()  # for the eye
+    fog_pass.SetOutputColorSpaceToSRGB()
     for x, y, z in LAMPS:
         lamp = vtkLight()
         airlight.vtkAirlight.SetRadiantIntensity(lamp, INTENSITY / WHITE * COLOUR)

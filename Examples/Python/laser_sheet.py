@@ -148,7 +148,8 @@ def main():
     smoke_pass = airlight.vtkAirlightPass()
     smoke_pass.SetMedium(smoke)
     smoke_pass.RecordBuffersOn()
-    smoke_pass.EncodedOutputOn()  # for the eye
+    smoke_pass.SetToneMappingToNeutralPBR()  # for the eye
+    smoke_pass.SetOutputColorSpaceToSRGB()
     renderer.SetPass(smoke_pass)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(EYE)

@@ -132,7 +132,8 @@ def main():
         renderer.AddLight(lamp)
     smoke_pass = airlight.vtkAirlightPass()
     smoke_pass.SetMedium(smoke)
-    smoke_pass.EncodedOutputOn()  # for the eye
+    smoke_pass.SetToneMappingToNeutralPBR()  # for the eye
+    smoke_pass.SetOutputColorSpaceToSRGB()
     renderer.SetPass(smoke_pass)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(0, EYE, 0)

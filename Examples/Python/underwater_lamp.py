@@ -138,7 +138,8 @@ def main():
     renderer.AddLight(lamp)
     water_pass = airlight.vtkAirlightPass()
     water_pass.SetMedium(water)
-    water_pass.EncodedOutputOn()  # for the eye
+    water_pass.SetToneMappingToNeutralPBR()  # for the eye
+    water_pass.SetOutputColorSpaceToSRGB()
     renderer.SetPass(water_pass)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(0, 0, 0)

@@ -27,8 +27,7 @@ constexpr double MiddleGrey = 0.18;
 constexpr double Darkest = 0.4; // the share of the pixels that are too dark to count
 constexpr double Brightest = 0.05;
 constexpr double Residue = 1e-5; // of the brightest block: shadows may hold roundings of light
-constexpr double AdaptationTime = 0.3;        // s
-constexpr double InteractiveUpdateRate = 1.0; // that a window asks for while it is moved
+constexpr double AdaptationTime = 0.3; // s
 }
 
 //------------------------------------------------------------------------------
@@ -68,10 +67,12 @@ double ChooseExposure(std::vector<LuminanceBlock> blocks)
 //------------------------------------------------------------------------------
 bool ExposureMeter::IsPart(vtkRenderer* renderer) const
 {
-  const int* tiles = renderer->GetRenderWindow()->GetTileScale();
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  const int* tiles = window->GetTileScale();
   vtkCamera* camera = renderer->GetActiveCamera();
   const bool tile = tiles[0] * tiles[1] > 1;
-  const bool right = camera->GetStereo() && !camera->GetLeftEye();
+  const bool right =
+    camera->GetStereo() && !camera->GetLeftEye() && window->GetStereoType() != VTK_STEREO_RIGHT;
   return this->Measured == renderer && (tile || right);
 }
 

@@ -25,6 +25,9 @@ class vtkWindow;
 
 namespace airlight
 {
+// A window asks for at least so many frames a second while the user moves something.
+constexpr double InteractiveUpdateRate = 1.0;
+
 class ExposureMeter
 {
 public:

@@ -55,29 +55,29 @@ void FrameRecorder::AddToMean(float weight)
     {
       continue;
     }
-    vtkSmartPointer<vtkImageData>& sum = this->Sums[buffer.first];
-    const bool first = !sum;
-    if (first)
+    vtkSmartPointer<vtkImageData>& mean = this->Means[buffer.first];
+    if (!mean)
     {
-      sum = vtkSmartPointer<vtkImageData>::New();
-      sum->DeepCopy(buffer.second);
+      mean = vtkSmartPointer<vtkImageData>::New();
+      mean->DeepCopy(buffer.second);
+      continue;
     }
     const auto* values = static_cast<const float*>(buffer.second->GetScalarPointer());
-    auto* sums = static_cast<float*>(sum->GetScalarPointer());
-    const vtkIdType count = sum->GetNumberOfPoints() * sum->GetNumberOfScalarComponents();
-    std::transform(values, values + count, sums, sums,
-      [=](float value, float before) { return (first ? 0.0f : before) + weight * value; });
+    auto* means = static_cast<float*>(mean->GetScalarPointer());
+    const vtkIdType count = mean->GetNumberOfPoints() * mean->GetNumberOfScalarComponents();
+    std::transform(values, values + count, means, means,
+      [weight](float value, float before) { return before + weight * (value - before); });
   }
 }
 
 //------------------------------------------------------------------------------
 void FrameRecorder::TakeMean()
 {
-  for (auto& sum : this->Sums)
+  for (auto& mean : this->Means)
   {
-    this->Buffers[sum.first] = std::move(sum.second);
+    this->Buffers[mean.first] = std::move(mean.second);
   }
-  this->Sums.clear();
+  this->Means.clear();
 }
 
 //------------------------------------------------------------------------------

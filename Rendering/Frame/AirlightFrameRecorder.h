@@ -28,10 +28,10 @@ public:
   // Reads one light's airlight.
   bool RecordLight(Targets& targets, int light);
 
-  // The mean of several frames: each one's buffers times its weight are added up, and the sums then
-  // take the place of the last one's. Of several distances there is no mean that any ray has, nor
-  // of counts: those stay the last frame's.
-  void BeginMean() { this->Sums.clear(); }
+  // The mean of several frames, which then takes the place of the last one's: each frame has its
+  // weight beside the mean of those before. Of several distances there is no mean that any ray has,
+  // nor of counts: those stay the last frame's.
+  void BeginMean() { this->Means.clear(); }
   void AddToMean(float weight);
   void TakeMean();
 
@@ -43,7 +43,7 @@ private:
   using Images = std::map<std::string, vtkSmartPointer<vtkImageData>>;
 
   Images Buffers;
-  Images Sums;
+  Images Means;
 };
 }
 

@@ -73,9 +73,11 @@ bool SubpixelMean::AddFrame(float weight)
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_CONSTANT_ALPHA, GL_ONE, GL_CONSTANT_ALPHA);
+  glBlendColor(0.0f, 0.0f, 0.0f, 1.0f - weight);
   program->SetUniformf("weight", weight);
   this->AddQuad.Draw({ { "addedFrame", this->Textures.Scene } });
+  glBlendColor(0.0f, 0.0f, 0.0f, 0.0f);
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   return true;

@@ -32,7 +32,7 @@ public:
   // For pictures of this size. False with a reason in GetError(), here and below.
   bool Begin(vtkOpenGLRenderWindow* window, int width, int height);
 
-  // Binds and clears the target of one frame; adds that frame times `weight`.
+  // Binds and clears the target of one frame; takes it into the mean, in which it has `weight`.
   bool BindFrame();
   bool AddFrame(float weight);
 
@@ -49,7 +49,7 @@ private:
   bool Fail(const std::string& reason);
 
   vtkOpenGLRenderWindow* Window = nullptr;
-  Targets Textures; // Scene: a frame; Scattered: the sum
+  Targets Textures; // Scene: a frame; Scattered: the mean
   Quad AddQuad;
   Quad MeanQuad;
   std::string Error;

@@ -166,9 +166,12 @@ bool PassRenderer::RenderMean(
   Settings frame = settings;
   frame.Properties.LinearFrame = true;
   this->Error.clear();
+  // Silhouettes of other processes are those of lamps in their middles.
+  this->Mean.SetMovesLamps(!this->CurrentFrame.HasRemoteSilhouettes());
   StateSaver saver(window, ShadowLists::IsSupported(window));
   if (!this->Mean.Render(renderer, picture, settings.SubpixelFrames,
-        this->CurrentFrame.GetBuffers(), [&] { return this->RenderFrame(s, frame, viewport); }))
+        this->CurrentFrame.GetBuffers(), settings.Progress,
+        [&] { return this->RenderFrame(s, frame, viewport); }))
   {
     return this->Error.empty() ? this->Fail(this->Mean.GetError()) : false;
   }

@@ -40,6 +40,7 @@ public:
     PassProperties Properties;
     double LightRadius = 0.0;
     int SubpixelFrames = 1; // the picture is the mean of so many
+    airlight::SubpixelFrames::Progress Progress;
     vtkRenderPass* Delegate = nullptr;
   };
   // Where a frame goes: the viewport in the framebuffer that is bound.

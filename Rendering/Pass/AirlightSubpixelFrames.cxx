@@ -8,6 +8,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include <optional>
+
 namespace airlight
 {
 namespace
@@ -46,24 +48,31 @@ bool SubpixelFrames::MayAverage(vtkRenderer* renderer, DebugView view)
 //------------------------------------------------------------------------------
 // The frame that is not moved is the last one: its depths stay.
 bool SubpixelFrames::Render(vtkRenderer* renderer, const glm::ivec4& picture, int count,
-  FrameRecorder& buffers, const std::function<bool()>& renderFrame)
+  FrameRecorder& buffers, const Progress& progress, const std::function<bool()>& renderFrame)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   // Of a picture in tiles, a camera shows one.
   const glm::dvec2 size(picture.z, picture.w);
-  const float weight = 1.0f / static_cast<float>(count);
   buffers.BeginMean();
   bool ok = this->Mean.Begin(window, picture.x + picture.z, picture.y + picture.w);
-  for (int number = count - 1; ok && number >= 0; --number)
+  bool goesOn = true;
+  for (int number = count - 1; ok && goesOn && number >= 0; --number)
   {
     const MovedCamera camera(
       renderer->GetActiveCamera(), 2.0 * SubpixelMean::GetOffset(number, count) / size);
-    const MovedLamps lamps(renderer, number);
+    std::optional<MovedLamps> lamps;
+    if (this->MovesLamps)
+    {
+      lamps.emplace(renderer, number);
+    }
     ok = this->Mean.BindFrame() && renderFrame();
     if (ok)
     {
+      const int done = count - number;
+      const float weight = 1.0f / static_cast<float>(done);
       buffers.AddToMean(weight);
       ok = this->Mean.AddFrame(weight);
+      goesOn = progress(static_cast<double>(done) / count);
     }
   }
   if (ok)

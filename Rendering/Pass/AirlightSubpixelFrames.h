@@ -22,6 +22,9 @@ namespace airlight
 class SubpixelFrames
 {
 public:
+  // Is called after each frame with the share that is done. False ends the mean with that frame.
+  using Progress = std::function<bool(double)>;
+
   // Whether a renderer's picture may be the mean of several.
   static bool MayAverage(vtkRenderer* renderer, DebugView view);
 
@@ -29,7 +32,10 @@ public:
   // into the framebuffer that is bound, at the picture's corner. False if it returns false, or with
   // a reason in GetError().
   bool Render(vtkRenderer* renderer, const glm::ivec4& picture, int count, FrameRecorder& buffers,
-    const std::function<bool()>& renderFrame);
+    const Progress& progress, const std::function<bool()>& renderFrame);
+
+  // Whether lamps with an extent are at other points in each frame. Default: true.
+  void SetMovesLamps(bool moves) { this->MovesLamps = moves; }
 
   vtkTextureObject* GetRadiance() { return this->Mean.GetRadiance(); }
 
@@ -41,6 +47,7 @@ public:
 
 private:
   SubpixelMean Mean;
+  bool MovesLamps = true;
 };
 }
 

@@ -2,21 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/AirlightLampSamples.h"
 
-#include "Integration/AirlightMath.h"
 #include "Scene/AirlightSceneLights.h"
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMath.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace airlight
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 bool HasExtent(vtkLight* light)
 {
   const LampExtent& extent = GetProperties(light).Extent;
@@ -31,7 +30,18 @@ glm::dvec3 GetDiscOffset(
   double radius, const glm::dvec3& axis, const glm::dvec3& up, double u, double v)
 {
   const double r = radius * std::sqrt(u);
-  return r * (std::cos(2.0 * Pi * v) * MakeRight(axis, up) + std::sin(2.0 * Pi * v) * up);
+  return r *
+    (std::cos(2.0 * vtkMath::Pi() * v) * MakeRight(axis, up) +
+      std::sin(2.0 * vtkMath::Pi() * v) * up);
+}
+
+// On a plane at this distance, of directions that are even in solid angle.
+glm::dvec3 GetSkyOffset(double distance, double diameter, const glm::dvec3& axis,
+  const glm::dvec3& up, const glm::dvec3& numbers)
+{
+  const double cosine = 1.0 - numbers.x * (1.0 - std::cos(0.5 * glm::radians(diameter)));
+  const double radius = distance * std::sqrt(1.0 - cosine * cosine) / cosine;
+  return GetDiscOffset(radius, axis, up, 1.0, numbers.y);
 }
 
 // Of points that are even on the sphere in four dimensions, three coordinates have the density
@@ -40,8 +50,9 @@ glm::dvec3 GetBallOffset(double radius, const glm::dvec3& numbers)
 {
   const double outer = radius * std::sqrt(1.0 - numbers.x);
   const double inner = radius * std::sqrt(numbers.x);
-  return { outer * std::sin(2.0 * Pi * numbers.y), outer * std::cos(2.0 * Pi * numbers.y),
-    inner * std::sin(2.0 * Pi * numbers.z) };
+  return { outer * std::sin(2.0 * vtkMath::Pi() * numbers.y),
+    outer * std::cos(2.0 * vtkMath::Pi() * numbers.y),
+    inner * std::sin(2.0 * vtkMath::Pi() * numbers.z) };
 }
 }
 
@@ -98,9 +109,14 @@ MovedLamps::~MovedLamps()
 }
 
 //------------------------------------------------------------------------------
-// A lamp keeps its direction; the sun's changes.
+// A lamp keeps its direction; the sun's changes. A collection may have a light twice.
 void MovedLamps::Move(vtkLight* light, const glm::dvec3& numbers)
 {
+  if (std::any_of(this->Places.begin(), this->Places.end(),
+        [light](const Place& place) { return place.Light == light; }))
+  {
+    return;
+  }
   Place place{ light, {}, {} };
   light->GetPosition(&place.Position.x);
   light->GetFocalPoint(&place.FocalPoint.x);
@@ -108,27 +124,25 @@ void MovedLamps::Move(vtkLight* light, const glm::dvec3& numbers)
   const double length = glm::length(path);
   const LightProperties& properties = GetProperties(light);
   const bool positional = light->GetPositional() != 0;
-  const bool aims = !positional || light->GetConeAngle() < 90.0 || properties.Table ||
-    properties.Extent.Size != glm::dvec2(0.0);
-  if (aims && !(length > 0.0))
+  const bool aims = length > 0.0 &&
+    (!positional || light->GetConeAngle() < 90.0 || properties.Table ||
+      properties.Extent.Size != glm::dvec2(0.0));
+  if (!positional && !aims)
   {
     return;
   }
   const glm::dvec3 axis = aims ? path / length : glm::dvec3(0.0);
   const glm::dvec3 up = aims ? MakeAcross(properties.PhotometryUp, axis) : glm::dvec3(0.0);
+  const glm::dvec3 offset = positional
+    ? GetLampOffset(properties.Extent, axis, up, numbers)
+    : GetSkyOffset(length, properties.Extent.AngularDiameter, axis, up, numbers);
   this->Places.push_back(place);
+  const glm::dvec3 position = place.Position + offset;
+  light->SetPosition(position.x, position.y, position.z);
   if (positional)
   {
-    const glm::dvec3 offset = GetLampOffset(properties.Extent, axis, up, numbers);
-    const glm::dvec3 position = place.Position + offset;
     const glm::dvec3 focalPoint = place.FocalPoint + offset;
-    light->SetPosition(position.x, position.y, position.z);
     light->SetFocalPoint(focalPoint.x, focalPoint.y, focalPoint.z);
-    return;
   }
-  LampExtent disc;
-  disc.Radius = length * std::tan(0.5 * glm::radians(properties.Extent.AngularDiameter));
-  const glm::dvec3 position = place.Position + GetLampOffset(disc, axis, up, numbers);
-  light->SetPosition(position.x, position.y, position.z);
 }
 }

@@ -156,7 +156,7 @@ void ChangeLight(Input& input, vtkLight* light)
 //------------------------------------------------------------------------------
 void ChangeDisplay(Input& input, vtkAirlightPass* pass)
 {
-  switch (input.Integer(0, 4))
+  switch (input.Integer(0, 5))
   {
     case 0:
       return pass->SetExposure(input.Number());
@@ -166,6 +166,8 @@ void ChangeDisplay(Input& input, vtkAirlightPass* pass)
       return pass->SetToneMapping(input.Integer(-1, 6));
     case 3:
       return pass->SetSubpixelFrames(input.Integer(0, 3));
+    case 4:
+      return pass->SetEncodedOutput(input.Flag());
     default:
       return pass->SetOutputColorSpace(input.Integer(-1, 4));
   }

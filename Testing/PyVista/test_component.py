@@ -260,9 +260,19 @@ def test_display(plotter):
     encoded = plotter.screenshot(return_img=True)
     assert render_pass.GetSubpixelFrames() == 8
     assert encoded.mean() > neutral.mean()
-    plotter.airlight.enable(visibility=float("inf"))
-    assert render_pass.GetToneMapping() == airlight.vtkAirlightPass.CLAMP
+    for clear in ({"visibility": float("inf")}, {"medium": airlight.vtkParticipatingMedium()}):
+        plotter.airlight.enable(**clear)
+        assert render_pass.GetToneMapping() == airlight.vtkAirlightPass.CLAMP
+    plotter.airlight.medium.SetVisibility(3)
+    plotter.render()
+    assert render_pass.GetToneMapping() == airlight.vtkAirlightPass.NEUTRAL_PBR
+    plotter.airlight.enable(visibility=6)
+    plotter.airlight.add_sun((0, 0, -1), angular_diameter=0.53)
     state = plotter.airlight.get_state()
     assert state["lamps"][0]["radius"] == 0.1
     plotter.airlight.set_state(state)
     assert airlight.vtkAirlightLight.GetRadius(plotter.airlight.lamps[0]) == 0.1
+    assert airlight.vtkAirlightLight.GetAngularDiameter(plotter.airlight.lamps[1]) == 0.53
+    state["lamps"][0]["radius"] = -1
+    with pytest.raises(ValueError, match="radius is -1.0"):
+        plotter.airlight.set_state(state)

@@ -316,6 +316,47 @@ class TestModels(ProgramTest):
                 self.assertGreater(plain[middle].mean(), 0.1)
                 self.assertEqual(plain[0].max(), 0)
 
+    # White light along the view on surfaces in nearly clear air.
+    CLEAR = ("--visibility", "1e6", "--ambient", "0,0,0", "--camera", "0,0,9:0,0,0",
+             "--sun", "0,0,1:3,3,3", "--size", "96x72", "--buffer", "Surface")
+
+    def test_colours(self):
+        """Colours of materials are those of screens: sRGB."""
+        self.write("a.mtl", "newmtl red\nKd 0.8 0.2 0.5\n")
+        model = self.write("a.obj", "mtllib a.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
+                           "usemtl red\nf 1 2 3\nf 1 3 4\n")
+        colour = self.render(model, "a.pfm", *self.CLEAR)[36, 48]
+        expected = ((np.array([0.8, 0.2, 0.5]) + 0.055) / 1.055) ** 2.4 * 3 / np.pi
+        np.testing.assert_allclose(colour, expected, rtol=1e-3)
+
+    def test_smooth(self):
+        """A coarse ball has no facets; normals of 0 and those that point inwards are not used."""
+        count = 12
+        angles = np.linspace(0, np.pi, count)
+        turns = np.arange(2 * count) * np.pi / count
+        points = [(np.sin(a) * np.cos(b), np.cos(a), np.sin(a) * np.sin(b))
+                  for a in angles for b in turns]
+        faces = [(i * 2 * count + j, i * 2 * count + (j + 1) % (2 * count),
+                  (i + 1) * 2 * count + (j + 1) % (2 * count), (i + 1) * 2 * count + j)
+                 for i in range(count - 1) for j in range(2 * count)]
+        pictures = []
+        for sign in (None, 0, -1):
+            lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
+            names = ["x", "y", "z"] + (["nx", "ny", "nz"] if sign is not None else [])
+            lines += [f"property float {name}" for name in names]
+            lines += [f"element face {len(faces)}", "property list uchar int vertex_indices",
+                      "end_header"]
+            for point in points:
+                values = point if sign is None else (*point, *(sign * x for x in point))
+                lines.append(" ".join(f"{x:.6f}" for x in values))
+            lines += ["4 " + " ".join(map(str, face)) for face in faces]
+            model = self.write("ball.ply", "\n".join(lines) + "\n")
+            pictures.append(self.render(model, "ball.pfm", *self.CLEAR)[..., 0])
+        lit = pictures[0][pictures[0] > 0]
+        self.assertGreater(len(np.unique(lit.round(5))), 0.2 * lit.size)
+        for picture in pictures[1:]:
+            np.testing.assert_allclose(picture, pictures[0], atol=2e-3)
+
 
 if __name__ == "__main__":
     unittest.main(argv=[__file__])

@@ -86,9 +86,12 @@ const std::map<std::string, ImporterMaker>& GetImporterMakers()
 
 void MakeMatt(vtkActor* actor)
 {
-  vtkProperty* property = actor->GetProperty();
+  // Actors of one material share its property.
+  vtkNew<vtkProperty> property;
+  property->DeepCopy(actor->GetProperty());
+  actor->SetProperty(property);
   const bool linear = property->GetInterpolation() == VTK_PBR; // a glTF material
-  if (property->GetInterpolation() == VTK_PBR)
+  if (linear)
   {
     property->SetInterpolationToPhong();
     actor->SetTexture(property->GetTexture("albedoTex"));

@@ -2,12 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/LambertActor.h"
 
+#include "formats/ModelColours.h"
+
+#include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
+#include <vtkPolygon.h>
 #include <vtkProperty.h>
+
+#include <cmath>
 
 namespace airlight
 {
@@ -34,15 +43,56 @@ vtkSmartPointer<vtkPolyData> MakeFlat(vtkPolyData* mesh)
   return normals->GetOutput();
 }
 
-// Triangles of files that know no shared points (STL) share them here.
+// Whether points have normals that shading can use: finite, not 0, and on the side that the
+// polygons' points turn around, to which VTK's mappers turn them.
+bool HasNormals(vtkPolyData* mesh)
+{
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  if (!normals)
+  {
+    return false;
+  }
+  vtkIdType agreeing = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, ids);
+    Vector3 flat;
+    vtkPolygon::ComputeNormal(
+      mesh->GetPoints(), static_cast<int>(ids->GetNumberOfIds()), ids->GetPointer(0), flat.data());
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const double* normal = normals->GetTuple3(ids->GetId(i));
+      const double length = vtkMath::Norm(normal);
+      if (!(length > 0.0) || !std::isfinite(length))
+      {
+        return false;
+      }
+      sum += vtkMath::Dot(normal, flat.data());
+    }
+    agreeing += sum >= 0.0 ? 1 : 0;
+  }
+  return 2 * agreeing >= mesh->GetNumberOfPolys();
+}
+
+// Triangles of files that know no shared points (STL) share them here; but points that differ in
+// colour stay apart.
 vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh)
 {
-  if (mesh->GetPointData()->GetNormals())
+  if (HasNormals(mesh))
   {
     return mesh;
   }
+  vtkNew<vtkPolyData> bare;
+  bare->ShallowCopy(mesh);
+  bare->GetPointData()->SetNormals(nullptr);
   vtkNew<vtkCleanPolyData> merged;
-  merged->SetInputData(mesh);
+  merged->SetInputData(bare);
+  merged->SetPointMerging(!HasColours(mesh));
+  merged->ConvertPolysToLinesOff();
+  merged->ConvertLinesToPointsOff();
+  merged->ConvertStripsToPolysOff();
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputConnection(merged->GetOutputPort());
   normals->SetFeatureAngle(SmoothAngle);

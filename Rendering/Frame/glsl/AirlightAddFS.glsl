@@ -1,4 +1,4 @@
-// A frame, to be added to others.
+// A frame, to be blended with the mean of others.
 
 uniform sampler2D addedFrame;
 uniform float weight;

@@ -241,20 +241,21 @@ void TestRectangle()
   }));
 }
 
-// A large sun: 12 degrees.
+// A large sun: 60 degrees, by solid angle.
 void TestSun()
 {
   ExtentScene scene;
   scene.Lamp->SetPositional(false);
   const double irradiance[3] = { 2.0, 2.0, 2.0 };
   vtkAirlight::SetIrradiance(scene.Lamp, irradiance);
-  vtkAirlightLight::SetAngularDiameter(scene.Lamp, 12.0);
+  vtkAirlightLight::SetAngularDiameter(scene.Lamp, 60.0);
   const auto axes = MakeAxes(-glm::normalize(glm::dvec3(3, 4, 2)));
-  const double radius = std::sqrt(29.0) * std::tan(6.0 / 180.0 * Pi);
   CheckLamp("sun", scene,
     MakePlaces(scene.Lamp,
-      [&axes, radius](double u, double v) {
-        return radius * std::sqrt(u) *
+      [&axes](double u, double v) {
+        // Zones of equal height have equal solid angles.
+        const double angle = std::acos(1.0 - u * (1.0 - std::cos(Pi / 6.0)));
+        return std::sqrt(29.0) * std::tan(angle) *
           (std::cos(2.0 * Pi * v) * axes.first + std::sin(2.0 * Pi * v) * axes.second);
       }),
     true);

@@ -9,6 +9,7 @@
 #include "AirlightTestTools.h"
 #include "AirlightTestWindowScene.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkTextActor.h"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 using namespace airlight_test;
 
@@ -249,6 +251,55 @@ void TestOneFrame()
 }
 
 //------------------------------------------------------------------------------
+// Each frame is told, and the window may end the mean: its buffers are the mean of what was drawn.
+void TestProgress()
+{
+  WindowScene scene(Width, Height, 1);
+  scene.Pass->SetSubpixelFrames(8);
+  struct
+  {
+    std::vector<double> Shares;
+    vtkRenderWindow* Window;
+    bool Aborts = false;
+  } seen;
+  seen.Window = scene.Window;
+  vtkNew<vtkCallbackCommand> progress;
+  progress->SetClientData(&seen);
+  progress->SetCallback([](vtkObject*, unsigned long, void* data, void* share) {
+    auto* all = static_cast<decltype(seen)*>(data);
+    all->Shares.push_back(*static_cast<double*>(share));
+  });
+  scene.Pass->AddObserver(vtkCommand::ProgressEvent, progress);
+  const Buffers whole = scene.Render();
+  Check(seen.Shares.size() == 8 && seen.Shares[1] == 0.25 && seen.Shares[7] == 1.0,
+    "the progress of eight frames");
+  seen.Shares.clear();
+  scene.Window->SetDesiredUpdateRate(15.0);
+  scene.Window->Render();
+  Check(seen.Shares.empty(), "one frame while the user moves something");
+  scene.Window->SetDesiredUpdateRate(0.0001);
+  scene.Window->Render();
+  Check(seen.Shares.size() == 8, "and all at rest");
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetClientData(&seen);
+  abort->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
+    auto* all = static_cast<decltype(seen)*>(data);
+    all->Window->SetAbortRender(all->Shares.size() >= 3);
+  });
+  scene.Window->AddObserver(vtkCommand::AbortCheckEvent, abort);
+  seen.Shares.clear();
+  const Buffers part = scene.Render();
+  Check(seen.Shares.size() == 3, "ended after three frames");
+  double sums[2] = { 0.0, 0.0 };
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    sums[0] += GetValue(whole.at("Airlight"), i % Width, i / Width);
+    sums[1] += GetValue(part.at("Airlight"), i % Width, i / Width);
+  }
+  Check(std::abs(sums[1] / sums[0] - 1.0) < 0.02, "the mean of three frames");
+}
+
+//------------------------------------------------------------------------------
 // A picture in tiles is that of a larger window.
 void TestTiles()
 {
@@ -283,6 +334,7 @@ int TestSubpixelFrames(int, char*[])
   TestAnnotations();
   TestViewports();
   TestOneFrame();
+  TestProgress();
   TestTiles();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -118,15 +118,16 @@ class AirlightComponent:
             Whether Airlight adds a lamp above the scene. None: if no other light scatters, as
             PyVista's lights that are fixed to the camera do not.
         white : float, default: 1.0
-            The radiance, W/(m^2 sr), or luminance, cd/m^2, that is drawn white: the exposure.
+            The radiance, W/(m^2 sr), or luminance, cd/m^2, that is drawn white: the exposure. With
+            neutral tone mapping it is drawn nearly white, 0.87.
             Above 0. The lights of add_lamp() and add_sun() have their power divided by it.
         anti_aliasing : bool, optional
             Whether edges are smoothed by FXAA instead of the window's multisampling, which has no
             effect on a medium. None: yes, unless PyVista's SSAA is on.
         tone_mapping : str, optional
-            How radiances above white become colours: ``"neutral"`` keeps hues below 0.8 and fades
-            brighter ones to white; ``"clamp"`` cuts them off; ``"filmic"``, ``"reinhard"``,
-            ``"exponential"``. None: neutral, in clear air (``math.inf``) clamp.
+            How radiances become colours: ``"neutral"`` keeps hues below 0.8, takes up to 0.04 of
+            grey away, and fades brighter ones to white; ``"clamp"`` cuts those off; ``"filmic"``, ``"reinhard"``,
+            ``"exponential"``. None: neutral, in clear air clamp.
         color_space : str, default: "linear"
             ``"linear"``: colours are shown as PyVista shows them. ``"srgb"``: radiances are encoded
             as screens expect; colours of meshes are then linear reflectances, and lighter.
@@ -255,7 +256,7 @@ class AirlightComponent:
         return subplot.add_lamp(lamp)
 
     def add_sun(self, direction: Any, irradiance: Any = 2.5, *, unit: str = "W/m^2",
-                color: Any = "white") -> pv.Light:
+                color: Any = "white", angular_diameter: float = 0.0) -> pv.Light:
         """Add a directional light to the active subplot, in physical units.
 
         Its light is not attenuated on its way to the scene unless the medium has a region or a
@@ -272,6 +273,9 @@ class AirlightComponent:
             ``"W/m^2"`` or ``"lx"``. See add_lamp().
         color : ColorLike, default: "white"
             Factors of the irradiance.
+        angular_diameter : float, default: 0.0
+            The diameter of its disc in the sky, in degrees: the sun's is 0.53. Its shadows are soft
+            where ``frames`` of enable() is above 1. At least 0, below 180.
 
         Returns
         -------
@@ -283,7 +287,8 @@ class AirlightComponent:
         TypeError, ValueError
             If an argument is invalid.
         """
-        return self._active().add_lamp(make_sun(direction, irradiance, unit, color))
+        return self._active().add_lamp(make_sun(direction, irradiance, unit, color,
+                                                angular_diameter))
 
     def remove_lamp(self, light: pv.Light) -> AirlightComponent:
         """Remove a light that add_lamp() or add_sun() returned from the active subplot.

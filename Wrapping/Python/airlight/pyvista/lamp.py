@@ -20,6 +20,10 @@ LAMP_UNITS = {"W/sr": "radiometric", "cd": "photometric"}
 SUN_UNITS = {"W/m^2": "radiometric", "lx": "photometric"}
 
 
+# The extents of a lamp that is no point, in states; those of older versions have none.
+EXTENTS = ("radius", "size", "angular_diameter")
+
+
 class Lamp:
     """A lamp at a position, or a sun, and the light that draws it.
 
@@ -74,7 +78,7 @@ class Lamp:
             "cone_angle": float(light.cone_angle),
             "exponent": float(light.exponent),
             "ies": vtkAirlightLight.GetPhotometry(light) or None,
-            "radius": float(vtkAirlightLight.GetRadius(light)),
+            **get_extent(light),
             "on": bool(light.on),
         }
 
@@ -94,7 +98,7 @@ class Lamp:
                        is_sun=is_sun)
             light.on = values["on"]
             ies = values["ies"]
-            set_radius(light, values.get("radius", 0.0))  # states of older versions have none
+            set_extent(light, **{name: values[name] for name in EXTENTS if name in values})
         except KeyError as error:
             raise ValueError(f"state: a lamp has no {error}; give what get_state() returned.") \
                 from None
@@ -103,10 +107,28 @@ class Lamp:
         return lamp
 
 
-def set_radius(light: pv.Light, radius: float) -> None:
-    """Give a lamp its radius; 0 needs nothing."""
-    if radius != vtkAirlightLight.GetRadius(light):
+def get_extent(light: pv.Light) -> dict[str, Any]:
+    """The extent of a lamp, by the names of EXTENTS."""
+    size = [0.0, 0.0]
+    vtkAirlightLight.GetSize(light, size)
+    return {"radius": vtkAirlightLight.GetRadius(light), "size": tuple(size),
+            "angular_diameter": vtkAirlightLight.GetAngularDiameter(light)}
+
+
+def set_extent(light: pv.Light, radius: Any = 0.0, size: Any = (0.0, 0.0),
+               angular_diameter: Any = 0.0) -> None:
+    """Give a lamp its extent, checked."""
+    radius = arguments.number("radius", radius, lambda x: 0 <= x <= 1e100,
+                              "the radius of the lamp, a finite number, at least 0")
+    width, height = arguments.vector("size", size, "width and height of the lamp", 2)
+    angular_diameter = arguments.number(
+        "angular_diameter", angular_diameter, lambda x: 0 <= x < 180,
+        "the diameter of a sun's disc in degrees, at least 0 and below 180")
+    with Messages(light) as messages:
         vtkAirlightLight.SetRadius(light, radius)
+        vtkAirlightLight.SetSize(light, width, height)
+        vtkAirlightLight.SetAngularDiameter(light, angular_diameter)
+    messages.raise_if_any(ValueError)
 
 
 def read_photometry(light: pv.Light, ies: Any) -> None:
@@ -151,11 +173,9 @@ def make_lamp(position: Any, intensity: Any, unit: str | None, color: Any, targe
     exponent = arguments.number("exponent", exponent, lambda x: 0 <= x <= 128,
                                 "the exponent of the cosine in a cone, from 0 to 128")
     color = arguments.rgb("color", color, "a colour")
-    radius = arguments.number("radius", radius, lambda x: x >= 0,
-                              "the radius of the lamp, a finite number, at least 0")
     light = pv.Light(position=position, focal_point=np.add(position, aim), positional=True,
                      cone_angle=cone_angle, exponent=exponent)
-    set_radius(light, radius)
+    set_extent(light, radius=radius)
     if ies is not None:
         read_photometry(light, ies)
         if intensity is None:
@@ -168,11 +188,13 @@ def make_lamp(position: Any, intensity: Any, unit: str | None, color: Any, targe
     return Lamp(light, tuple(np.multiply(power, color).tolist()), unit)
 
 
-def make_sun(direction: Any, irradiance: Any, unit: str, color: Any) -> Lamp:
+def make_sun(direction: Any, irradiance: Any, unit: str, color: Any,
+             angular_diameter: Any = 0.0) -> Lamp:
     """A sun from the arguments of AirlightComponent.add_sun(), checked."""
     direction = arguments.direction("direction", direction)
     unit = arguments.one_of("unit", unit, list(SUN_UNITS))
     color = arguments.rgb("color", color, "a colour")
     power = arguments.rgb("irradiance", irradiance, f"an irradiance in {unit}")
     light = pv.Light(position=np.negative(direction), focal_point=(0, 0, 0), positional=False)
+    set_extent(light, angular_diameter=angular_diameter)
     return Lamp(light, tuple(np.multiply(power, color).tolist()), unit, is_sun=True)

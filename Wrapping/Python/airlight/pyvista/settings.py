@@ -181,14 +181,17 @@ class Settings:
             medium.SetAmbientRadiance(*(AMBIENT_SHARE * x for x in background))
 
     def apply_to_pass(self, render_pass: vtkAirlightPass) -> None:
-        """Set the shadow technique and the display."""
+        """Set the shadow technique and the number of frames."""
         render_pass.SetShadowTechnique(SHADOWS[self.shadows])
         render_pass.SetSurfaceShadows(self.shadows != "none")
-        # Clear air is to look as without the pass.
-        curve = self.tone_mapping or ("clamp" if self.visibility == math.inf else "neutral")
+        render_pass.SetSubpixelFrames(self.frames)
+
+    def apply_display(self, render_pass: vtkAirlightPass, medium: vtkParticipatingMedium) -> None:
+        """Set how radiance is shown; clear air is to look as without the pass."""
+        is_clear = medium.GetVisibility() == math.inf
+        curve = self.tone_mapping or ("clamp" if is_clear else "neutral")
         render_pass.SetToneMapping(TONE_MAPPINGS[curve])
         render_pass.SetOutputColorSpace(COLOR_SPACES[self.color_space])
-        render_pass.SetSubpixelFrames(self.frames)
 
     def as_dict(self) -> dict[str, Any]:
         """The settings as a dict of numbers, words, tuples and copies of data sets."""

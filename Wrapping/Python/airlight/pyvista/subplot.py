@@ -151,6 +151,7 @@ class Subplot:
             return
         self._quiet_camera_lights(renderer)
         self._update_derived(in_frame and renderer.camera_set)
+        self.settings.apply_display(self.render_pass, self.medium)
         if not self.is_provided:
             self._chain.install(renderer, self.render_pass)
         self._edges.update(renderer, self.render_pass)
