@@ -103,8 +103,9 @@ public:
    *
    * Lights that are fixed to the camera are points, and all lights while the pass has silhouettes
    * of other processes. A light whose focal point is its position has no axis. The pass moves the
-   * light for each frame, and back, which invokes its ModifiedEvent. Radius and size in world units, the angle in
-   * degrees (the sun: 0.53). Range: finite, at least 0; the angle below 180. Default: 0.
+   * light for each frame, and back, which invokes its ModifiedEvent. Radius and size in world
+   * units, the angle in degrees (the sun: 0.53). Range: finite, at least 0; the angle below 180.
+   * Default: 0.
    */
   static void SetRadius(vtkLight* light, double radius);
   static double GetRadius(vtkLight* light);

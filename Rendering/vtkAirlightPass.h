@@ -244,11 +244,11 @@ public:
    * Whether the exposure follows the picture: its middle luminance becomes middle grey, 0.18, times
    * Exposure, before tone mapping. The middle is the mean of the logarithm, in blocks of 1/64 of
    * the picture's sides, without what is black or below 1e-5 of the brightest block, the 40 % of
-   * the other pixels that are darkest and the 5 % that are brightest, which are lamps. A black picture changes nothing. While the user moves
-   * something the exposure follows within some tenths of a second; pictures at rest are the same
-   * each time. The right eye has the exposure of the left one, and a picture in tiles that of the
-   * last whole picture of its renderer, or of its first tile. Debug views have Exposure alone.
-   * Default: false.
+   * the other pixels that are darkest and the 5 % that are brightest, which are lamps. A black
+   * picture changes nothing. While the user moves something the exposure follows within some
+   * tenths of a second; pictures at rest are the same each time. The right eye has the exposure of
+   * the left one, and a picture in tiles that of the last whole picture of its renderer, or of its
+   * first tile. Debug views have Exposure alone. Default: false.
    */
   vtkSetMacro(AutomaticExposure, bool);
   vtkGetMacro(AutomaticExposure, bool);

@@ -54,12 +54,25 @@ class View(unittest.TestCase):
         plain = test.picture(self.plain, "plain")
         self.assertGreater(plain.std(), 20, "the scene is seen")
         self.assert_same(test.picture(self.view, "clear"), plain, 2, "clear")
-        # 1e-9 is no clear medium: all is drawn, but changes nothing.
+        # 1e-9 is no clear medium: all is drawn, but changes nothing. FXAA would enhance dithering.
+        self.view.Dithering = 0
         self.view.Scattering = [1e-9] * 3
         self.assert_same(test.picture(self.view, "nearly-clear"), plain, 2, "nearly clear")
         self.view.Scattering = [0.5] * 3
         self.view.Airlight = 0
         self.assert_same(test.picture(self.view, "off"), plain, 0, "off")
+
+    def test_display(self):
+        """Exposure, tone mapping and the mean of frames."""
+        self.view.Exposure = 4
+        clamped = test.picture(self.view, "clamped")
+        self.view.ToneMapping = "Neutral PBR"
+        mapped = test.picture(self.view, "mapped")
+        self.assertLess((mapped == 255).mean(), 0.5 * (clamped == 255).mean())
+        self.view.AutomaticExposure = 1
+        self.assertGreater(np.abs(test.picture(self.view, "automatic") - mapped).mean(), 2)
+        self.view.SubpixelFrames = 4
+        self.assertGreater(test.picture(self.view, "mean").std(), 5)
 
     def test_stock_scene(self):
         """ParaView's own lights, axes and antialiasing, coloured data: nothing changes either."""

@@ -112,6 +112,27 @@ void vtkPVAirlightRenderView::SetScatteredSurfaceLight(bool on)
 void vtkPVAirlightRenderView::SetLinearInput(bool on) { this->Pass->SetLinearInput(on); }
 
 //------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetExposure(double exposure) { this->Pass->SetExposure(exposure); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetAutomaticExposure(bool on)
+{
+  this->Pass->SetAutomaticExposure(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetToneMapping(int curve) { this->Pass->SetToneMapping(curve); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetDithering(bool on) { this->Pass->SetDithering(on); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetSubpixelFrames(int frames)
+{
+  this->Pass->SetSubpixelFrames(frames);
+}
+
+//------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetDebugView(int view) { this->Pass->SetDebugView(view); }
 
 //------------------------------------------------------------------------------

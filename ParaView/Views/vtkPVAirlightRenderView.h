@@ -79,6 +79,11 @@ public:
   void SetTranslucentShadows(bool on);
   void SetScatteredSurfaceLight(bool on);
   void SetLinearInput(bool on);
+  void SetExposure(double exposure);
+  void SetAutomaticExposure(bool on);
+  void SetToneMapping(int curve);
+  void SetDithering(bool on);
+  void SetSubpixelFrames(int frames);
   void SetDebugView(int view);
   void SetLightRadius(double radius);
   void SetMemoryLimit(int limit);

@@ -84,6 +84,7 @@ void FrameScene::SetUpPass(Random& random)
 {
   const FrameGroup& group = this->Group;
   this->Pass->SetShadowTechnique(group.Technique);
+  this->Pass->DitheringOff(); // pictures are compared with radiances, within their rounding
   this->Pass->SetShadowMapResolution(64);
   this->Pass->SetNumberOfSteps(16);
   this->Pass->SetScatteredSurfaceLight(group.ScatteredSurfaceLight);

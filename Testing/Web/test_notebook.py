@@ -31,8 +31,10 @@ print(json.dumps({
     "gathered": {str(v): [float(x) for x in gathered[v]] for v in visibilities},
     "shadowed": [float(x) for x in shadowed], "unshadowed": [float(x) for x in unshadowed],
     "taken": [float(taken.min()), float(taken.max()), float((taken > 0.05).mean())],
+    # Of means of four by four pixels, as single ones are dithered.
     "contrast": {str(v): float(np.abs(np.diff(p, axis=1)).mean() / p.mean()) for v, p in
-                 [(v, sweep[f"Visibility {v} m"].astype(float)) for v in visibilities]},
+                 [(v, sweep[f"Visibility {v} m"][:404].astype(float)
+                   .reshape(101, 4, 180, 4, 3).mean(axis=(1, 3))) for v in visibilities]},
     "means": [float(p.mean()) for p in (clear, glow, fog)],
 }))
 """

@@ -99,7 +99,8 @@ vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh)
   normals->ConsistencyOff();
   normals->AutoOrientNormalsOff();
   normals->Update();
-  return normals->GetOutput();
+  // Of a mesh in one point nothing is left.
+  return normals->GetOutput()->GetNumberOfCells() > 0 ? normals->GetOutput() : mesh;
 }
 }
 
