@@ -58,13 +58,14 @@ class View(unittest.TestCase):
         self.view.Dithering = 0
         self.view.Scattering = [1e-9] * 3
         self.assert_same(test.picture(self.view, "nearly-clear"), plain, 2, "nearly clear")
+        self.view.Dithering = 1
         self.view.Scattering = [0.5] * 3
         self.view.Airlight = 0
         self.assert_same(test.picture(self.view, "off"), plain, 0, "off")
 
     def test_display(self):
         """Exposure, tone mapping and the mean of frames."""
-        self.view.Exposure = 4
+        self.view.RadianceExposure = 4
         clamped = test.picture(self.view, "clamped")
         self.view.ToneMapping = "Neutral PBR"
         mapped = test.picture(self.view, "mapped")
@@ -73,6 +74,9 @@ class View(unittest.TestCase):
         self.assertGreater(np.abs(test.picture(self.view, "automatic") - mapped).mean(), 2)
         self.view.SubpixelFrames = 4
         self.assertGreater(test.picture(self.view, "mean").std(), 5)
+        for name in ("RadianceExposure", "ToneMapping", "AutomaticExposure", "SubpixelFrames"):
+            self.view.GetProperty(name).ResetToDefault()
+        self.view.UpdateVTKObjects()
 
     def test_stock_scene(self):
         """ParaView's own lights, axes and antialiasing, coloured data: nothing changes either."""

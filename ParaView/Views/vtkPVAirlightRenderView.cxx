@@ -112,7 +112,10 @@ void vtkPVAirlightRenderView::SetScatteredSurfaceLight(bool on)
 void vtkPVAirlightRenderView::SetLinearInput(bool on) { this->Pass->SetLinearInput(on); }
 
 //------------------------------------------------------------------------------
-void vtkPVAirlightRenderView::SetExposure(double exposure) { this->Pass->SetExposure(exposure); }
+void vtkPVAirlightRenderView::SetRadianceExposure(double exposure)
+{
+  this->Pass->SetExposure(exposure);
+}
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetAutomaticExposure(bool on)

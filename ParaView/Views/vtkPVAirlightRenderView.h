@@ -79,7 +79,7 @@ public:
   void SetTranslucentShadows(bool on);
   void SetScatteredSurfaceLight(bool on);
   void SetLinearInput(bool on);
-  void SetExposure(double exposure);
+  void SetRadianceExposure(double exposure); // SetExposure() is that of ParaView's tone mapping
   void SetAutomaticExposure(bool on);
   void SetToneMapping(int curve);
   void SetDithering(bool on);
