@@ -112,8 +112,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(fog);
   pass->RecordBuffersOn();
-  pass->SetToneMappingToNeutralPBR(); // for the eye
-  pass->SetOutputColorSpaceToSRGB();
+  pass->SetOutputColorSpaceToSRGB(); // for the eye
   vtkNew<vtkRenderer> renderer;
   renderer->SetPass(pass);
   AddLamp(renderer, -0.62, low);

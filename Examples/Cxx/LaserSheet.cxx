@@ -184,8 +184,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(smoke);
   pass->RecordBuffersOn();
-  pass->SetToneMappingToNeutralPBR(); // for the eye
-  pass->SetOutputColorSpaceToSRGB();
+  pass->SetOutputColorSpaceToSRGB(); // for the eye
   vtkNew<vtkRenderer> renderer;
   renderer->UseFXAAOn();
   renderer->AddLight(lens);

@@ -164,8 +164,7 @@ int main(int argc, char* argv[])
   lamp->SetExponent(0.0);
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(water);
-  pass->SetToneMappingToNeutralPBR(); // for the eye
-  pass->SetOutputColorSpaceToSRGB();
+  pass->SetOutputColorSpaceToSRGB(); // for the eye
   vtkNew<vtkRenderer> renderer;
   renderer->UseFXAAOn();
   renderer->AddLight(lamp);

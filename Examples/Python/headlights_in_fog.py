@@ -74,8 +74,7 @@ def make_view(beam, viewport):
     fog_pass = airlight.vtkAirlightPass()
     fog_pass.SetMedium(fog)
     fog_pass.RecordBuffersOn()
-    fog_pass.SetToneMappingToNeutralPBR()  # for the eye
-    fog_pass.SetOutputColorSpaceToSRGB()
+    fog_pass.SetOutputColorSpaceToSRGB()  # for the eye
     for x, y, z in LAMPS:
         lamp = vtkLight()
         airlight.vtkAirlight.SetRadiantIntensity(lamp, INTENSITY / WHITE * COLOUR)

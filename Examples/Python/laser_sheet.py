@@ -148,8 +148,7 @@ def main():
     smoke_pass = airlight.vtkAirlightPass()
     smoke_pass.SetMedium(smoke)
     smoke_pass.RecordBuffersOn()
-    smoke_pass.SetToneMappingToNeutralPBR()  # for the eye
-    smoke_pass.SetOutputColorSpaceToSRGB()
+    smoke_pass.SetOutputColorSpaceToSRGB()  # for the eye
     renderer.SetPass(smoke_pass)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(EYE)

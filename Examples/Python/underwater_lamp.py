@@ -138,8 +138,7 @@ def main():
     renderer.AddLight(lamp)
     water_pass = airlight.vtkAirlightPass()
     water_pass.SetMedium(water)
-    water_pass.SetToneMappingToNeutralPBR()  # for the eye
-    water_pass.SetOutputColorSpaceToSRGB()
+    water_pass.SetOutputColorSpaceToSRGB()  # for the eye
     renderer.SetPass(water_pass)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(0, 0, 0)
