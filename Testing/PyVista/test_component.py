@@ -264,7 +264,9 @@ def test_display(plotter):
         plotter.airlight.enable(**clear)
         assert render_pass.GetToneMapping() == airlight.vtkAirlightPass.CLAMP
     plotter.airlight.medium.SetVisibility(3)
+    render_pass.SetOutputColorSpaceToSRGB()  # of the user, which stays
     plotter.render()
+    assert render_pass.GetOutputColorSpace() == airlight.vtkAirlightPass.SRGB
     assert render_pass.GetToneMapping() == airlight.vtkAirlightPass.NEUTRAL_PBR
     plotter.airlight.enable(visibility=6)
     plotter.airlight.add_sun((0, 0, -1), angular_diameter=0.53)

@@ -181,17 +181,18 @@ class Settings:
             medium.SetAmbientRadiance(*(AMBIENT_SHARE * x for x in background))
 
     def apply_to_pass(self, render_pass: vtkAirlightPass) -> None:
-        """Set the shadow technique and the number of frames."""
+        """Set all that does not depend on the medium."""
         render_pass.SetShadowTechnique(SHADOWS[self.shadows])
         render_pass.SetSurfaceShadows(self.shadows != "none")
         render_pass.SetSubpixelFrames(self.frames)
-
-    def apply_display(self, render_pass: vtkAirlightPass, medium: vtkParticipatingMedium) -> None:
-        """Set how radiance is shown; clear air is to look as without the pass."""
-        is_clear = medium.GetVisibility() == math.inf
-        curve = self.tone_mapping or ("clamp" if is_clear else "neutral")
-        render_pass.SetToneMapping(TONE_MAPPINGS[curve])
         render_pass.SetOutputColorSpace(COLOR_SPACES[self.color_space])
+        if self.tone_mapping is not None:
+            render_pass.SetToneMapping(TONE_MAPPINGS[self.tone_mapping])
+
+    def derive_tone_mapping(self, render_pass: vtkAirlightPass, *, is_clear: bool) -> None:
+        """Set the tone mapping, if it is None; clear air is to look as without the pass."""
+        if self.tone_mapping is None:
+            render_pass.SetToneMapping(TONE_MAPPINGS["clamp" if is_clear else "neutral"])
 
     def as_dict(self) -> dict[str, Any]:
         """The settings as a dict of numbers, words, tuples and copies of data sets."""

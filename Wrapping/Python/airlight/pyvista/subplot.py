@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 import weakref
 
@@ -46,6 +47,7 @@ class Subplot:
         self._observer: int | None = None
         self._diagonal: float | None = None
         self._background: tuple[float, ...] | None = None
+        self._is_clear: bool | None = None
         self._center: Any = None
         self.settings = Settings()
         self.own_medium: vtkParticipatingMedium | None = None
@@ -87,6 +89,7 @@ class Subplot:
         self.render_pass.SetMedium(medium)
         self.enabled = True
         self._diagonal = None
+        self._is_clear = None
         for lamp in self.lamps:
             lamp.expose(settings.white)
         if settings.anti_aliasing is False:
@@ -151,7 +154,7 @@ class Subplot:
             return
         self._quiet_camera_lights(renderer)
         self._update_derived(in_frame and renderer.camera_set)
-        self.settings.apply_display(self.render_pass, self.medium)
+        self._update_tone_mapping()
         if not self.is_provided:
             self._chain.install(renderer, self.render_pass)
         self._edges.update(renderer, self.render_pass)
@@ -191,6 +194,13 @@ class Subplot:
         self._update_derived_lamp(scene, has_changed)
         if has_changed and is_final:
             self._diagonal, self._center = scene.diagonal, scene.center
+
+    def _update_tone_mapping(self) -> None:
+        """Derive it when the medium becomes clear or is so no more: the user may change the pass."""
+        is_clear = self.medium.GetVisibility() == math.inf
+        if is_clear != self._is_clear:
+            self.settings.derive_tone_mapping(self.render_pass, is_clear=is_clear)
+            self._is_clear = is_clear
 
     def _has_changed(self, scene: Any) -> bool:
         if self._diagonal is None:
