@@ -163,11 +163,11 @@ struct FramePlan
   bool KeepBuffers = false;  // and it is kept
   bool Annotations = true;   // drawn over the frame
   bool EncodedInput = false; // the scene's colours are encoded for display
-  DisplayStage Display;
   bool MeasuresExposure = false; // which the display multiplies
   bool LinearFrame = false;
   double PhaseErrorBound = 0.0;
   std::uint64_t MemoryLimit = 0; // bytes
+  DisplayStage Display;
 };
 
 // How pictures with these properties are shown, of clear air or not.
