@@ -159,10 +159,10 @@ struct FramePlan
   bool UnshadowedInComposite = false;
 
   DebugView View = DebugView::Shaded;
-  bool Record = false;       // the shaders write what GetBuffer() gives
-  bool KeepBuffers = false;  // and it is kept
-  bool Annotations = true;   // drawn over the frame
-  bool EncodedInput = false; // the scene's colours are encoded for display
+  bool Record = false;           // the shaders write what GetBuffer() gives
+  bool KeepBuffers = false;      // and it is kept
+  bool Annotations = true;       // drawn over the frame
+  bool EncodedInput = false;     // the scene's colours are encoded for display
   bool MeasuresExposure = false; // which the display multiplies
   bool LinearFrame = false;
   double PhaseErrorBound = 0.0;

@@ -8,7 +8,6 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace airlight
 {
@@ -75,7 +74,7 @@ void FrameRecorder::TakeMean()
 {
   for (auto& mean : this->Means)
   {
-    this->Buffers[mean.first] = std::move(mean.second);
+    this->Buffers[mean.first] = mean.second;
   }
   this->Means.clear();
 }
