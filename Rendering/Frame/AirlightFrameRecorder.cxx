@@ -72,7 +72,7 @@ void FrameRecorder::AddToMean(float weight)
 //------------------------------------------------------------------------------
 void FrameRecorder::TakeMean()
 {
-  for (auto& mean : this->Means)
+  for (const auto& mean : this->Means)
   {
     this->Buffers[mean.first] = mean.second;
   }
