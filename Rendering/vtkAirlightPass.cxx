@@ -44,75 +44,55 @@ AirlightMediaMethodsMacro(vtkAirlightPass);
 
 namespace
 {
-// Interactor styles let the window ask for this rate while the user moves something.
-bool IsMoving(vtkRenderWindow* window)
-{
-  return window->GetDesiredUpdateRate() >= InteractiveUpdateRate;
-}
-
 bool HasInput(vtkRenderWindow* window)
 {
   return window->GetInteractor() && !window->GetOffScreenRendering() && window->GetEventPending();
 }
 
-// Whether a property may have this value, of those from 0 to `last`. If not, an error names them.
-bool IsChoice(vtkObject* self, const char* property, int value, int last, const char* choices)
+// Sets a property that has values from 0 to `last`; an error names them for any other.
+void SetChoice(
+  vtkObject* self, const char* property, int& member, int value, int last, const char* choices)
 {
   if (value < 0 || value > last)
   {
     vtkErrorWithObjectMacro(
       self, << property << " " << value << " is none of its values: use " << choices << ".");
-    return false;
+    return;
   }
-  return true;
+  if (member != value)
+  {
+    member = value;
+    self->Modified();
+  }
 }
 }
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetShadowTechnique(int technique)
 {
-  if (IsChoice(this, "ShadowTechnique", technique, RAY_MARCH,
-        "NONE, SHADOW_PLANES, SHADOW_MAP, RAY_MARCH or AUTOMATIC") &&
-    this->ShadowTechnique != technique)
-  {
-    this->ShadowTechnique = technique;
-    this->Modified();
-  }
+  SetChoice(this, "ShadowTechnique", this->ShadowTechnique, technique, RAY_MARCH,
+    "NONE, SHADOW_PLANES, SHADOW_MAP, RAY_MARCH or AUTOMATIC");
 }
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetDebugView(int view)
 {
-  if (IsChoice(
-        this, "DebugView", view, OUTLINES, "SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT or OUTLINES") &&
-    this->DebugView != view)
-  {
-    this->DebugView = view;
-    this->Modified();
-  }
+  SetChoice(this, "DebugView", this->DebugView, view, OUTLINES,
+    "SHADED, AIRLIGHT_ONLY, BOUNDARY_COUNT or OUTLINES");
 }
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetToneMapping(int curve)
 {
-  if (IsChoice(this, "ToneMapping", curve, NEUTRAL_PBR,
-        "CLAMP, REINHARD, EXPONENTIAL, GENERIC_FILMIC or NEUTRAL_PBR") &&
-    this->ToneMapping != curve)
-  {
-    this->ToneMapping = curve;
-    this->Modified();
-  }
+  SetChoice(this, "ToneMapping", this->ToneMapping, curve, NEUTRAL_PBR,
+    "CLAMP, REINHARD, EXPONENTIAL, GENERIC_FILMIC or NEUTRAL_PBR");
 }
 
 //------------------------------------------------------------------------------
 void vtkAirlightPass::SetOutputColorSpace(int space)
 {
-  if (IsChoice(this, "OutputColorSpace", space, SRGB, "LINEAR, GAMMA_2_2 or SRGB") &&
-    this->OutputColorSpace != space)
-  {
-    this->OutputColorSpace = space;
-    this->Modified();
-  }
+  SetChoice(
+    this, "OutputColorSpace", this->OutputColorSpace, space, SRGB, "LINEAR, GAMMA_2_2 or SRGB");
 }
 
 //------------------------------------------------------------------------------

@@ -27,7 +27,14 @@ constexpr double MiddleGrey = 0.18;
 constexpr double Darkest = 0.4; // the share of the pixels that are too dark to count
 constexpr double Brightest = 0.05;
 constexpr double Residue = 1e-5; // of the brightest block: shadows may hold roundings of light
-constexpr double AdaptationTime = 0.3; // s
+constexpr double AdaptationTime = 0.3;        // s
+constexpr double InteractiveUpdateRate = 1.0; // Hz, at least
+}
+
+//------------------------------------------------------------------------------
+bool IsMoving(vtkRenderWindow* window)
+{
+  return window->GetDesiredUpdateRate() >= InteractiveUpdateRate;
 }
 
 //------------------------------------------------------------------------------
@@ -134,8 +141,7 @@ void ExposureMeter::Follow(vtkOpenGLRenderWindow* window, double measured)
   {
     return;
   }
-  const bool moving = window->GetDesiredUpdateRate() >= InteractiveUpdateRate;
-  const double share = moving ? 1.0 - std::exp(-passed / AdaptationTime) : 1.0;
+  const double share = IsMoving(window) ? 1.0 - std::exp(-passed / AdaptationTime) : 1.0;
   this->Exposure *= std::pow(measured / this->Exposure, share);
 }
 

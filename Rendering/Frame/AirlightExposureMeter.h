@@ -19,14 +19,15 @@
 #include <vector>
 
 class vtkOpenGLRenderWindow;
+class vtkRenderWindow;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWindow;
 
 namespace airlight
 {
-// A window asks for at least so many frames a second while the user moves something.
-constexpr double InteractiveUpdateRate = 1.0;
+// Whether the user moves something: interactor styles then let the window ask for frames.
+bool IsMoving(vtkRenderWindow* window);
 
 class ExposureMeter
 {

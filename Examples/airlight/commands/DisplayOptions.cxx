@@ -37,8 +37,7 @@ void DisplayOptions::AddTo(CLI::App* command)
 {
   command->add_option("--exposure", this->Exposure,
     "Factor of the radiance; auto shows the picture's middle luminance as middle grey (default "
-    "auto; "
-    "of linear floats 1)");
+    "auto; of linear floats 1)");
   command
     ->add_option("--tone-mapping", this->ToneMapping,
       "How radiances above 1 become colours: clamp, reinhard, exponential, filmic, or neutral, "

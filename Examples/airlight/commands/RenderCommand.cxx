@@ -40,16 +40,18 @@ void Render(const RenderOptions& options)
   }
   RenderSettings settings = options.Scene.GetSettings();
   settings.RecordBuffers = buffers;
-  settings.SubpixelFrames = options.Antialiasing > 0 ? options.Antialiasing
-    : buffers                                        ? 1
-                                                     : PictureFrames;
   if (!buffers)
   {
+    settings.SubpixelFrames = PictureFrames;
     settings.Display = options.Display.GetSettings();
   }
-  if (buffers && !settings.UseMedium)
+  else if (!settings.UseMedium)
   {
     throw UserError("--no-medium has no linear buffers: write a .png");
+  }
+  if (options.Antialiasing > 0)
+  {
+    settings.SubpixelFrames = options.Antialiasing;
   }
   RenderedScene scene = BuildScene(options.Scene.Load(), settings);
   RenderToFile(scene, picture, options.Output);

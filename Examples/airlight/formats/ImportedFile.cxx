@@ -90,14 +90,13 @@ void MakeMatt(vtkActor* actor)
   vtkNew<vtkProperty> property;
   property->DeepCopy(actor->GetProperty());
   actor->SetProperty(property);
-  const bool linear = property->GetInterpolation() == VTK_PBR; // a glTF material
-  if (linear)
+  if (property->GetInterpolation() == VTK_PBR) // a glTF material, in linear colours
   {
     property->SetInterpolationToPhong();
     actor->SetTexture(property->GetTexture("albedoTex"));
     property->RemoveAllTextures();
   }
-  if (!linear)
+  else
   {
     property->SetDiffuseColor(DecodeSRGB(property->GetDiffuseColor()).data());
   }

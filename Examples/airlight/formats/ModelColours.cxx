@@ -5,7 +5,6 @@
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -192,7 +192,8 @@ void TestBall()
 {
   ExtentScene scene;
   vtkAirlightLight::SetRadius(scene.Lamp, 0.6);
-  // Spheres whose radii R sin(a) have the density r^2/sqrt(R^2 - r^2), and Fibonacci's spiral on each.
+  // Spheres whose radii R sin(a) have the density r^2/sqrt(R^2 - r^2), and Fibonacci's spiral on
+  // each.
   constexpr int Shells = 16;
   constexpr int Points = 64;
   std::vector<glm::dvec3> places;

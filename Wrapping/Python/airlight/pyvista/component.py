@@ -126,8 +126,8 @@ class AirlightComponent:
             effect on a medium. None: yes, unless PyVista's SSAA is on.
         tone_mapping : str, optional
             How radiances become colours: ``"neutral"`` keeps hues below 0.8, takes up to 0.04 of
-            grey away, and fades brighter ones to white; ``"clamp"`` cuts those off; ``"filmic"``, ``"reinhard"``,
-            ``"exponential"``. None: neutral, in clear air clamp.
+            grey away, and fades brighter ones to white; ``"clamp"`` cuts those off; ``"filmic"``,
+            ``"reinhard"``, ``"exponential"``. None: neutral, in clear air clamp.
         color_space : str, default: "linear"
             ``"linear"``: colours are shown as PyVista shows them. ``"srgb"``: radiances are encoded
             as screens expect; colours of meshes are then linear reflectances, and lighter.
