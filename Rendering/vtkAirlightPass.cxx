@@ -16,6 +16,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -210,6 +211,9 @@ int vtkAirlightPass::GetEffectiveShadowTechnique(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
+int vtkAirlightPass::GetAccumulatedFrames() { return this->Impl->GetAccumulatedFrames(); }
+
+//------------------------------------------------------------------------------
 vtkImageData* vtkAirlightPass::GetBuffer(const char* name)
 {
   return name ? this->Impl->GetFrame().GetBuffer(name) : nullptr;
@@ -248,6 +252,8 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   settings.LightRadius = this->LightRadius;
   vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
   settings.SubpixelFrames = IsMoving(window) ? 1 : this->SubpixelFrames;
+  settings.Progressive = this->ProgressiveRefinement;
+  settings.Requested = this->Impl->GetIdle().IsRendering();
   settings.Progress = [this, window](double done) {
     this->InvokeEvent(vtkCommand::ProgressEvent, &done);
     return window->CheckAbortStatus() == 0 && !HasInput(window);
@@ -270,6 +276,11 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   properties.MemoryLimit = static_cast<std::uint64_t>(this->MemoryLimit) << 20;
   this->Impl->Render(s, settings, viewport);
   this->NumberOfRenderedProps = this->Impl->GetStages().GetPasses().GetNumberOfRenderedProps();
+  vtkRenderWindowInteractor* interactor = window->GetInteractor();
+  if (interactor && this->Impl->IsUnfinished())
+  {
+    this->Impl->GetIdle().Request(interactor);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -493,6 +504,8 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DebugView: " << views[this->DebugView] << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "SubpixelFrames: " << this->SubpixelFrames << "\n";
+  os << indent << "ProgressiveRefinement: " << this->ProgressiveRefinement << "\n";
+  os << indent << "AccumulatedFrames: " << this->GetAccumulatedFrames() << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
   os << indent << "RecordBuffers: " << this->RecordBuffers << "\n";
 }

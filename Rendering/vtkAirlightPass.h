@@ -401,6 +401,28 @@ public:
 
   ///@{
   /**
+   * Refine the picture while nothing changes, for windows: each Render() adds one frame to the mean
+   * and shows it, until it has SubpixelFrames; after that Render() shows the mean again at next to
+   * no cost. If the window has an interactor that is initialized, the pass asks for the next frame
+   * by a timer of it, so that input comes first. The mean starts again if camera, lights, media,
+   * props, the data behind their mappers, or properties of the pass change by VTK's modification
+   * times; call Modified() on the pass for other changes, as of uniforms. The last picture is the
+   * same, bit for bit, as that of one Render() without refinement. A scene that changes whenever it
+   * is drawn, stereo pairs and pictures in tiles have all frames at once. Take screenshots without
+   * refinement, or wait until GetAccumulatedFrames() is SubpixelFrames. Default: off, all at once.
+   */
+  vtkSetMacro(ProgressiveRefinement, bool);
+  vtkGetMacro(ProgressiveRefinement, bool);
+  vtkBooleanMacro(ProgressiveRefinement, bool);
+  ///@}
+
+  /**
+   * How many frames the last picture is the mean of: 1 to SubpixelFrames, 0 before the first.
+   */
+  int GetAccumulatedFrames();
+
+  ///@{
+  /**
    * Maximum memory in MiB for shadow boundaries on the graphics card. A frame that needs more is
    * rendered in several horizontal bands, with the same result. The nodes on rays through volumes
    * may take as much again; render targets are not counted. "Costs and memory" in
@@ -559,6 +581,7 @@ private:
   int DebugView = SHADED;
   double LightRadius = 0.0;
   int SubpixelFrames = 1;
+  bool ProgressiveRefinement = false;
   int MemoryLimit = 1024;
   bool RecordBuffers = false;
 

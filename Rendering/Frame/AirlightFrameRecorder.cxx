@@ -74,9 +74,10 @@ void FrameRecorder::TakeMean()
 {
   for (const auto& mean : this->Means)
   {
-    this->Buffers[mean.first] = mean.second;
+    const auto image = vtkSmartPointer<vtkImageData>::New();
+    image->DeepCopy(mean.second);
+    this->Buffers[mean.first] = image;
   }
-  this->Means.clear();
 }
 
 //------------------------------------------------------------------------------

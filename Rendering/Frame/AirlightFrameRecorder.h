@@ -28,10 +28,10 @@ public:
   // Reads one light's airlight.
   bool RecordLight(Targets& targets, int light);
 
-  // The mean of several frames, which then takes the place of the last one's: each frame has its
-  // weight beside the mean of those before. Of several distances there is no mean that any ray has,
-  // nor of counts: those stay the last frame's.
-  void BeginMean() { this->Means.clear(); }
+  // The mean of several frames, which then takes the place of the last one's and may grow on: each
+  // frame has its weight beside the mean of those before. Of several distances there is no mean
+  // that any ray has, nor of counts: those stay the last frame's.
+  void ClearMean() { this->Means.clear(); }
   void AddToMean(float weight);
   void TakeMean();
 

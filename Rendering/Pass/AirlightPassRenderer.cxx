@@ -109,13 +109,15 @@ private:
 
 //------------------------------------------------------------------------------
 PassRenderer::PassRenderer(vtkObject* pass, const SceneStages::RenderHooks& hooks)
-  : Messages(pass)
+  : Pass(pass)
+  , Messages(pass)
   , Mappers(pass)
   , Stages(this->CurrentFrame, this->Mappers, this->Messages, hooks)
 {
   this->Context->SetRelease([this](vtkWindow* window) {
     this->CurrentFrame.Release(window);
     this->Mean.Release(window);
+    this->Refined.Forget();
     this->Exposure.Release(window);
     this->Casters.Clear();
     this->Stages.Release(window);
@@ -140,6 +142,8 @@ void PassRenderer::Render(
   this->Messages.CheckMedia(this->Media);
   const bool mean = settings.SubpixelFrames > 1 &&
     SubpixelFrames::MayAverage(s->GetRenderer(), settings.Properties.View);
+  this->AccumulatedFrames = 1;
+  this->Unfinished = false;
   if (mean ? this->RenderMean(s, settings, viewport) : this->RenderFrame(s, settings, viewport))
   {
     this->Messages.ForgetFrame();
@@ -163,16 +167,10 @@ bool PassRenderer::RenderMean(
     return false;
   }
   const glm::ivec4 picture(viewport.X, viewport.Y, viewport.Width, viewport.Height);
-  Settings frame = settings;
-  frame.Properties.LinearFrame = true;
-  this->Error.clear();
-  // Silhouettes of other processes are those of lamps in their middles.
-  this->Mean.SetMovesLamps(!this->CurrentFrame.HasRemoteSilhouettes());
   StateSaver saver(window, ShadowLists::IsSupported(window));
-  if (!this->Mean.Render(renderer, picture, settings.SubpixelFrames,
-        this->CurrentFrame.GetBuffers(), settings.Progress,
-        [&] { return this->RenderFrame(s, frame, viewport); }))
+  if (!this->AddFrames(s, settings, viewport))
   {
+    this->Refined.Forget();
     return this->Error.empty() ? this->Fail(this->Mean.GetError()) : false;
   }
   DisplayStage display = GetDisplay(settings.Properties, this->CurrentFrame.IsClear());
@@ -191,6 +189,46 @@ bool PassRenderer::RenderMean(
   if (settings.Properties.Annotations)
   {
     AirlightScenePass::RenderOverlay(s);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::AddFrames(
+  const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  const glm::ivec4 picture(viewport.X, viewport.Y, viewport.Width, viewport.Height);
+  Settings frame = settings;
+  frame.Properties.LinearFrame = true;
+  this->Error.clear();
+  const bool remote = this->CurrentFrame.HasRemoteSilhouettes();
+  // Silhouettes of other processes are those of lamps in their middles.
+  this->Mean.SetMovesLamps(!remote);
+  SubpixelFrames::Range range{ 0, settings.SubpixelFrames, settings.SubpixelFrames };
+  const bool refines = settings.Progressive && !remote && Refinement::MayRefine(renderer);
+  const Refinement::Picture refined{ s, this->Pass, picture, range.Count, settings.Requested };
+  if (refines)
+  {
+    const Refinement::Frames frames = this->Refined.Begin(refined);
+    range.First = frames.First;
+    range.Last = frames.Last;
+  }
+  if (!this->Mean.Render(renderer, picture, range, this->CurrentFrame.GetBuffers(),
+        settings.Progress, [&] { return this->RenderFrame(s, frame, viewport); }))
+  {
+    return false;
+  }
+  this->AccumulatedFrames = this->Mean.GetDone();
+  if (refines)
+  {
+    this->Refined.Keep(refined, this->AccumulatedFrames);
+    this->Unfinished = this->AccumulatedFrames < range.Count;
+  }
+  else
+  {
+    this->Refined.Forget();
+    this->CurrentFrame.GetBuffers().ClearMean();
   }
   return true;
 }
@@ -420,6 +458,7 @@ void PassRenderer::Recover()
     {
       this->CurrentFrame.ReleaseObjects(window);
       this->Mean.Release(window);
+      this->Refined.Forget();
       this->Exposure.Release(window);
     }
   }

@@ -12,8 +12,10 @@
 #include "Frame/AirlightFramePlan.h"
 #include "Medium/AirlightMediaList.h"
 #include "Pass/AirlightContext.h"
+#include "Pass/AirlightIdleRender.h"
 #include "Pass/AirlightMapperHooks.h"
 #include "Pass/AirlightPassMessages.h"
+#include "Pass/AirlightRefinement.h"
 #include "Pass/AirlightSceneStages.h"
 #include "Pass/AirlightSubpixelFrames.h"
 
@@ -39,7 +41,9 @@ public:
   {
     PassProperties Properties;
     double LightRadius = 0.0;
-    int SubpixelFrames = 1; // the picture is the mean of so many
+    int SubpixelFrames = 1;   // the picture is the mean of so many
+    bool Progressive = false; // each picture adds one of them
+    bool Requested = false;   // by the pass, for the next of them
     airlight::SubpixelFrames::Progress Progress;
     vtkRenderPass* Delegate = nullptr;
   };
@@ -69,9 +73,16 @@ public:
   // Frees all OpenGL objects, in whichever window they are.
   void Release() { this->Context->SetContext(nullptr); }
 
+  // How many frames the last picture is the mean of.
+  int GetAccumulatedFrames() const { return this->AccumulatedFrames; }
+
+  // Whether the next picture adds frames to the last one.
+  bool IsUnfinished() const { return this->Unfinished; }
+
   // The factor of the last picture's radiance.
   double GetEffectiveExposure() const { return this->EffectiveExposure; }
 
+  IdleRender& GetIdle() { return this->Idle; }
   Frame& GetFrame() { return this->CurrentFrame; }
   MapperHooks& GetMappers() { return this->Mappers; }
   SceneStages& GetStages() { return this->Stages; }
@@ -81,6 +92,7 @@ private:
 
   static std::array<size_t, 3> RecordsKey(const Scene& scene);
   bool RenderMean(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
+  bool AddFrames(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool MeasureExposure(vtkRenderer* renderer, vtkTextureObject* radiances,
     const glm::ivec4& picture, DisplayStage& display);
   bool RenderFrame(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
@@ -93,9 +105,14 @@ private:
   bool Fail(const std::string& reason);
   void Recover();
 
+  vtkObject* Pass;
   CasterCache Casters;
   Frame CurrentFrame;
   SubpixelFrames Mean;
+  Refinement Refined;
+  IdleRender Idle; // for the next frame of it
+  int AccumulatedFrames = 0;
+  bool Unfinished = false;
   ExposureMeter Exposure;
   double EffectiveExposure = 1.0;
   PassMessages Messages;

@@ -47,39 +47,52 @@ bool SubpixelFrames::MayAverage(vtkRenderer* renderer, DebugView view)
 
 //------------------------------------------------------------------------------
 // The frame that is not moved is the last one: its depths stay.
-bool SubpixelFrames::Render(vtkRenderer* renderer, const glm::ivec4& picture, int count,
+bool SubpixelFrames::Render(vtkRenderer* renderer, const glm::ivec4& picture, const Range& range,
   FrameRecorder& buffers, const Progress& progress, const std::function<bool()>& renderFrame)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  // Of a picture in tiles, a camera shows one.
-  const glm::dvec2 size(picture.z, picture.w);
-  buffers.BeginMean();
-  bool ok = this->Mean.Begin(window, picture.x + picture.z, picture.y + picture.w);
-  bool goesOn = true;
-  for (int number = count - 1; ok && goesOn && number >= 0; --number)
+  this->Done = range.First;
+  bool ok = true;
+  if (range.First == 0)
   {
-    const MovedCamera camera(
-      renderer->GetActiveCamera(), 2.0 * SubpixelMean::GetOffset(number, count) / size);
-    std::optional<MovedLamps> lamps;
-    if (this->MovesLamps)
-    {
-      lamps.emplace(renderer, number);
-    }
-    ok = this->Mean.BindFrame() && renderFrame();
-    if (ok)
-    {
-      const int done = count - number;
-      const float weight = 1.0f / static_cast<float>(done);
-      buffers.AddToMean(weight);
-      ok = this->Mean.AddFrame(weight);
-      goesOn = progress(static_cast<double>(done) / count);
-    }
+    buffers.ClearMean();
+    ok = this->Mean.Begin(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()),
+      picture.x + picture.z, picture.y + picture.w);
+  }
+  bool goesOn = true;
+  while (ok && goesOn && this->Done < range.Last)
+  {
+    ok = this->AddFrame(renderer, picture, range.Count, buffers, renderFrame);
+    goesOn = ok && progress(static_cast<double>(this->Done) / range.Count);
   }
   if (ok)
   {
     buffers.TakeMean();
   }
   return ok;
+}
+
+//------------------------------------------------------------------------------
+bool SubpixelFrames::AddFrame(vtkRenderer* renderer, const glm::ivec4& picture, int count,
+  FrameRecorder& buffers, const std::function<bool()>& renderFrame)
+{
+  const int number = count - 1 - this->Done;
+  // Of a picture in tiles, a camera shows one.
+  const glm::dvec2 size(picture.z, picture.w);
+  const MovedCamera camera(
+    renderer->GetActiveCamera(), 2.0 * SubpixelMean::GetOffset(number, count) / size);
+  std::optional<MovedLamps> lamps;
+  if (this->MovesLamps)
+  {
+    lamps.emplace(renderer, number);
+  }
+  if (!this->Mean.BindFrame() || !renderFrame())
+  {
+    return false;
+  }
+  ++this->Done;
+  const float weight = 1.0f / static_cast<float>(this->Done);
+  buffers.AddToMean(weight);
+  return this->Mean.AddFrame(weight);
 }
 
 //------------------------------------------------------------------------------

@@ -28,11 +28,22 @@ public:
   // Whether a renderer's picture may be the mean of several.
   static bool MayAverage(vtkRenderer* renderer, DebugView view);
 
-  // Renders the mean of so many frames, and of their recorded buffers. `renderFrame` renders one
-  // into the framebuffer that is bound, at the picture's corner. False if it returns false, or with
-  // a reason in GetError().
-  bool Render(vtkRenderer* renderer, const glm::ivec4& picture, int count, FrameRecorder& buffers,
-    const Progress& progress, const std::function<bool()>& renderFrame);
+  // Frames of a mean of `Count`: the mean has those before `First` already.
+  struct Range
+  {
+    int First;
+    int Last;
+    int Count;
+  };
+
+  // Renders frames of a mean, and of that of their recorded buffers. `renderFrame` renders one into
+  // the framebuffer that is bound, at the picture's corner. False if it returns false, or with a
+  // reason in GetError().
+  bool Render(vtkRenderer* renderer, const glm::ivec4& picture, const Range& range,
+    FrameRecorder& buffers, const Progress& progress, const std::function<bool()>& renderFrame);
+
+  // How many frames the mean has.
+  int GetDone() const { return this->Done; }
 
   // Whether lamps with an extent are at other points in each frame. Default: true.
   void SetMovesLamps(bool moves) { this->MovesLamps = moves; }
@@ -46,7 +57,11 @@ public:
   void Release(vtkWindow* window) { this->Mean.Release(window); }
 
 private:
+  bool AddFrame(vtkRenderer* renderer, const glm::ivec4& picture, int count, FrameRecorder& buffers,
+    const std::function<bool()>& renderFrame);
+
   SubpixelMean Mean;
+  int Done = 0;
   bool MovesLamps = true;
 };
 }

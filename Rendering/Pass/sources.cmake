@@ -6,11 +6,14 @@ airlight_sources(
     AirlightDelegateProps
     AirlightErrorRecovery
     AirlightGaussianFragments
+    AirlightIdleRender
     AirlightMapperHooks
     AirlightPassMessages
     AirlightPassRenderer
+    AirlightRefinement
     AirlightScenePass
     AirlightSceneStages
+    AirlightSceneStamp
     AirlightSceneSupport
     AirlightStagePasses
     AirlightSubpixelFrames)

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Renders a window once more as soon as its interactor has nothing else to do.
+ */
+
+#ifndef AirlightIdleRender_h
+#define AirlightIdleRender_h
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+#include <memory>
+
+class vtkObject;
+class vtkRenderWindowInteractor;
+
+namespace airlight
+{
+class IdleRender
+{
+public:
+  IdleRender();
+  ~IdleRender();
+  IdleRender(const IdleRender&) = delete;
+  void operator=(const IdleRender&) = delete;
+
+  // By a timer of this interactor, whose event loop must run.
+  void Request(vtkRenderWindowInteractor* interactor);
+  void Cancel();
+
+  // Whether what is drawn now was requested.
+  bool IsRendering() const { return *this->Rendering; }
+
+private:
+  static void OnTimer(vtkObject* caller, unsigned long event, void* self, void* timer);
+
+  vtkNew<vtkCallbackCommand> Callback;
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
+  int Timer = 0;
+  unsigned long Observer = 0;
+  std::shared_ptr<bool> Rendering = std::make_shared<bool>(false);
+};
+}
+
+#endif

@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// vtkAirlightPass::SetProgressiveRefinement(): pictures add frames to a mean until it is complete,
+// and then equal the one that has all frames at once. Each change starts the mean again. An
+// interactor asks for the frames by itself.
+
+#include "AirlightTestScene.h"
+#include "AirlightTestTools.h"
+#include "AirlightTestWindowScene.h"
+
+#include "vtkAirlightLight.h"
+#include "vtkCallbackCommand.h"
+#include "vtkElevationFilter.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkObjectFactory.h"
+#include "vtkPlane.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkSphereSource.h"
+
+#include <cstdlib>
+#include <functional>
+#include <utility>
+
+using namespace airlight_test;
+
+namespace
+{
+constexpr int Count = 6;
+
+// With a ball whose size a filter of its pipeline sets, and a plane that cuts it.
+class RefinedScene : public WindowScene
+{
+public:
+  RefinedScene()
+    : WindowScene(96, 72)
+  {
+    this->Source->SetThetaResolution(24);
+    this->Filter->SetInputConnection(this->Source->GetOutputPort());
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(this->Filter->GetOutputPort());
+    mapper->ScalarVisibilityOff();
+    this->Plane->SetOrigin(0.0, 0.0, -5.0);
+    this->Plane->SetNormal(0.0, 0.0, 1.0);
+    mapper->AddClippingPlane(this->Plane);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetPosition(0.2, 1.3, 0.0);
+    this->Renderer->AddActor(actor);
+    this->Lamp = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
+    this->Pass->SetSubpixelFrames(Count);
+    this->Pass->ProgressiveRefinementOn();
+  }
+
+  void Finish()
+  {
+    for (int i = 0; i < Count; ++i)
+    {
+      this->Window->Render();
+    }
+  }
+
+  Picture CaptureAtOnce()
+  {
+    this->Pass->ProgressiveRefinementOff();
+    const Picture picture = Capture(this->Window);
+    this->Pass->ProgressiveRefinementOn();
+    return picture;
+  }
+
+  vtkNew<vtkSphereSource> Source;
+  vtkNew<vtkElevationFilter> Filter;
+  vtkNew<vtkPlane> Plane;
+  vtkLight* Lamp = nullptr;
+};
+
+void CountEvents(vtkObject* object, unsigned long event, int& count)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&count);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  object->AddObserver(event, command);
+}
+
+//------------------------------------------------------------------------------
+void TestGrowth()
+{
+  RefinedScene scene;
+  int frames = 0;
+  CountEvents(scene.Pass, vtkCommand::ProgressEvent, frames);
+  Check(scene.Pass->GetAccumulatedFrames() == 0, "no picture yet");
+  const Picture first = Capture(scene.Window);
+  Picture before = first;
+  for (int i = 2; i <= Count; ++i)
+  {
+    const Picture picture = Capture(scene.Window);
+    Check(scene.Pass->GetAccumulatedFrames() == i && frames == i, Text("frame ", i));
+    Check(picture != before, Text("picture ", i, " is another"));
+    before = picture;
+  }
+  Check(Capture(scene.Window) == before && frames == Count, "complete: no further frame is drawn");
+  Check(scene.Pass->GetAccumulatedFrames() == Count, "and all are in the mean");
+  Check(scene.CaptureAtOnce() == before, "the same picture as at once");
+  Check(Capture(scene.Window) == first, "and the mean starts again");
+}
+
+//------------------------------------------------------------------------------
+void TestChanges()
+{
+  RefinedScene scene;
+  vtkNew<vtkActor> another;
+  another->SetMapper(scene.Cube->GetMapper());
+  another->SetPosition(-2.0, -1.0, 2.0);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  const std::pair<const char*, std::function<void()>> changes[] = {
+    { "camera", [&] { camera->Azimuth(2.0); } },
+    { "actor", [&] { scene.Ball->AddPosition(0.1, 0.0, 0.0); } },
+    { "filter", [&] { scene.Source->SetRadius(0.7); } },
+    { "plane", [&] { scene.Plane->SetOrigin(0.0, 0.0, 0.1); } },
+    { "property", [&] { scene.Cube->GetProperty()->SetColor(1.0, 0.2, 0.2); } },
+    { "opacity", [&] { scene.Cube->GetProperty()->SetOpacity(0.5); } },
+    { "opaque again", [&] { scene.Cube->GetProperty()->SetOpacity(1.0); } },
+    { "hidden", [&] { scene.Ball->VisibilityOff(); } },
+    { "added", [&] { scene.Renderer->AddActor(another); } },
+    { "removed", [&] { scene.Renderer->RemoveActor(another); } },
+    { "light", [&] { scene.Lamp->SetPosition(2.0, 4.0, 2.0); } },
+    { "light's key", [&] { vtkAirlightLight::SetRadius(scene.Lamp, 0.3); } },
+    { "medium", [&] { scene.Medium->SetScattering(0.1, 0.05, 0.05); } },
+    { "background", [&] { scene.Renderer->SetBackground(0.1, 0.0, 0.2); } },
+    { "pass", [&] { scene.Pass->SetShadowTechniqueToRayMarch(); } },
+    { "frames", [&] { scene.Pass->SetSubpixelFrames(Count - 1); } },
+    { "size", [&] { scene.Window->SetSize(90, 70); } },
+  };
+  for (const auto& change : changes)
+  {
+    const std::string name = change.first;
+    scene.Finish();
+    scene.Window->Render();
+    Check(
+      scene.Pass->GetAccumulatedFrames() == scene.Pass->GetSubpixelFrames(), name + ": at rest");
+    change.second();
+    scene.Window->Render();
+    Check(scene.Pass->GetAccumulatedFrames() == 1, name + ": the mean starts again");
+    scene.Finish();
+    const Picture refined = Capture(scene.Window);
+    Check(refined == scene.CaptureAtOnce(), name + ": the picture is the new one's");
+  }
+}
+
+//------------------------------------------------------------------------------
+// One frame while the user moves something; at rest, the mean.
+void TestMoving()
+{
+  RefinedScene scene;
+  scene.Finish();
+  const Picture mean = Capture(scene.Window);
+  scene.Window->SetDesiredUpdateRate(15.0);
+  Check(Capture(scene.Window) != mean && scene.Pass->GetAccumulatedFrames() == 1,
+    "one frame while something moves");
+  scene.Window->SetDesiredUpdateRate(0.0001);
+  scene.Finish();
+  Check(Capture(scene.Window) == mean, "and the mean at rest");
+}
+
+//------------------------------------------------------------------------------
+void TestBuffers()
+{
+  RefinedScene scene;
+  scene.Pass->RecordBuffersOn();
+  scene.Finish();
+  vtkNew<vtkImageData> refined;
+  refined->DeepCopy(scene.Pass->GetBuffer("Radiance"));
+  scene.Pass->ProgressiveRefinementOff();
+  scene.Window->Render();
+  Check(AreSame(refined, scene.Pass->GetBuffer("Radiance")), "the same buffers as at once");
+}
+
+//------------------------------------------------------------------------------
+// What cannot be refined has all frames at once; what cannot be averaged, one.
+void TestNoRefinement()
+{
+  RefinedScene scene;
+  vtkNew<vtkRenderer> other;
+  scene.Pass->SetDebugViewToBoundaryCount();
+  scene.Window->Render();
+  Check(scene.Pass->GetAccumulatedFrames() == 1, "counts have one frame");
+  scene.Pass->SetDebugViewToShaded();
+  scene.Window->SetTileScale(2);
+  scene.Window->Render();
+  Check(scene.Pass->GetAccumulatedFrames() == Count, "tiles have all at once");
+}
+
+//------------------------------------------------------------------------------
+// An interactor whose only timer the test lets ring.
+class TimedInteractor : public vtkRenderWindowInteractor
+{
+public:
+  static TimedInteractor* New();
+  vtkTypeMacro(TimedInteractor, vtkRenderWindowInteractor);
+
+  void Initialize() override
+  {
+    this->Initialized = 1;
+    this->Enable();
+  }
+  bool HasTimer() const { return this->Timer != 0; }
+  void Ring()
+  {
+    int timer = this->Timer;
+    this->Timer = 0; // it rings once
+    this->InvokeEvent(vtkCommand::TimerEvent, &timer);
+  }
+
+protected:
+  int InternalCreateTimer(int timer, int type, unsigned long) override
+  {
+    Check(type == OneShotTimer && !this->Timer, "one timer at a time, that rings once");
+    this->Timer = timer;
+    return timer;
+  }
+  int InternalDestroyTimer(int) override
+  {
+    this->Timer = 0;
+    return 1;
+  }
+
+private:
+  int Timer = 0;
+};
+
+vtkStandardNewMacro(TimedInteractor);
+
+class InteractiveScene : public RefinedScene
+{
+public:
+  InteractiveScene()
+  {
+    this->Interactor->SetRenderWindow(this->Window);
+    this->Interactor->Initialize();
+    CountEvents(this->Window, vtkCommand::EndEvent, this->Renders);
+  }
+
+  // How often it rings until it rings no more.
+  int RingOn()
+  {
+    int rings = 0;
+    for (; this->Interactor->HasTimer() && rings < 100; ++rings)
+    {
+      this->Interactor->Ring();
+    }
+    return rings;
+  }
+
+  vtkNew<TimedInteractor> Interactor;
+  int Renders = 0;
+};
+
+void TestInteractor()
+{
+  InteractiveScene scene;
+  scene.Interactor->Render();
+  Check(scene.Pass->GetAccumulatedFrames() == 1, "one frame at once");
+  const int rings = scene.RingOn();
+  Check(rings == Count - 1 && scene.Renders == Count, Text("the others by themselves: ", rings));
+  const Picture refined = Capture(scene.Window);
+  Check(!scene.Interactor->HasTimer(), "and no more");
+  Check(refined == scene.CaptureAtOnce(), "the same picture as at once");
+  Check(!scene.Interactor->HasTimer(), "what is complete at once asks for nothing");
+  scene.Ball->Modified();
+  scene.Window->SetDesiredUpdateRate(15.0);
+  scene.Interactor->Render();
+  Check(!scene.Interactor->HasTimer(), "nor what moves");
+}
+
+//------------------------------------------------------------------------------
+// A scene that changes with each picture is not refined for ever.
+void TestRestlessScene()
+{
+  InteractiveScene scene;
+  vtkNew<vtkCallbackCommand> change;
+  change->SetClientData(scene.Ball);
+  change->SetCallback([](vtkObject*, unsigned long, void* ball, void*) {
+    static_cast<vtkActor*>(ball)->AddPosition(0.001, 0.0, 0.0);
+  });
+  scene.Window->AddObserver(vtkCommand::StartEvent, change);
+  scene.Interactor->Render();
+  const int rings = scene.RingOn();
+  Check(rings <= 4, Text("restless, after ", rings, " more pictures"));
+  Check(scene.Pass->GetAccumulatedFrames() == Count, "restless, it has all frames in the end");
+}
+
+//------------------------------------------------------------------------------
+// Timers of a pass and of an interactor that are no more.
+void TestEnd()
+{
+  InteractiveScene scene;
+  scene.Interactor->Render();
+  Check(scene.Interactor->HasTimer(), "a request");
+  scene.Renderer->SetPass(nullptr);
+  scene.Pass = nullptr;
+  Check(scene.RingOn() <= 1, "of a pass that draws no more");
+  RefinedScene other;
+  {
+    vtkNew<TimedInteractor> interactor;
+    interactor->SetRenderWindow(other.Window);
+    interactor->Initialize();
+    interactor->Render();
+    other.Window->SetInteractor(nullptr);
+  }
+  other.Finish();
+  Check(other.Pass->GetAccumulatedFrames() == Count, "an interactor that is no more");
+}
+}
+
+//------------------------------------------------------------------------------
+int TestProgressiveRefinement(int, char*[])
+{
+  TestGrowth();
+  TestChanges();
+  TestMoving();
+  TestBuffers();
+  TestNoRefinement();
+  TestInteractor();
+  TestRestlessScene();
+  TestEnd();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
