@@ -149,6 +149,7 @@ void vtkAirlightReference::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
+  os << indent << "LampPoints: " << this->LampPoints << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
 }
 
@@ -220,6 +221,7 @@ int vtkAirlightReference::RequestData(
   settings.Width = extent[1] + 1;
   settings.Height = extent[3] + 1;
   settings.LightRadius = this->LightRadius;
+  settings.LampPoints = this->LampPoints;
   settings.SurfaceShadows = this->SurfaceShadows;
   std::vector<vtkParticipatingMedium*> media = this->Impl->Media.GetAll();
   if (media.empty())

@@ -3,6 +3,7 @@
 #include "Reference/AirlightReferenceLights.h"
 
 #include "Photometry/AirlightLightProperties.h"
+#include "Reference/AirlightReferenceLamp.h"
 #include "Reference/AirlightReferenceMesh.h"
 #include "Scene/AirlightVTKVersions.h"
 #include "vtkAirlightLight.h"
@@ -110,8 +111,8 @@ glm::dvec3 GetDirection(
 }
 
 //------------------------------------------------------------------------------
-ReferenceLights::ReferenceLights(
-  vtkRenderer* renderer, const f64::AirlightMedia& media, const glm::dvec3& eye, double radius)
+ReferenceLights::ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
+  const glm::dvec3& eye, double radius, int lampPoints)
 {
   vtkLightCollection* lights = renderer->GetLights();
   const auto visit = [&](const std::function<void(vtkLight*)>& use) {
@@ -136,7 +137,10 @@ ReferenceLights::ReferenceLights(
     renderer->UpdateLightsGeometryToFollowCamera();
   }
   visit([&](vtkLight* light) {
-    this->Lights.push_back(Convert(light, media, eye, radius));
+    for (vtkLight* lamp : SplitLamp(light, lampPoints))
+    {
+      this->Lights.push_back(Convert(lamp, media, eye, radius));
+    }
     this->IsHeadlight =
       this->Lights.size() == 1 && light->LightTypeIsHeadlight() && !light->GetPositional();
   });

@@ -45,9 +45,9 @@ class ReferenceLights
 public:
   // The switched-on lights, in the renderer's order; creates and moves lights as VTK does before it
   // draws. `radius` is the requested light radius, 0 for the smallest that double precision
-  // resolves.
-  ReferenceLights(
-    vtkRenderer* renderer, const f64::AirlightMedia& media, const glm::dvec3& eye, double radius);
+  // resolves. A lamp with an extent becomes `lampPoints` lights.
+  ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia& media, const glm::dvec3& eye,
+    double radius, int lampPoints);
 
   const std::vector<ReferenceLight>& GetAll() const { return this->Lights; }
   bool HasInvalid() const;

@@ -49,7 +49,8 @@ ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
       settings.Width, settings.Height)
   , Media(ConvertMedia(media, this->Rays.GetEye()))
   , Scene(renderer)
-  , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius)
+  , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius,
+      settings.LampPoints)
 {
   renderer->GetBackground(&this->Bottom.x);
   this->Top = this->Bottom;

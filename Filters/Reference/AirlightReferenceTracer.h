@@ -36,6 +36,7 @@ struct ReferenceSettings
   int Width = 0;
   int Height = 0;
   double LightRadius = 0.0;
+  int LampPoints = 256;
   bool SurfaceShadows = true;
 };
 

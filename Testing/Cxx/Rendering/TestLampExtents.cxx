@@ -94,6 +94,7 @@ std::vector<double> AddByHand(
   reference->SetRenderer(scene.Renderer);
   reference->SetMedium(scene.Medium);
   reference->SetSize(PictureWidth, PictureHeight);
+  reference->SetLampPoints(1);
   std::vector<double> sums(3 * PictureWidth * PictureHeight, 0.0);
   double before[3];
   double focus[3];
@@ -141,6 +142,30 @@ std::vector<double> GetErrors(vtkImageData* image, const std::vector<double>& ex
   return errors;
 }
 
+// The reference's own points, too.
+void CheckReference(
+  const std::string& name, ExtentScene& scene, const std::vector<double>& expected)
+{
+  vtkNew<vtkAirlightReference> reference;
+  reference->SetRenderer(scene.Renderer);
+  reference->SetMedium(scene.Medium);
+  reference->SetSize(PictureWidth, PictureHeight);
+  const auto getErrors = [&reference, &expected](int points) {
+    reference->SetLampPoints(points);
+    reference->Update();
+    vtkImageData* image = reference->GetOutput();
+    image->GetPointData()->SetActiveScalars("Radiance");
+    return GetErrors(image, expected);
+  };
+  const std::vector<double> point = getErrors(1);
+  const std::vector<double> lamp = getErrors(256);
+  const size_t most = lamp.size() * 9 / 10;
+  std::cout << name << ", reference: median " << lamp[lamp.size() / 2] << ", 90 % below "
+            << lamp[most] << "; of a point " << point[most] << "\n";
+  Check(lamp[lamp.size() / 2] < 1e-3 && lamp[most] < 0.01, name + ": the reference's points");
+  Check(point[most] > 3.0 * lamp[most], name + ": and not its point");
+}
+
 // The pass moves the camera, too: what changes within a pixel is left out by the median and the
 // 90 %.
 void CheckLamp(const std::string& name, ExtentScene& scene, const std::vector<glm::dvec3>& places,
@@ -149,6 +174,7 @@ void CheckLamp(const std::string& name, ExtentScene& scene, const std::vector<gl
   double position[3];
   scene.Lamp->GetPosition(position);
   const std::vector<double> expected = AddByHand(scene, "Radiance", places, sun);
+  CheckReference(name, scene, expected);
   const vtkMTimeType time = scene.Lamp->GetMTime();
   scene.Pass->SetSubpixelFrames(1);
   scene.Window->Render();
