@@ -169,6 +169,17 @@ double vtkAirlightLight::GetAngularDiameter(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
+void vtkAirlightLight::SetVisible(vtkLight* light, bool visible)
+{
+  if (CheckLight(light, "SetVisible()"))
+  {
+    airlight::SetVisible(light, visible);
+  }
+}
+
+bool vtkAirlightLight::GetVisible(vtkLight* light) { return GetProperties(light).Visible; }
+
+//------------------------------------------------------------------------------
 void vtkAirlightLight::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -115,6 +115,20 @@ public:
   static double GetAngularDiameter(vtkLight* light);
   ///@}
 
+  ///@{
+  /**
+   * Whether vtkAirlightPass shows a lamp of a radius or a size as a bright, even shape: its ball,
+   * disc or rectangle, in its middle place. Its radiance is the radiant intensity, for a spotlight
+   * that towards the eye, over the area: pi R^2, or width times height; a photometric file counts
+   * by its brightest direction. The shape is fogged and occluded as surfaces are, casts no shadow,
+   * is no prop of the renderer and is not picked. A spotlight is seen from within its cone, a ball
+   * from outside. Points, directional lights and lights fixed to the camera show nothing; the pass
+   * warns of points once. Default: false.
+   */
+  static void SetVisible(vtkLight* light, bool visible);
+  static bool GetVisible(vtkLight* light);
+  ///@}
+
 protected:
   vtkAirlightLight() = default;
   ~vtkAirlightLight() override = default;

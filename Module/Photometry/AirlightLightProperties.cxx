@@ -107,6 +107,15 @@ std::string SetPhotometryUp(vtkLight* light, const glm::dvec3& up)
 }
 
 //------------------------------------------------------------------------------
+void SetVisible(vtkLight* light, bool visible)
+{
+  if (GetProperties(light).Visible != visible)
+  {
+    ChangeProperties(light).Visible = visible;
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string SetExtent(vtkLight* light, const LampExtent& extent)
 {
   const glm::dvec4 values(extent.Radius, extent.Size, extent.AngularDiameter);

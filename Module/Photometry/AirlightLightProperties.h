@@ -37,6 +37,7 @@ struct LightProperties
   std::shared_ptr<const std::vector<glm::dvec4>> Table; // the packed goniometry
   glm::dvec3 PhotometryUp{ 0.0, 1.0, 0.0 };
   LampExtent Extent;
+  bool Visible = false;
 };
 
 // Those of a light; the defaults if nothing was set, and for null.
@@ -46,6 +47,7 @@ VTKAIRLIGHT_EXPORT const LightProperties& GetProperties(vtkLight* light);
 VTKAIRLIGHT_EXPORT void SetScatters(vtkLight* light, bool scatters);
 VTKAIRLIGHT_EXPORT std::string SetPhotometry(vtkLight* light, const char* file);
 VTKAIRLIGHT_EXPORT std::string SetPhotometryUp(vtkLight* light, const glm::dvec3& up);
+VTKAIRLIGHT_EXPORT void SetVisible(vtkLight* light, bool visible);
 VTKAIRLIGHT_EXPORT std::string SetExtent(vtkLight* light, const LampExtent& extent);
 
 // Headlights and camera lights are there to show surfaces. Scattered, they would veil every picture

@@ -7,6 +7,7 @@
 #include "Medium/AirlightMediaList.h"
 #include "Pass/AirlightSceneSupport.h"
 #include "Photometry/AirlightLightProperties.h"
+#include "Scene/AirlightLampShapes.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
@@ -110,6 +111,14 @@ void PassMessages::CheckLights(
           " is not used: it needs a positional light whose focal point, at which it aims, is apart "
           "from its position.");
     }
+  }
+  if (std::any_of(sceneLights.begin(), sceneLights.end(),
+        [](const SceneLight& sceneLight) { return IsInvisiblePoint(sceneLight.Light); }))
+  {
+    this->WarnOnce(InvisiblePoint,
+      "A light that vtkAirlightLight::SetVisible() shows is a point, of which nothing is seen: "
+      "call "
+      "vtkAirlightLight::SetRadius() or SetSize() with a width and a height above 0 for it.");
   }
   if (static_cast<int>(sceneLights.size()) > MaximumShadowingLights)
   {

@@ -84,6 +84,7 @@ private:
     OcclusionOutside,
     OldOpenGL,
     PhotometryUnused,
+    InvisiblePoint,
     PlanesOverMemory,
     RecordsOverMemory,
     ScatteredLightInImage,

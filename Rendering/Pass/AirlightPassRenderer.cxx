@@ -118,6 +118,7 @@ PassRenderer::PassRenderer(vtkObject* pass, const SceneStages::RenderHooks& hook
     this->CurrentFrame.Release(window);
     this->Mean.Release(window);
     this->Refined.Forget();
+    this->Lamps.Release(window);
     this->Exposure.Release(window);
     this->Casters.Clear();
     this->Stages.Release(window);
@@ -139,6 +140,21 @@ void PassRenderer::Render(
     this->Stages.GetPasses().DrawAll(s);
     return;
   }
+  std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  const std::vector<vtkProp*>& lamps =
+    this->Lamps.Update(s->GetRenderer(), settings.Properties.LinearInput);
+  props.insert(props.end(), lamps.begin(), lamps.end());
+  vtkRenderState state(s->GetRenderer());
+  state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  state.SetFrameBuffer(s->GetFrameBuffer());
+  state.SetRequiredKeys(s->GetRequiredKeys());
+  this->RenderScene(&state, settings, viewport);
+}
+
+//------------------------------------------------------------------------------
+void PassRenderer::RenderScene(
+  const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
+{
   this->Messages.CheckMedia(this->Media);
   const bool mean = settings.SubpixelFrames > 1 &&
     SubpixelFrames::MayAverage(s->GetRenderer(), settings.Properties.View);

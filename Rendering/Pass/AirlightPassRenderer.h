@@ -18,6 +18,7 @@
 #include "Pass/AirlightRefinement.h"
 #include "Pass/AirlightSceneStages.h"
 #include "Pass/AirlightSubpixelFrames.h"
+#include "Scene/AirlightLampShapes.h"
 
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
@@ -91,6 +92,7 @@ private:
   struct Scene;
 
   static std::array<size_t, 3> RecordsKey(const Scene& scene);
+  void RenderScene(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderMean(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool AddFrames(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool MeasureExposure(vtkRenderer* renderer, vtkTextureObject* radiances,
@@ -114,6 +116,7 @@ private:
   int AccumulatedFrames = 0;
   bool Unfinished = false;
   ExposureMeter Exposure;
+  LampShapes Lamps;
   double EffectiveExposure = 1.0;
   PassMessages Messages;
   MapperHooks Mappers;

@@ -6,6 +6,7 @@ airlight_sources(
     AirlightEquiangularLights
     AirlightFrameScene
     AirlightLampSamples
+    AirlightLampShapes
     AirlightSceneArrays
     AirlightSceneLights
     AirlightLightGrid

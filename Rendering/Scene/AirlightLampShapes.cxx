@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/AirlightLampShapes.h"
+
+#include "Integration/AirlightMatrix.h"
+#include "Photometry/AirlightLightProperties.h"
+#include "Scene/AirlightSceneLights.h"
+#include "vtkAirlightLight.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRegularPolygonSource.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace airlight
+{
+namespace
+{
+constexpr int Sides = 64; // of what is round
+
+enum class LampKind
+{
+  Ball,
+  Disc,
+  Rectangle
+};
+
+// A lamp in the world.
+struct Lamp
+{
+  LampKind Kind = LampKind::Ball;
+  glm::dvec3 Position{ 0.0 };
+  glm::dvec3 Axis{ 0.0, 0.0, 1.0 };
+  glm::dvec3 Up{ 0.0, 1.0, 0.0 };
+  glm::dvec2 Size{ 0.0 }; // of half of it for what is round
+
+  double GetArea() const
+  {
+    return this->Size.x * this->Size.y * (this->Kind == LampKind::Rectangle ? 1.0 : vtkMath::Pi());
+  }
+};
+
+bool IsVisibleLamp(vtkLight* light)
+{
+  return light->GetSwitch() && light->GetPositional() && light->LightTypeIsSceneLight() &&
+    GetProperties(light).Visible;
+}
+
+bool HasExtent(const LampExtent& extent)
+{
+  return extent.Radius > 0.0 || (extent.Size.x > 0.0 && extent.Size.y > 0.0);
+}
+
+// As its points are: AirlightLampSamples.h.
+Lamp GetLamp(vtkLight* light)
+{
+  const LightProperties& properties = GetProperties(light);
+  Lamp lamp;
+  glm::dvec3 focalPoint;
+  light->GetPosition(&lamp.Position.x);
+  light->GetFocalPoint(&focalPoint.x);
+  const double length = glm::length(focalPoint - lamp.Position);
+  const bool flat = properties.Extent.Size != glm::dvec2(0.0);
+  lamp.Size = flat ? properties.Extent.Size : glm::dvec2(properties.Extent.Radius);
+  if (length > 0.0 && (flat || light->GetConeAngle() < 90.0 || properties.Table))
+  {
+    lamp.Kind = flat ? LampKind::Rectangle : LampKind::Disc;
+    lamp.Axis = (focalPoint - lamp.Position) / length;
+    lamp.Up = MakeAcross(properties.PhotometryUp, lamp.Axis);
+  }
+  return lamp;
+}
+
+// Of size 1, about the origin, across the z axis.
+vtkSmartPointer<vtkPolyDataAlgorithm> MakeShape(LampKind kind)
+{
+  if (kind == LampKind::Rectangle)
+  {
+    return vtkSmartPointer<vtkPlaneSource>::New(); // from -0.5 to 0.5
+  }
+  if (kind == LampKind::Disc)
+  {
+    auto disc = vtkSmartPointer<vtkRegularPolygonSource>::New();
+    disc->SetNumberOfSides(Sides);
+    disc->SetRadius(1.0);
+    disc->GeneratePolylineOff();
+    return disc;
+  }
+  auto ball = vtkSmartPointer<vtkSphereSource>::New();
+  ball->SetRadius(1.0);
+  ball->SetThetaResolution(Sides);
+  ball->SetPhiResolution(Sides / 2);
+  return ball;
+}
+
+// What of the intensity a spotlight sends to the eye, 0 outside its cone.
+double GetShare(vtkLight* light, const Lamp& lamp, const glm::dvec3& eye)
+{
+  if (!(light->GetConeAngle() < 90.0))
+  {
+    return 1.0;
+  }
+  const double cosine = glm::dot(glm::normalize(eye - lamp.Position), lamp.Axis);
+  return cosine >= std::cos(glm::radians(light->GetConeAngle()))
+    ? std::pow(cosine, light->GetExponent())
+    : 0.0;
+}
+
+bool Contains(const Lamp& lamp, const glm::dvec3& point)
+{
+  return lamp.Kind == LampKind::Ball && glm::length(point - lamp.Position) <= lamp.Size.x;
+}
+
+void Place(const Lamp& lamp, vtkMatrix4x4* matrix)
+{
+  const glm::dvec3 columns[4] = { lamp.Size.x * glm::cross(lamp.Up, lamp.Axis),
+    lamp.Size.y * lamp.Up, lamp.Axis * (lamp.Kind == LampKind::Ball ? lamp.Size.x : 1.0),
+    lamp.Position };
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      matrix->SetElement(row, i, columns[i][row]);
+    }
+  }
+}
+
+vtkSmartPointer<vtkActor> MakeActor()
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkMatrix4x4> matrix;
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->SetUserMatrix(matrix);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+// Changes nothing that is as it was, so that a picture that rests is known to.
+void UpdateActor(vtkActor* actor, const Lamp& lamp, const glm::dvec3& radiance)
+{
+  const char* names[] = { "vtkSphereSource", "vtkRegularPolygonSource", "vtkPlaneSource" };
+  vtkMapper* mapper = actor->GetMapper();
+  vtkAlgorithm* before = mapper->GetInputAlgorithm();
+  if (!before || !before->IsA(names[static_cast<int>(lamp.Kind)]))
+  {
+    mapper->SetInputConnection(MakeShape(lamp.Kind)->GetOutputPort());
+  }
+  Place(lamp, actor->GetUserMatrix());
+  actor->GetProperty()->SetColor(radiance.x, radiance.y, radiance.z);
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkProp*>& LampShapes::Update(vtkRenderer* renderer, bool linear)
+{
+  this->Props.clear();
+  std::map<vtkLight*, vtkSmartPointer<vtkActor>> used;
+  glm::dvec3 eye;
+  renderer->GetActiveCamera()->GetPosition(&eye.x);
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it = nullptr;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (!IsVisibleLamp(light) || !HasExtent(GetProperties(light).Extent) || used.count(light) > 0)
+    {
+      continue;
+    }
+    const Lamp lamp = GetLamp(light);
+    const double share = GetShare(light, lamp, eye);
+    if (!(share > 0.0) || Contains(lamp, eye))
+    {
+      continue;
+    }
+    glm::dvec3 radiance;
+    vtkAirlightLight::GetRadiantIntensity(light, &radiance.x);
+    radiance *= share / lamp.GetArea();
+    vtkSmartPointer<vtkActor>& actor = used[light];
+    actor = this->Actors.count(light) > 0 ? this->Actors[light] : MakeActor();
+    UpdateActor(actor, lamp, linear ? radiance : glm::pow(radiance, glm::dvec3(1.0 / 2.2)));
+    this->Props.push_back(actor);
+  }
+  this->Actors.swap(used);
+  return this->Props;
+}
+
+//------------------------------------------------------------------------------
+void LampShapes::Release(vtkWindow* window)
+{
+  for (const auto& actor : this->Actors)
+  {
+    actor.second->ReleaseGraphicsResources(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool IsInvisiblePoint(vtkLight* light)
+{
+  return IsVisibleLamp(light) && !HasExtent(GetProperties(light).Extent);
+}
+}
