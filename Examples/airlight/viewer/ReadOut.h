@@ -3,9 +3,6 @@
 #ifndef ReadOut_h
 #define ReadOut_h
 
-#include "formats/Vector3.h"
-
-#include <vtkActor2D.h>
 #include <vtkNew.h>
 #include <vtkTextActor.h>
 
@@ -17,8 +14,13 @@ namespace airlight
 {
 
 /**
- * What the viewer writes over its picture: the state at the top, the keys at the bottom, and a ring
- * around the lamp that the keys move. All of it is drawn over the medium.
+ * Add an empty text to a picture: white on a dim ground, legible on fog as on night.
+ */
+void AddText(vtkRenderer* renderer, vtkTextActor* actor);
+
+/**
+ * The texts that the viewer writes over its picture: the state at the top, and under it the keys or
+ * how to see them.
  */
 class ReadOut
 {
@@ -29,13 +31,13 @@ public:
   void SetHelp(const std::string& text);
 
   /**
-   * Put the ring around a place in the world. Hidden, it goes where the camera does not see it.
+   * Leave so many pixels free below the keys. Default: 0.
    */
-  void SetLamp(const Vector3& place, bool visible);
+  void SetHelpBottom(int pixels);
 
   ///@{
   /**
-   * State and ring are shown at first, the keys are not.
+   * The state is shown at first, the keys are not.
    */
   void SetVisible(bool visible);
   bool GetVisible() const { return this->Visible; }
@@ -46,9 +48,7 @@ public:
 private:
   vtkNew<vtkTextActor> State;
   vtkNew<vtkTextActor> Help;
-  vtkNew<vtkActor2D> Ring;
   bool Visible = true;
-  bool LampVisible = false;
 };
 
 }

@@ -41,6 +41,7 @@ int GetNext(const Array& values, int value, int step)
 //------------------------------------------------------------------------------
 SceneControls::SceneControls(const RenderedScene& rendered)
   : Rendered(rendered)
+  , Levels(rendered, vtkAirlightPass::SafeDownCast(rendered.Renderer->GetPass()))
 {
   this->StartCamera->DeepCopy(rendered.Renderer->GetActiveCamera());
 }
@@ -52,12 +53,25 @@ vtkLight* SceneControls::GetLamp() const
 }
 
 //------------------------------------------------------------------------------
+void SceneControls::ChooseLamp(int number)
+{
+  if (number >= 0 && static_cast<std::size_t>(number) < this->Rendered.Lights.size())
+  {
+    this->Lamp = static_cast<std::size_t>(number);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool SceneControls::PressKey(const std::string& name)
 {
   if (name == "r")
   {
     this->Rendered.Renderer->GetActiveCamera()->DeepCopy(this->StartCamera);
     return true;
+  }
+  if (name == "e")
+  {
+    return this->Levels.ResetExposure();
   }
   return this->ChangePass(name) || this->ChangeLamp(name);
 }
@@ -162,14 +176,13 @@ std::string SceneControls::GetState() const
   if (vtkAirlightPass* pass = this->Rendered.Pass)
   {
     text << "technique " << GetTechniqueName(pass->GetEffectiveShadowTechnique()) << "\nview "
-         << ViewNames[static_cast<std::size_t>(pass->GetDebugView())] << "\nvisibility "
-         << pass->GetMedium(0)->GetVisibility();
+         << ViewNames[static_cast<std::size_t>(pass->GetDebugView())];
   }
   else
   {
     text << "no medium";
   }
-  text << "\n" << this->GetLampText();
+  text << "\n" << this->GetLampText() << "\n" << this->Levels.GetText();
   return text.str();
 }
 

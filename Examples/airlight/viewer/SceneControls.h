@@ -4,19 +4,22 @@
 #define SceneControls_h
 
 #include "scene/SceneBuilder.h"
+#include "viewer/SceneLevels.h"
 
 #include <vtkCamera.h>
 #include <vtkNew.h>
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace airlight
 {
 
 /**
- * What of a rendered scene keys and mouse change: technique, debug view, visibility, lamps, and the
- * camera back to where it was. Draws nothing. Without a medium there are only lamps and camera.
+ * What of a rendered scene keys, mouse and sliders change: technique, debug view, visibility and
+ * other levels, lamps, and the camera back to where it was. Draws nothing. Without a medium there
+ * are only lamps, camera and exposure.
  */
 class SceneControls
 {
@@ -34,14 +37,24 @@ public:
   void DragLamp(int right, int up);
 
   /**
-   * Technique, view, visibility and chosen lamp, a line each.
+   * Technique, view, levels and chosen lamp, a line each.
    */
   std::string GetState() const;
 
+  ///@{
   /**
-   * Null without lamps.
+   * The chosen lamp: null without lamps, and its number in the scene. A number that no lamp has is
+   * ignored.
    */
   vtkLight* GetLamp() const;
+  int GetLampNumber() const { return static_cast<int>(this->Lamp); }
+  void ChooseLamp(int number);
+  ///@}
+
+  /**
+   * What sliders change.
+   */
+  const std::vector<Level>& GetLevels() const { return this->Levels.GetLevels(); }
 
 private:
   bool ChangePass(const std::string& name);
@@ -52,6 +65,7 @@ private:
   std::string GetLampText() const;
 
   RenderedScene Rendered;
+  SceneLevels Levels;
   vtkNew<vtkCamera> StartCamera;
   std::size_t Lamp = 0;
 };

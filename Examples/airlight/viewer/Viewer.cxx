@@ -10,9 +10,7 @@
 #include "viewer/EventLog.h"
 #include "viewer/ViewerStyle.h"
 
-#include <vtkCamera.h>
 #include <vtkInteractorEventRecorder.h>
-#include <vtkMath.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -49,11 +47,14 @@ const char* Viewer::GetKeys()
   v, V               view: picture, airlight only, boundary count, outlines of
                      shadows
   +, -               visibility: times 1.25, by 1.25
-  arrows, Ctrl+drag  move the lamp
-  Page Up, Page Down move the lamp away, near
-  n                  the next lamp
+  drag a lamp's dot  choose and move that lamp
+  arrows, Ctrl+drag  move the chosen lamp
+  Page Up, Page Down move it away, near
+  n                  choose the next lamp
+  e                  automatic exposure again
+  p                  sliders on, off
   s                  screenshot of the window
-  i                  read-out on, off
+  i                  read-out, dots and sliders on, off
   h                  these keys on, off
   r                  the first view again
   drag, Shift+drag   turn, move; wheel: zoom
@@ -75,12 +76,16 @@ Viewer::Viewer(const Scene& scene, const RenderSettings& settings, const ViewerS
   this->Log = viewer.Play.empty() ? "" : ReadEventLog(viewer.Play);
   this->Rendered = BuildScene(scene, settings);
   this->Controls = std::make_unique<SceneControls>(this->Rendered);
+  this->Quality = std::make_unique<MovingQuality>(this->Rendered.Renderer, 1e-3 * viewer.FrameTime);
+  this->Markers = std::make_unique<LampMarkers>(this->Rendered.Renderer, this->Rendered.Lights);
   this->Text = std::make_unique<ReadOut>(this->Rendered.Renderer);
   this->Text->SetHelp(Viewer::GetKeys());
   vtkNew<ViewerStyle> style;
   style->SetOwner(this);
   this->Interactor->SetInteractorStyle(style);
   this->Interactor->SetRenderWindow(this->Rendered.Window);
+  this->Sliders = std::make_unique<SliderPanel>(
+    this->Interactor, this->Rendered.Renderer, this->Controls->GetLevels());
 }
 
 //------------------------------------------------------------------------------
@@ -156,7 +161,35 @@ bool Viewer::ChangeText(const std::string& name)
     this->Text->SetHelpVisible(!this->Text->GetHelpVisible());
     return true;
   }
+  if (name == "p")
+  {
+    this->ShowsSliders = !this->ShowsSliders;
+    return true;
+  }
   return false;
+}
+
+//------------------------------------------------------------------------------
+bool Viewer::TakeLamp(int x, int y)
+{
+  const int lamp = this->Markers->Find(x, y);
+  if (this->Done || lamp == LampMarkers::None)
+  {
+    return false;
+  }
+  this->Controls->ChooseLamp(lamp);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::PointAt(int x, int y)
+{
+  const int lamp = this->Markers->Find(x, y);
+  if (!this->Done && lamp != this->LampUnderMouse)
+  {
+    this->LampUnderMouse = lamp;
+    this->Interactor->Render();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -194,6 +227,7 @@ void Viewer::EndFrame()
   this->Rendered.Window->WaitForCompletion();
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->FrameStart;
   this->FrameTime = time.count();
+  this->Quality->EndFrame(this->FrameTime);
 }
 
 //------------------------------------------------------------------------------
@@ -214,18 +248,15 @@ void Viewer::Fail(const std::string& error)
 void Viewer::StartFrame()
 {
   this->FrameStart = std::chrono::steady_clock::now();
+  this->Quality->BeginFrame();
   this->Shown = this->GetState();
   this->Text->SetText(this->Shown);
-  if (vtkLight* lamp = this->Controls->GetLamp())
-  {
-    vtkCamera* camera = this->Rendered.Renderer->GetActiveCamera();
-    Vector3 place;
-    std::copy_n(lamp->GetPosition(), 3, place.begin());
-    Vector3 way;
-    vtkMath::Subtract(place.data(), camera->GetPosition(), way.data());
-    const bool ahead = vtkMath::Dot(way.data(), camera->GetDirectionOfProjection()) > 0.0;
-    this->Text->SetLamp(place, lamp->GetPositional() && ahead);
-  }
+  const bool visible = this->Text->GetVisible();
+  this->Markers->SetVisible(visible);
+  this->Markers->Update(this->Controls->GetLampNumber(), this->LampUnderMouse);
+  this->Sliders->SetVisible(visible && this->ShowsSliders);
+  this->Sliders->Update();
+  this->Text->SetHelpBottom(this->Sliders->GetHeight());
 }
 
 //------------------------------------------------------------------------------
@@ -234,6 +265,11 @@ std::string Viewer::GetState() const
   std::ostringstream text;
   text << this->Controls->GetState() << "\nframe " << std::fixed << std::setprecision(1)
        << 1000.0 * this->FrameTime << " ms";
+  const std::string reduced = this->Quality->GetText();
+  if (!reduced.empty())
+  {
+    text << ", " << reduced;
+  }
   return text.str();
 }
 

@@ -4,8 +4,11 @@
 #define Viewer_h
 
 #include "scene/SceneBuilder.h"
+#include "viewer/LampMarkers.h"
+#include "viewer/MovingQuality.h"
 #include "viewer/ReadOut.h"
 #include "viewer/SceneControls.h"
+#include "viewer/SliderPanel.h"
 
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
@@ -22,13 +25,15 @@ struct ViewerSettings
   std::string Screenshots = "airlight-%03d.png"; ///< with %d for the number
   std::string Play;                              ///< log of events to play first, empty for none
   std::string Record;                            ///< log of events to write, empty for none
+  double FrameTime = 100.0; ///< ms that a frame may take while something moves; 0: no limit
 };
 
 /**
- * A window on a scene whose lamps, medium and technique follow keys and mouse; GetKeys() tells
- * which does what. The read-out shows the state and how long the last frame took, from the call of
- * vtkRenderWindow::Render() until the graphics card is done; after a key the picture is drawn
- * twice, so that the time shown belongs to what is shown. A screenshot is what the window shows.
+ * A window on a scene whose lamps, medium and technique follow keys, mouse and sliders; GetKeys()
+ * tells which does what. The read-out shows the state and how long the last frame took, from the
+ * call of vtkRenderWindow::Render() until the graphics card is done; after a key the picture is
+ * drawn twice, so that the time shown belongs to what is shown. A screenshot is what the window
+ * shows. While the mouse moves something, frames that would take too long are simpler.
  *
  * Logs of events are those of vtkInteractorEventRecorder; they are played as fast as frames can be
  * drawn.
@@ -54,9 +59,12 @@ public:
   ///@{
   /**
    * What happened in the window. A key is named as vtkRenderWindowInteractor::GetKeySym() does; an
-   * unknown one is ignored. Drags are in pixels.
+   * unknown one is ignored. Places and drags are in pixels. TakeLamp() chooses the lamp whose
+   * marker is there, and is false if none is; PointAt() highlights it.
    */
   void PressKey(const std::string& name);
+  bool TakeLamp(int x, int y);
+  void PointAt(int x, int y);
   void DragLamp(int right, int up);
   ///@}
 
@@ -75,7 +83,12 @@ private:
   ViewerSettings Settings;
   vtkNew<vtkRenderWindowInteractor> Interactor;
   std::unique_ptr<SceneControls> Controls;
+  std::unique_ptr<MovingQuality> Quality;
   std::unique_ptr<ReadOut> Text;
+  std::unique_ptr<LampMarkers> Markers;
+  std::unique_ptr<SliderPanel> Sliders;
+  bool ShowsSliders = true; // with the read-out
+  int LampUnderMouse = LampMarkers::None;
   std::chrono::steady_clock::time_point FrameStart;
   double FrameTime = 0.0; // seconds
   std::string Shown;      // state in the window

@@ -7,22 +7,28 @@
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 
-#include <string>
-
 namespace airlight
 {
+
+namespace
+{
+constexpr int LampState = 1000; // none of VTK's
+}
 
 vtkStandardNewMacro(ViewerStyle);
 
 //------------------------------------------------------------------------------
 void ViewerStyle::OnLeftButtonDown()
 {
-  if (this->Interactor->GetControlKey() && !this->Interactor->GetShiftKey())
+  const int* place = this->Interactor->GetEventPosition();
+  const bool control = this->Interactor->GetControlKey() && !this->Interactor->GetShiftKey();
+  if (this->State != VTKIS_NONE || (!this->Owner->TakeLamp(place[0], place[1]) && !control))
   {
-    this->DragsLamp = true;
+    this->Superclass::OnLeftButtonDown();
     return;
   }
-  this->Superclass::OnLeftButtonDown();
+  this->DragsLamp = true;
+  this->StartState(LampState); // during which frames may be simpler
 }
 
 //------------------------------------------------------------------------------
@@ -31,6 +37,7 @@ void ViewerStyle::OnLeftButtonUp()
   if (this->DragsLamp)
   {
     this->DragsLamp = false;
+    this->StopState();
     return;
   }
   this->Superclass::OnLeftButtonUp();
@@ -39,12 +46,16 @@ void ViewerStyle::OnLeftButtonUp()
 //------------------------------------------------------------------------------
 void ViewerStyle::OnMouseMove()
 {
+  const int* now = this->Interactor->GetEventPosition();
   if (!this->DragsLamp)
   {
+    if (this->State == VTKIS_NONE)
+    {
+      this->Owner->PointAt(now[0], now[1]);
+    }
     this->Superclass::OnMouseMove();
     return;
   }
-  const int* now = this->Interactor->GetEventPosition();
   const int* before = this->Interactor->GetLastEventPosition();
   this->Owner->DragLamp(now[0] - before[0], now[1] - before[1]);
 }
@@ -62,8 +73,8 @@ void ViewerStyle::OnKeyPress()
 //------------------------------------------------------------------------------
 void ViewerStyle::OnChar()
 {
-  const std::string quits = "qQeE";
-  if (quits.find(this->Interactor->GetKeyCode()) != std::string::npos)
+  const char key = this->Interactor->GetKeyCode();
+  if (key == 'q' || key == 'Q')
   {
     this->Superclass::OnChar();
   }

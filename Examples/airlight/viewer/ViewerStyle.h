@@ -11,9 +11,9 @@ namespace airlight
 class Viewer;
 
 /**
- * The mouse turns, moves and zooms the camera as in other programs of VTK, but with Ctrl and the
- * left button it drags the viewer's lamp. Keys go to the viewer; of VTK's own only q and e, which
- * quit, are left.
+ * The mouse turns, moves and zooms the camera as in other programs of VTK, but the left button drags
+ * a lamp that it is pressed on, and with Ctrl the viewer's chosen lamp. Keys go to the viewer; of
+ * VTK's own only q, which quits, is left.
  */
 class ViewerStyle : public vtkInteractorStyleTrackballCamera
 {

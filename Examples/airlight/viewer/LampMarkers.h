@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LampMarkers_h
+#define LampMarkers_h
+
+#include <vtkActor2D.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+class vtkRenderer;
+
+namespace airlight
+{
+
+/**
+ * A dot over the picture for each lamp that has a place, with a ring around the chosen one. The
+ * mouse takes hold of a lamp by its dot. Directional lights and lamps behind the camera have none.
+ * Dots are annotations: they have no fog, cast no shadow, and surfaces do not hide them.
+ */
+class LampMarkers
+{
+public:
+  static constexpr int None = -1; ///< no lamp
+
+  LampMarkers(vtkRenderer* renderer, const std::vector<vtkSmartPointer<vtkLight>>& lamps);
+
+  /**
+   * Put the dots where the lamps are. The lamp under the mouse may be None, as may the chosen one.
+   */
+  void Update(int chosen, int underMouse);
+
+  /**
+   * The lamp whose dot is at most ten pixels from a place in the window, the nearest first; None if
+   * there is none or the markers are hidden.
+   */
+  int Find(int x, int y) const;
+
+  /**
+   * Default: true.
+   */
+  void SetVisible(bool visible) { this->Visible = visible; }
+
+private:
+  struct Marker
+  {
+    vtkSmartPointer<vtkLight> Lamp;
+    vtkNew<vtkActor2D> Rim;
+    vtkNew<vtkActor2D> Dot;
+  };
+
+  bool IsShown(vtkLight* lamp) const;
+
+  vtkRenderer* Renderer;
+  std::vector<Marker> Markers; // one a lamp, also for those without a dot
+  vtkNew<vtkActor2D> Ring;
+  bool Visible = true;
+};
+
+}
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer/MovingQuality.h"
+
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+namespace airlight
+{
+
+namespace
+{
+constexpr double MovingUpdateRate = 1.0; // of a window; at rest it is far lower
+}
+
+//------------------------------------------------------------------------------
+MovingQuality::MovingQuality(vtkRenderer* renderer, double limit)
+  : Renderer(renderer)
+  , Budget(limit)
+  , Pass(vtkAirlightPass::SafeDownCast(renderer->GetPass()))
+{
+  if (this->Pass)
+  {
+    this->Size->SetDelegatePass(this->Pass);
+    renderer->SetPass(this->Size);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MovingQuality::BeginFrame()
+{
+  vtkRenderWindow* window = this->Renderer->GetRenderWindow();
+  const FrameBudget::Step step =
+    this->Budget.Begin(window->GetDesiredUpdateRate() >= MovingUpdateRate);
+  if (this->Pass && step != this->Step)
+  {
+    this->Apply(step);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MovingQuality::Apply(FrameBudget::Step step)
+{
+  const int size = FrameBudget::GetPixelSize(step);
+  this->Size->SetPixelSize(size);
+  this->Pass->SetAnnotations(size == 1);
+  if (step == FrameBudget::Step::NoShadows)
+  {
+    this->Technique = this->Pass->GetShadowTechnique();
+    this->Pass->SetShadowTechniqueToNone();
+  }
+  else if (this->Step == FrameBudget::Step::NoShadows &&
+    this->Pass->GetShadowTechnique() == vtkAirlightPass::NONE) // or a key has chosen another
+  {
+    this->Pass->SetShadowTechnique(this->Technique);
+  }
+  this->Step = step;
+}
+
+//------------------------------------------------------------------------------
+std::string MovingQuality::GetText() const
+{
+  switch (this->Step)
+  {
+    case FrameBudget::Step::HalfSize:
+      return "1/2 size";
+    case FrameBudget::Step::QuarterSize:
+      return "1/4 size";
+    case FrameBudget::Step::NoShadows:
+      return "1/4 size, no shadows";
+    default:
+      return "";
+  }
+}
+
+}
