@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Keys pressed in other programs' windows, through the X server."""
+"""Keys and mouse buttons pressed in other programs' windows, through the X server."""
 
 import ctypes
 import ctypes.util
@@ -8,7 +8,7 @@ import time
 
 
 class KeyEvent(ctypes.Structure):
-    """XKeyEvent, as long as an XEvent."""
+    """XKeyEvent, as long as an XEvent. XButtonEvent has the button in place of the keycode."""
 
     _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
                 ("display", ctypes.c_void_p), ("window", ctypes.c_ulong), ("root", ctypes.c_ulong),
@@ -67,9 +67,24 @@ class Keyboard:
     def press(self, name):
         key = self.x11.XStringToKeysym(name.encode())
         code = self.x11.XKeysymToKeycode(self.display, ctypes.c_ulong(key))
-        for kind, mask in ((2, 1), (3, 2)):  # KeyPress, KeyRelease
-            event = KeyEvent(kind, 0, 1, self.display, self.window, self.root, 0, 0, 9, 9, 9, 9, 0,
-                             code, 1)
-            self.x11.XSendEvent(self.display, ctypes.c_ulong(self.window), 1,
-                                ctypes.c_long(mask), ctypes.byref(event))
+        self.send(2, 1, code)  # KeyPress
+        self.send(3, 2, code)  # KeyRelease
         self.x11.XFlush(self.display)
+
+    def drag(self, start, end):
+        """Press the left button at a place, move the mouse and release it; from the top left.
+
+        Windows ask the server for the mouse's place when it moves, so it moves once.
+        """
+        self.send(4, 4, 1, start)  # ButtonPress
+        self.x11.XWarpPointer(self.display, ctypes.c_ulong(0), ctypes.c_ulong(self.window), 0, 0, 0,
+                              0, *end)
+        self.send(5, 8, 1, end, 256)  # ButtonRelease, Button1Mask
+        self.x11.XFlush(self.display)
+
+    def send(self, kind, mask, code, place=(9, 9), state=0):
+        x, y = place
+        event = KeyEvent(kind, 0, 1, self.display, self.window, self.root, 0, 0, x, y, x, y, state,
+                         code, 1)
+        self.x11.XSendEvent(self.display, ctypes.c_ulong(self.window), 1, ctypes.c_long(mask),
+                            ctypes.byref(event))

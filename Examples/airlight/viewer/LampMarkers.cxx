@@ -28,7 +28,6 @@ constexpr double Reach = 10.0;
 // Yellow on a dark rim, visible on fog as on night
 const Color Black = { 0.0, 0.0, 0.0 };
 const Color Yellow = { 1.0, 0.8, 0.2 };
-const Color White = { 1.0, 1.0, 1.0 };
 
 void AddCircle(
   vtkRenderer* renderer, vtkActor2D* actor, double radius, bool filled, const Color& color)
@@ -84,7 +83,7 @@ bool LampMarkers::IsShown(vtkLight* lamp) const
 }
 
 //------------------------------------------------------------------------------
-void LampMarkers::Update(int chosen, int underMouse)
+void LampMarkers::Update(int chosen)
 {
   this->Ring->VisibilityOff();
   for (int i = 0; i < static_cast<int>(this->Markers.size()); ++i)
@@ -93,8 +92,6 @@ void LampMarkers::Update(int chosen, int underMouse)
     const bool shown = this->IsShown(marker.Lamp);
     Place(marker.Rim, marker.Lamp, shown);
     Place(marker.Dot, marker.Lamp, shown);
-    const Color& color = i == underMouse ? White : Yellow;
-    marker.Dot->GetProperty()->SetColor(color[0], color[1], color[2]);
     if (i == chosen)
     {
       Place(this->Ring, marker.Lamp, shown);

@@ -28,9 +28,9 @@ public:
   LampMarkers(vtkRenderer* renderer, const std::vector<vtkSmartPointer<vtkLight>>& lamps);
 
   /**
-   * Put the dots where the lamps are. The lamp under the mouse may be None, as may the chosen one.
+   * Put the dots where the lamps are, and the ring around the chosen one.
    */
-  void Update(int chosen, int underMouse);
+  void Update(int chosen);
 
   /**
    * The lamp whose dot is at most ten pixels from a place in the window, the nearest first; None if

@@ -184,11 +184,10 @@ bool Viewer::TakeLamp(int x, int y)
 //------------------------------------------------------------------------------
 void Viewer::PointAt(int x, int y)
 {
-  const int lamp = this->Markers->Find(x, y);
-  if (!this->Done && lamp != this->LampUnderMouse)
+  if (!this->Done)
   {
-    this->LampUnderMouse = lamp;
-    this->Interactor->Render();
+    const bool takes = this->Markers->Find(x, y) != LampMarkers::None;
+    this->Rendered.Window->SetCurrentCursor(takes ? VTK_CURSOR_HAND : VTK_CURSOR_DEFAULT);
   }
 }
 
@@ -253,7 +252,7 @@ void Viewer::StartFrame()
   this->Text->SetText(this->Shown);
   const bool visible = this->Text->GetVisible();
   this->Markers->SetVisible(visible);
-  this->Markers->Update(this->Controls->GetLampNumber(), this->LampUnderMouse);
+  this->Markers->Update(this->Controls->GetLampNumber());
   this->Sliders->SetVisible(visible && this->ShowsSliders);
   this->Sliders->Update();
   this->Text->SetHelpBottom(this->Sliders->GetHeight());

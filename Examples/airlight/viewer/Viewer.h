@@ -60,7 +60,7 @@ public:
   /**
    * What happened in the window. A key is named as vtkRenderWindowInteractor::GetKeySym() does; an
    * unknown one is ignored. Places and drags are in pixels. TakeLamp() chooses the lamp whose
-   * marker is there, and is false if none is; PointAt() highlights it.
+   * marker is there, and is false if none is; PointAt() makes the cursor a hand there.
    */
   void PressKey(const std::string& name);
   bool TakeLamp(int x, int y);
@@ -88,7 +88,6 @@ private:
   std::unique_ptr<LampMarkers> Markers;
   std::unique_ptr<SliderPanel> Sliders;
   bool ShowsSliders = true; // with the read-out
-  int LampUnderMouse = LampMarkers::None;
   std::chrono::steady_clock::time_point FrameStart;
   double FrameTime = 0.0; // seconds
   std::string Shown;      // state in the window

@@ -28,6 +28,7 @@ void ViewerStyle::OnLeftButtonDown()
     return;
   }
   this->DragsLamp = true;
+  this->DragPlace = { place[0], place[1] };
   this->StartState(LampState); // during which frames may be simpler
 }
 
@@ -56,8 +57,8 @@ void ViewerStyle::OnMouseMove()
     this->Superclass::OnMouseMove();
     return;
   }
-  const int* before = this->Interactor->GetLastEventPosition();
-  this->Owner->DragLamp(now[0] - before[0], now[1] - before[1]);
+  this->Owner->DragLamp(now[0] - this->DragPlace[0], now[1] - this->DragPlace[1]);
+  this->DragPlace = { now[0], now[1] };
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,8 @@
 
 #include <vtkInteractorStyleTrackballCamera.h>
 
+#include <array>
+
 namespace airlight
 {
 
@@ -32,6 +34,7 @@ public:
 private:
   Viewer* Owner = nullptr;
   bool DragsLamp = false;
+  std::array<int, 2> DragPlace = { 0, 0 }; // pixels; keys have places, too, so not the last event's
 };
 
 }
