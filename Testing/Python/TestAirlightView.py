@@ -41,10 +41,54 @@ def press(name, modifiers=0):
             for event in ("KeyPressEvent", "CharEvent", "KeyReleaseEvent")]
 
 
-def drag(start, end, modifiers):
-    return [f"{event} {x} {y} {modifiers} 0 0 Control_L" for event, (x, y) in (
-        ("MouseMoveEvent", start), ("LeftButtonPressEvent", start), ("MouseMoveEvent", end),
-        ("LeftButtonReleaseEvent", end))]
+def mouse(event, place, modifiers=0):
+    return [f"{event} {place[0]} {place[1]} {modifiers} 0 0 Control_L"]
+
+
+def grab(start, end, modifiers=0):
+    """Without the release."""
+    return [*mouse("MouseMoveEvent", start, modifiers),
+            *mouse("LeftButtonPressEvent", start, modifiers),
+            *mouse("MouseMoveEvent", end, modifiers)]
+
+
+def drag(start, end, modifiers=0):
+    return grab(start, end, modifiers) + mouse("LeftButtonReleaseEvent", end, modifiers)
+
+
+def picture_axes():
+    """To the right, up, and into the scene."""
+    forward = -np.array(CAMERA["position"])
+    forward /= np.linalg.norm(forward)
+    right = np.cross(forward, CAMERA["view_up"])
+    right /= np.linalg.norm(right)
+    return right, np.cross(right, forward), forward
+
+
+def moved(lamp, x, y):
+    """A lamp moved by shares of the picture's height, at its distance."""
+    right, up, forward = picture_axes()
+    height = 2 * (lamp - CAMERA["position"]) @ forward * np.tan(np.radians(25))
+    return lamp + height * (x * right + y * up)
+
+
+def dot(lamp, size=SIZE):
+    """Where a lamp is in the window, from the bottom left."""
+    right, up, forward = picture_axes()
+    way = lamp - CAMERA["position"]
+    scale = size[1] / (2 * np.tan(np.radians(25)) * (way @ forward))
+    return tuple(round(side / 2 + scale * (way @ axis) - 0.5)
+                 for side, axis in zip(size, (right, up)))
+
+
+def shown_lamp(text):
+    """Its number and place in the read-out."""
+    number, place = re.search(r"lamp (\d) of \d at ([^;]*);", text).groups()
+    return int(number), np.array(place.split(","), float)
+
+
+def shown(name, text):
+    return float(re.search(name + r" (-?[\d.e-]+)", text)[1])
 
 
 def wall_points(rays):
@@ -53,9 +97,9 @@ def wall_points(rays):
     return CAMERA["position"] + distance[..., None] * rays, distance
 
 
-def lit_wall(extinction, lamp=LAMP):
+def lit_wall(extinction, lamp=LAMP, size=SIZE):
     """The picture of the wall by the lamp in a medium that only absorbs: albedo/pi E T."""
-    points, distance = wall_points(pixel_rays(CAMERA, *SIZE))
+    points, distance = wall_points(pixel_rays(CAMERA, *size))
     r = np.linalg.norm(lamp - points, axis=-1)
     irradiance = lamp[2] / r**3 * np.exp(-extinction * (r + distance))
     return (irradiance[..., None] * POWER * ALBEDO / np.pi).clip(0, 1)
@@ -160,24 +204,102 @@ class TestView(ProgramTest):
             [press("i"), press("Left"), press("Up"), press("s"), press("Next"), press("s"),
              drag((100, 100), (154, 73), 2), press("s"), press("n"), press("Prior"), press("s")])
         eye = np.array(CAMERA["position"])
-        forward = -eye / np.linalg.norm(eye)
-        right = np.cross(forward, CAMERA["view_up"])
-        right /= np.linalg.norm(right)
-        up = np.cross(right, forward)
-
-        def moved(lamp, x, y):
-            height = 2 * (lamp - eye) @ forward * np.tan(np.radians(25))
-            return lamp + height * (x * right + y * up)
-
         first = moved(moved(LAMP, -0.05, 0), 0, 0.05)
         nearer = eye + (first - eye) / 1.1
         dragged = moved(nearer, 54 / SIZE[1], -27 / SIZE[1])
         places = first, nearer, dragged, eye + 1.1 * (dragged - eye)
         for place, text, picture in zip(places, texts, pictures, strict=True):
-            shown = re.search(r"lamp 1 of 1 at ([^;]*);", text)[1].split(",")
-            np.testing.assert_allclose(np.array(shown, float), place, atol=1e-5)
+            np.testing.assert_allclose(shown_lamp(text)[1], place, atol=1e-5)
             self.assertLess(np.abs(picture - lit_wall(0.05, place)).max(), STEP)
         self.assertGreater(np.abs(pictures[0] - pictures[1]).max(), 0.05)
+
+    def test_lamp_dots(self):
+        """A lamp is moved by its dot; a press beside all dots turns the camera."""
+        other = np.array((-1.0, -0.5, 1.0))
+        lamps = [f"--point={','.join(map(str, lamp))}:{power}"
+                 for lamp, power in ((LAMP, 8), (other, 0))]
+        beside = np.array(dot(other)) + (14, 0)
+        texts, pictures = self.view(
+            self.scene(["wall.ply"], absorption=0.05),
+            [drag(dot(other), np.add(dot(other), (54, 27))), press("s"),
+             drag(dot(LAMP), dot(LAMP)), press("s"), drag(np.add(dot(LAMP), (-4, 3)), (120, 90)),
+             press("i"), press("s"), press("i"),
+             drag(beside, np.add(beside, (40, 0))), press("s"),
+             # Hidden dots do not take the mouse either.
+             press("r"), press("i"), drag((120, 90), (90, 90)), press("s")], *lamps)
+        # A drag moves by what the mouse moves, wherever the dot was taken.
+        away = moved(other, 54 / SIZE[1], 27 / SIZE[1])
+        end = np.subtract((120, 90), np.add(dot(LAMP), (-4, 3)))
+        dragged = moved(LAMP, *(end / SIZE[1]))
+        expected = [(2, away), (1, LAMP)] + 3 * [(1, dragged)]
+        for (number, place), text in zip(expected, texts, strict=True):
+            self.assertEqual(shown_lamp(text)[0], number)
+            np.testing.assert_allclose(shown_lamp(text)[1], place, atol=1e-5)
+        # The dots themselves, yellow; the wall under them is reddish or dark.
+        for picture, lamps in ((pictures[0], (LAMP, away)), (pictures[1], (LAMP, away))):
+            for lamp in lamps:
+                x, y = dot(lamp)
+                np.testing.assert_allclose(picture[SIZE[1] - 1 - y, x], (1, 0.8, 0.2), atol=0.01)
+        lit = (lit_wall(0.05, dragged) / POWER * 8).clip(0, 1)
+        self.assertLess(np.abs(pictures[2] - lit).max(), STEP)  # and no shadow of a dot
+        for picture in pictures[3:]:
+            self.assertGreater(np.abs(picture - pictures[2]).mean(), 0.01)  # turned
+
+    def test_sliders(self):
+        """Sliders of 184 pixels at the bottom, of which beads of 10 leave 174."""
+        size = (640, 480)
+        scene = self.scene(["wall.ply"], absorption=0.05, scattering=0.05)
+        middles = [(108 + 212 * i, 13) for i in range(3)]
+        moves = [drag(middle, np.add(middle, (step, 2)))
+                 for middle, step in zip(middles, (-29, 58, 29))]
+        texts, pictures = self.view(
+            scene, [press("s"), *sum(([move, press("s")] for move in moves), []), press("i"),
+                    press("s"), press("i"), press("e"), press("s"), press("p"), press("s"),
+                    drag(middles[1], np.add(middles[1], (9, 9))), press("s")],
+            "--size", "640x480")
+        names = ("visibility", "anisotropy", "exposure")
+        values = np.array([[shown(name, text) for name in names] for text in texts])
+        first = np.array((39.12, 0, 1))
+        changed = np.array((39.12 / 30**(1 / 3), 0.66, 4))  # of ranges 30^2, 1.98 and 12 stops
+        expected = np.where(np.arange(3) < np.arange(4)[:, None], changed, first)
+        np.testing.assert_allclose(values[:4], expected, rtol=2e-3, atol=2e-3)
+        np.testing.assert_array_equal(values[4:, :2], np.tile(values[3, :2], (4, 1)))
+        self.assertEqual([text.count(" auto;") for text in texts], [0, 0, 0, 0, 0, 1, 1, 1])
+        # The picture is that of `airlight render` with these values.
+        picture = self.render(
+            scene, "x.png", "--visibility", str(values[3, 0]), "--anisotropy", str(values[3, 1]),
+            *LINEAR[2:], "--exposure", str(values[3, 2]), "--antialiasing", "1", "--size", "640x480")
+        self.assertLess(np.abs(pictures[4] - picture).max(), 2 * STEP)
+        # Three light beads; p takes them away, and the mouse then turns the camera.
+        row = pictures[0][size[1] - 1 - 13]
+        for x, _ in middles:
+            self.assertGreater(row[x].min(), 0.9)
+        self.assertGreater(np.abs(pictures[5] - pictures[6])[-44:].max(), 0.3)
+        self.assertLess(np.abs(pictures[5] - pictures[6])[130:-44].max(), STEP)
+        self.assertGreater(np.abs(pictures[7] - pictures[6]).mean(), 0.002)
+
+    def test_frame_time(self):
+        """A frame that takes too long while the mouse moves is simpler, the one at rest is not."""
+        scene = self.scene(["wall.ply", "blocker.ply"], absorption=0.05)
+        start, away = (30, 90), (60, 90)
+        events = [press("i"), press("s"), grab(start, away), mouse("MouseMoveEvent", start),
+                  press("s"), mouse("LeftButtonReleaseEvent", start), press("s")]
+        (_, full), (texts, simple) = (
+            self.view(scene, events, "--frame-time", limit) for limit in ("0", "0.0001"))
+        ends = [re.search(r" ms(.*)$", text)[1] for text in texts]
+        self.assertEqual(ends, ["", ", 1/4 size, no shadows", ""])
+        np.testing.assert_array_equal(full[1], full[2])
+        np.testing.assert_array_equal(simple[2], full[2])
+        # The blocker is where it was; its shadow is gone, and pixels are interpolated.
+        points, _ = wall_points(pixel_rays(CAMERA, *SIZE))
+        eye = np.array(CAMERA["position"])
+        crossing = points + (eye - points) / eye[2]
+        beside = np.abs(crossing[..., :2] - 0.5).max(axis=-1)
+        error = np.abs(simple[1] - full[1]).max(axis=-1)
+        self.assertLess(error[beside < 0.2].max(), 0.03)
+        self.assertGreater(error[beside > 0.4].max(), 0.1)
+        error = np.abs(simple[1] - lit_wall(0.05)).max(axis=-1)[beside > 0.4].max()
+        self.assertTrue(STEP < error < 0.03, error)
 
     def test_sun(self):
         """A directional light turns; n chooses the next lamp. Nothing pushes it."""
@@ -194,10 +316,10 @@ class TestView(ProgramTest):
         turned = (sun * np.cos(turn) + np.cross(up, sun) * np.sin(turn)
                   + up * (up @ sun) * (1 - np.cos(turn)))
         self.assertGreater(np.abs(turned - sun).max(), 0.1)
-        shown = [re.search(r"lamp (\d) of 2 (\w+) ([^;]*);", text).groups() for text in texts]
-        self.assertEqual([(number, word) for number, word, _ in shown],
+        lamps = [re.search(r"lamp (\d) of 2 (\w+) ([^;]*);", text).groups() for text in texts]
+        self.assertEqual([(number, word) for number, word, _ in lamps],
                          [("1", "from"), ("2", "at")])
-        np.testing.assert_allclose(np.array(shown[0][2].split(","), float), turned, atol=1e-5)
+        np.testing.assert_allclose(np.array(lamps[0][2].split(","), float), turned, atol=1e-5)
         for picture in pictures:
             self.assertLess(np.abs(picture - 2 / np.pi * turned[2] * ALBEDO).max(), STEP)
 
@@ -229,24 +351,22 @@ class TestView(ProgramTest):
         texts, pictures = self.view(
             scene, [press(key) for key in ("s", "t", "s", "h", "s", "h", "i", "s")])
         took = 1000 * (time.perf_counter() - start)
-        shown = [(np.abs(picture - pictures[3]) > 0.02).any(axis=-1) for picture in pictures]
-        rows, columns = (np.flatnonzero(shown[0].any(axis=axis)) for axis in (1, 0))
-        # Five lines of 14 points at the top left, and a ring of radius 9 around the lamp.
+        texts_shown = [(np.abs(picture - pictures[3]) > 0.02).any(axis=-1) for picture in pictures]
+        # Eight lines of 14 points at the top left, and a ring of radius 9 around the lamp.
         ring = np.zeros(SIZE[::-1], bool)
-        eye = np.array(CAMERA["position"])
-        ray = pixel_rays(CAMERA, *SIZE) @ ((LAMP - eye) / np.linalg.norm(LAMP - eye))
-        y, x = np.unravel_index(ray.argmax(), ray.shape)
+        x, y = dot(LAMP)
+        y = SIZE[1] - 1 - y
         ring[y - 11:y + 12, x - 11:x + 12] = True
-        self.assertTrue(shown[0][ring].any())
-        rest = shown[0] & ~ring
+        self.assertTrue(texts_shown[0][ring].any())
+        rest = texts_shown[0] & ~ring
         rows, columns = (np.flatnonzero(rest.any(axis=axis)) for axis in (1, 0))
-        self.assertTrue(rows.min() < 8 and 60 < rows.max() < 100, rows)
+        self.assertTrue(rows.min() < 8 and 100 < rows.max() < 130, rows)
         self.assertTrue(columns.min() < 8 and 100 < columns.max() < 350, columns)
         # Another technique is another first line, of 14 pixels.
         changed = (pictures[0] != pictures[1]).any(axis=-1)[:18, :200]
         self.assertGreater(changed.sum(), 20)
-        self.assertTrue(shown[2][-40:].any() and not shown[1][-40:].any())
-        self.assertGreater(shown[2].sum(), shown[1].sum() + 5000)
+        self.assertTrue(texts_shown[2][-40:].any() and not texts_shown[1][-40:].any())
+        self.assertGreater(texts_shown[2].sum(), texts_shown[1].sum() + 5000)
         # A frame takes some time, and less than all of them together.
         times = [float(re.search(r"frame ([\d.]+) ms", text)[1]) for text in texts]
         self.assertTrue(0 < min(times) and sum(times) < took, times)
@@ -254,7 +374,8 @@ class TestView(ProgramTest):
     def test_record(self):
         """A log played and recorded again does the same; screenshots do not overwrite files."""
         scene = self.scene(["wall.ply"], absorption=0.05)
-        self.view(scene, [press("i"), press("Left"), press("s"), press("s")])
+        end = np.add(dot(LAMP), (-40, 20))
+        self.view(scene, [drag(dot(LAMP), end), press("i"), press("Left"), press("s"), press("s")])
         self.assertTrue(os.path.exists(self.path("shot-01.png")))
         self.press_for_real(scene)
         with open(self.path("record.txt"), encoding="ascii") as file:
@@ -267,12 +388,15 @@ class TestView(ProgramTest):
                                           read_png(self.path("shot-00.png")), name)
 
     def press_for_real(self, scene):
-        """The keys i, Left, s, q as the X server sends them to the window."""
+        """A drag and the keys i, Left, s, q as the X server sends them to the window."""
         viewer = subprocess.Popen(
             [PROGRAM, "view", scene, *LINEAR, "--record", self.path("record.txt"), "--screenshots",
              self.path("real-%d.png")], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         try:
             keyboard = Keyboard("Airlight", 60)
+            x, y = dot(LAMP)
+            y = SIZE[1] - 1 - y
+            keyboard.drag((x, y), (x - 40, y - 20))
             for name in ("i", "Left", "s", "q"):
                 keyboard.press(name)
             output, _ = viewer.communicate(timeout=60)
@@ -285,7 +409,7 @@ class TestView(ProgramTest):
     def test_help(self):
         text = self.succeed("view", "--help")
         for key in ("t, T", "v, V", "+, -", "arrows", "Page Up", "n ", "s ", "i ", "h ", "r ",
-                    "q "):
+                    "q ", "e ", "p ", "drag a lamp's dot"):
             self.assertIn("\n  " + key, text)
 
     def test_errors(self):

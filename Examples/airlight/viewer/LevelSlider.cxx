@@ -41,6 +41,7 @@ LevelSlider::LevelSlider(
   this->Shape->SetMinimumValue(level.Minimum);
   this->Shape->SetMaximumValue(level.Maximum);
   AddText(renderer, this->Label);
+  this->Widget->KeyPressActivationOff(); // or the key i would switch it off
   this->Widget->SetInteractor(interactor);
   this->Widget->SetCurrentRenderer(renderer);
   this->Widget->SetRepresentation(this->Shape);

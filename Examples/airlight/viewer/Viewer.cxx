@@ -77,9 +77,9 @@ Viewer::Viewer(const Scene& scene, const RenderSettings& settings, const ViewerS
   this->Rendered = BuildScene(scene, settings);
   this->Controls = std::make_unique<SceneControls>(this->Rendered);
   this->Quality = std::make_unique<MovingQuality>(this->Rendered.Renderer, 1e-3 * viewer.FrameTime);
-  this->Markers = std::make_unique<LampMarkers>(this->Rendered.Renderer, this->Rendered.Lights);
   this->Text = std::make_unique<ReadOut>(this->Rendered.Renderer);
   this->Text->SetHelp(Viewer::GetKeys());
+  this->Markers = std::make_unique<LampMarkers>(this->Rendered.Renderer, this->Rendered.Lights);
   vtkNew<ViewerStyle> style;
   style->SetOwner(this);
   this->Interactor->SetInteractorStyle(style);
