@@ -245,6 +245,23 @@ class TestView(ProgramTest):
         for picture in pictures[3:]:
             self.assertGreater(np.abs(picture - pictures[2]).mean(), 0.01)  # turned
 
+    def test_lamp_outside(self):
+        """A lamp outside the picture has its dot at the edge, and comes there when it is dragged."""
+        lamp = np.array((1.0, 7.0, 2.0))
+        x, y = dot(lamp)
+        self.assertGreater(y, 2 * SIZE[1])
+        edge = (x, SIZE[1] - 12)
+        texts, pictures = self.view(
+            self.scene(["wall.ply"], absorption=0.05),
+            [press("s"), drag(edge, edge), press("s"), drag(edge, (200, 200)), press("s"),
+             drag((200, 200), (210, 190)), press("s")], "--point=1,7,2:900")
+        came = moved(lamp, (200 - x) / SIZE[1], (200 - y) / SIZE[1])
+        places = lamp, lamp, came, moved(came, 10 / SIZE[1], -10 / SIZE[1])
+        pixel = 1 / SIZE[1] * (came - lamp) @ picture_axes()[1] / ((200 - y) / SIZE[1])
+        for place, text in zip(places, texts, strict=True):
+            np.testing.assert_allclose(shown_lamp(text)[1], place, atol=abs(pixel))
+        self.assertGreater(pictures[0][12, x][0], pictures[0][12, x][2] + 0.2)  # yellow
+
     def test_sliders(self):
         """Sliders of 184 pixels at the bottom, of which beads of 10 leave 174."""
         size = (640, 480)
@@ -288,6 +305,7 @@ class TestView(ProgramTest):
             self.view(scene, events, "--frame-time", limit) for limit in ("0", "0.0001"))
         ends = [re.search(r" ms(.*)$", text)[1] for text in texts]
         self.assertEqual(ends, ["", ", 1/4 size, no shadows", ""])
+        self.assertEqual([text[:24] for text in texts], 3 * ["technique ShadowPlanes;v"])
         np.testing.assert_array_equal(full[1], full[2])
         np.testing.assert_array_equal(simple[2], full[2])
         # The blocker is where it was; its shadow is gone, and pixels are interpolated.

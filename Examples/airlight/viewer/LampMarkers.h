@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <vector>
 
 class vtkRenderer;
@@ -17,8 +18,9 @@ namespace airlight
 
 /**
  * A dot over the picture for each lamp that has a place, with a ring around the chosen one. The
- * mouse takes hold of a lamp by its dot. Directional lights and lamps behind the camera have none.
- * Dots are annotations: they have no fog, cast no shadow, and surfaces do not hide them.
+ * mouse takes hold of a lamp by its dot. Lamps outside the picture have a paler dot at its edge.
+ * Directional lights and lamps behind the camera have none. Dots are annotations: they have no fog,
+ * cast no shadow, and surfaces do not hide them.
  */
 class LampMarkers
 {
@@ -39,6 +41,16 @@ public:
   int Find(int x, int y) const;
 
   /**
+   * From a lamp to its dot, in pixels to the right and up: 0 inside the picture.
+   */
+  std::array<double, 2> GetOffset(int lamp) const;
+
+  /**
+   * Keep the dots of lamps outside the picture above so many pixels. Default: 0.
+   */
+  void SetBottom(int pixels) { this->Bottom = pixels; }
+
+  /**
    * Default: true.
    */
   void SetVisible(bool visible) { this->Visible = visible; }
@@ -52,10 +64,13 @@ private:
   };
 
   bool IsShown(vtkLight* lamp) const;
+  std::array<double, 2> Project(vtkLight* lamp) const;
+  std::array<double, 2> FindDot(vtkLight* lamp) const;
 
   vtkRenderer* Renderer;
   std::vector<Marker> Markers; // one a lamp, also for those without a dot
   vtkNew<vtkActor2D> Ring;
+  int Bottom = 0;
   bool Visible = true;
 };
 

@@ -9,8 +9,6 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
-#include <algorithm>
-
 namespace airlight
 {
 
@@ -86,12 +84,11 @@ void LevelSlider::Place(int left, int length)
   this->Shape->GetPoint1Coordinate()->SetValue(left, Bottom);
   this->Shape->GetPoint2Coordinate()->SetValue(left + length, Bottom);
   this->Label->GetPositionCoordinate()->SetValue(left, LabelBottom);
-  // VTK's sizes are parts of the window's longer side.
+  // VTK's sizes are parts of the window's width and height.
   const int* size = this->Widget->GetCurrentRenderer()->GetSize();
-  const double side = std::max(size[0], size[1]);
-  this->Shape->SetTubeWidth(TubeWidth / side);
-  this->Shape->SetSliderLength(BeadLength / side);
-  this->Shape->SetSliderWidth(BeadWidth / side);
+  this->Shape->SetSliderLength(BeadLength / size[0]);
+  this->Shape->SetSliderWidth(BeadWidth / size[1]);
+  this->Shape->SetTubeWidth(TubeWidth / size[1]);
 }
 
 //------------------------------------------------------------------------------

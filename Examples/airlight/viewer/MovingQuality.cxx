@@ -39,6 +39,21 @@ void MovingQuality::BeginFrame()
 }
 
 //------------------------------------------------------------------------------
+void MovingQuality::EndFrame(double seconds)
+{
+  this->LastTime = seconds;
+  this->Times[static_cast<std::size_t>(this->Step)] = seconds;
+  this->Budget.End(seconds);
+}
+
+//------------------------------------------------------------------------------
+double MovingQuality::GetFrameTime() const
+{
+  const double time = this->Times[static_cast<std::size_t>(this->Step)];
+  return time > 0.0 ? time : this->LastTime;
+}
+
+//------------------------------------------------------------------------------
 void MovingQuality::Apply(FrameBudget::Step step)
 {
   const int size = FrameBudget::GetPixelSize(step);

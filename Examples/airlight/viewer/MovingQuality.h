@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <string>
 
 class vtkRenderer;
@@ -38,8 +39,19 @@ public:
    * Before each frame, and after it with the seconds that it took.
    */
   void BeginFrame();
-  void EndFrame(double seconds) { this->Budget.End(seconds); }
+  void EndFrame(double seconds);
   ///@}
+
+  /**
+   * Whether the frame has the shadows that were chosen.
+   */
+  bool HasShadows() const { return this->Step != FrameBudget::Step::NoShadows; }
+
+  /**
+   * How long the last frame took that was reduced as this one, or, if this is the first, the last
+   * frame. Unit: seconds.
+   */
+  double GetFrameTime() const;
 
   /**
    * What of the frame is reduced; empty if nothing is.
@@ -54,7 +66,9 @@ private:
   FrameBudget::Step Step = FrameBudget::Step::Complete;
   vtkSmartPointer<vtkAirlightPass> Pass;
   vtkNew<ReducedSizePass> Size;
-  int Technique = vtkAirlightPass::AUTOMATIC; // to return to
+  std::array<double, 4> Times = { 0.0, 0.0, 0.0, 0.0 }; // seconds, by step; 0 is unknown
+  double LastTime = 0.0;                                // of the last frame
+  int Technique = vtkAirlightPass::AUTOMATIC;           // to return to
 };
 
 }

@@ -103,10 +103,18 @@ bool SceneControls::ChangePass(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+void SceneControls::NoteTechnique()
+{
+  if (this->Rendered.Pass)
+  {
+    this->Technique = this->Rendered.Pass->GetEffectiveShadowTechnique();
+  }
+}
+
+//------------------------------------------------------------------------------
 void SceneControls::ChangeTechnique(int step)
 {
-  vtkAirlightPass* pass = this->Rendered.Pass;
-  pass->SetShadowTechnique(GetNext(Techniques, pass->GetEffectiveShadowTechnique(), step));
+  this->Rendered.Pass->SetShadowTechnique(GetNext(Techniques, this->Technique, step));
 }
 
 //------------------------------------------------------------------------------
@@ -160,7 +168,7 @@ bool SceneControls::ChangeLamp(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-void SceneControls::DragLamp(int right, int up)
+void SceneControls::DragLamp(double right, double up)
 {
   if (vtkLight* lamp = this->GetLamp())
   {
@@ -175,7 +183,7 @@ std::string SceneControls::GetState() const
   std::ostringstream text;
   if (vtkAirlightPass* pass = this->Rendered.Pass)
   {
-    text << "technique " << GetTechniqueName(pass->GetEffectiveShadowTechnique()) << "\nview "
+    text << "technique " << GetTechniqueName(this->Technique) << "\nview "
          << ViewNames[static_cast<std::size_t>(pass->GetDebugView())];
   }
   else

@@ -34,12 +34,17 @@ public:
   /**
    * Move the chosen lamp by pixels of the picture.
    */
-  void DragLamp(int right, int up);
+  void DragLamp(double right, double up);
 
   /**
    * Technique, view, levels and chosen lamp, a line each.
    */
   std::string GetState() const;
+
+  /**
+   * The technique of the last frame is that of the state, after a frame with the chosen one.
+   */
+  void NoteTechnique();
 
   ///@{
   /**
@@ -68,6 +73,7 @@ private:
   SceneLevels Levels;
   vtkNew<vtkCamera> StartCamera;
   std::size_t Lamp = 0;
+  int Technique = vtkAirlightPass::NONE;
 };
 
 }

@@ -173,11 +173,13 @@ bool Viewer::ChangeText(const std::string& name)
 bool Viewer::TakeLamp(int x, int y)
 {
   const int lamp = this->Markers->Find(x, y);
+  this->DotOffset = { 0.0, 0.0 };
   if (this->Done || lamp == LampMarkers::None)
   {
     return false;
   }
   this->Controls->ChooseLamp(lamp);
+  this->DotOffset = this->Markers->GetOffset(lamp);
   return true;
 }
 
@@ -194,9 +196,10 @@ void Viewer::PointAt(int x, int y)
 //------------------------------------------------------------------------------
 void Viewer::DragLamp(int right, int up)
 {
-  if (!this->Done)
+  if (!this->Done && (right != 0 || up != 0))
   {
-    this->Controls->DragLamp(right, up);
+    this->Controls->DragLamp(right + this->DotOffset[0], up + this->DotOffset[1]);
+    this->DotOffset = { 0.0, 0.0 };
     this->Interactor->Render();
   }
 }
@@ -225,8 +228,11 @@ void Viewer::EndFrame()
 {
   this->Rendered.Window->WaitForCompletion();
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->FrameStart;
-  this->FrameTime = time.count();
-  this->Quality->EndFrame(this->FrameTime);
+  this->Quality->EndFrame(time.count());
+  if (this->Quality->HasShadows())
+  {
+    this->Controls->NoteTechnique();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -251,10 +257,11 @@ void Viewer::StartFrame()
   this->Shown = this->GetState();
   this->Text->SetText(this->Shown);
   const bool visible = this->Text->GetVisible();
-  this->Markers->SetVisible(visible);
-  this->Markers->Update(this->Controls->GetLampNumber());
   this->Sliders->SetVisible(visible && this->ShowsSliders);
   this->Sliders->Update();
+  this->Markers->SetVisible(visible);
+  this->Markers->SetBottom(this->Sliders->GetHeight());
+  this->Markers->Update(this->Controls->GetLampNumber());
   this->Text->SetHelpBottom(this->Sliders->GetHeight());
 }
 
@@ -263,7 +270,7 @@ std::string Viewer::GetState() const
 {
   std::ostringstream text;
   text << this->Controls->GetState() << "\nframe " << std::fixed << std::setprecision(1)
-       << 1000.0 * this->FrameTime << " ms";
+       << 1000.0 * this->Quality->GetFrameTime() << " ms";
   const std::string reduced = this->Quality->GetText();
   if (!reduced.empty())
   {

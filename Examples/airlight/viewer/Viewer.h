@@ -13,6 +13,7 @@
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <string>
@@ -30,8 +31,8 @@ struct ViewerSettings
 
 /**
  * A window on a scene whose lamps, medium and technique follow keys, mouse and sliders; GetKeys()
- * tells which does what. The read-out shows the state and how long the last frame took, from the
- * call of vtkRenderWindow::Render() until the graphics card is done; after a key the picture is
+ * tells which does what. The read-out shows the state and how long the last such frame took, from
+ * the call of vtkRenderWindow::Render() until the graphics card is done; after a key the picture is
  * drawn twice, so that the time shown belongs to what is shown. A screenshot is what the window
  * shows. While the mouse moves something, frames that would take too long are simpler.
  *
@@ -60,7 +61,8 @@ public:
   /**
    * What happened in the window. A key is named as vtkRenderWindowInteractor::GetKeySym() does; an
    * unknown one is ignored. Places and drags are in pixels. TakeLamp() chooses the lamp whose
-   * marker is there, and is false if none is; PointAt() makes the cursor a hand there.
+   * dot is there, and is false if none is; a lamp outside the picture comes to its dot when it is
+   * dragged. PointAt() makes the cursor a hand there.
    */
   void PressKey(const std::string& name);
   bool TakeLamp(int x, int y);
@@ -87,11 +89,11 @@ private:
   std::unique_ptr<ReadOut> Text;
   std::unique_ptr<LampMarkers> Markers;
   std::unique_ptr<SliderPanel> Sliders;
-  bool ShowsSliders = true; // with the read-out
+  std::array<double, 2> DotOffset = { 0.0, 0.0 }; // pixels, of the lamp that was taken
+  bool ShowsSliders = true;                       // with the read-out
   std::chrono::steady_clock::time_point FrameStart;
-  double FrameTime = 0.0; // seconds
-  std::string Shown;      // state in the window
-  std::string Log;        // to play
+  std::string Shown; // state in the window
+  std::string Log;   // to play
   std::string Error;
   bool Done = false;
 };
