@@ -28,10 +28,14 @@ struct Level
  * Visibility, anisotropy and exposure of a rendered scene.
  *
  * The visibility's level is its logarithm, from 1/30 to 30 times the first visibility. In clear air
- * the range begins at the distance that the camera looks at. The anisotropy is the phase
- * function's parameter g or k, -0.99 to 0.99; it makes an isotropic medium one of Henyey and
- * Greenstein, and media whose phase function has no such parameter do not have this level. The exposure's level is in stops, from -6 to 6, around the last
- * automatic exposure, which it switches off. Without a medium there is only the exposure.
+ * the range begins at the distance that the camera looks at.
+ *
+ * The anisotropy is the phase function's parameter g or k, -0.99 to 0.99. It makes an isotropic
+ * medium one of Henyey and Greenstein; media whose phase function has no such parameter do not have
+ * this level.
+ *
+ * The exposure's level is in stops, from -6 to 6, around the last automatic exposure, which it
+ * switches off. Without a medium there is only the exposure.
  */
 class SceneLevels
 {

@@ -13,9 +13,9 @@ namespace airlight
 class Viewer;
 
 /**
- * The mouse turns, moves and zooms the camera as in other programs of VTK, but the left button drags
- * a lamp that it is pressed on, and with Ctrl the viewer's chosen lamp. Keys go to the viewer; of
- * VTK's own only q, which quits, is left.
+ * The mouse turns, moves and zooms the camera as in other programs of VTK, but the left button
+ * drags a lamp that it is pressed on, and with Ctrl the viewer's chosen lamp. Keys go to the
+ * viewer; of VTK's own only q, which quits, is left.
  */
 class ViewerStyle : public vtkInteractorStyleTrackballCamera
 {
@@ -34,7 +34,7 @@ public:
 private:
   Viewer* Owner = nullptr;
   bool DragsLamp = false;
-  std::array<int, 2> DragPlace = { 0, 0 }; // pixels; keys have places, too, so not the last event's
+  std::array<int, 2> DragPlace = { 0, 0 }; // pixels; of the mouse, while keys have places, too
 };
 
 }
