@@ -395,34 +395,64 @@ class TestView(ProgramTest):
         end = np.add(dot(LAMP), (-40, 20))
         self.view(scene, [drag(dot(LAMP), end), press("i"), press("Left"), press("s"), press("s")])
         self.assertTrue(os.path.exists(self.path("shot-01.png")))
-        self.press_for_real(scene)
-        with open(self.path("record.txt"), encoding="ascii") as file:
-            log = self.write("again.txt", file.read() + "\n".join(press("q")))
-        output = self.succeed("view", scene, *LINEAR, "--play", log, "--screenshots",
-                              self.path("played-%d.png"))
-        self.assertIn("played-0.png", output)
+
+        def use(keyboard):
+            x, y = dot(LAMP)
+            y = SIZE[1] - 1 - y
+            keyboard.drag((x, y), (x - 40, y - 20))
+            for name in ("i", "Left", "s"):
+                keyboard.press(name)
+
+        self.use_for_real(scene, use)
+        self.play_again(scene)
         for name in ("shot-01", "real-0", "played-0"):
             np.testing.assert_array_equal(read_png(self.path(name + ".png")),
                                           read_png(self.path("shot-00.png")), name)
 
-    def press_for_real(self, scene):
-        """A drag and the keys i, Left, s, q as the X server sends them to the window."""
+    def use_for_real(self, scene, use, *options):
+        """A drag and keys as the X server sends them to the window, recorded; q at the end."""
         viewer = subprocess.Popen(
             [PROGRAM, "view", scene, *LINEAR, "--record", self.path("record.txt"), "--screenshots",
-             self.path("real-%d.png")], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+             self.path("real-%d.png"), *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            text=True)
         try:
             keyboard = Keyboard("Airlight", 60)
-            x, y = dot(LAMP)
-            y = SIZE[1] - 1 - y
-            keyboard.drag((x, y), (x - 40, y - 20))
-            for name in ("i", "Left", "s", "q"):
-                keyboard.press(name)
+            use(keyboard)
+            keyboard.press("q")
             output, _ = viewer.communicate(timeout=60)
         finally:
             viewer.kill()
             viewer.wait()
         self.assertEqual(viewer.returncode, 0, output)
         self.assertIn("real-0.png", output)
+
+    def play_again(self, scene):
+        """Play what was recorded; the log."""
+        with open(self.path("record.txt"), encoding="ascii") as file:
+            events = file.read()
+        log = self.write("again.txt", events + "\n".join(press("q")))
+        output = self.succeed("view", scene, *LINEAR, "--play", log, "--screenshots",
+                              self.path("played-%d.png"))
+        self.assertIn("played-0.png", output)
+        return events
+
+    def test_held_keys(self):
+        """Slow frames between keys are simpler; the one at rest, and a screenshot, is complete."""
+        scene = self.scene(["wall.ply", "blocker.ply"], absorption=0.05)
+
+        def use(keyboard):
+            for name in ("i", "Left", "Left"):
+                keyboard.press(name)
+            time.sleep(3)  # until the timer has ended; nothing tells
+            for name in ("Up", "s"):
+                keyboard.press(name)
+
+        self.use_for_real(scene, use, "--frame-time", "0.0001")
+        events = self.play_again(scene)
+        timers = re.findall("^(?:TimerEvent|KeyPressEvent)", events, re.MULTILINE)
+        self.assertEqual(timers, 3 * ["KeyPressEvent"] + ["TimerEvent"] + 2 * ["KeyPressEvent"])
+        np.testing.assert_array_equal(read_png(self.path("real-0.png")),
+                                      read_png(self.path("played-0.png")))
 
     def test_help(self):
         text = self.succeed("view", "--help")

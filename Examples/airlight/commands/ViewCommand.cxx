@@ -47,9 +47,8 @@ void AddViewCommand(CLI::App& program)
     "Do first what this file says: one of --record, or of VTK's vtkInteractorEventRecorder");
   command
     ->add_option("--frame-time", viewer.FrameTime,
-      "Milliseconds that a frame may take while the mouse moves something, then fewer pixels and "
-      "no "
-      "shadows are drawn; 0 for no limit")
+      "Milliseconds that a frame may take while mouse or keys move something, before fewer pixels "
+      "and no shadows are drawn; 0 for no limit")
     ->check(CLI::Range(0.0, 1e6))
     ->capture_default_str();
   command->footer(command->get_footer() + "\n\nIn the window:\n" + Viewer::GetKeys());

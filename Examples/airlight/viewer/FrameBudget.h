@@ -45,6 +45,11 @@ public:
   void End(double seconds);
 
   /**
+   * Whether a motion would begin with frames that are not complete.
+   */
+  bool IsTight() const { return this->Limit > 0.0 && this->First != Step::Complete; }
+
+  /**
    * A pixel of such a frame is as wide and high as so many of the window.
    */
   static int GetPixelSize(Step step);

@@ -123,7 +123,7 @@ std::array<double, 2> LampMarkers::GetOffset(int lamp) const
 //------------------------------------------------------------------------------
 void LampMarkers::Update(int chosen)
 {
-  this->Ring->VisibilityOff();
+  bool ringed = false;
   for (int i = 0; i < static_cast<int>(this->Markers.size()); ++i)
   {
     const Marker& marker = this->Markers[static_cast<std::size_t>(i)];
@@ -135,8 +135,10 @@ void LampMarkers::Update(int chosen)
     if (i == chosen)
     {
       Place(this->Ring, place, shown, inside);
+      ringed = shown;
     }
   }
+  this->Ring->SetVisibility(ringed);
 }
 
 //------------------------------------------------------------------------------

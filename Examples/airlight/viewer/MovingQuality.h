@@ -43,6 +43,11 @@ public:
   ///@}
 
   /**
+   * Whether complete frames take longer than they may while something moves.
+   */
+  bool IsSlow() const { return this->Budget.IsTight(); }
+
+  /**
    * Whether the frame has the shadows that were chosen.
    */
   bool HasShadows() const { return this->Step != FrameBudget::Step::NoShadows; }

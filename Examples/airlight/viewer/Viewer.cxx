@@ -18,6 +18,7 @@
 #include <iostream>
 #include <map>
 #include <sstream>
+#include <vector>
 
 namespace airlight
 {
@@ -28,6 +29,10 @@ namespace
 const std::map<std::string, std::string> SameKeys = { { "equal", "plus" }, { "KP_Add", "plus" },
   { "KP_Subtract", "minus" }, { "KP_Left", "Left" }, { "KP_Right", "Right" }, { "KP_Up", "Up" },
   { "KP_Down", "Down" }, { "KP_Prior", "Prior" }, { "KP_Next", "Next" } };
+
+// That are kept down
+const std::vector<std::string> HeldKeys = { "plus", "minus", "Left", "Right", "Up", "Down", "Prior",
+  "Next" };
 
 std::string FindFreeFile(const std::string& pattern)
 {
@@ -86,6 +91,7 @@ Viewer::Viewer(const Scene& scene, const RenderSettings& settings, const ViewerS
   this->Interactor->SetRenderWindow(this->Rendered.Window);
   this->Sliders = std::make_unique<SliderPanel>(
     this->Interactor, this->Rendered.Renderer, this->Controls->GetLevels());
+  this->Rest = std::make_unique<RestTimer>(this->Interactor, [this] { this->DrawAtRest(); });
 }
 
 //------------------------------------------------------------------------------
@@ -114,6 +120,7 @@ void Viewer::Run()
   }
   if (!this->Done)
   {
+    this->Live = true;
     this->Interactor->Start();
   }
   if (!this->Error.empty())
@@ -135,11 +142,15 @@ void Viewer::PressKey(const std::string& name)
   {
     if (key == "s")
     {
+      if (this->Rest->Stop())
+      {
+        this->DrawTwice();
+      }
       this->SaveScreenshot();
     }
     else if (this->ChangeText(key) || this->Controls->PressKey(key))
     {
-      this->DrawTwice();
+      this->DrawChange(key);
     }
   }
   catch (const UserError& error) // not through VTK's event loop
@@ -220,6 +231,43 @@ void Viewer::DrawTwice()
   for (int i = 0; i < 2; ++i)
   {
     this->Rendered.Render();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::DrawChange(const std::string& key)
+{
+  const bool oneOfMany = std::find(HeldKeys.begin(), HeldKeys.end(), key) != HeldKeys.end();
+  if (oneOfMany && this->DeferRest())
+  {
+    this->Rendered.Render();
+    return;
+  }
+  this->Rest->Stop();
+  this->DrawTwice();
+}
+
+//------------------------------------------------------------------------------
+bool Viewer::DeferRest()
+{
+  if (!this->Live || this->Done || !this->Quality->IsSlow())
+  {
+    return false;
+  }
+  this->Rest->Start();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::DrawAtRest()
+{
+  try
+  {
+    this->Rendered.Render();
+  }
+  catch (const UserError& error) // not through VTK's event loop
+  {
+    this->Fail(error.what());
   }
 }
 

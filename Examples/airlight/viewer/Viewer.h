@@ -7,6 +7,7 @@
 #include "viewer/LampMarkers.h"
 #include "viewer/MovingQuality.h"
 #include "viewer/ReadOut.h"
+#include "viewer/RestTimer.h"
 #include "viewer/SceneControls.h"
 #include "viewer/SliderPanel.h"
 
@@ -34,7 +35,7 @@ struct ViewerSettings
  * tells which does what. The read-out shows the state and how long the last such frame took, from
  * the call of vtkRenderWindow::Render() until the graphics card is done; after a key the picture is
  * drawn twice, so that the time shown belongs to what is shown. A screenshot is what the window
- * shows. While the mouse moves something, frames that would take too long are simpler.
+ * shows. While mouse or keys move something, frames that would take too long are simpler.
  *
  * Logs of events are those of vtkInteractorEventRecorder; they are played as fast as frames can be
  * drawn.
@@ -70,11 +71,20 @@ public:
   void DragLamp(int right, int up);
   ///@}
 
+  /**
+   * Before the frame of a change that may be one of many, by keys or wheel: true if frames are
+   * slow. The frame is then as one of a motion, and the one at rest follows when no more changes
+   * come.
+   */
+  bool DeferRest();
+
 private:
   bool ChangeText(const std::string& name);
   void SaveScreenshot();
 
   void DrawTwice();
+  void DrawAtRest();
+  void DrawChange(const std::string& key);
   void StartFrame();
   void EndFrame();
   void Quit();
@@ -89,12 +99,14 @@ private:
   std::unique_ptr<ReadOut> Text;
   std::unique_ptr<LampMarkers> Markers;
   std::unique_ptr<SliderPanel> Sliders;
+  std::unique_ptr<RestTimer> Rest;
   std::array<double, 2> DotOffset = { 0.0, 0.0 }; // pixels, of the lamp that was taken
   bool ShowsSliders = true;                       // with the read-out
   std::chrono::steady_clock::time_point FrameStart;
   std::string Shown; // state in the window
   std::string Log;   // to play
   std::string Error;
+  bool Live = false; // events come from the window, not from a log
   bool Done = false;
 };
 

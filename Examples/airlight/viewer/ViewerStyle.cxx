@@ -7,6 +7,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <cmath>
+
 namespace airlight
 {
 
@@ -59,6 +61,37 @@ void ViewerStyle::OnMouseMove()
   }
   this->Owner->DragLamp(now[0] - this->DragPlace[0], now[1] - this->DragPlace[1]);
   this->DragPlace = { now[0], now[1] };
+}
+
+//------------------------------------------------------------------------------
+void ViewerStyle::OnMouseWheelForward()
+{
+  if (!this->Zoom(1.0))
+  {
+    this->Superclass::OnMouseWheelForward();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerStyle::OnMouseWheelBackward()
+{
+  if (!this->Zoom(-1.0))
+  {
+    this->Superclass::OnMouseWheelBackward();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ViewerStyle::Zoom(double direction)
+{
+  const int* place = this->Interactor->GetEventPosition();
+  this->FindPokedRenderer(place[0], place[1]);
+  if (!this->CurrentRenderer || !this->Owner->DeferRest())
+  {
+    return false; // VTK draws a frame at rest after each step
+  }
+  this->Dolly(std::pow(1.1, 0.2 * direction * this->MotionFactor * this->MouseWheelMotionFactor));
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -28,10 +28,14 @@ public:
   void OnLeftButtonDown() override;
   void OnLeftButtonUp() override;
   void OnMouseMove() override;
+  void OnMouseWheelForward() override;
+  void OnMouseWheelBackward() override;
   void OnKeyPress() override;
   void OnChar() override;
 
 private:
+  bool Zoom(double direction);
+
   Viewer* Owner = nullptr;
   bool DragsLamp = false;
   std::array<int, 2> DragPlace = { 0, 0 }; // pixels; of the mouse, while keys have places, too

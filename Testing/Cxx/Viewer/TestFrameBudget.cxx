@@ -93,6 +93,25 @@ void CheckRest()
     0.0);
 }
 
+void CheckTight()
+{
+  FrameBudget budget(Limit);
+  Check(!budget.IsTight(), "before the first frame");
+  for (const double seconds : { 0.11, 0.09, 0.11 })
+  {
+    budget.Begin(false);
+    budget.End(seconds);
+    Check(budget.IsTight() == (seconds > Limit), "tight after a frame at rest");
+  }
+  budget.Begin(true);
+  budget.End(0.01);
+  Check(budget.IsTight(), "tight while frames are simpler");
+  FrameBudget none(0.0);
+  none.Begin(false);
+  none.End(9.0);
+  Check(!none.IsTight(), "tight without a limit");
+}
+
 void CheckSizes()
 {
   Check(FrameBudget::GetPixelSize(Step::Complete) == 1, "complete");
@@ -107,6 +126,7 @@ int TestFrameBudget(int, char*[])
   CheckStart();
   CheckMotion();
   CheckRest();
+  CheckTight();
   CheckSizes();
   return Passed ? EXIT_SUCCESS : EXIT_FAILURE;
 }
