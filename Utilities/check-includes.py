@@ -131,7 +131,7 @@ def counts(paths):
     print("in more than two sources:", *sorted(
         f"{name} ({count})" for name, count in classes.items() if count > 2))
     for folder in ("Testing/Cxx/Module", "Testing/Cxx/Filters", "Testing/Cxx/Rendering",
-                   "Testing/Cxx/Composition", "Testing/Support"):
+                   "Testing/Cxx/Composition", "Testing/Cxx/Viewer", "Testing/Support"):
         print(f"{len(list((ROOT / folder).glob('*.*')))} files in {folder}")
 
 

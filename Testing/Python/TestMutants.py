@@ -60,6 +60,7 @@ def has_test(name):
     return any((ROOT / folder / script).with_suffix(suffix).exists() for folder, suffix in (
         ("Testing/Cxx/Module", ".cxx"), ("Testing/Cxx/Filters", ".cxx"),
         ("Testing/Cxx/Rendering", ".cxx"), ("Testing/Cxx/Composition", ".cxx"),
+        ("Testing/Cxx/Viewer", ".cxx"),
         ("Testing/Faults", ".cxx"), ("Testing/Python", ".py"), ("ParaView/Testing", ".py")))
 
 

@@ -12,8 +12,8 @@ namespace airlight
 {
 
 /**
- * Tells when keys and wheel have changed nothing for a while. They have no end, as drags have; until
- * then, and from Start() on, the window counts as one in which something moves.
+ * Tells when keys and wheel have changed nothing for a while. They have no end, as drags have. From
+ * Start() until then, the window counts as one in which something moves.
  *
  * A mouse button ends the waiting without a call: a frame at rest follows its release.
  */
@@ -34,7 +34,8 @@ public:
   void Start();
 
   /**
-   * Do not wait any longer, nor call. The window is at rest. False if there was nothing to wait for.
+   * Do not wait any longer, nor call. The window is at rest. False if there was nothing to wait
+   * for.
    */
   bool Stop();
 
