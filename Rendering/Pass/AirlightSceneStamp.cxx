@@ -64,6 +64,10 @@ void SceneStamp::AddProps(const vtkRenderState* s)
   const SceneProps props(s->GetRenderer(), s->GetPropArray(), s->GetPropArrayCount());
   for (const SceneProp& prop : props.GetProps())
   {
+    if (!prop.Prop->GetBounds()) // an annotation, which is drawn over each picture
+    {
+      continue;
+    }
     for (const ScenePart& part : prop.Parts)
     {
       this->AddActor(part.Actor);

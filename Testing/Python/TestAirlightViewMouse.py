@@ -136,11 +136,27 @@ class TestViewMouse(ViewTest):
             for name in ("i", "Left", "s"):
                 keyboard.press(name)
 
-        self.use_for_real(scene, use)
+        self.record(scene, use)
         self.play_again(scene)
         for name in ("shot-01", "real-0", "played-0"):
             np.testing.assert_array_equal(read_png(self.path(name + ".png")),
                                           read_png(self.path("shot-00.png")), name)
+
+    def test_refinement(self):
+        """At rest the picture becomes the mean that `render` writes; a screenshot waits for it."""
+        scene = self.scene(["wall.ply", "blocker.ply"], absorption=0.05)
+
+        def use(keyboard):
+            for name in ("i", "s"):
+                keyboard.press(name)
+
+        self.use_for_real(scene, use, "--antialiasing", "6")
+        for count in ("6", "1"):
+            self.succeed("render", scene, *LINEAR, "--antialiasing", count, "-o",
+                         self.path(f"mean-{count}.png"))
+        picture = read_png(self.path("real-0.png"))
+        np.testing.assert_array_equal(picture, read_png(self.path("mean-6.png")))
+        self.assertGreater(np.abs(picture - read_png(self.path("mean-1.png"))).max(), 0.2)
 
     def test_held_keys(self):
         """Slow frames between keys are simpler; the one at rest, and a screenshot, is complete."""
@@ -157,7 +173,7 @@ class TestViewMouse(ViewTest):
             time.sleep(3)  # until the timer has ended; nothing tells
             keyboard.press("s")
 
-        self.use_for_real(scene, use, "--frame-time", "0.0001")
+        self.record(scene, use, "--frame-time", "0.0001")
         events = self.play_again(scene)
         timers = re.findall("^(?:TimerEvent|KeyPressEvent)", events, re.MULTILINE)
         self.assertEqual(timers, 4 * ["KeyPressEvent"] + ["TimerEvent", "KeyPressEvent"])

@@ -121,12 +121,15 @@ class ViewTest(ProgramTest):
         found = re.findall(r"^(.*\.png): (.*)$", output, re.MULTILINE)
         return [text for _, text in found], [read_png(file) for file, _ in found]
 
+    def record(self, scene, use, *options):
+        """As use_for_real(), recorded."""
+        self.use_for_real(scene, use, "--record", self.path("record.txt"), *options)
+
     def use_for_real(self, scene, use, *options):
-        """A drag and keys as the X server sends them to the window, recorded; q at the end."""
+        """A drag and keys as the X server sends them to the window; q at the end."""
         viewer = subprocess.Popen(
-            [PROGRAM, "view", scene, *LINEAR, "--record", self.path("record.txt"), "--screenshots",
-             self.path("real-%d.png"), *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-            text=True)
+            [PROGRAM, "view", scene, *LINEAR, "--screenshots", self.path("real-%d.png"), *options],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         try:
             keyboard = Keyboard("Airlight", 60)
             use(keyboard)

@@ -51,6 +51,12 @@ void AddViewCommand(CLI::App& program)
       "and no shadows are drawn; 0 for no limit")
     ->check(CLI::Range(0.0, 1e6))
     ->capture_default_str();
+  command
+    ->add_option("--antialiasing", viewer.Frames,
+      "Mean of so many frames at rest, drawn one after the other: smooth edges of surfaces and "
+      "shadows, and lamps of finite size; --play and --record draw single frames")
+    ->check(CLI::Range(1, 1024))
+    ->capture_default_str();
   command->footer(command->get_footer() + "\n\nIn the window:\n" + Viewer::GetKeys());
   command->callback([options] { View(*options); });
 }

@@ -27,11 +27,15 @@ MovingQuality::MovingQuality(vtkRenderer* renderer, double limit)
 }
 
 //------------------------------------------------------------------------------
+bool MovingQuality::IsMoving() const
+{
+  return this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= MovingUpdateRate;
+}
+
+//------------------------------------------------------------------------------
 void MovingQuality::BeginFrame()
 {
-  vtkRenderWindow* window = this->Renderer->GetRenderWindow();
-  const FrameBudget::Step step =
-    this->Budget.Begin(window->GetDesiredUpdateRate() >= MovingUpdateRate);
+  const FrameBudget::Step step = this->Budget.Begin(this->IsMoving());
   if (this->Pass && step != this->Step)
   {
     this->Apply(step);

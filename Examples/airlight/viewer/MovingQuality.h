@@ -43,6 +43,11 @@ public:
   ///@}
 
   /**
+   * Whether the window is in motion.
+   */
+  bool IsMoving() const;
+
+  /**
    * Whether complete frames take longer than they may while something moves.
    */
   bool IsSlow() const { return this->Budget.IsTight(); }

@@ -81,6 +81,7 @@ Viewer::Viewer(const Scene& scene, const RenderSettings& settings, const ViewerS
   this->Log = viewer.Play.empty() ? "" : ReadEventLog(viewer.Play);
   this->Rendered = BuildScene(scene, settings);
   this->Controls = std::make_unique<SceneControls>(this->Rendered);
+  this->Refinement = std::make_unique<RestRefinement>(this->Rendered.Pass, viewer.Frames);
   this->Quality = std::make_unique<MovingQuality>(this->Rendered.Renderer, 1e-3 * viewer.FrameTime);
   this->Text = std::make_unique<ReadOut>(this->Rendered.Renderer);
   this->Text->SetHelp(Viewer::GetKeys());
@@ -100,6 +101,10 @@ void Viewer::Run()
   vtkRenderWindow* window = this->Rendered.Window;
   window->AddObserver(vtkCommand::StartEvent, this, &Viewer::StartFrame);
   window->AddObserver(vtkCommand::EndEvent, this, &Viewer::EndFrame);
+  if (this->Rendered.Pass)
+  {
+    this->Rendered.Pass->AddObserver(vtkCommand::ProgressEvent, this, &Viewer::NoteFrame);
+  }
   this->Interactor->AddObserver(vtkCommand::ExitEvent, this, &Viewer::Quit);
   this->Interactor->Initialize();
   this->DrawTwice();
@@ -121,6 +126,11 @@ void Viewer::Run()
   if (!this->Done)
   {
     this->Live = true;
+    if (this->Settings.Record.empty()) // or its timers would be recorded
+    {
+      this->Refinement->Start();
+      this->Interactor->Render();
+    }
     this->Interactor->Start();
   }
   if (!this->Error.empty())
@@ -146,6 +156,7 @@ void Viewer::PressKey(const std::string& name)
       {
         this->DrawTwice();
       }
+      this->Refinement->Finish(this->Rendered.Window);
       this->SaveScreenshot();
     }
     else if (this->ChangeText(key) || this->Controls->PressKey(key))
@@ -276,7 +287,10 @@ void Viewer::EndFrame()
 {
   this->Rendered.Window->WaitForCompletion();
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->FrameStart;
-  this->Quality->EndFrame(time.count());
+  if (this->Refinement->DrawsScene(this->Quality->IsMoving()))
+  {
+    this->Quality->EndFrame(time.count());
+  }
   if (this->Quality->HasShadows())
   {
     this->Controls->NoteTechnique();
@@ -302,8 +316,9 @@ void Viewer::StartFrame()
 {
   this->FrameStart = std::chrono::steady_clock::now();
   this->Quality->BeginFrame();
+  this->Refinement->BeginPicture();
   this->Shown = this->GetState();
-  this->Text->SetText(this->Shown);
+  this->Text->SetText(this->Shown + this->Refinement->GetText());
   const bool visible = this->Text->GetVisible();
   this->Sliders->SetVisible(visible && this->ShowsSliders);
   this->Sliders->Update();
@@ -311,6 +326,14 @@ void Viewer::StartFrame()
   this->Markers->SetBottom(this->Sliders->GetHeight());
   this->Markers->Update(this->Controls->GetLampNumber());
   this->Text->SetHelpBottom(this->Sliders->GetHeight());
+}
+
+//------------------------------------------------------------------------------
+// Annotations are drawn after it.
+void Viewer::NoteFrame()
+{
+  this->Refinement->NoteFrame();
+  this->Text->SetText(this->Shown + this->Refinement->GetText());
 }
 
 //------------------------------------------------------------------------------

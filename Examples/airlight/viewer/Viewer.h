@@ -7,6 +7,7 @@
 #include "viewer/LampMarkers.h"
 #include "viewer/MovingQuality.h"
 #include "viewer/ReadOut.h"
+#include "viewer/RestRefinement.h"
 #include "viewer/RestTimer.h"
 #include "viewer/SceneControls.h"
 #include "viewer/SliderPanel.h"
@@ -27,7 +28,8 @@ struct ViewerSettings
   std::string Screenshots = "airlight-%03d.png"; ///< with %d for the number
   std::string Play;                              ///< log of events to play first, empty for none
   std::string Record;                            ///< log of events to write, empty for none
-  double FrameTime = 100.0; ///< ms that a frame may take while something moves; 0: no limit
+  int Frames = 16;                               ///< of the mean at rest
+  double FrameTime = 100.0;                      ///< ms for frames while something moves; 0: any
 };
 
 /**
@@ -35,7 +37,7 @@ struct ViewerSettings
  * tells which does what. The read-out shows the state and how long the last such frame took, from
  * the call of vtkRenderWindow::Render() until the graphics card is done; after a key the picture is
  * drawn twice, so that the time shown belongs to what is shown. A screenshot is what the window
- * shows. While mouse or keys move something, frames that would take too long are simpler.
+ * shows, with all frames of the mean that it shows at rest. While mouse or keys move something, frames that would take too long are simpler.
  *
  * Logs of events are those of vtkInteractorEventRecorder; they are played as fast as frames can be
  * drawn.
@@ -87,6 +89,7 @@ private:
   void DrawChange(const std::string& key);
   void StartFrame();
   void EndFrame();
+  void NoteFrame();
   void Quit();
   void Fail(const std::string& error);
   std::string GetState() const;
@@ -99,6 +102,7 @@ private:
   std::unique_ptr<ReadOut> Text;
   std::unique_ptr<LampMarkers> Markers;
   std::unique_ptr<SliderPanel> Sliders;
+  std::unique_ptr<RestRefinement> Refinement;
   std::unique_ptr<RestTimer> Rest;
   std::array<double, 2> DotOffset = { 0.0, 0.0 }; // pixels, of the lamp that was taken
   bool ShowsSliders = true;                       // with the read-out
