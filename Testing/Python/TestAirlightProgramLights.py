@@ -5,11 +5,12 @@
 Run it like TestAirlightProgram.py.
 """
 
+import json
 import unittest
 
 import numpy as np
 
-from programtest import SceneTest, henyey_greenstein, pixel_rays, scene_file
+from programtest import SceneTest, henyey_greenstein, pixel_rays, read_pfm, scene_file
 
 FOUR_PI = 4 * np.pi
 
@@ -190,6 +191,127 @@ class TestMixture(SceneTest):
             np.testing.assert_array_equal(
                 self.render(scene, "a.pfm", option, place + "7"),
                 self.render(scene, "b.pfm", option, place + "7,7,7"), option)
+
+
+class TestExtent(SceneTest):
+    """Lamps of finite size: means over their points."""
+
+    CLEAR = ("--scattering", "0,0,0", "--absorption", "0,0,0", "--buffer", "Surface",
+             "--antialiasing", "256")
+
+    def test_rectangle(self):
+        """A wall close to a rectangle: the mean of albedo/pi I cos/r^2 over a grid of points."""
+        image = self.render(
+            self.wall_scene([0.8, 0.8, 0.8]), "a.pfm", *self.CLEAR, "--point", "0.2,0.1,0.8:9",
+            "--lamp-size", "2,1", "--ies-aim", "0.2,0.1,0", "--ies-up", "1,0,0")
+        eye = np.array(self.CAMERA["position"])
+        rays = pixel_rays(self.CAMERA, *self.SIZE)
+        points = eye - rays * (eye[2] / rays[..., 2:])
+
+        def shine(offsets_x, offsets_y):
+            return np.mean([0.8 / np.pi * 9 * 0.8 / np.linalg.norm(
+                points - [0.2 + x, 0.1 + y, 0.8], axis=-1)**3
+                            for x in offsets_x for y in offsets_y], axis=0)
+        steps = (np.arange(20) + 0.5) / 20 - 0.5
+        expected = shine(steps, 2 * steps)  # the height, 1, lies along x
+        np.testing.assert_allclose(image[..., 0], expected, rtol=0.03)
+        self.assertGreater(np.abs(shine(2 * steps, steps) / expected - 1).max(), 0.1)
+
+    def test_sun(self):
+        """The shadow of a half plane 6 above a wall, under a sun of 20 degrees overhead: dark,
+        half lit below the edge, and lit between 6 tan(10 degrees) beside it."""
+        self.write("wall.ply", "\n".join((
+            "ply", "format ascii 1.0", "element vertex 8", "property float x",
+            "property float y", "property float z", "element face 2",
+            "property list uchar int vertex_indices", "end_header",
+            "-50 -50 0", "50 -50 0", "50 50 0", "-50 50 0",
+            "0 -50 6", "50 -50 6", "50 50 6", "0 50 6", "4 0 1 2 3", "4 4 5 6 7", "")))
+        scene = self.scene(surfaces=[{"mesh": "wall.ply", "albedo": [1, 1, 1]}])
+        image = self.render(scene, "a.pfm", *self.CLEAR, "--sun", "0,0,1:3", "--sun-diameter",
+                            "20")
+        rays = pixel_rays(self.CAMERA, *self.SIZE)[15]
+        x = 0.2 - rays[:, 0] * (5 / rays[:, 2])
+        share = image[15, :, 0] * np.pi / 3
+        # Towards a point a from the disc's middle, in units of its radius: half a circle's share.
+        a = np.clip(x / (6 * np.tan(np.radians(10))), -1, 1)
+        expected = 0.5 - (np.arcsin(a) + a * np.sqrt(1 - a * a)) / np.pi
+        self.assertGreater(((expected > 0.1) & (expected < 0.9)).sum(), 5)
+        np.testing.assert_allclose(share, expected, atol=0.04)
+
+    def test_scene_file(self):
+        """What the file says is what the options say."""
+        path = self.wall_scene([0.5, 0.5, 0.5])
+        with open(path) as file:
+            scene = json.load(file)
+        point = {"type": "point", "position": [0.2, 0.1, 1], "intensity": [5, 5, 5]}
+        spot = {"type": "spot", "position": [0.2, 0.1, 1], "direction": [0, 0, -1],
+                "cone_half_angle_deg": 40, "exponent": 2, "intensity": [5, 5, 5]}
+        sun = {"type": "directional", "direction": [0, -1, -1], "irradiance": [5, 5, 5]}
+        by_point = ("--point", "0.2,0.1,1:5")
+        by_spot = ("--spot", "0.2,0.1,1:0.2,0.1,0:40:5:2")
+        more = ("--antialiasing", "8")
+        for light, *options in (
+                (dict(point, radius=0.5), *by_point, "--lamp-radius", "0.5"),
+                (dict(point, size=[1, 0.5]), *by_point, "--lamp-size", "1,0.5"),
+                (dict(point, size=[1, 0.5], direction=[0, 0, -1], photometry_up=[1, 0, 0]),
+                 *by_point, "--lamp-size", "1,0.5", "--ies-aim", "0.2,0.1,0", "--ies-up", "1,0,0"),
+                (dict(spot, radius=0.5), *by_spot, "--lamp-radius", "0.5"),
+                (dict(spot, size=[1, 0.5]), *by_spot, "--lamp-size", "1,0.5"),
+                (dict(sun, angular_diameter_deg=20), "--sun", "0,1,1:5", "--sun-diameter", "20")):
+            by_option = self.render(path, "a.pfm", *options, *more)
+            by_file = self.render(self.write("b.json", json.dumps(dict(scene, lights=[light]))),
+                                  "b.pfm", *more)
+            np.testing.assert_array_equal(by_file, by_option, str(light))
+            bare = self.render(path, "c.pfm", *options[:2], *more)
+            self.assertGreater(np.abs(bare - by_option).max(), 1e-3 * bare.max(), str(light))
+
+    def test_one_frame(self):
+        """Is a warning, and takes the lamp for a point."""
+        scene = self.wall_scene([0.5, 0.5, 0.5])
+        code, _, errors = self.run_program("render", scene, "-o", self.path("a.pfm"), "--point",
+                                           "0,0,1:5", "--lamp-radius", "0.5")
+        self.assertEqual(code, 0)
+        self.assertIn("warning: one frame takes lamps for points", errors)
+        bare = self.render(scene, "b.pfm", "--point", "0,0,1:5")
+        np.testing.assert_array_equal(read_pfm(self.path("a.pfm")), bare)
+
+    def test_errors(self):
+        """Name option or line, value and remedy."""
+        path = self.wall_scene([0.5, 0.5, 0.5])
+        out = ("-o", self.path("x.png"))
+        point, sun = ("--point", "0,0,1:5"), ("--sun", "0,1,1:5")
+        for options, words in (
+                ((*point, "--lamp-radius", "-1"), ["--lamp-radius '-1'", "0 to 1e30"]),
+                ((*point, "--lamp-radius", "nan"), ["--lamp-radius 'nan'"]),
+                ((*point, "--lamp-size", "1"), ["--lamp-size '1'", "W,H"]),
+                ((*point, "--lamp-size", "1,-1"), ["--lamp-size '1,-1'"]),
+                ((*point, "--lamp-size", "1,1", "--lamp-radius", "1"), ["without --lamp-size"]),
+                ((*point, "--lamp-radius", "1", "--lamp-size", "1,1"), ["without --lamp-radius"]),
+                ((*sun, "--sun-diameter", "180"), ["--sun-diameter '180'", "179 degrees"]),
+                ((*point, "--sun-diameter", "1"), ["behind the --sun"]),
+                ((*sun, "--lamp-radius", "1"), ["behind the --point or --spot"]),
+                (("--lamp-radius", "1", *point), ["behind the --point or --spot"]),
+                ((*point, "--ies-up", "1,0,0"), ["--ies FILE or --lamp-size"]),
+                ((*point, "--lamp-radius", "1", "--reference"), ["--reference", "extent"]),
+                ((*point, "--lamp-radius", "1", "--no-medium"), ["--no-medium"])):
+            self.fail_with(words, "render", path, *out, *options)
+        with open(path) as file:
+            scene = json.load(file)
+        lamp, far = scene["lights"][0], {"type": "directional", "direction": [0, -1, 0],
+                                         "irradiance": [1, 1, 1]}
+        for light, words in (
+                (dict(lamp, radius=-1), ["lights[0].radius", "-1"]),
+                (dict(lamp, radius="1"), ["lights[0].radius"]),
+                (dict(lamp, size=1), ["lights[0].size", "list"]),
+                (dict(lamp, size=[1]), ["lights[0].size", "2 numbers"]),
+                (dict(lamp, size=[1, -1]), ["lights[0].size[1]"]),
+                (dict(lamp, size=[1, 1], radius=1), ["lights[0].radius", "size"]),
+                (dict(lamp, radius=1, direction=[0, 1, 0]), ["unknown key 'direction'"]),
+                (dict(lamp, angular_diameter_deg=1), ["unknown key 'angular_diameter_deg'"]),
+                (dict(far, angular_diameter_deg=180), ["lights[0].angular_diameter_deg"]),
+                (dict(far, radius=1), ["unknown key 'radius'", "angular_diameter_deg"])):
+            bad = self.write("bad.json", json.dumps(dict(scene, lights=[light])))
+            self.fail_with([bad + ":1: ", *words], "render", bad, *out)
 
 
 if __name__ == "__main__":

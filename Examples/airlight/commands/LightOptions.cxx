@@ -10,37 +10,34 @@ namespace airlight
 
 namespace
 {
+using Maker = LightSource (*)(const std::string&, const std::string&);
+using Changer = void (*)(const std::string&, const std::string&, LightSource&);
+
+const std::map<std::string, Maker> Makers = { { "--point", ParsePoint }, { "--spot", ParseSpot },
+  { "--sun", ParseSun } };
+
+const std::map<std::string, Changer> LampChangers = { { "--ies", ParsePhotometry },
+  { "--ies-aim", ParsePhotometryAim }, { "--ies-up", ParsePhotometryUp },
+  { "--lamp-radius", ParseLampRadius }, { "--lamp-size", ParseLampSize } };
+
+const std::map<std::string, Changer> SunChangers = { { "--sun-diameter", ParseSunDiameter } };
+
 // Change the lamp before the option, or add one.
 void Apply(const std::string& option, const std::string& text, std::vector<LightSource>& lights)
 {
-  if (option == "--point")
+  const auto maker = Makers.find(option);
+  if (maker != Makers.end())
   {
-    lights.push_back(ParsePoint(option, text));
+    lights.push_back(maker->second(option, text));
+    return;
   }
-  else if (option == "--spot")
+  const bool forSun = SunChangers.count(option) > 0;
+  if (lights.empty() || forSun != (lights.back().Type == LightSource::Kind::Directional))
   {
-    lights.push_back(ParseSpot(option, text));
+    throw UserError(option + " '" + text + "': expected behind the " +
+      (forSun ? "--sun" : "--point or --spot") + " it is for");
   }
-  else if (option == "--sun")
-  {
-    lights.push_back(ParseSun(option, text));
-  }
-  else if (lights.empty() || lights.back().Type == LightSource::Kind::Directional)
-  {
-    throw UserError(option + " '" + text + "': expected behind the --point or --spot it is for");
-  }
-  else if (option == "--ies")
-  {
-    ParsePhotometry(option, text, lights.back());
-  }
-  else if (option == "--ies-aim")
-  {
-    ParsePhotometryAim(option, text, lights.back());
-  }
-  else if (option == "--ies-up")
-  {
-    ParsePhotometryUp(option, text, lights.back());
-  }
+  (forSun ? SunChangers : LampChangers).at(option)(option, text, lights.back());
 }
 }
 
@@ -74,12 +71,21 @@ void LightOptions::AddTo(CLI::App* command)
       "with "
       "I in its brightest direction"),
     this->Add("--ies-aim",
-      "tx,ty,tz: the point that the axis of the --point with --ies before it aims at (default: "
-      "below the lamp, along 0,-1,0)"),
+      "tx,ty,tz: the point that the axis of the --point with --ies or --lamp-size before it aims "
+      "at "
+      "(default: below the lamp, along 0,-1,0)"),
     this->Add("--ies-up",
       "ux,uy,uz: the direction of the file's horizontal angle 0 (type C) or vertical angle 90 "
-      "(types A and B) for the lamp with --ies before it (default 0,1,0, or 0,0,1 where that lies "
-      "along the axis)"),
+      "(types A and B), or that of the height of --lamp-size, for the lamp before it (default "
+      "0,1,0, or 0,0,1 where that lies along the axis)"),
+    this->Add("--lamp-radius",
+      "R: the --point before it is a ball of this radius in world units, the --spot or the lamp "
+      "with --ies a disc: soft shadows, in means of frames (--antialiasing)"),
+    this->Add("--lamp-size",
+      "W,H: the --point or --spot before it is a rectangle of this width and height in world "
+      "units, across its axis; it shines as evenly as before, with soft shadows"),
+    this->Add("--sun-diameter",
+      "DEG: the --sun before it is a disc of this many degrees in the sky (the sun: 0.53)"),
   };
 }
 

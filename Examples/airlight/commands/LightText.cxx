@@ -44,11 +44,13 @@ bool IsApart(const Vector3& target, const Vector3& position, Vector3& direction)
   return vtkMath::Norm(direction.data()) > 0.0;
 }
 
-void RequirePhotometry(const std::string& option, const std::string& text, const LightSource& light)
+// Photometric files and rectangles have an axis.
+void RequireAxis(const std::string& option, const std::string& text, const LightSource& light)
 {
-  if (light.PhotometryFile.empty())
+  if (light.PhotometryFile.empty() && !light.IsRectangle())
   {
-    throw UserError(option + " '" + text + "': expected behind the --ies FILE of its lamp");
+    throw UserError(
+      option + " '" + text + "': expected behind the --ies FILE or --lamp-size of its lamp");
   }
 }
 
@@ -132,7 +134,7 @@ void ParsePhotometry(const std::string& option, const std::string& text, LightSo
 //------------------------------------------------------------------------------
 void ParsePhotometryAim(const std::string& option, const std::string& text, LightSource& light)
 {
-  RequirePhotometry(option, text, light);
+  RequireAxis(option, text, light);
   Vector3 target;
   if (light.Type == LightSource::Kind::Spot)
   {
@@ -147,10 +149,40 @@ void ParsePhotometryAim(const std::string& option, const std::string& text, Ligh
 //------------------------------------------------------------------------------
 void ParsePhotometryUp(const std::string& option, const std::string& text, LightSource& light)
 {
-  RequirePhotometry(option, text, light);
+  RequireAxis(option, text, light);
   if (!GetDirection(text, light.PhotometryUp))
   {
     FailOption(option, text, "ux,uy,uz, a direction other than 0");
+  }
+}
+
+//------------------------------------------------------------------------------
+void ParseLampRadius(const std::string& option, const std::string& text, LightSource& light)
+{
+  if (light.IsRectangle() || !GetNumberInRange(text, 0.0, LargestNumber, light.Radius))
+  {
+    FailOption(option, text, "a radius of 0 to 1e30 world units, for a lamp without --lamp-size");
+  }
+}
+
+//------------------------------------------------------------------------------
+void ParseLampSize(const std::string& option, const std::string& text, LightSource& light)
+{
+  const std::vector<double> numbers = GetNumbers(text);
+  if (light.Radius > 0.0 || numbers.size() != 2 || !IsInRange(numbers, 0.0, LargestNumber))
+  {
+    FailOption(option, text,
+      "W,H, width and height of 0 to 1e30 world units, for a lamp without --lamp-radius");
+  }
+  light.Size = { numbers[0], numbers[1] };
+}
+
+//------------------------------------------------------------------------------
+void ParseSunDiameter(const std::string& option, const std::string& text, LightSource& light)
+{
+  if (!GetNumberInRange(text, 0.0, LargestAngularDiameter, light.AngularDiameter))
+  {
+    FailOption(option, text, "an angle of 0 to 179 degrees");
   }
 }
 

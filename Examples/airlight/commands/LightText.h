@@ -28,10 +28,18 @@ LightSource ParseSun(const std::string& option, const std::string& text);
 
 ///@{
 /// What goes with a point or spot: the photometric file, the point that a point lamp with such a
-/// file aims at, and the direction "ux,uy,uz" by which the file is turned.
+/// file or with a size aims at, and the direction "ux,uy,uz" by which file or size is turned.
 void ParsePhotometry(const std::string& option, const std::string& text, LightSource& light);
 void ParsePhotometryAim(const std::string& option, const std::string& text, LightSource& light);
 void ParsePhotometryUp(const std::string& option, const std::string& text, LightSource& light);
+///@}
+
+///@{
+/// The extent of a lamp: the radius "R" or the size "W,H" of a point or spot, and the angular
+/// diameter "DEG" of a sun in degrees.
+void ParseLampRadius(const std::string& option, const std::string& text, LightSource& light);
+void ParseLampSize(const std::string& option, const std::string& text, LightSource& light);
+void ParseSunDiameter(const std::string& option, const std::string& text, LightSource& light);
 ///@}
 
 }

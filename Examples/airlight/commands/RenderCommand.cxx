@@ -8,6 +8,8 @@
 #include "formats/UserError.h"
 #include "scene/ReferencePicture.h"
 
+#include <algorithm>
+#include <iostream>
 #include <memory>
 
 namespace airlight
@@ -24,6 +26,19 @@ struct RenderOptions
   bool Reference = false;
   int Antialiasing = 0;
 };
+
+// Each frame of a mean takes another point of a lamp.
+void WarnOfPoints(const Scene& scene, const RenderSettings& settings)
+{
+  if (settings.SubpixelFrames == 1 && settings.UseMedium &&
+    std::any_of(scene.Lights.begin(), scene.Lights.end(),
+      [](const LightSource& light) { return light.HasExtent(); }))
+  {
+    std::cerr << "warning: one frame takes lamps for points: give --antialiasing 16 or more for "
+                 "their extent"
+              << std::endl;
+  }
+}
 
 void Render(const RenderOptions& options)
 {
@@ -53,8 +68,10 @@ void Render(const RenderOptions& options)
   {
     settings.SubpixelFrames = options.Antialiasing;
   }
-  RenderedScene scene = BuildScene(options.Scene.Load(), settings);
-  RenderToFile(scene, picture, options.Output);
+  const Scene scene = options.Scene.Load();
+  WarnOfPoints(scene, settings);
+  RenderedScene rendered = BuildScene(scene, settings);
+  RenderToFile(rendered, picture, options.Output);
 }
 }
 

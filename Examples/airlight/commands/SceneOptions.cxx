@@ -26,11 +26,12 @@ constexpr double Largest = std::numeric_limits<double>::max();
 constexpr double Smallest = std::numeric_limits<double>::min();
 
 const char* const Description = R"(Lengths are in world units, colours linear.
-A model stands on its own: its camera looks along -z and sees all of it; a point lamp hangs above,
-to the left and in front; the medium is unbounded, isotropic and purely scattering, with a
-visibility of 10 times the diagonal of the box around the model. The options change all of that.
+A model stands on its own: its camera sees all of it, from the front, the right and above; a point
+lamp hangs behind it, above and to the left, and a dimmer light falls on its surfaces alone; the
+medium is unbounded, scatters forward and does not absorb, with a visibility of 20 times the
+diagonal of the box around the model. The options change all of that.
 Over a scene file, --point, --spot and --sun replace all of its lamps and add up with each other,
-and the --ies options change the lamp before them on the command line; any other option replaces
+and the options --ies, --lamp and --sun-diameter change the lamp before them on the command line; any other option replaces
 what it names and leaves the rest as the file has it.)";
 
 // An option with one value, which leaves the words after it to others.

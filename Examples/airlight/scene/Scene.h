@@ -17,6 +17,7 @@
 #include <vtkParticipatingMedium.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ constexpr double SmallestConeAngle = 0.001;
 constexpr double LargestConeAngle = 89.999; ///< VTK takes 90 for a point light
 constexpr double LargestExponent = 128.0;   ///< VTK clamps it there
 constexpr double SmallestHeight = 1e-30;
+constexpr double LargestAngularDiameter = 179.0; ///< degrees
 ///@}
 
 struct CameraSettings
@@ -63,6 +65,19 @@ struct LightSource
   /// Power is that of its brightest direction.
   std::string PhotometryFile;
   Vector3 PhotometryUp = { 0.0, 1.0, 0.0 }; ///< vtkAirlightLight::SetPhotometryUp()
+
+  ///@{
+  /// The lamp's extent, see vtkAirlightLight::SetRadius(). A rectangle lies across Direction.
+  double Radius = 0.0;                       ///< point and spot
+  std::array<double, 2> Size = { 0.0, 0.0 }; ///< point and spot, width and height
+  double AngularDiameter = 0.0;              ///< directional, degrees
+  ///@}
+
+  bool IsRectangle() const { return this->Size[0] > 0.0 || this->Size[1] > 0.0; }
+  bool HasExtent() const
+  {
+    return this->Radius > 0.0 || this->IsRectangle() || this->AngularDiameter > 0.0;
+  }
 };
 
 struct Surface

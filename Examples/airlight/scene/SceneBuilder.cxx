@@ -16,6 +16,18 @@ namespace airlight
 
 namespace
 {
+void SetExtent(vtkLight* light, const LightSource& source)
+{
+  vtkAirlightLight::SetRadius(light, source.Radius);
+  vtkAirlightLight::SetSize(light, source.Size[0], source.Size[1]);
+  vtkAirlightLight::SetAngularDiameter(light, source.AngularDiameter);
+  if (source.IsRectangle())
+  {
+    const Vector3& up = source.PhotometryUp;
+    vtkAirlightLight::SetPhotometryUp(light, up[0], up[1], up[2]);
+  }
+}
+
 vtkSmartPointer<vtkLight> MakeLight(const LightSource& source)
 {
   auto light = vtkSmartPointer<vtkLight>::New();
@@ -43,6 +55,7 @@ vtkSmartPointer<vtkLight> MakeLight(const LightSource& source)
   {
     vtkAirlightLight::SetScatters(light, false);
   }
+  SetExtent(light, source);
   return light;
 }
 

@@ -4,9 +4,9 @@
 
 #include "formats/LocatedJson.h"
 #include "formats/ModelReader.h"
-#include "formats/PhotometryFile.h"
 #include "scene/LambertActor.h"
 #include "scene/SceneFile.h"
+#include "scene/SceneLightReader.h"
 #include "scene/SceneMediumReader.h"
 
 #include <vtkMath.h>
@@ -43,96 +43,6 @@ CameraSettings ReadCamera(const LocatedJson& json)
     json["view_up"].Fail("must not be parallel to the direction of view");
   }
   return camera;
-}
-
-// How a lamp shines into all directions, from a photometric file.
-void ReadPhotometry(const LocatedJson& json, const std::string& sceneFile, LightSource& light)
-{
-  light.PhotometryFile = FindSceneFile(json["photometry"], sceneFile);
-  UseSceneFile(json["photometry"], [&light] { CheckPhotometryFile(light.PhotometryFile); });
-  if (json.Has("photometry_up"))
-  {
-    light.PhotometryUp = ReadSceneDirection(json["photometry_up"]);
-  }
-  if (json.Has("direction"))
-  {
-    light.Direction = ReadSceneDirection(json["direction"]);
-  }
-}
-
-void CheckLightKeys(const LocatedJson& json, LightSource::Kind type)
-{
-  std::vector<std::string> optional = { "photometry" };
-  if (json.Has("photometry"))
-  {
-    optional.emplace_back("photometry_up");
-  }
-  switch (type)
-  {
-    case LightSource::Kind::Point:
-      if (json.Has("photometry"))
-      {
-        optional.emplace_back("direction");
-      }
-      json.CheckKeys({ "type", "position", "intensity" }, optional);
-      break;
-    case LightSource::Kind::Spot:
-      json.CheckKeys(
-        { "type", "position", "direction", "cone_half_angle_deg", "exponent", "intensity" },
-        optional);
-      break;
-    default:
-      json.CheckKeys({ "type", "direction", "irradiance" });
-  }
-}
-
-LightSource::Kind ReadLightType(const LocatedJson& json)
-{
-  const std::string type = json["type"].GetString();
-  if (type == "point")
-  {
-    return LightSource::Kind::Point;
-  }
-  if (type == "spot")
-  {
-    return LightSource::Kind::Spot;
-  }
-  if (type != "directional")
-  {
-    json["type"].Fail("must be \"point\", \"spot\" or \"directional\", not \"" + type + "\"");
-  }
-  return LightSource::Kind::Directional;
-}
-
-LightSource ReadLight(const LocatedJson& json, const std::string& sceneFile)
-{
-  json.CheckKeys({ "type" },
-    { "position", "direction", "intensity", "irradiance", "cone_half_angle_deg", "exponent",
-      "photometry", "photometry_up" });
-  LightSource light;
-  light.Type = ReadLightType(json);
-  CheckLightKeys(json, light.Type);
-  if (light.Type == LightSource::Kind::Spot)
-  {
-    light.ConeHalfAngle =
-      json["cone_half_angle_deg"].GetNumber(SmallestConeAngle, LargestConeAngle);
-    light.Exponent = json["exponent"].GetNumber(0.0, LargestExponent);
-  }
-  const bool directional = light.Type == LightSource::Kind::Directional;
-  if (!directional)
-  {
-    light.Position = json["position"].GetVector(-LargestNumber, LargestNumber);
-  }
-  if (light.Type != LightSource::Kind::Point)
-  {
-    light.Direction = ReadSceneDirection(json["direction"]);
-  }
-  light.Power = json[directional ? "irradiance" : "intensity"].GetVector(0.0, LargestNumber);
-  if (json.Has("photometry"))
-  {
-    ReadPhotometry(json, sceneFile, light);
-  }
-  return light;
 }
 
 // The files of all surfaces, each looked at in a child process.
@@ -187,7 +97,7 @@ Scene ReadScene(const std::string& fileName)
   scene.Medium = ReadMedium(json["medium"], fileName);
   for (const LocatedJson& light : json["lights"].GetItems())
   {
-    scene.Lights.push_back(ReadLight(light, fileName));
+    scene.Lights.push_back(ReadSceneLight(light, fileName));
   }
   scene.ScatteredSurfaceLight =
     json.Has("scattered_surface_light") && json["scattered_surface_light"].GetBoolean();

@@ -30,7 +30,10 @@ namespace airlight
  *    {type: directional, direction, irradiance}. Point and spot may have `photometry`, a file of
  *    IES LM-63 (*.ies); `intensity` is that of its brightest direction. With it go `photometry_up`
  *    (0, 1, 0), see vtkAirlightLight::SetPhotometryUp(), and a point's `direction` (0, -1, 0),
- *    where the lamp's axis aims;
+ *    where the lamp's axis aims. Lamps may have an extent, see vtkAirlightLight::SetRadius(): point
+ *    and spot `radius` or `size` [width, height] in world units (with `size` go `photometry_up` and
+ *    a point's `direction`, too), directional `angular_diameter_deg`. It shows in pictures of
+ *    several frames (`airlight render --antialiasing`);
  *  - `surfaces`, a list of {mesh, albedo};
  *  - optional: `scattered_surface_light`, true or false (false), see
  *    vtkAirlightPass::SetScatteredSurfaceLight(); and for people `name` and `description`.
