@@ -11,6 +11,7 @@
 
 #include "commands/OptionText.h"
 #include "commands/Program.h"
+#include "commands/Progress.h"
 #include "formats/Picture.h"
 #include "formats/UserError.h"
 #include "scene/FogAnimation.h"
@@ -23,7 +24,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -64,20 +64,12 @@ std::size_t ChooseSurface(const Scene& scene, int wanted)
                                        : static_cast<std::size_t>(bunny - scene.Surfaces.begin());
 }
 
-void ShowProgress(int done, int all)
-{
-  constexpr int Width = 40;
-  const int filled = static_cast<int>(static_cast<long long>(Width) * done / all);
-  std::cerr << '\r' << '[' << std::string(static_cast<std::size_t>(filled), '#')
-            << std::string(static_cast<std::size_t>(Width - filled), '.') << "] " << done << '/'
-            << all << (done == all ? "\n" : "") << std::flush;
-}
-
 void WriteFrames(const AnimationOptions& options, FogAnimation& animation, RenderedScene& rendered)
 {
   const bool single = options.Frame >= 0;
   const int first = single ? options.Frame : 0;
   const int count = single ? 1 : options.Frames;
+  const Progress progress(count);
   for (int i = 0; i < count; ++i)
   {
     const bool numbered = !single || options.Output.find('%') != std::string::npos;
@@ -87,7 +79,7 @@ void WriteFrames(const AnimationOptions& options, FogAnimation& animation, Rende
     RenderToFile(rendered, PictureSettings(), file);
     if (!single)
     {
-      ShowProgress(i + 1, count);
+      progress.Show(i + 1);
     }
   }
 }

@@ -8,11 +8,13 @@
 
 import json
 import os
+import pty
+import subprocess
 import unittest
 
 import numpy as np
 
-from programtest import (ANIMATED_FOG, REFERENCE, ProgramTest, metrics, pixel_rays, read_pfm,
+from programtest import (ANIMATED_FOG, PROGRAM, REFERENCE, ProgramTest, metrics, pixel_rays, read_pfm,
                          read_png, reference_file, scene_file, write_models)
 
 
@@ -356,6 +358,74 @@ class TestModels(ProgramTest):
         self.assertGreater(len(np.unique(lit.round(5))), 0.2 * lit.size)
         for picture in pictures[1:]:
             np.testing.assert_allclose(picture, pictures[0], atol=2e-3)
+
+
+class TestOrbit(ProgramTest):
+    """--orbit: pictures from all around."""
+
+    SCENE = scene_file("S3_ground_occluders")
+
+    def test_camera(self):
+        """Picture 1 of 3 is what a camera sees that went a third of the circle to the right."""
+        with open(self.SCENE) as file:
+            camera = json.load(file)["camera"]
+        self.succeed("render", self.SCENE, "-o", self.path("a%02d.pfm"), "--orbit", "3", "--size",
+                     "80x60")
+        still = self.render(self.SCENE, "still.pfm", "--size", "80x60")
+        np.testing.assert_array_equal(read_pfm(self.path("a00.pfm")), still)
+        up = np.array(camera["view_up"]) / np.linalg.norm(camera["view_up"])
+        way = np.subtract(camera["position"], camera["focal_point"])
+        angle = np.radians(120)
+        turned = (way * np.cos(angle) + np.cross(up, way) * np.sin(angle)
+                  + up * (up @ way) * (1 - np.cos(angle)))
+        position = np.add(camera["focal_point"], turned)
+        there = self.render(self.SCENE, "there.pfm", "--size", "80x60", "--camera",
+                            f"{join(position)}:{join(camera['focal_point'])}")
+        self.assertGreater(np.abs(there - still).max(), 0.1 * still.max())
+        orbit = read_pfm(self.path("a01.pfm"))
+        self.assertGreater((np.abs(orbit - there) <= 1e-4 * there + 1e-5).mean(), 0.999)
+        self.assertFalse(os.path.exists(self.path("a03.pfm")))
+
+    def test_exposure(self):
+        """Automatic exposure is that of the first picture: a camera that turns into the light has
+        brighter pictures, not other surfaces."""
+        scene = write_models(self.path)[0]
+        options = ("--size", "64x48", "--antialiasing", "2")
+        self.succeed("render", self.path(scene), "-o", self.path("%d.png"), "--orbit", "4",
+                     *options)
+        frames = [read_png(self.path(f"{i}.png")) for i in range(4)]
+        np.testing.assert_array_equal(frames[0], self.render(self.path(scene), "x.png", *options))
+        means = [frame.mean() for frame in frames]
+        self.assertGreater(max(means) / min(means), 1.15)
+        # An exposure of its own shows each picture's middle as middle grey.
+        own = self.render(self.path(scene), "y.png", "--camera", "1.9,0.5,-0.8:0,0,0", *options)
+        self.assertLess(abs(own.mean() / frames[0].mean() - 1), 0.15)
+
+    def test_progress(self):
+        """A bar on terminals; elsewhere nothing, which succeed() asserts."""
+        ours, theirs = pty.openpty()
+        subprocess.run([PROGRAM, "render", self.SCENE, "-o", self.path("%d.pfm"), "--orbit", "2",
+                        "--size", "16x12"], stderr=theirs, check=True, timeout=300)
+        os.close(theirs)
+        text = b""
+        try:
+            while True:
+                text += os.read(ours, 1000)
+        except OSError:  # the end
+            pass
+        os.close(ours)
+        for words in ("] 0/2", "] 1/2, 0:0", " left", "] 2/2 in 0:0"):
+            self.assertIn(words, text.decode())
+
+    def test_errors(self):
+        for output, options, words in (
+                ("a.png", ["--orbit", "3"], ["--output", "%04d"]),
+                ("a%d%d.png", ["--orbit", "3"], ["--output", "%04d"]),
+                ("a%d.jpg", ["--orbit", "3"], ["png"]),
+                ("a%d.png", ["--orbit", "0"], ["--orbit"]),
+                ("a%d.png", ["--orbit", "x"], ["--orbit"]),
+                ("a%d.pfm", ["--orbit", "3", "--reference"], ["--orbit", "--reference"])):
+            self.fail_with(words, "render", self.SCENE, "-o", self.path(output), *options)
 
 
 if __name__ == "__main__":

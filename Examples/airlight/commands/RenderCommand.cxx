@@ -3,9 +3,12 @@
 #include "commands/Commands.h"
 
 #include "commands/DisplayOptions.h"
+#include "commands/OptionText.h"
+#include "commands/Progress.h"
 #include "commands/SceneOptions.h"
 #include "formats/Picture.h"
 #include "formats/UserError.h"
+#include "scene/Orbit.h"
 #include "scene/ReferencePicture.h"
 
 #include <algorithm>
@@ -25,6 +28,7 @@ struct RenderOptions
   std::string Output;
   bool Reference = false;
   int Antialiasing = 0;
+  int Orbit = 0;
 };
 
 // Each frame of a mean takes another point of a lamp.
@@ -40,10 +44,26 @@ void WarnOfPoints(const Scene& scene, const RenderSettings& settings)
   }
 }
 
+void RenderOrbit(const RenderOptions& options, const Scene& scene, RenderedScene& rendered,
+  const PictureSettings& picture)
+{
+  Orbit orbit(scene, rendered, options.Orbit);
+  const Progress progress(options.Orbit);
+  progress.Show(0);
+  for (int i = 0; i < options.Orbit; ++i)
+  {
+    orbit.SetFrame(i);
+    RenderToFile(rendered, picture, NumberFile("--output", options.Output, i));
+    orbit.KeepExposure();
+    progress.Show(i + 1);
+  }
+}
+
 void Render(const RenderOptions& options)
 {
   PictureSettings picture = options.Picture;
-  const bool buffers = NeedsBuffers(picture, options.Output);
+  const bool buffers = NeedsBuffers(
+    picture, options.Orbit > 0 ? NumberFile("--output", options.Output, 0) : options.Output);
   if (buffers || options.Reference)
   {
     picture.Exposure = options.Display.GetFactor();
@@ -71,6 +91,11 @@ void Render(const RenderOptions& options)
   const Scene scene = options.Scene.Load();
   WarnOfPoints(scene, settings);
   RenderedScene rendered = BuildScene(scene, settings);
+  if (options.Orbit > 0)
+  {
+    RenderOrbit(options, scene, rendered, picture);
+    return;
+  }
   RenderToFile(rendered, picture, options.Output);
 }
 }
@@ -98,12 +123,18 @@ void AddRenderCommand(CLI::App& program)
       "Mean of so many frames, moved by parts of a pixel: smooth edges of surfaces and shadows; "
       "16 are good, 64 very good (default 16; linear floats and buffers 1)")
     ->check(CLI::Range(1, 1024));
+  command
+    ->add_option("--orbit", options->Orbit,
+      "Write so many pictures, for a turntable: the camera goes once around the point it looks at, "
+      "and lamps stay. --output has %d or %03d for the number, from 0. The automatic exposure of "
+      "the first picture is that of all")
+    ->check(CLI::Range(1, 100000));
   command->get_option("--no-medium")->excludes(buffer);
   CLI::Option* reference = command->add_flag("--reference", options->Reference,
     "Compute the picture on the CPU in double precision, without a display; slower, and without "
     "--ies and --glow");
   for (const char* name : { "--no-medium", "--technique", "--steps", "--glow", "--antialiasing",
-         "--tone-mapping", "--color-space" })
+         "--tone-mapping", "--color-space", "--orbit" })
   {
     reference->excludes(command->get_option(name));
   }
