@@ -14,8 +14,8 @@ import unittest
 
 import numpy as np
 
-from programtest import (ANIMATED_FOG, PROGRAM, REFERENCE, ProgramTest, metrics, pixel_rays, read_pfm,
-                         read_png, reference_file, scene_file, write_models)
+from programtest import (ANIMATED_FOG, PROGRAM, REFERENCE, ProgramTest, metrics, pixel_rays,
+                         read_pfm, read_png, reference_file, scene_file, write_models)
 
 
 def join(values):
@@ -317,6 +317,70 @@ class TestModels(ProgramTest):
                                     "--no-medium")
                 self.assertGreater(plain[middle].mean(), 0.1)
                 self.assertEqual(plain[0].max(), 0)
+
+    def test_moods(self):
+        """Each mood and place has a picture of its own, in which the model is neither black nor
+        white; the defaults are what the help says."""
+        model = self.path(write_models(self.path)[0])
+        size = ("--size", "96x72", "--antialiasing", "2")
+        plain = self.render(model, "plain.png", *size)
+        pictures = {}
+        for option, names in (("--mood", ("mist", "haze", "fog", "smoke", "night", "underwater")),
+                              ("--light-from", ("behind", "left", "right", "above", "front"))):
+            for name in names:
+                picture = self.render(model, name + ".png", option, name, *size)
+                middle = picture[24:48, 32:64].mean()
+                self.assertGreater(middle, 0.08, name)
+                self.assertLess(middle, 0.9, name)
+                self.assertLess((picture.min(axis=-1) > 0.98).mean(), 0.05, name)
+                pictures[name] = picture
+        for name in ("mist", "behind"):
+            np.testing.assert_array_equal(pictures.pop(name), plain)
+        distinct = [plain, *pictures.values()]
+        for i, first in enumerate(distinct):
+            for second in distinct[:i]:
+                self.assertGreater(np.abs(first - second).mean(), 0.01)
+        # What the words say.
+        self.assertLess(pictures["night"].mean(), 0.7 * plain.mean())
+        water = pictures["underwater"].mean(axis=(0, 1))
+        self.assertGreater(water[2], 2 * water[0])
+
+        def contrast(picture):  # of the model's lower edge
+            return abs(picture[50:54, 44:52].mean() - picture[62:66, 44:52].mean())
+        self.assertLess(contrast(pictures["fog"]), 0.7 * contrast(pictures["haze"]))
+        for side, other in (("left", "right"), ("right", "left")):
+            half = np.s_[:, :32] if side == "left" else np.s_[:, 64:]
+            self.assertGreater(pictures[side][half].mean(), 1.3 * pictures[other][half].mean())
+
+    def test_inside(self):
+        """A lamp in an open box shines out of it, through the side that it lacks."""
+        lines = [f"v {x} {y} {z}" for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+        faces = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "1 3 7 5", "2 6 8 4", "3 4 8 7"]
+        lines += ["f " + face for face in faces]
+        shut = self.write("shut.obj", "\n".join(lines) + "\n")
+        model = self.write("open.obj", "\n".join(lines[:-1]) + "\n")
+        options = ("--light-from", "inside", "--size", "96x72", "--buffer", "Airlight",
+                   "--ambient", "0,0,0")
+        self.assertGreater(self.render(model, "a.pfm", *options).mean(),
+                           5 * self.render(shut, "b.pfm", *options).mean())
+
+    def test_choices(self):
+        """Other options change parts of a mood; scene files have no use for it."""
+        model = self.path(write_models(self.path)[0])
+        options = ("--mood", "smoke", "--size", "48x36", "--buffer", "Transmittance")
+        thick = self.render(model, "a.pfm", *options)
+        thin = self.render(model, "b.pfm", *options, "--visibility", "1e4")
+        middle = np.s_[16:20, 22:26]
+        self.assertLess(thick[middle].max(), 0.7)
+        self.assertGreater(thin[middle].min(), 0.99)
+        for option, name, words in (
+                ("--mood", "gloom", ["--mood", "mist", "underwater"]),
+                ("--light-from", "below", ["--light-from", "behind", "inside"])):
+            self.fail_with(words, "render", model, "-o", self.path("x.png"), option, name)
+        scene = scene_file("S1_point_iso")
+        for options in (("--mood", "fog"), ("--light-from", "left")):
+            for command in (("render", scene, "-o", self.path("x.png")), ("view", scene)):
+                self.fail_with([options[0] + ": expected a model", scene], *command, *options)
 
     # White light along the view on surfaces in nearly clear air.
     CLEAR = ("--visibility", "1e6", "--ambient", "0,0,0", "--camera", "0,0,9:0,0,0",

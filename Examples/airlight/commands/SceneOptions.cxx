@@ -4,10 +4,12 @@
 
 #include "commands/MediumText.h"
 #include "commands/OptionText.h"
+#include "formats/Files.h"
 #include "formats/ModelReader.h"
 #include "formats/UserError.h"
 #include "scene/MediumFile.h"
-#include "scene/ModelScene.h"
+#include "scene/ModelLights.h"
+#include "scene/Mood.h"
 #include "scene/PhaseName.h"
 
 #include <vtkParticipatingMedium.h>
@@ -99,8 +101,26 @@ void SceneOptions::AddTo(CLI::App* command)
   AddText(command, "--size", this->Size, "Size of the picture, WxH pixels");
   AddText(command, "--camera", this->Camera,
     "px,py,pz:fx,fy,fz[:angle]: position, point looked at, vertical view angle in degrees");
+  this->AddModelOptions(command);
   this->Lights.AddTo(command);
   this->AddMediumOptions(command);
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::AddModelOptions(CLI::App* command)
+{
+  this->ModelOptions = {
+    command
+      ->add_option("--light-from", this->Choices.LightFrom,
+        "Where the lamp of a model on its own is; inside is for models with openings")
+      ->check(CLI::IsMember(GetLampPlaces()))
+      ->capture_default_str(),
+    command
+      ->add_option("--mood", this->Choices.Mood,
+        "Air and colours of a model on its own; other options change parts of them")
+      ->check(CLI::IsMember(GetMoodNames()))
+      ->capture_default_str(),
+  };
 }
 
 //------------------------------------------------------------------------------
@@ -184,7 +204,15 @@ Scene SceneOptions::Load() const
   {
     UseFile("--surface", file, CheckModelFile);
   }
-  Scene scene = ReadSceneOrModel(this->FileName);
+  for (const CLI::Option* option : this->ModelOptions)
+  {
+    if (option->count() > 0 && GetExtension(this->FileName) == "json")
+    {
+      throw UserError(option->get_name() + ": expected a model, not a scene file (" +
+        this->FileName + "), which has lamps and a medium of its own");
+    }
+  }
+  Scene scene = ReadSceneOrModel(this->FileName, this->Choices);
   for (const std::string& text : this->Size)
   {
     std::tie(scene.Width, scene.Height) = ParseSize("--size", text);

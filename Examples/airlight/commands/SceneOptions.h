@@ -4,6 +4,7 @@
 #define SceneOptions_h
 
 #include "commands/LightOptions.h"
+#include "scene/ModelScene.h"
 #include "scene/Scene.h"
 #include "scene/SceneBuilder.h"
 
@@ -43,6 +44,7 @@ public:
   RenderSettings GetSettings() const;
 
 private:
+  void AddModelOptions(CLI::App* command);
   void AddMediumOptions(CLI::App* command);
   void AddPhaseOptions(CLI::App* command, std::vector<CLI::Option*>& options);
   void AddRegionOptions(CLI::App* command, std::vector<CLI::Option*>& options);
@@ -55,6 +57,8 @@ private:
   /// None or one: a plain std::string would not tell an empty value from none.
   using Text = std::vector<std::string>;
 
+  ModelChoices Choices;
+  std::vector<CLI::Option*> ModelOptions;
   Text Size;
   Text Camera;
   LightOptions Lights;

@@ -11,20 +11,27 @@ namespace airlight
 {
 
 /**
- * A model with what it needs to be seen, by the diagonal D of the box around it:
- *  - a camera that looks along -z and sees all of it (view angle 30 degrees);
- *  - a point lamp above, to the left and in front of it, which would light a surface in the middle
- *    of the model that faces it to a radiance of twice its albedo if the air were clear;
- *  - an unbounded, isotropic, purely scattering medium of visibility 10 D.
+ * What a person chooses for a model on its own.
+ */
+struct ModelChoices
+{
+  std::string LightFrom = "behind"; ///< one of GetLampPlaces()
+  std::string Mood = "mist";        ///< one of GetMoodNames()
+};
+
+/**
+ * A model with what it needs to be seen: a camera in front of it, to the right and above, that sees
+ * all of it (view angle 30 degrees), a lamp and a light on surfaces alone, see MakeModelLights(),
+ * and an unbounded medium, see Mood.
  *
  * Throws UserError if the model cannot be read or has no extent.
  */
-Scene MakeModelScene(const std::string& fileName);
+Scene MakeModelScene(const std::string& fileName, const ModelChoices& choices = {});
 
 /**
  * ReadScene() for .json, MakeModelScene() for everything else.
  */
-Scene ReadSceneOrModel(const std::string& fileName);
+Scene ReadSceneOrModel(const std::string& fileName, const ModelChoices& choices = {});
 
 }
 

@@ -96,6 +96,7 @@ struct Scene
   std::vector<LightSource> Lights;
   std::vector<Surface> Surfaces;
   bool ScatteredSurfaceLight = false; ///< vtkAirlightPass::SetScatteredSurfaceLight()
+  double Brightness = 1.0;            ///< factor of automatic exposure: nights are dark
 
   /**
    * Box around all surfaces: xmin, xmax, ymin, ymax, zmin, zmax. False if there is no surface.

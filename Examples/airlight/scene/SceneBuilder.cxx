@@ -73,11 +73,12 @@ void AddPhotometry(vtkAirlightPass* pass, vtkLight* light, const LightSource& so
   }
 }
 
-void SetDisplay(vtkAirlightPass* pass, const RenderSettings& settings)
+void SetDisplay(vtkAirlightPass* pass, const Scene& scene, const RenderSettings& settings)
 {
+  const bool automatic = settings.Display.AutomaticExposure;
   pass->SetSubpixelFrames(settings.SubpixelFrames);
-  pass->SetExposure(settings.Display.Exposure);
-  pass->SetAutomaticExposure(settings.Display.AutomaticExposure);
+  pass->SetExposure(settings.Display.Exposure * (automatic ? scene.Brightness : 1.0));
+  pass->SetAutomaticExposure(automatic);
   pass->SetToneMapping(settings.Display.ToneMapping);
   pass->SetOutputColorSpace(settings.Display.OutputColorSpace);
 }
@@ -137,7 +138,7 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
   CheckDisplay();
   RenderedScene built = MakeRenderer(scene);
   auto pass = vtkSmartPointer<vtkAirlightPass>::New();
-  SetDisplay(pass, settings);
+  SetDisplay(pass, scene, settings);
   built.Renderer->SetPass(pass);
   if (settings.UseMedium)
   {

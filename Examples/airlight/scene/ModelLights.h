@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ModelLights_h
+#define ModelLights_h
+
+#include "scene/Mood.h"
+#include "scene/Scene.h"
+
+#include <string>
+#include <vector>
+
+namespace airlight
+{
+
+/**
+ * The names of places for a model's lamp: behind, left, right, above, front, inside.
+ */
+std::vector<std::string> GetLampPlaces();
+
+/**
+ * A lamp at a place around a model, whose shafts come through the air, and a light that falls on
+ * surfaces alone, so that the side that is seen is readable. What the place changes in the mood are
+ * the factors `Ambient` and `Brightness`: the beams of some stand before the dark.
+ */
+struct ModelLights
+{
+  std::vector<LightSource> Lights;
+  double Ambient = 1.0;
+  double Brightness = 1.0;
+};
+
+/**
+ * Throws UserError for an unknown place.
+ */
+ModelLights MakeModelLights(
+  const std::string& place, const Mood& mood, const Vector3& center, double diagonal);
+
+}
+
+#endif
