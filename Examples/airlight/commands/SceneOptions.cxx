@@ -28,8 +28,9 @@ constexpr double Largest = std::numeric_limits<double>::max();
 constexpr double Smallest = std::numeric_limits<double>::min();
 
 const char* const Description = R"(Lengths are in world units, colours linear.
-A model stands on its own: its camera sees all of it, from the front, the right and above; a point
-lamp hangs behind it, above and to the left, and a dimmer light falls on its surfaces alone; the
+A model stands on its own. Its camera and lamps are those of its file (.gltf, .glb, .3ds; .wrl has
+directional lights), or else the camera sees all of it, from the front, the right and above, a point
+lamp hangs behind it, above and to the left, and a dimmer light falls on its surfaces alone. The
 medium is unbounded, scatters forward and does not absorb, with a visibility of 20 times the
 diagonal of the box around the model. The options change all of that.
 Over a scene file, --point, --spot and --sun replace all of its lamps and add up with each other,
@@ -112,9 +113,9 @@ void SceneOptions::AddModelOptions(CLI::App* command)
   this->ModelOptions = {
     command
       ->add_option("--light-from", this->Choices.LightFrom,
-        "Where the lamp of a model on its own is; inside is for models with openings")
-      ->check(CLI::IsMember(GetLampPlaces()))
-      ->capture_default_str(),
+        "Where the lamp of a model on its own is; inside is for models with openings (default: the "
+        "lamps of the file, in proportion, or else behind)")
+      ->check(CLI::IsMember(GetLampPlaces())),
     command
       ->add_option("--mood", this->Choices.Mood,
         "Air and colours of a model on its own; other options change parts of them")

@@ -3,6 +3,7 @@
 #include "formats/ImportedFile.h"
 
 #include "formats/Files.h"
+#include "formats/ImportedLights.h"
 #include "formats/ModelColours.h"
 #include "formats/PolyDataFile.h"
 #include "formats/UserError.h"
@@ -10,16 +11,20 @@
 
 #include <vtk3DSImporter.h>
 #include <vtkActorCollection.h>
+#include <vtkBoundingBox.h>
 #include <vtkGLTFImporter.h>
 #include <vtkOBJImporter.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 #include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVRMLImporter.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -84,19 +89,30 @@ const std::map<std::string, ImporterMaker>& GetImporterMakers()
   return makers;
 }
 
+// vtkGLTFImporter encodes the linear colours of unlit materials so.
+Vector3 UndoUnlit(const double colour[3])
+{
+  return { std::pow(colour[0], 2.2), std::pow(colour[1], 2.2), std::pow(colour[2], 2.2) };
+}
+
 void MakeMatt(vtkActor* actor)
 {
   // Actors of one material share its property.
   vtkNew<vtkProperty> property;
   property->DeepCopy(actor->GetProperty());
   actor->SetProperty(property);
-  if (property->GetInterpolation() == VTK_PBR) // a glTF material, in linear colours
+  const bool linear = property->GetInterpolation() == VTK_PBR; // a glTF material
+  if (linear)
   {
     property->SetInterpolationToPhong();
     actor->SetTexture(property->GetTexture("albedoTex"));
     property->RemoveAllTextures();
   }
-  else
+  if (!property->GetLighting())
+  {
+    property->SetColor(UndoUnlit(property->GetDiffuseColor()).data());
+  }
+  else if (!linear)
   {
     property->SetDiffuseColor(DecodeSRGB(property->GetDiffuseColor()).data());
   }
@@ -109,6 +125,32 @@ void MakeMatt(vtkActor* actor)
   property->SetSpecular(0.0);
 }
 
+// VRML's colours of points are indices into a table, which VTK's mapper would stretch over 0 to 1.
+void DecodePointColours(vtkActor* actor)
+{
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+  vtkPolyData* mesh = mapper->GetInput();
+  if (!mapper->GetScalarVisibility() || !mesh->GetPointData()->GetScalars())
+  {
+    return;
+  }
+  mapper->UseLookupTableScalarRangeOn();
+  vtkUnsignedCharArray* mapped = mapper->MapScalars(1.0);
+  if (!mapped || mapped->GetNumberOfTuples() < mesh->GetNumberOfPoints())
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(mapped->GetNumberOfComponents());
+  colours->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  colours->InsertTuples(0, mesh->GetNumberOfPoints(), 0, mapped); // there may be one too many
+  vtkNew<vtkPolyData> coloured;
+  coloured->ShallowCopy(mesh);
+  coloured->GetPointData()->SetScalars(colours);
+  mapper->SetInputData(DecodeColours(coloured));
+  mapper->SetColorModeToDefault();
+}
+
 vtkPolyData* GetMesh(vtkActor* actor)
 {
   auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
@@ -118,6 +160,29 @@ vtkPolyData* GetMesh(vtkActor* actor)
   }
   mapper->GetInputAlgorithm()->Update();
   return mapper->GetInput();
+}
+
+std::vector<vtkSmartPointer<vtkActor>> TakeActors(
+  vtkRenderer* renderer, const std::string& fileName)
+{
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  vtkActorCollection* imported = renderer->GetActors();
+  imported->InitTraversal();
+  while (vtkActor* actor = imported->GetNextActor())
+  {
+    vtkPolyData* mesh = GetMesh(actor);
+    if (mesh && (mesh->GetNumberOfPolys() > 0 || mesh->GetNumberOfStrips() > 0))
+    {
+      CheckPolyData(mesh, fileName);
+      MakeMatt(actor);
+      if (GetExtension(fileName) == "wrl")
+      {
+        DecodePointColours(actor);
+      }
+      actors.emplace_back(actor);
+    }
+  }
+  return actors;
 }
 }
 
@@ -130,40 +195,39 @@ bool IsImportedFile(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkActor>> ImportFile(const std::string& fileName)
+ImportedScene ImportFile(const std::string& fileName)
 {
   CheckInputFile(fileName);
   const VTKMessages messages;
-  vtkSmartPointer<vtkImporter> importer = GetImporterMakers().at(GetExtension(fileName))(fileName);
+  const std::string extension = GetExtension(fileName);
+  vtkSmartPointer<vtkImporter> importer = GetImporterMakers().at(extension)(fileName);
   vtkNew<vtkRenderWindow> window; // importers put their actors into one; it never opens
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
   importer->SetRenderWindow(window);
   importer->Read();
 
-  std::vector<vtkSmartPointer<vtkActor>> actors;
-  vtkActorCollection* imported = renderer->GetActors();
-  imported->InitTraversal();
-  while (vtkActor* actor = imported->GetNextActor())
-  {
-    vtkPolyData* mesh = GetMesh(actor);
-    if (mesh && (mesh->GetNumberOfPolys() > 0 || mesh->GetNumberOfStrips() > 0))
-    {
-      CheckPolyData(mesh, fileName);
-      MakeMatt(actor);
-      actors.emplace_back(actor);
-    }
-  }
+  ImportedScene scene;
+  scene.Actors = TakeActors(renderer, fileName);
   if (!messages.GetFirstError().empty())
   {
     throw UserError(fileName + ": " + messages.GetFirstError());
   }
-  if (actors.empty())
+  if (scene.Actors.empty())
   {
     const std::string reason = messages.GetFirstWarning();
     throw UserError(fileName + ": has no polygons" + (reason.empty() ? "" : " (" + reason + ")"));
   }
-  return actors;
+  vtkBoundingBox box;
+  for (const auto& actor : scene.Actors)
+  {
+    box.AddBounds(actor->GetBounds());
+  }
+  Vector3 center;
+  box.GetCenter(center.data());
+  scene.Lights = GetImportedLights(renderer, extension, center);
+  scene.Camera = GetImportedCamera(importer, renderer, center);
+  return scene;
 }
 
 }

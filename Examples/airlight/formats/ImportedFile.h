@@ -3,9 +3,12 @@
 #ifndef ImportedFile_h
 #define ImportedFile_h
 
+#include "scene/Scene.h"
+
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,14 +22,24 @@ namespace airlight
 bool IsImportedFile(const std::string& fileName);
 
 /**
- * The actors of a scene file, with their colours and textures; cameras and lamps of the file are
- * left out. Throws UserError with file and reason if the file is damaged. Guard the first reading
- * of a file with TryInChildProcess().
+ * What a scene file holds.
+ */
+struct ImportedScene
+{
+  std::vector<vtkSmartPointer<vtkActor>> Actors;
+  std::vector<LightSource> Lights;      ///< see GetImportedLights()
+  std::optional<CameraSettings> Camera; ///< see GetImportedCamera()
+};
+
+/**
+ * Read a scene file with its colours and textures, lamps and camera. Throws UserError with file and
+ * reason if the file is damaged. Guard the first reading of a file with TryInChildProcess().
  *
  * Colours and textures become those of matt surfaces: diffuse, without ambient light, highlights or
- * physically based shading, which are not in the airlight equation.
+ * physically based shading, which are not in the airlight equation. Those of unlit materials
+ * (KHR_materials_unlit) are radiances, which need no lamp.
  */
-std::vector<vtkSmartPointer<vtkActor>> ImportFile(const std::string& fileName);
+ImportedScene ImportFile(const std::string& fileName);
 
 }
 

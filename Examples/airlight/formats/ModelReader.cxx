@@ -15,6 +15,8 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkTransformPolyDataFilter.h>
 
+#include <utility>
+
 namespace airlight
 {
 
@@ -36,23 +38,26 @@ void CheckModelFile(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Surface> ReadModel(const std::string& fileName)
+Model ReadModel(const std::string& fileName)
 {
-  std::vector<Surface> surfaces;
+  Model model;
   if (IsImportedFile(fileName))
   {
-    for (const auto& actor : ImportFile(fileName))
+    ImportedScene imported = ImportFile(fileName);
+    for (const auto& actor : imported.Actors)
     {
-      surfaces.push_back({ fileName, actor });
+      model.Surfaces.push_back({ fileName, actor });
     }
-    return surfaces;
+    model.Lights = std::move(imported.Lights);
+    model.Camera = imported.Camera;
+    return model;
   }
   const vtkSmartPointer<vtkPolyData> mesh = DecodeColours(ReadPolyDataFile(fileName));
   vtkSmartPointer<vtkActor> actor =
     MakeLambertActor(mesh, { DefaultAlbedo, DefaultAlbedo, DefaultAlbedo }, Shading::Smooth);
   actor->GetMapper()->SetScalarVisibility(HasColours(mesh));
-  surfaces.push_back({ fileName, actor });
-  return surfaces;
+  model.Surfaces.push_back({ fileName, actor });
+  return model;
 }
 
 //------------------------------------------------------------------------------
@@ -63,7 +68,7 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& fileName)
     return ReadPolyDataFile(fileName);
   }
   vtkNew<vtkAppendPolyData> append;
-  for (const auto& actor : ImportFile(fileName))
+  for (const auto& actor : ImportFile(fileName).Actors)
   {
     vtkNew<vtkMatrixToLinearTransform> placement;
     placement->SetInput(actor->GetMatrix());

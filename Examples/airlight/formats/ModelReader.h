@@ -8,6 +8,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,20 @@ namespace airlight
 void CheckModelFile(const std::string& fileName);
 
 /**
- * The surfaces of a model, matt, in the model's own colours where it has any. Throws UserError.
+ * The surfaces of a model, matt, in the model's own colours where it has any, and lamps and a
+ * camera if the file has them.
  */
-std::vector<Surface> ReadModel(const std::string& fileName);
+struct Model
+{
+  std::vector<Surface> Surfaces;
+  std::vector<LightSource> Lights;
+  std::optional<CameraSettings> Camera;
+};
+
+/**
+ * Throws UserError.
+ */
+Model ReadModel(const std::string& fileName);
 
 /**
  * All polygons of a model as one mesh in world coordinates. Throws UserError.

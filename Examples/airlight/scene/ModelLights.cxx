@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace airlight
 {
@@ -97,6 +98,61 @@ ModelLights MakeModelLights(
   }
   return { { MakeLamp(*place, mood, center, diagonal), MakeFill(*place, mood) }, place->Ambient,
     place->Brightness };
+}
+
+//------------------------------------------------------------------------------
+std::vector<LightSource> ScaleLights(
+  const std::vector<LightSource>& lights, const Mood& mood, const Vector3& center)
+{
+  double sum = 0.0;
+  for (const LightSource& light : lights)
+  {
+    const double brightest = *std::max_element(light.Power.begin(), light.Power.end());
+    const double squared = vtkMath::Distance2BetweenPoints(light.Position.data(), center.data());
+    sum += light.Type == LightSource::Kind::Directional ? brightest : brightest / squared;
+  }
+  const double factor = mood.LampRadiance * vtkMath::Pi() / sum;
+  if (!std::isnormal(factor))
+  {
+    return {};
+  }
+  std::vector<LightSource> scaled = lights;
+  for (LightSource& light : scaled)
+  {
+    light.Power = Scale(factor, light.Power);
+  }
+  return scaled;
+}
+
+//------------------------------------------------------------------------------
+void TurnLights(
+  std::vector<LightSource>& lights, const Vector3& center, const CameraSettings& camera)
+{
+  Vector3 up = camera.ViewUp;
+  Vector3 back;
+  Vector3 right;
+  vtkMath::Subtract(camera.Position.data(), camera.FocalPoint.data(), back.data());
+  vtkMath::Cross(up.data(), back.data(), right.data());
+  vtkMath::Cross(right.data(), up.data(), back.data());
+  for (Vector3* axis : { &right, &up, &back })
+  {
+    vtkMath::Normalize(axis->data());
+  }
+  const auto turn = [&](const Vector3& vector) {
+    Vector3 turned;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      turned[i] = vector[0] * right[i] + vector[1] * up[i] + vector[2] * back[i];
+    }
+    return turned;
+  };
+  for (LightSource& light : lights)
+  {
+    Vector3 offset;
+    vtkMath::Subtract(light.Position.data(), center.data(), offset.data());
+    vtkMath::Add(center.data(), turn(offset).data(), light.Position.data());
+    light.Direction = turn(light.Direction);
+  }
 }
 
 }

@@ -13,7 +13,7 @@ namespace airlight
 {
 
 /**
- * The names of places for a model's lamp: behind, left, right, above, front, inside.
+ * The names of places for a model's lamp.
  */
 std::vector<std::string> GetLampPlaces();
 
@@ -34,6 +34,21 @@ struct ModelLights
  */
 ModelLights MakeModelLights(
   const std::string& place, const Mood& mood, const Vector3& center, double diagonal);
+
+/**
+ * The lamps of a file, in proportion: a white surface in the middle that faces all of them would
+ * have the mood's radiance in clear air, whatever the file's units. Empty if none of them reaches
+ * the middle.
+ */
+std::vector<LightSource> ScaleLights(
+  const std::vector<LightSource>& lights, const Mood& mood, const Vector3& center);
+
+/**
+ * Turn what was placed for a camera that looks along -z, with y up, about the middle to another
+ * one.
+ */
+void TurnLights(
+  std::vector<LightSource>& lights, const Vector3& center, const CameraSettings& camera);
 
 }
 

@@ -42,7 +42,8 @@ Scene MakeModelScene(const std::string& fileName, const ModelChoices& choices)
   CheckModelFile(fileName);
   Scene scene;
   scene.FileName = fileName;
-  scene.Surfaces = ReadModel(fileName);
+  const Model model = ReadModel(fileName);
+  scene.Surfaces = model.Surfaces;
   double box[6];
   if (!scene.GetBounds(box))
   {
@@ -56,9 +57,22 @@ Scene MakeModelScene(const std::string& fileName, const ModelChoices& choices)
   }
   const Vector3 center{ 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]) };
   SeeAll(scene.Camera, center, diagonal);
+  scene.Camera = model.Camera.value_or(scene.Camera);
   const Mood& mood = GetMood(choices.Mood);
-  const ModelLights lights = MakeModelLights(choices.LightFrom, mood, center, diagonal);
-  scene.Lights = lights.Lights;
+  const std::string& place = choices.LightFrom.empty() ? "behind" : choices.LightFrom;
+  ModelLights lights = MakeModelLights(place, mood, center, diagonal);
+  if (model.Camera)
+  {
+    TurnLights(lights.Lights, center, scene.Camera);
+  }
+  if (choices.LightFrom.empty())
+  {
+    scene.Lights = ScaleLights(model.Lights, mood, center);
+  }
+  if (scene.Lights.empty())
+  {
+    scene.Lights = lights.Lights;
+  }
   scene.Medium = vtkSmartPointer<vtkParticipatingMedium>::New();
   SetMood(scene.Medium, mood, diagonal, lights.Ambient);
   scene.Brightness = mood.Brightness * lights.Brightness;

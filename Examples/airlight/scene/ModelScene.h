@@ -15,12 +15,12 @@ namespace airlight
  */
 struct ModelChoices
 {
-  std::string LightFrom = "behind"; ///< one of GetLampPlaces()
-  std::string Mood = "mist";        ///< one of GetMoodNames()
+  std::string LightFrom;     ///< one of GetLampPlaces(); empty: the file's lamps, or else behind
+  std::string Mood = "mist"; ///< one of GetMoodNames()
 };
 
 /**
- * A model with what it needs to be seen: a camera in front of it, to the right and above, that sees
+ * A model with what it needs to be seen, unless its file has a camera and lamps: a camera in front of it, to the right and above, that sees
  * all of it (view angle 30 degrees), a lamp and a light on surfaces alone, see MakeModelLights(),
  * and an unbounded medium, see Mood.
  *

@@ -1,0 +1,275 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Models on their own: their first picture, the choices of a person, and what their files hold.
+
+Run it like TestAirlightProgram.py.
+"""
+
+import base64
+import json
+import struct
+import unittest
+
+import numpy as np
+
+from programtest import ProgramTest, scene_file, write_models
+
+
+class TestModels(ProgramTest):
+    def test_models(self):
+        """The model is in the middle, lit, and the light around the lamp is above it to the left.
+        """
+        for name in write_models(self.path):
+            with self.subTest(model=name):
+                picture = self.render(self.path(name), name + ".png", "--size", "96x72")
+                middle = np.s_[24:48, 32:64]
+                self.assertGreater(picture[middle].mean(), 0.1)
+                self.assertGreater(picture[:36, :48].mean(), picture[36:, 48:].mean())
+                plain = self.render(self.path(name), name + ".plain.png", "--size", "96x72",
+                                    "--no-medium")
+                self.assertGreater(plain[middle].mean(), 0.1)
+                self.assertEqual(plain[0].max(), 0)
+
+    def test_moods(self):
+        """Each mood and place has a picture of its own, in which the model is neither black nor
+        white; the defaults are what the help says."""
+        model = self.path(write_models(self.path)[0])
+        size = ("--size", "96x72", "--antialiasing", "2")
+        plain = self.render(model, "plain.png", *size)
+        pictures = {}
+        for option, names in (("--mood", ("mist", "haze", "fog", "smoke", "night", "underwater")),
+                              ("--light-from", ("behind", "left", "right", "above", "front"))):
+            for name in names:
+                picture = self.render(model, name + ".png", option, name, *size)
+                middle = picture[24:48, 32:64].mean()
+                self.assertGreater(middle, 0.08, name)
+                self.assertLess(middle, 0.9, name)
+                self.assertLess((picture.min(axis=-1) > 0.98).mean(), 0.05, name)
+                pictures[name] = picture
+        for name in ("mist", "behind"):
+            np.testing.assert_array_equal(pictures.pop(name), plain)
+        distinct = [plain, *pictures.values()]
+        for i, first in enumerate(distinct):
+            for second in distinct[:i]:
+                self.assertGreater(np.abs(first - second).mean(), 0.01)
+        # What the words say.
+        self.assertLess(pictures["night"].mean(), 0.7 * plain.mean())
+        water = pictures["underwater"].mean(axis=(0, 1))
+        self.assertGreater(water[2], 2 * water[0])
+
+        def contrast(picture):  # of the model's lower edge
+            return abs(picture[50:54, 44:52].mean() - picture[62:66, 44:52].mean())
+        self.assertLess(contrast(pictures["fog"]), 0.7 * contrast(pictures["haze"]))
+        for side, other in (("left", "right"), ("right", "left")):
+            half = np.s_[:, :32] if side == "left" else np.s_[:, 64:]
+            self.assertGreater(pictures[side][half].mean(), 1.3 * pictures[other][half].mean())
+
+    def test_inside(self):
+        """A lamp in an open box shines out of it, through the side that it lacks."""
+        lines = [f"v {x} {y} {z}" for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+        faces = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "1 3 7 5", "2 6 8 4", "3 4 8 7"]
+        lines += ["f " + face for face in faces]
+        shut = self.write("shut.obj", "\n".join(lines) + "\n")
+        model = self.write("open.obj", "\n".join(lines[:-1]) + "\n")
+        options = ("--light-from", "inside", "--size", "96x72", "--buffer", "Airlight",
+                   "--ambient", "0,0,0")
+        self.assertGreater(self.render(model, "a.pfm", *options).mean(),
+                           5 * self.render(shut, "b.pfm", *options).mean())
+
+    def test_choices(self):
+        """Other options change parts of a mood; scene files have no use for it."""
+        model = self.path(write_models(self.path)[0])
+        options = ("--mood", "smoke", "--size", "48x36", "--buffer", "Transmittance")
+        thick = self.render(model, "a.pfm", *options)
+        thin = self.render(model, "b.pfm", *options, "--visibility", "1e4")
+        middle = np.s_[16:20, 22:26]
+        self.assertLess(thick[middle].max(), 0.7)
+        self.assertGreater(thin[middle].min(), 0.99)
+        for option, name, words in (
+                ("--mood", "gloom", ["--mood", "mist", "underwater"]),
+                ("--light-from", "below", ["--light-from", "behind", "inside"])):
+            self.fail_with(words, "render", model, "-o", self.path("x.png"), option, name)
+        scene = scene_file("S1_point_iso")
+        for options in (("--mood", "fog"), ("--light-from", "left")):
+            for command in (("render", scene, "-o", self.path("x.png")), ("view", scene)):
+                self.fail_with([options[0] + ": expected a model", scene], *command, *options)
+
+    # White light along the view on surfaces in nearly clear air.
+    CLEAR = ("--visibility", "1e6", "--ambient", "0,0,0", "--camera", "0,0,9:0,0,0",
+             "--sun", "0,0,1:3,3,3", "--size", "96x72", "--buffer", "Surface")
+
+    def test_colours(self):
+        """Colours of materials are those of screens: sRGB."""
+        self.write("a.mtl", "newmtl red\nKd 0.8 0.2 0.5\n")
+        model = self.write("a.obj", "mtllib a.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
+                           "usemtl red\nf 1 2 3\nf 1 3 4\n")
+        colour = self.render(model, "a.pfm", *self.CLEAR)[36, 48]
+        expected = ((np.array([0.8, 0.2, 0.5]) + 0.055) / 1.055) ** 2.4 * 3 / np.pi
+        np.testing.assert_allclose(colour, expected, rtol=1e-3)
+
+    def test_smooth(self):
+        """A coarse ball has no facets; normals of 0 and those that point inwards are not used."""
+        count = 12
+        angles = np.linspace(0, np.pi, count)
+        turns = np.arange(2 * count) * np.pi / count
+        points = [(np.sin(a) * np.cos(b), np.cos(a), np.sin(a) * np.sin(b))
+                  for a in angles for b in turns]
+        faces = [(i * 2 * count + j, i * 2 * count + (j + 1) % (2 * count),
+                  (i + 1) * 2 * count + (j + 1) % (2 * count), (i + 1) * 2 * count + j)
+                 for i in range(count - 1) for j in range(2 * count)]
+        pictures = []
+        for sign in (None, 0, -1):
+            lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
+            names = ["x", "y", "z"] + (["nx", "ny", "nz"] if sign is not None else [])
+            lines += [f"property float {name}" for name in names]
+            lines += [f"element face {len(faces)}", "property list uchar int vertex_indices",
+                      "end_header"]
+            for point in points:
+                values = point if sign is None else (*point, *(sign * x for x in point))
+                lines.append(" ".join(f"{x:.6f}" for x in values))
+            lines += ["4 " + " ".join(map(str, face)) for face in faces]
+            model = self.write("ball.ply", "\n".join(lines) + "\n")
+            pictures.append(self.render(model, "ball.pfm", *self.CLEAR)[..., 0])
+        lit = pictures[0][pictures[0] > 0]
+        self.assertGreater(len(np.unique(lit.round(5))), 0.2 * lit.size)
+        for picture in pictures[1:]:
+            np.testing.assert_allclose(picture, pictures[0], atol=2e-3)
+
+
+def decode(colour):
+    """sRGB above its linear part."""
+    return ((np.array(colour) + 0.055) / 1.055) ** 2.4
+
+
+def gltf_square(**changes):
+    """A square of half a side 1 at z = 0, with lamps of all kinds and a camera, as JSON."""
+    points = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]
+    data = np.array(points, "<f4").tobytes() + np.array([0, 1, 2, 0, 2, 3], "<u2").tobytes()
+    lamps = [{"type": "point", "color": [1, 0.5, 0.25], "intensity": 40},
+             {"type": "spot", "intensity": 100, "spot": {"outerConeAngle": 0.5}},
+             {"type": "directional", "intensity": 3}]
+
+    def lamp(number, **place):
+        return dict({"extensions": {"KHR_lights_punctual": {"light": number}}}, **place)
+    turned = [-np.sqrt(0.5), 0, 0, np.sqrt(0.5)]  # -z becomes -y
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2, 3, 4]}],
+        "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_unlit"],
+        "extensions": {"KHR_lights_punctual": {"lights": lamps}},
+        "nodes": [{"mesh": 0}, lamp(0, translation=[1, 2, 3]), lamp(1, translation=[0, 0, 5]),
+                  lamp(2, rotation=turned), {"camera": 0, "translation": [0.5, 0.2, 4]}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.6, 0.7, 1]}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+                       "min": [-1, -1, 0], "max": [1, 1, 0]},
+                      {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48},
+                        {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+        "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64,"
+                                              + base64.b64encode(data).decode()}], **changes})
+
+
+VRML = """#VRML V2.0 utf8
+DirectionalLight { direction 0 -1 -2 intensity 0.5 color 1 1 0.5 }
+Shape { appearance Appearance { material Material { diffuseColor 1 1 1 } }
+ geometry IndexedFaceSet { coord Coordinate { point [ -1 -1 0, 1 -1 0, 1 1 0, -1 1 0 ] }
+ coordIndex [ 0 1 2 3 -1 ] colorPerVertex TRUE
+ color Color { color [ 0.8 0.2 0.5, 0.2 0.6 0.9, 0.8 0.2 0.5, 0.2 0.6 0.9 ] } } }
+"""
+
+
+def chunk(tag, content):
+    """Of a 3DS file."""
+    return struct.pack("<HI", tag, 6 + len(content)) + content
+
+
+def studio_square():
+    """The same square as a 3DS file, with a point lamp, a spot and a camera."""
+    mesh = chunk(0x4110, struct.pack("<H12f", 4, -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0))
+    mesh += chunk(0x4120, struct.pack("<9H", 2, 0, 1, 2, 0, 0, 2, 3, 0))
+    colour = chunk(0x0010, struct.pack("<3f", 1, 0.5, 0.25))
+    spot = chunk(0x4610, struct.pack("<5f", 0, 0, 0, 30, 40))
+    objects = (
+        (b"mesh", chunk(0x4100, mesh)),
+        (b"omni", chunk(0x4600, struct.pack("<3f", 1, 2, 3) + colour)),
+        (b"spot", chunk(0x4600, struct.pack("<3f", 0, 0, 5) + colour + spot)),
+        (b"eye", chunk(0x4700, struct.pack("<8f", 0.5, -4, 2, 0.5, 0, 0, 0, 50))))
+    content = b"".join(chunk(0x4000, name + b"\0" + part) for name, part in objects)
+    return chunk(0x4D4D, chunk(0x3D3D, content))
+
+
+class TestImported(ProgramTest):
+    """Lamps, cameras and colours of files, against options that say the same."""
+
+    SIZE = ("--size", "48x36")
+
+    def check(self, model, lamps, camera=None):
+        """lamps: option, place, power, and what a surface in the middle gets of it."""
+        factor = 3.5 * np.pi / sum(share * max(power) for _, _, power, share in lamps)
+        options = []
+        for option, place, power, _ in lamps:
+            options += [option, place + ":" + ",".join(str(factor * x) for x in power)]
+        if camera:
+            options += ["--camera", camera]
+        image = self.render(model, "a.pfm", *self.SIZE)
+        np.testing.assert_allclose(image, self.render(model, "b.pfm", *self.SIZE, *options),
+                                   rtol=1e-4, atol=1e-6)
+        other = self.render(model, "c.pfm", *self.SIZE, "--light-from", "left")
+        self.assertGreater(np.abs(other - image).max(), 0.1 * image.max())
+
+    def test_gltf(self):
+        lamps = [("--point", "1,2,3", (40, 20, 10), 1 / 14),
+                 ("--spot", f"0,0,5:0,0,0:{np.degrees(0.5)}", (100, 100, 100), 1 / 25),
+                 ("--sun", "0,1,0", (3, 3, 3), 1)]
+        model = self.write("a.gltf", gltf_square())
+        self.check(model, lamps, f"0.5,0.2,4:0.5,0.2,0:{np.degrees(0.8)}")
+        for name, camera in (("no.gltf", []), ("parallel.gltf", [
+                {"type": "orthographic", "orthographic":
+                    {"xmag": 1, "ymag": 1, "znear": 0.1, "zfar": 9}}])):
+            nodes = json.loads(gltf_square())["nodes"][:4 + len(camera)]
+            bare = self.write(name, gltf_square(
+                cameras=camera, nodes=nodes, scenes=[{"nodes": list(range(len(nodes)))}]))
+            image = self.render(bare, "d.pfm", *self.SIZE, "--buffer", "Depth")
+            background = (image < 0).mean()
+            self.assertTrue(0.3 < background < 0.95, f"{name}: {background}")
+
+    def test_left(self):
+        """Is the left of the file's camera, here of one that looks from behind."""
+        nodes = json.loads(gltf_square())["nodes"]
+        nodes[4].update(translation=[0, 0, -4], rotation=[0, 1, 0, 0])
+        model = self.write("a.gltf", gltf_square(nodes=nodes))
+        image = self.render(model, "a.pfm", *self.SIZE, "--light-from", "left")
+        self.assertGreater(image[:, :8].mean(), 2 * image[:, -8:].mean())
+
+    def test_unlit(self):
+        """Is a radiance, whatever the lamp."""
+        for name, extensions, lit in (("a.gltf", {}, True),
+                                      ("b.gltf", {"KHR_materials_unlit": {}}, False)):
+            model = self.write(name, gltf_square(materials=[{
+                "pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.6, 0.7, 1]},
+                "extensions": extensions}]))
+            for power in (1, 3):
+                colour = self.render(
+                    model, "a.pfm", *TestModels.CLEAR, "--sun", f"0,0,1:{power}")[36, 48]
+                expected = np.array([0.5, 0.6, 0.7]) * ((3 + power) / np.pi if lit else 1)
+                np.testing.assert_allclose(colour, expected, rtol=2e-3, err_msg=f"{name} {power}")
+
+    def test_vrml(self):
+        model = self.write("a.wrl", VRML)
+        self.check(model, [("--sun", "0,1,2", (0.5, 0.5, 0.25), 1)])
+        image = self.render(model, "a.pfm", *TestModels.CLEAR) / (3 / np.pi)
+        middle = image[36, 48]  # on the diagonal of two triangles
+        colour = [0.8, 0.2, 0.5] if middle[0] > 0.3 else [0.2, 0.6, 0.9]
+        np.testing.assert_allclose(middle, decode(colour), atol=0.03)
+
+    def test_3ds(self):
+        model = self.write("a.3ds", studio_square())
+        colour = np.array([1, 0.5, 0.25])
+        self.check(model, [("--point", "1,2,3", 14 * colour, 1 / 14),
+                           ("--spot", "0,0,5:0,0,0:20", 25 * colour, 1 / 25)],
+                   "0.5,-4,2:0.5,0,0:30")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[__file__])
