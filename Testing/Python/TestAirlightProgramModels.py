@@ -59,7 +59,7 @@ class TestModels(ProgramTest):
 
         def contrast(picture):  # of the model's lower edge
             return abs(picture[50:54, 44:52].mean() - picture[62:66, 44:52].mean())
-        self.assertLess(contrast(pictures["fog"]), 0.7 * contrast(pictures["haze"]))
+        self.assertLess(contrast(pictures["fog"]), 0.85 * contrast(pictures["haze"]))
         for side, other in (("left", "right"), ("right", "left")):
             half = np.s_[:, :32] if side == "left" else np.s_[:, 64:]
             self.assertGreater(pictures[side][half].mean(), 1.3 * pictures[other][half].mean())
@@ -107,9 +107,8 @@ class TestModels(ProgramTest):
         expected = ((np.array([0.8, 0.2, 0.5]) + 0.055) / 1.055) ** 2.4 * 3 / np.pi
         np.testing.assert_allclose(colour, expected, rtol=1e-3)
 
-    def test_smooth(self):
-        """A coarse ball has no facets; normals of 0 and those that point inwards are not used."""
-        count = 12
+    def ball(self, count, sign=None):
+        """A ball of radius 1 with count rings; normals outwards, inwards, 0 or none."""
         angles = np.linspace(0, np.pi, count)
         turns = np.arange(2 * count) * np.pi / count
         points = [(np.sin(a) * np.cos(b), np.cos(a), np.sin(a) * np.sin(b))
@@ -117,23 +116,56 @@ class TestModels(ProgramTest):
         faces = [(i * 2 * count + j, i * 2 * count + (j + 1) % (2 * count),
                   (i + 1) * 2 * count + (j + 1) % (2 * count), (i + 1) * 2 * count + j)
                  for i in range(count - 1) for j in range(2 * count)]
-        pictures = []
-        for sign in (None, 0, -1):
-            lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
-            names = ["x", "y", "z"] + (["nx", "ny", "nz"] if sign is not None else [])
-            lines += [f"property float {name}" for name in names]
-            lines += [f"element face {len(faces)}", "property list uchar int vertex_indices",
-                      "end_header"]
-            for point in points:
-                values = point if sign is None else (*point, *(sign * x for x in point))
-                lines.append(" ".join(f"{x:.6f}" for x in values))
-            lines += ["4 " + " ".join(map(str, face)) for face in faces]
-            model = self.write("ball.ply", "\n".join(lines) + "\n")
-            pictures.append(self.render(model, "ball.pfm", *self.CLEAR)[..., 0])
+        lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
+        names = ["x", "y", "z"] + (["nx", "ny", "nz"] if sign is not None else [])
+        lines += [f"property float {name}" for name in names]
+        lines += [f"element face {len(faces)}", "property list uchar int vertex_indices",
+                  "end_header"]
+        for point in points:
+            values = point if sign is None else (*point, *(sign * x for x in point))
+            lines.append(" ".join(f"{x:.6f}" for x in values))
+        lines += ["4 " + " ".join(map(str, face)) for face in faces]
+        return self.write("ball.ply", "\n".join(lines) + "\n")
+
+    def test_smooth(self):
+        """A coarse ball has no facets; normals of 0 and those that point inwards are not used."""
+        pictures = [self.render(self.ball(12, sign), "ball.pfm", *self.CLEAR)[..., 0]
+                    for sign in (None, 0, -1)]
         lit = pictures[0][pictures[0] > 0]
         self.assertGreater(len(np.unique(lit.round(5))), 0.2 * lit.size)
         for picture in pictures[1:]:
             np.testing.assert_allclose(picture, pictures[0], atol=2e-3)
+
+    def test_curved(self):
+        """A coarse ball is round, and where it turns away from the lamp its shading is that of a
+        ball, albedo/pi E cos, instead of the shadow of its facets."""
+        options = (*self.CLEAR[:4], "--camera", "0,0,9:0,0,0:16", "--sun", "1,0,0:3", "--size",
+                   "300x300", "--buffer")
+        view = np.tan(np.radians(8)) * ((np.arange(300) + 0.5) / 150 - 1)
+        x, y = np.meshgrid(view, -view)
+        # The ray (x, y, -1) t from (0, 0, 9) meets the ball.
+        a = x * x + y * y + 1
+        root = 81 - a * 80
+        hit = root > 0
+        t = (9 - np.sqrt(np.maximum(root, 0))) / a
+        expected = np.where(hit, 0.7 / np.pi * 3 * np.maximum(t * x, 0), 0)
+        errors = []
+        for more in ((), ("--facets",)):
+            model = self.ball(12)
+            depth = self.render(model, "depth.pfm", *options, "Depth", *more)[..., 0]
+            shape = np.mean((depth > 0) != hit)
+            image = self.render(model, "ball.pfm", *options, "Surface", *more)[..., 0]
+            inside = hit & (depth > 0)
+            errors.append((shape, np.abs(image - expected)[inside].mean()))
+        for curved, flat in zip(*errors):
+            self.assertLess(curved, 0.75 * flat, errors)
+
+    def test_sharp(self):
+        """Edges that normals do not round stay where they are."""
+        model = self.path(write_models(self.path)[4])  # a tetrahedron
+        options = ("--size", "96x72", "--buffer", "Depth")
+        np.testing.assert_allclose(self.render(model, "a.pfm", *options),
+                                   self.render(model, "b.pfm", *options, "--facets"), rtol=1e-6)
 
 
 def decode(colour):

@@ -121,6 +121,9 @@ void SceneOptions::AddModelOptions(CLI::App* command)
         "Air and colours of a model on its own; other options change parts of them")
       ->check(CLI::IsMember(GetMoodNames()))
       ->capture_default_str(),
+    command->add_flag("--facets", this->Choices.KeepFacets,
+      "Keep the triangles of a coarse model on its own as they are (.obj without materials, .ply, "
+      ".stl, .vtp, .vtk, .vtu), where they are curved as the normals say otherwise"),
   };
 }
 

@@ -38,7 +38,7 @@ void CheckModelFile(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-Model ReadModel(const std::string& fileName)
+Model ReadModel(const std::string& fileName, bool keepFacets)
 {
   Model model;
   if (IsImportedFile(fileName))
@@ -54,7 +54,8 @@ Model ReadModel(const std::string& fileName)
   }
   const vtkSmartPointer<vtkPolyData> mesh = DecodeColours(ReadPolyDataFile(fileName));
   vtkSmartPointer<vtkActor> actor =
-    MakeLambertActor(mesh, { DefaultAlbedo, DefaultAlbedo, DefaultAlbedo }, Shading::Smooth);
+    MakeLambertActor(mesh, { DefaultAlbedo, DefaultAlbedo, DefaultAlbedo },
+      keepFacets ? Shading::Smooth : Shading::Curved);
   actor->GetMapper()->SetScalarVisibility(HasColours(mesh));
   model.Surfaces.push_back({ fileName, actor });
   return model;

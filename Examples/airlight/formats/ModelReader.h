@@ -34,9 +34,10 @@ struct Model
 };
 
 /**
- * Throws UserError.
+ * Coarse meshes without materials are curved as their normals say, see MakeCurved(), or keep their
+ * facets. Throws UserError.
  */
-Model ReadModel(const std::string& fileName);
+Model ReadModel(const std::string& fileName, bool keepFacets = false);
 
 /**
  * All polygons of a model as one mesh in world coordinates. Throws UserError.

@@ -3,6 +3,7 @@
 #include "scene/LambertActor.h"
 
 #include "formats/ModelColours.h"
+#include "scene/CurvedMesh.h"
 
 #include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
@@ -108,8 +109,14 @@ vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh)
 vtkSmartPointer<vtkActor> MakeLambertActor(
   vtkPolyData* mesh, const Vector3& albedo, Shading shading)
 {
+  vtkSmartPointer<vtkPolyData> shaded =
+    shading == Shading::Flat ? MakeFlat(mesh) : MakeSmooth(mesh);
+  if (shading == Shading::Curved)
+  {
+    shaded = MakeCurved(shaded);
+  }
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(shading == Shading::Smooth ? MakeSmooth(mesh) : MakeFlat(mesh));
+  mapper->SetInputData(shaded);
   mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);

@@ -14,8 +14,9 @@ namespace airlight
 
 enum class Shading
 {
-  Flat,  ///< the normals of polygons
-  Smooth ///< the mesh's own normals, or those of points but for sharp edges
+  Flat,   ///< the normals of polygons
+  Smooth, ///< the mesh's own normals, or those of points but for sharp edges
+  Curved  ///< the same, and coarse meshes are curved accordingly, see MakeCurved()
 };
 
 /**

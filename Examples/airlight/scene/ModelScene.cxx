@@ -42,7 +42,7 @@ Scene MakeModelScene(const std::string& fileName, const ModelChoices& choices)
   CheckModelFile(fileName);
   Scene scene;
   scene.FileName = fileName;
-  const Model model = ReadModel(fileName);
+  const Model model = ReadModel(fileName, choices.KeepFacets);
   scene.Surfaces = model.Surfaces;
   double box[6];
   if (!scene.GetBounds(box))

@@ -17,6 +17,7 @@ struct ModelChoices
 {
   std::string LightFrom;     ///< one of GetLampPlaces(); empty: the file's lamps, or else behind
   std::string Mood = "mist"; ///< one of GetMoodNames()
+  bool KeepFacets = false;   ///< of coarse meshes, see MakeCurved()
 };
 
 /**
