@@ -9,6 +9,7 @@
 import json
 import os
 import pty
+import struct
 import subprocess
 import unittest
 
@@ -208,6 +209,37 @@ class TestPictures(ProgramTest):
         self.succeed("render", self.SCENE, "-o", self.path("a.tiff"))
         with open(self.path("a.tiff"), "rb") as file:
             self.assertIn(linear.astype("<f4").tobytes(), file.read())
+
+    def test_exr(self):
+        """What "OpenEXR File Layout" says of a file, with the numbers of the .pfm."""
+        for options in ((), ("--buffer", "Depth")):
+            linear = self.render(self.SCENE, "a.pfm", *options)
+            self.succeed("render", self.SCENE, "-o", self.path("a.exr"), *options)
+            with open(self.path("a.exr"), "rb") as file:
+                content = file.read()
+            self.assertEqual(struct.unpack("<2I", content[:8]), (20000630, 2))
+            attributes, start = {}, 8
+            while content[start]:
+                name, kind, rest = content[start:start + 100].split(b"\0", 2)
+                start += len(name) + len(kind) + 2
+                size, = struct.unpack("<I", content[start:start + 4])
+                attributes[name.decode()] = kind, content[start + 4:start + 4 + size]
+                start += 4 + size
+            self.assertEqual(attributes["dataWindow"],
+                             (b"box2i", struct.pack("<4i", 0, 0, 159, 119)))
+            self.assertEqual(attributes["displayWindow"], attributes["dataWindow"])
+            self.assertEqual(attributes["compression"][1], b"\0")
+            channels = attributes["channels"][1]
+            self.assertEqual(len(channels), 18 * linear.shape[2] + 1)
+            names = [chr(channels[i]) for i in range(0, len(channels) - 1, 18)]
+            self.assertEqual(names, ["B", "G", "R"] if linear.shape[2] == 3 else ["Y"])
+            offsets = struct.unpack("<120Q", content[start + 1:start + 961])
+            for y, offset in enumerate(offsets):
+                size = 4 * 160 * len(names)
+                self.assertEqual(struct.unpack("<2I", content[offset:offset + 8]), (y, size))
+                line = np.frombuffer(content[offset + 8:offset + 8 + size], "<f4")
+                np.testing.assert_array_equal(line.reshape(-1, 160)[::-1].T, linear[y])
+            self.assertEqual(len(content), offsets[-1] + 8 + size)
 
     def test_display(self):
         """A picture is the radiance as screens show it: middle grey, sRGB, smooth edges."""

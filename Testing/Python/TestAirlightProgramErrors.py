@@ -207,7 +207,7 @@ class TestBadScenes(ProgramTest):
                 (["--tone-mapping", "gamma"], ["--tone-mapping", "gamma"])):
             with self.subTest(options=options):
                 self.fail_with(words, "render", scene, *output, *options)
-        self.fail_with(["x.jpg", "png, pfm, tiff"], "render", scene, "-o", "x.jpg")
+        self.fail_with(["x.jpg", "png, pfm, tiff, exr"], "render", scene, "-o", "x.jpg")
         missing = os.path.join(self.folder, "none", "x.pfm")
         self.fail_with([missing, "folder"], "render", scene, "-o", missing)
 

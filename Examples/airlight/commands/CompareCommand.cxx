@@ -136,7 +136,8 @@ void AddCompareCommand(CLI::App& program)
   command->add_option("--mask", options->Mask, "Compare only pixels where this .pfm is above 0.5");
   command->add_flag("--json", options->Json, "Print all digits, as JSON");
   command->add_option("--difference", options->Difference,
-    "Write the image A-B: .pfm and .tiff hold it as it is; in a .png grey is 0, black and white "
+    "Write the image A-B: .pfm, .tiff and .exr hold it as it is; in a .png grey is 0, black and "
+    "white "
     "are "
     "the largest difference");
   CLI::Option* row = command->add_option(

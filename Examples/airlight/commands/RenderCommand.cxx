@@ -109,8 +109,8 @@ void AddRenderCommand(CLI::App& program)
   command
     ->add_option("-o,--output", options->Output,
       "Picture to write: .png holds 8 bits per channel, as screens show them; .pfm (bottom row "
-      "first) and .tiff hold linear floats, as buffers and --reference do, which a .png clamps to "
-      "0..1")
+      "first), .tiff and .exr hold linear floats, as buffers and --reference do, which a .png "
+      "clamps to 0..1")
     ->required();
   CLI::Option* buffer =
     command

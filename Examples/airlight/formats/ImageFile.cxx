@@ -3,6 +3,7 @@
 #include "formats/ImageFile.h"
 
 #include "formats/ChildProcess.h"
+#include "formats/Exr.h"
 #include "formats/Files.h"
 #include "formats/Pfm.h"
 #include "formats/UserError.h"
@@ -59,7 +60,11 @@ ImageFormat CheckImageFile(const std::string& fileName)
   {
     return ImageFormat::Tiff;
   }
-  throw UserError(fileName + ": unknown kind of image; known: png, pfm, tiff");
+  if (extension == "exr")
+  {
+    return ImageFormat::Exr;
+  }
+  throw UserError(fileName + ": unknown kind of image; known: png, pfm, tiff, exr");
 }
 
 //------------------------------------------------------------------------------
@@ -69,6 +74,9 @@ void WriteFloatImage(vtkImageData* image, const std::string& fileName)
   {
     case ImageFormat::Pfm:
       WritePfm(image, fileName);
+      break;
+    case ImageFormat::Exr:
+      WriteExr(image, fileName);
       break;
     case ImageFormat::Tiff:
     {

@@ -13,13 +13,14 @@ namespace airlight
 
 enum class ImageFormat
 {
-  Png, ///< 8 bits per channel, values clamped to 0..1
-  Pfm, ///< linear single precision, bottom row first
-  Tiff ///< linear single precision, top row first, not compressed
+  Png,  ///< 8 bits per channel, values clamped to 0..1
+  Pfm,  ///< linear single precision, bottom row first
+  Tiff, ///< linear single precision, top row first, not compressed
+  Exr   ///< the same in the format of compositing programs
 };
 
 /**
- * The format that a file's name stands for: png, pfm, tif or tiff. Throws UserError for others and
+ * The format that a file's name stands for: png, pfm, tif, tiff or exr. Throws UserError for others and
  * if the file's folder does not exist, so that programs can complain before they render.
  */
 ImageFormat CheckImageFile(const std::string& fileName);
