@@ -34,8 +34,8 @@ lamp hangs behind it, above and to the left, and a dimmer light falls on its sur
 medium is unbounded, scatters forward and does not absorb, with a visibility of 20 times the
 diagonal of the box around the model. The options change all of that.
 Over a scene file, --point, --spot and --sun replace all of its lamps and add up with each other,
-and the options --ies, --lamp and --sun-diameter change the lamp before them on the command line; any other option replaces
-what it names and leaves the rest as the file has it.)";
+and the options --ies, --lamp and --sun-diameter change the lamp before them on the command line;
+any other option replaces what it names and leaves the rest as the file has it.)";
 
 // An option with one value, which leaves the words after it to others.
 CLI::Option* AddText(

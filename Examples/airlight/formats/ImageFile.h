@@ -20,8 +20,8 @@ enum class ImageFormat
 };
 
 /**
- * The format that a file's name stands for: png, pfm, tif, tiff or exr. Throws UserError for others and
- * if the file's folder does not exist, so that programs can complain before they render.
+ * The format that a file's name stands for: png, pfm, tif, tiff or exr. Throws UserError for
+ * others and if the file's folder does not exist, so that programs can complain before they render.
  */
 ImageFormat CheckImageFile(const std::string& fileName);
 

@@ -270,12 +270,28 @@ vtkSmartPointer<vtkPolyData> Curver::Make()
   this->Curved->SetPolys(this->NewTriangles);
   return this->Curved;
 }
+
+// Polygons of three points and more: what is less, and strips of it, vtkTriangleFilter may not
+// survive.
+bool HasPolygonsAlone(vtkPolyData* mesh)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, ids);
+    if (ids->GetNumberOfIds() < 3)
+    {
+      return false;
+    }
+  }
+  return mesh->GetNumberOfStrips() == 0;
+}
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeCurved(vtkPolyData* mesh)
 {
-  if (!mesh->GetPointData()->GetNormals())
+  if (!mesh->GetPointData()->GetNormals() || !HasPolygonsAlone(mesh))
   {
     return mesh;
   }
