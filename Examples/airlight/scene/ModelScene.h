@@ -15,7 +15,9 @@ namespace airlight
  */
 struct ModelChoices
 {
-  std::string LightFrom;     ///< one of GetLampPlaces(); empty: the file's lamps, or else behind
+  /// One of GetLampPlaces(); empty: the lamps of the file, or else behind.
+  std::string LightFrom;
+
   std::string Mood = "mist"; ///< one of GetMoodNames()
   bool KeepFacets = false;   ///< of coarse meshes, see MakeCurved()
 };
