@@ -37,7 +37,8 @@ struct ViewerSettings
  * tells which does what. The read-out shows the state and how long the last such frame took, from
  * the call of vtkRenderWindow::Render() until the graphics card is done; after a key the picture is
  * drawn twice, so that the time shown belongs to what is shown. A screenshot is what the window
- * shows, with all frames of the mean that it shows at rest. While mouse or keys move something, frames that would take too long are simpler.
+ * shows, with all frames of the mean that it shows at rest. While mouse or keys move something,
+ * frames that would take too long are simpler.
  *
  * Logs of events are those of vtkInteractorEventRecorder; they are played as fast as frames can be
  * drawn.
