@@ -23,9 +23,9 @@ struct ModelChoices
 };
 
 /**
- * A model with what it needs to be seen, unless its file has a camera and lamps: a camera in front of it, to the right and above, that sees
- * all of it (view angle 30 degrees), a lamp and a light on surfaces alone, see MakeModelLights(),
- * and an unbounded medium, see Mood.
+ * A model with what it needs to be seen, unless its file has a camera and lamps: a camera in front
+ * of it, to the right and above, that sees all of it (view angle 30 degrees), a lamp and a light on
+ * surfaces alone, see MakeModelLights(), and an unbounded medium, see Mood.
  *
  * Throws UserError if the model cannot be read or has no extent.
  */
