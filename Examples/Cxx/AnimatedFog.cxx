@@ -55,13 +55,13 @@ std::size_t ChooseSurface(const Scene& scene, int wanted)
     throw UserError(scene.FileName + ": has no surface " + std::to_string(std::max(0, wanted)) +
       "; it has " + std::to_string(count));
   }
-  const auto bunny =
+  const auto cow =
     std::find_if(scene.Surfaces.begin(), scene.Surfaces.end(), [](const Surface& surface) {
-      return std::filesystem::path(surface.Name).filename().string().find("bunny") !=
+      return std::filesystem::path(surface.Name).filename().string().find("cow") !=
         std::string::npos;
     });
-  return bunny == scene.Surfaces.end() ? 0
-                                       : static_cast<std::size_t>(bunny - scene.Surfaces.begin());
+  return cow == scene.Surfaces.end() ? 0
+                                       : static_cast<std::size_t>(cow - scene.Surfaces.begin());
 }
 
 void WriteFrames(const AnimationOptions& options, FogAnimation& animation, RenderedScene& rendered)
@@ -141,6 +141,10 @@ void Run(const AnimationOptions& options)
   settings.OffScreen = !options.Live;
   settings.RecordBuffers = !options.Live && NeedsBuffers(PictureSettings(), options.Output);
   settings.SubpixelFrames = options.Live || settings.RecordBuffers ? 1 : PictureFrames;
+  if (!options.Live)
+  {
+    settings.ShadowTechnique = vtkAirlightPass::SHADOW_PLANES; // the same in all frames of a film
+  }
   RenderedScene rendered = BuildScene(scene, settings);
   FogAnimation animation(scene, rendered, surface, options.Period);
   if (options.Live)
@@ -171,7 +175,7 @@ void SetUp(CLI::App& program)
     ->capture_default_str();
   program
     .add_option("--surface", options.Surface,
-      "Number of the surface that turns, from 0 on; by default the one whose file is named bunny, "
+      "Number of the surface that turns, from 0 on; by default the one whose file is named cow, "
       "or else the first")
     ->check(CLI::Range(0, 1000000));
   program.add_option("--size", options.Size, "Size of the picture, WxH pixels");

@@ -3,7 +3,7 @@
 
     python3 make_figure1.py
 
-Needs numpy, and meshes/bunny.ply and meshes/dragon.ply from convert_meshes.py. The dragon stands at
+Needs numpy, and meshes/cow.ply and meshes/serpent.ply from their scripts here. The serpent stands at
 the origin on its plinth, so the hall's floor lies below y = 0. Every mesh is closed and faces
 outward; solids that stand on each other overlap by SINK.
 """
@@ -133,7 +133,7 @@ def hanging_louvre(centre, tilt, width, depth, slats):
 
 
 def meshes(folder):
-    """The scene's surfaces but the dragon: name, mesh, albedo."""
+    """The scene's surfaces but the serpent: name, mesh, albedo."""
     yield "figure1_floor", box([-8, FLOOR - 0.2, -5], [8, FLOOR, 14]), [0.50, 0.48, 0.45]
     yield "figure1_wall", box([-8, FLOOR - SINK, -5.3], [8, 6, -5 + SINK]), [0.55, 0.50, 0.42]
     front, back = (-3.8, -1.9, 1.9, 3.8), (-2.85, -0.95, 0.95, 2.85)
@@ -145,14 +145,14 @@ def meshes(folder):
     lower = box([-1.85, FLOOR - SINK, -1.1], [1.85, -0.15, 1.1])
     upper = box([-1.65, -0.15 - SINK, -0.9], [1.65, 0, 0.9])
     yield "figure1_plinth", merge([lower, upper]), [0.45, 0.45, 0.48]
-    bunny = plymesh.read_ply(os.path.join(folder, "bunny.ply"))
-    yield "figure1_bunny", move(bunny, [2.25, FLOOR, 0.9], -35), [0.70, 0.66, 0.60]
+    cow = plymesh.read_ply(os.path.join(folder, "cow.ply"))
+    yield "figure1_cow", move(cow, [2.3, FLOOR, 0.95], -52), [0.70, 0.66, 0.60]
 
 
 def main():
     here = os.path.dirname(os.path.abspath(__file__))
     folder = os.path.join(here, "meshes")
-    surfaces = [{"mesh": "meshes/dragon.ply", "albedo": [0.35, 0.55, 0.38]}]
+    surfaces = [{"mesh": "meshes/serpent.ply", "albedo": [0.35, 0.55, 0.38]}]
     for name, mesh, albedo in meshes(folder):
         plymesh.check(name, *mesh)
         plymesh.write_ply(os.path.join(folder, name + ".ply"), *mesh, "made by make_figure1.py")
@@ -160,7 +160,7 @@ def main():
     light = {"type": "point", "position": list(LIGHT), "intensity": list(INTENSITY)}
     scene = {
         "name": "figure1",
-        "description": "Foggy hall: point light over a dragon, shafts through a louvre, pillars.",
+        "description": "Foggy hall: point light over a serpent, shafts through a louvre, pillars.",
         "image": {"width": 1280, "height": 720},
         "camera": {
             "position": [-0.4, 1.7, 10.5],

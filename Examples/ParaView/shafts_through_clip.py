@@ -1,11 +1,11 @@
 #!/usr/bin/env pvpython
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A light inside a scanned mesh that is cut open: its light leaves through the cut as a shaft.
+"""A light inside a closed mesh that is cut open: its light leaves through the cut as a shaft.
 
     pvpython shafts_through_clip.py MESH.ply [-o PICTURE.png]
 
-Any closed mesh will do, for example Examples/Data/meshes/bunny.ply. The variable AIRLIGHT_PLUGIN
+Any closed mesh will do, for example Examples/Data/meshes/cow.ply. The variable AIRLIGHT_PLUGIN
 names the plugin's file.
 """
 
@@ -44,10 +44,10 @@ lamp.Type = "Positional"
 lamp.Position = [centre[0], centre[1] - 0.1 * size, centre[2]]
 lamp.ConeAngle = 180
 lamp.DiffuseColor = [1, 0.85, 0.6]
-lamp.Intensity = 5 * size**2
+lamp.Intensity = 2.5 * size**2
 lamp.Attenuation = [0, 0, 1]
 view.UseLight = 1  # ParaView's own light, weak, shows the outside
-view.KeyLightIntensity = 0.6
+view.KeyLightIntensity = 1.5
 
 view.VisibilityDistance = 5 * size
 view.PhaseFunction = "Henyey-Greenstein"

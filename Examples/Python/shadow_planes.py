@@ -95,7 +95,7 @@ def make_scene(renderer, model):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("model", nargs="?", default=str(MESHES / "bunny.ply"))
+    parser.add_argument("model", nargs="?", default=str(MESHES / "cow.ply"))
     parser.add_argument("-o", "--output", help="write a PNG and leave")
     options = parser.parse_args()
     if not pathlib.Path(options.model).is_file():
