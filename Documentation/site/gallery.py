@@ -58,7 +58,7 @@ class Example:
 
     def arguments(self):
         """Those with which it writes pictures: an option -o, or a folder as its docstring says."""
-        if re.search("""["']-o["']""", self.source()):
+        if re.search("""["']-o["']|add_picture_options""", self.source()):
             return ["-o", f"{self.name}.png"]
         return ["."] if re.search(rf"{self.name}\.py \[?FOLDER", self.source()) else []
 

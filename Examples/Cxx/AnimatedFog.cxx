@@ -60,8 +60,7 @@ std::size_t ChooseSurface(const Scene& scene, int wanted)
       return std::filesystem::path(surface.Name).filename().string().find("cow") !=
         std::string::npos;
     });
-  return cow == scene.Surfaces.end() ? 0
-                                       : static_cast<std::size_t>(cow - scene.Surfaces.begin());
+  return cow == scene.Surfaces.end() ? 0 : static_cast<std::size_t>(cow - scene.Surfaces.begin());
 }
 
 void WriteFrames(const AnimationOptions& options, FogAnimation& animation, RenderedScene& rendered)

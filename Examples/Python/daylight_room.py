@@ -78,7 +78,6 @@ def add(renderer, source, albedo):
 
 def make_room():
     renderer = vtkRenderer()
-    renderer.UseFXAAOn()
     renderer.SetBackground(0.5, 0.7, 0.9)  # the sky in the windows
     x0, x1, y0, y1, z0, z1 = ROOM
     add(renderer, box((x0 - 0.2, x1, y0 - 0.2, y0, z0, z1)), (0.36, 0.23, 0.13))
@@ -97,7 +96,7 @@ def make_room():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
+    airlight.display.add_picture_options(parser)
     options = parser.parse_args()
     sun = vtkLight()
     airlight.vtkAirlight.SetIrradiance(sun, np.divide(SUN, WHITE))
@@ -120,17 +119,21 @@ def main():
     renderer.AddLight(sun)
     dust_pass = airlight.vtkAirlightPass()
     dust_pass.SetMedium(dust)
+    dust_pass.SetSubpixelFrames(options.frames)
     dust_pass.RecordBuffersOn()
     dust_pass.SetToneMappingToNeutralPBR()  # for the eye
     dust_pass.SetOutputColorSpaceToSRGB()
     renderer.SetPass(dust_pass)
+    renderer.SetUseFXAA(options.frames == 1)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(EYE)
     camera.SetFocalPoint(TARGET)
     camera.SetViewAngle(42)
     renderer.ResetCameraClippingRange()
-    window = airlight.display.open_window(renderer, offscreen=bool(options.output))
-    in_sun, all_of_it = (dust_pass.GetBuffer(name).GetScalarComponentAsDouble(240, 160, 0, 0)
+    window = airlight.display.open_window(renderer, size=options.size,
+                                          offscreen=bool(options.output))
+    column, row = (pixels // 2 for pixels in options.size)
+    in_sun, all_of_it = (dust_pass.GetBuffer(name).GetScalarComponentAsDouble(column, row, 0, 0)
                          for name in ("LitLength", "Depth"))
     print(f"of {all_of_it:.3f} m straight ahead {in_sun:.3f} m are in the sun")
     airlight.display.show_or_write(window, options.output)

@@ -102,7 +102,7 @@ def add_molecule(renderer):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
+    airlight.display.add_picture_options(parser)
     options = parser.parse_args()
     haze = airlight.vtkParticipatingMedium()
     haze.SetScattering(3 * [1 / RANGE])
@@ -112,22 +112,24 @@ def main():
     lamp.SetPosition(-1, 3, 1.5)
     lamp.SetFocalPoint(0, 0, 0)
     renderer = vtkRenderer()
-    renderer.UseFXAAOn()
     renderer.AddLight(lamp)
     add_molecule(renderer)
     haze_pass = airlight.vtkAirlightPass()
     haze_pass.SetMedium(haze)
+    haze_pass.SetSubpixelFrames(options.frames)
     haze_pass.SetLightScatters(lamp, False)
     haze_pass.SetShadowTechniqueToShadowPlanes()  # exact, though there are many edges
     haze_pass.RecordBuffersOn()
     haze_pass.EncodedOutputOn()  # for the eye
     renderer.SetPass(haze_pass)
+    renderer.SetUseFXAA(options.frames == 1)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(EYE)
     camera.SetFocalPoint(TARGET)
     camera.SetViewAngle(30)
     renderer.ResetCameraClippingRange()
-    window = airlight.display.open_window(renderer, offscreen=bool(options.output))
+    window = airlight.display.open_window(renderer, size=options.size,
+                                          offscreen=bool(options.output))
     depth, kept = (vtk_to_numpy(haze_pass.GetBuffer(name).GetPointData().GetScalars())
                    for name in ("Depth", "Transmittance"))
     for name, place in (("nearest", np.where(depth > 0, depth, np.inf).argmin()),

@@ -99,11 +99,13 @@ def make_view(beam, viewport):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
+    airlight.display.add_picture_options(parser)
     options = parser.parse_args()
     views = {"low": make_view("low", (0, 0.5, 1, 1)), "high": make_view("high", (0, 0, 1, 0.5))}
+    for _, fog_pass in views.values():
+        fog_pass.SetSubpixelFrames(options.frames)
     window = airlight.display.open_window(*(renderer for renderer, _ in views.values()),
-                                          offscreen=bool(options.output))
+                                          size=options.size, offscreen=bool(options.output))
 
     for x, distance in PEOPLE:
         print(f"at {distance:g} m:", end="")

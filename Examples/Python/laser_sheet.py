@@ -84,7 +84,6 @@ def make_smoke():
 
 def make_scene():
     renderer = vtkRenderer()
-    renderer.UseFXAAOn()
     lens = vtkLight()
     airlight.vtkAirlight.SetRadiantIntensity(lens, POWER)
     lens.SetPosition(LENS)
@@ -141,21 +140,24 @@ def look_at(renderer, point):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
+    airlight.display.add_picture_options(parser)
     options = parser.parse_args()
     renderer, lens = make_scene()
     smoke = make_smoke()
     smoke_pass = airlight.vtkAirlightPass()
     smoke_pass.SetMedium(smoke)
+    smoke_pass.SetSubpixelFrames(options.frames)
     smoke_pass.RecordBuffersOn()
     smoke_pass.SetOutputColorSpaceToSRGB()  # for the eye
     renderer.SetPass(smoke_pass)
+    renderer.SetUseFXAA(options.frames == 1)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(EYE)
     camera.SetFocalPoint(TARGET)
     camera.SetViewAngle(30)
     renderer.ResetCameraClippingRange()
-    window = airlight.display.open_window(renderer, offscreen=bool(options.output))
+    window = airlight.display.open_window(renderer, size=options.size,
+                                          offscreen=bool(options.output))
 
     column, row, place = look_at(renderer, PROBE)
     drawn, length = (smoke_pass.GetBuffer(name).GetScalarComponentAsDouble(column, row, 0, channel)

@@ -88,7 +88,6 @@ def box(*bounds):
 
 def make_corridor():
     renderer = vtkRenderer()
-    renderer.UseFXAAOn()
     for x, y, z in LAMPS:
         add(renderer, box(x - 0.2, x + 0.2, y + 0.03, 2.6, z - 0.2, z + 0.2), (4, 3.8, 3.4), True)
     for bounds, colour in (((-1.3, -1.2, 0, 2.6), (0.6, 0.58, 0.5)),
@@ -110,7 +109,7 @@ def make_corridor():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
+    airlight.display.add_picture_options(parser)
     options = parser.parse_args()
 
     smoke = airlight.vtkParticipatingMedium()
@@ -132,15 +131,18 @@ def main():
         renderer.AddLight(lamp)
     smoke_pass = airlight.vtkAirlightPass()
     smoke_pass.SetMedium(smoke)
+    smoke_pass.SetSubpixelFrames(options.frames)
     smoke_pass.SetToneMappingToNeutralPBR()  # for the eye
     smoke_pass.SetOutputColorSpaceToSRGB()
     renderer.SetPass(smoke_pass)
+    renderer.SetUseFXAA(options.frames == 1)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(0, EYE, 0)
     camera.SetFocalPoint(0, EYE + 0.05, -1)
     camera.SetViewAngle(40)
     renderer.ResetCameraClippingRange()
-    window = airlight.display.open_window(renderer, offscreen=bool(options.output))
+    window = airlight.display.open_window(renderer, size=options.size,
+                                          offscreen=bool(options.output))
     airlight.display.show_or_write(window, options.output)
 
 

@@ -92,7 +92,6 @@ def make_floor():
 
 def make_scene():
     renderer = vtkRenderer()
-    renderer.UseFXAAOn()
     floor = add(renderer, make_floor(), (0.62, 0.56, 0.42))
     airlight.vtkAirlightPass.SetCastsShadow(floor, False)
     pipe = vtkCylinderSource()
@@ -114,7 +113,7 @@ def make_scene():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
+    airlight.display.add_picture_options(parser)
     options = parser.parse_args()
     water = airlight.vtkParticipatingMedium()
     water.SetScattering(3 * [SCATTERING])
@@ -138,14 +137,17 @@ def main():
     renderer.AddLight(lamp)
     water_pass = airlight.vtkAirlightPass()
     water_pass.SetMedium(water)
+    water_pass.SetSubpixelFrames(options.frames)
     water_pass.SetOutputColorSpaceToSRGB()  # for the eye
     renderer.SetPass(water_pass)
+    renderer.SetUseFXAA(options.frames == 1)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(0, 0, 0)
     camera.SetFocalPoint(0, -0.12, -1)
     camera.SetViewAngle(45)
     renderer.ResetCameraClippingRange()
-    window = airlight.display.open_window(renderer, offscreen=bool(options.output))
+    window = airlight.display.open_window(renderer, size=options.size,
+                                          offscreen=bool(options.output))
     airlight.display.show_or_write(window, options.output)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import airlight
-from exampletest import EXAMPLES, GALLERY, USES, ExampleTest
+from exampletest import EXAMPLES, GALLERY, SCENES, USES, ExampleTest
 from midpointrule import Grid, box_interval, lamp_airlight, middles, sunlit_airlight
 from programtest import metrics, pixel_rays, read_png
 
@@ -267,7 +267,7 @@ class TestExamples(ExampleTest):
     @classmethod
     def tearDownClass(cls):
         missing = {path.name for path in EXAMPLES.glob("*.py")} - cls.ran - {
-            name + ".py" for name in USES}
+            name + ".py" for name in USES + SCENES}
         if WRITE_OPENVDB and missing:
             raise AssertionError(f"not run: {missing}")
 

@@ -10,12 +10,41 @@
     airlight.display.write_picture(window, "fog.png")
 """
 
+import argparse
+
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow, vtkRenderWindowInteractor, vtkWindowToImageFilter)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
 import vtkmodules.vtkRenderingUI  # noqa: F401 its windows
+
+
+def parse_size(text):
+    """(1280, 720) of "1280x720"; raises argparse.ArgumentTypeError for anything else."""
+    width, _, height = text.partition("x")
+    if not (width.isdecimal() and height.isdecimal() and 0 < min(int(width), int(height))
+            and max(int(width), int(height)) <= 16384):
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is no size: give width and height in pixels, for example 1280x720")
+    return int(width), int(height)
+
+
+def parse_frames(text):
+    """A number of frames from 1 to 1024; raises argparse.ArgumentTypeError for anything else."""
+    if not text.isdecimal() or not 1 <= int(text) <= 1024:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of frames from 1 to 1024")
+    return int(text)
+
+
+def add_picture_options(parser, size=(480, 320)):
+    """Adds --output, --size and --frames to an argparse.ArgumentParser, with these pixels."""
+    parser.add_argument("-o", "--output", help="picture to write, a PNG; default: a window")
+    parser.add_argument("--size", type=parse_size, default=size, metavar="WxH",
+                        help=f"pixels; default: {size[0]}x{size[1]}")
+    parser.add_argument("--frames", type=parse_frames, default=1, metavar="N",
+                        help="SubpixelFrames of the pass, for smooth edges and soft shadows of "
+                             "lamps that have a size; default: %(default)s")
 
 
 def open_window(*renderers, size=(480, 320), offscreen=False):

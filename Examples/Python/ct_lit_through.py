@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A CT scan lit through: a lamp in the pelvis, and the shadows of the bones in the tissue.
+
+The soft tissue is a medium whose density is that of the scan (Examples/Data/torso_ct.npz, from
+TotalSegmentator); bones are a surface of constant density, above 160 Hounsfield units. Lengths are
+centimetres. The tissue is far clearer than it is, so that one sees through it.
+
+The program prints the volume of the bones and the optical depth from the lamp to the belly.
+"""
+
+import argparse
+import pathlib
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import (
+    vtkFlyingEdges3D, vtkMassProperties, vtkPolyDataConnectivityFilter, vtkPolyDataNormals,
+    vtkQuadricDecimation, vtkWindowedSincPolyDataFilter)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
+
+import airlight
+import airlight.display
+
+DATA = pathlib.Path(__file__).resolve().parents[1] / "Data" / "torso_ct.npz"
+BONE = 160  # Hounsfield units
+LAMP = (18.3, 16.0, 11.0)  # left to right, back to front, up
+INTENSITY = (1300.0, 800.0, 460.0)  # with 1 as white; red, green, blue
+SCATTERING = 0.04  # of water, per centimetre
+ABSORPTION = (0.008, 0.025, 0.045)  # tissue is red
+EYE, TARGET, ANGLE = (4.0, -50.0, 24.0), (18.3, 15.0, 15.0), 26
+
+
+def read_scan():
+    """The scan as an image of Hounsfield units, 0.3 cm apart."""
+    data = np.load(DATA)
+    values = data["values"]
+    image = vtkImageData()
+    image.SetDimensions(values.shape[::-1])
+    image.SetSpacing(3 * [0.1 * float(data["spacing"])])
+    image.GetPointData().SetScalars(numpy_to_vtk(8.0 * values.ravel() - 1024, deep=True))
+    return image, 8.0 * values - 1024
+
+
+def make_bones(scan):
+    """The largest connected surfaces of bone, and of nothing else: small parts are noise."""
+    contour, smooth = vtkFlyingEdges3D(), vtkWindowedSincPolyDataFilter()
+    contour.SetInputData(scan)
+    contour.SetValue(0, BONE)
+    contour.ComputeNormalsOff()
+    contour.ComputeScalarsOff()
+    parts = vtkPolyDataConnectivityFilter()
+    parts.SetInputConnection(contour.GetOutputPort())
+    parts.SetExtractionModeToAllRegions()
+    parts.Update()
+    sizes = [parts.GetRegionSizes().GetValue(i) for i in range(parts.GetNumberOfExtractedRegions())]
+    parts.SetExtractionModeToSpecifiedRegions()
+    for region, size in enumerate(sizes):
+        if size > 800:
+            parts.AddSpecifiedRegion(region)
+    smooth.SetInputConnection(parts.GetOutputPort())
+    smooth.SetNumberOfIterations(30)
+    smooth.SetPassBand(0.06)
+    smooth.NormalizeCoordinatesOn()
+    fewer = vtkQuadricDecimation()
+    fewer.SetInputConnection(smooth.GetOutputPort())
+    fewer.SetTargetReduction(0.9)
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(fewer.GetOutputPort())
+    normals.SplittingOff()
+    normals.Update()
+    return normals
+
+
+def make_tissue(scan, units):
+    """A medium as dense as the scan's soft tissue, without the couch and the bones' excess."""
+    density = np.clip((units + 160) / 200, 0, 1)
+    _, y, x = np.indices(density.shape)
+    density[((x - 60) / 60)**2 + ((y - 50) / 46)**2 > 1] = 0  # the couch under the back
+    density = density[::2, ::2, ::2]  # airlight is smooth, and this is faster
+    image = vtkImageData()
+    image.SetDimensions(density.shape[::-1])
+    image.SetSpacing(np.multiply(2, scan.GetSpacing()))
+    image.GetPointData().SetScalars(numpy_to_vtk(density.ravel(), deep=True))
+    tissue = airlight.vtkParticipatingMedium()
+    tissue.SetScattering(3 * [SCATTERING])
+    tissue.SetAbsorption(ABSORPTION)
+    tissue.SetDensityToImage()
+    tissue.SetDensityImage(image)
+    return tissue
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    airlight.display.add_picture_options(parser, (640, 360))
+    options = parser.parse_args()
+    scan, units = read_scan()
+    bones = make_bones(scan)
+    tissue = make_tissue(scan, units)
+    volume = vtkMassProperties()
+    volume.SetInputConnection(bones.GetOutputPort())
+    kept = [0.0, 0.0, 0.0]
+    airlight.vtkAirlight.Transmittance(tissue, LAMP, (LAMP[0], 40, LAMP[2]), kept)
+    print(f"{volume.GetVolume():.0f} cm^3 of bone; optical depth from the lamp to the front "
+          f"{', '.join(f'{depth:.3f}' for depth in -np.log(kept))} in red, green and blue")
+
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.002, 0.003, 0.006)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(bones.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.75, 0.70, 0.60)
+    renderer.AddActor(actor)
+    lamp = vtkLight()
+    lamp.SetPosition(LAMP)
+    airlight.vtkAirlight.SetRadiantIntensity(lamp, INTENSITY)
+    airlight.vtkAirlightLight.SetRadius(lamp, 0.4)
+    renderer.AddLight(lamp)
+    fill = vtkLight()  # shows the bones' form; the tissue does not scatter it
+    fill.SetLightTypeToHeadlight()
+    fill.SetColor(0.35, 0.55, 1.0)
+    fill.SetIntensity(0.3)
+    airlight.vtkAirlightLight.SetScatters(fill, False)
+    renderer.AddLight(fill)
+    tissue_pass = airlight.vtkAirlightPass()
+    tissue_pass.SetMedium(tissue)
+    tissue_pass.SetShadowTechniqueToShadowPlanes()
+    tissue_pass.SetSubpixelFrames(options.frames)
+    tissue_pass.SetToneMappingToNeutralPBR()
+    tissue_pass.SetOutputColorSpaceToSRGB()
+    renderer.SetPass(tissue_pass)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(EYE)
+    camera.SetFocalPoint(TARGET)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetViewAngle(ANGLE)
+    renderer.ResetCameraClippingRange()
+    window = airlight.display.open_window(renderer, size=options.size,
+                                          offscreen=bool(options.output))
+    airlight.display.show_or_write(window, options.output)
+
+
+if __name__ == "__main__":
+    main()
