@@ -27,7 +27,7 @@ suites=(Wheel Python PyVista Web)
 # Of Testing/Python: without the program, without OpenVDB, and without pictures that have text, which
 # other versions of VTK draw otherwise.
 python_tests=(AirlightComparison AirlightReference Casters Composition HeightFog Import LightScatters
-  NearLight Package PolyDataMapper RayFilters ResampledDensity ShadowOpacity ShadowPlanes Uses)
+  NearLight Package PolyDataMapper RayFilters ResampledDensity Scenes ShadowOpacity ShadowPlanes Uses)
 
 # environment NAME PACKAGE...: a new virtual environment with these packages.
 environment()

@@ -133,6 +133,7 @@ def main():
     tissue_pass.SetToneMappingToNeutralPBR()
     tissue_pass.SetOutputColorSpaceToSRGB()
     renderer.SetPass(tissue_pass)
+    renderer.SetUseFXAA(options.frames == 1)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(EYE)
     camera.SetFocalPoint(TARGET)

@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the examples of larger scenes: their numbers against geometry, sums over the data and closed
+formulas, their pictures against the gallery."""
+
+import re
+import tempfile
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import airlight.display
+from exampletest import SCENES, ExampleTest, load_example
+from midpointrule import Grid, middles
+from programtest import henyey_greenstein
+
+SIZE = "320x180"
+
+
+def numbers(text):
+    return [float(value) for value in re.findall(r"\d+\.?\d*", text)]
+
+
+class TestScenes(ExampleTest):
+    def draw(self, name):
+        """The example as a module, and what it prints; its picture must be the gallery's."""
+        with tempfile.TemporaryDirectory() as folder:
+            picture = f"{folder}/use-{name.replace('_', '-')}.png"
+            text = self.run_example(name + ".py", "-o", picture, "--size", SIZE)
+            print(text)
+            self.compare_with_large(picture)
+        return load_example(name), text
+
+    def test_cathedral_shafts(self):
+        scene, text = self.draw("cathedral_shafts")
+        found, way, airlight_found = numbers(text)
+        self.assertAlmostEqual(way, 2 * scene.HALF - 0.02, delta=0.005)
+        to_sun = np.divide(scene.TO_SUN, np.linalg.norm(scene.TO_SUN))
+        z = scene.FRONT - 2.5 * scene.BAY
+        s = middles(way, 40000)
+        points = np.stack((scene.HALF - 0.01 - s, np.full(len(s), 4.0), np.full(len(s), z)), axis=1)
+        # Where the ray to the sun meets the middle, the inside and the outside of the wall: it must
+        # be in a window there, and the bars must miss it.
+        lit = np.ones(len(s), bool)
+        for depth in np.linspace(0, scene.WALL, 91):
+            t = (scene.HALF + depth - points[:, 0]) / to_sun[0]
+            y, along = points[:, 1] + t * to_sun[1], points[:, 2] + t * to_sun[2]
+            off = (along - z + scene.BAY / 2) % scene.BAY - scene.BAY / 2
+            rise = scene.HEAD - scene.WINDOW_SPRING
+            radius = (scene.WINDOW**2 + rise**2) / (2 * scene.WINDOW)
+            above = np.hypot(np.abs(off) + radius - scene.WINDOW, y - scene.WINDOW_SPRING) < radius
+            lit &= (np.abs(off) < scene.WINDOW) & (y > scene.SILL) & (
+                (y < scene.WINDOW_SPRING) | above)
+            middle = abs(depth - scene.WALL / 2)
+            if middle < 0.07:
+                lit &= np.abs(off) > 0.07
+            if middle < 0.05:
+                lit &= (np.abs(y - 6.2) > 0.05) & (np.abs(y - scene.WINDOW_SPRING) > 0.05)
+        # The arch is a polygon, up to 4 mm inside its arc; steps across the wall are 1 cm.
+        self.assertAlmostEqual(found, lit.sum() * way / len(s), delta=0.05)
+        # The medium ends at the inner wall; light comes from the sun along the ray.
+        inside = (scene.HALF - points[:, 0]) / to_sun[0]
+        phase = henyey_greenstein(scene.ANISOTROPY, -to_sun[0])
+        expected = (lit * scene.SUN[1] * scene.SCATTERING * phase
+                    * np.exp(-scene.SCATTERING * (inside + s))).sum() * way / len(s)
+        self.assertAlmostEqual(airlight_found, expected, delta=0.05 * expected + 1e-4)
+
+    def test_ct_lit_through(self):
+        scene, text = self.draw("ct_lit_through")
+        volume, *depths = numbers(text.replace("cm^3", "cm"))
+        _, units = scene.read_scan()
+        voxels = np.count_nonzero(units > scene.BONE) * 0.3**3
+        # Small parts are left out, and smoothing takes thin walls.
+        self.assertTrue(0.6 * voxels < volume < 1.05 * voxels, (volume, voxels))
+        image = scene.make_tissue(*scene.read_scan()).GetDensityImage()
+        density = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(
+            image.GetDimensions()[::-1])
+        grid = Grid(density, image.GetOrigin(), image.GetSpacing())
+        end = image.GetBounds()[3]
+        points = np.repeat([scene.LAMP], 20000, axis=0)
+        points[:, 1] += middles(end - scene.LAMP[1], len(points))
+        column = grid(points).mean() * (end - scene.LAMP[1])
+        for found, absorption in zip(depths, scene.ABSORPTION, strict=True):
+            self.assertAlmostEqual(found, column * (scene.SCATTERING + absorption), delta=2e-3)
+
+    def test_cumulus(self):
+        scene, text = self.draw("cumulus")
+        density, _ = scene.make_cloud()
+        # Columns of points instead of lines between them: the trapezium rule along y.
+        columns = scene.EXTINCTION * scene.CELL * (
+            density.sum(axis=1) - (density[:, 0] + density[:, -1]) / 2)
+        largest, shaded = numbers(text)
+        self.assertAlmostEqual(largest, columns.max(), delta=0.03 * columns.max())
+        self.assertAlmostEqual(shaded, 100 * np.mean(columns > np.log(2)), delta=1.5)
+
+    def test_valley_fog(self):
+        scene, text = self.draw("valley_fog")
+        _, heights = scene.make_terrain()
+        for found, height in zip(numbers(text), (heights.min(), heights.max()), strict=True):
+            scale = scene.FOG_HEIGHT * scene.RAISED
+            expected = scene.FOG * scale * np.exp(-(height - scene.FOG_BASE) / scale)
+            self.assertAlmostEqual(found, expected, delta=6e-4)
+
+    def test_options(self):
+        """Sizes and numbers of frames that there are not."""
+        for parse, good, value, bad in (
+                (airlight.display.parse_size, "64x32", (64, 32), ("64", "0x32", "-1x2", "ax2", "")),
+                (airlight.display.parse_frames, "64", 64, ("0", "-1", "2.5", "1025", "many"))):
+            self.assertEqual(parse(good), value)
+            for text in bad:
+                with self.assertRaisesRegex(Exception, f"'{text}' is no"):
+                    parse(text)
+
+    @classmethod
+    def tearDownClass(cls):
+        missing = {name + ".py" for name in SCENES} - cls.ran
+        if missing:
+            raise AssertionError(f"not run: {missing}")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[__file__])
