@@ -85,7 +85,8 @@ class TestReadme(unittest.TestCase):
                                       stderr=subprocess.STDOUT, text=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stdout)
                 for file in re.findall(r"(?:-o|--difference) (\S+)", line):
-                    content = (folder / file).read_bytes()
+                    first = file % 0 if "%" in file else file
+                    content = (folder / first).read_bytes()
                     start = SIZES.get(file, b"\x89PNG\r\n")
                     self.assertTrue(content.startswith(start), (file, content[:20]))
                     written.add(file)

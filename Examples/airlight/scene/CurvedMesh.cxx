@@ -27,7 +27,7 @@ namespace airlight
 
 namespace
 {
-constexpr vtkIdType MostTriangles = 20000; // of the curved mesh
+constexpr vtkIdType MostTriangles = 24000; // of the curved mesh
 constexpr int MostParts = 4;               // of an edge
 constexpr double Shape = 0.75;             // of the way to the tangent planes, the paper's
 constexpr double StiffAngle = 30.0;        // degrees

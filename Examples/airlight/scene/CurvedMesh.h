@@ -19,7 +19,7 @@ namespace airlight
  * stay where they are. Corners at sharp edges, where a point has a normal for each side, and those
  * whose normal is more than 30 degrees off a triangle's own move nothing.
  *
- * Meshes without normals, with strips, and of more than 5000 triangles are returned as they are.
+ * Meshes without normals, with strips, and of more than 6000 triangles are returned as they are.
  */
 vtkSmartPointer<vtkPolyData> MakeCurved(vtkPolyData* mesh);
 
