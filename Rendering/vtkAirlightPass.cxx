@@ -281,6 +281,10 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   {
     this->Impl->GetIdle().Request(interactor);
   }
+  else
+  {
+    this->Impl->GetIdle().Cancel();
+  }
 }
 
 //------------------------------------------------------------------------------

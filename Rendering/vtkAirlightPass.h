@@ -401,15 +401,20 @@ public:
 
   ///@{
   /**
-   * Refine the picture while nothing changes, for windows: each Render() adds one frame to the mean
-   * and shows it, until it has SubpixelFrames; after that Render() shows the mean again at next to
-   * no cost. If the window has an interactor that is initialized, the pass asks for the next frame
-   * by a timer of it, so that input comes first. The mean starts again if camera, lights, media,
-   * props, the data behind their mappers, or properties of the pass change by VTK's modification
-   * times; call Modified() on the pass for other changes, as of uniforms. The last picture is the
-   * same, bit for bit, as that of one Render() without refinement. A scene that changes whenever it
-   * is drawn, stereo pairs and pictures in tiles have all frames at once. Take screenshots without
-   * refinement, or wait until GetAccumulatedFrames() is SubpixelFrames. Default: off, all at once.
+   * Refine the picture while nothing changes, for windows: each Render() adds one frame to the
+   * mean and shows it, until it has SubpixelFrames; after that Render() draws no scene and shows
+   * the mean again. If the window has an interactor that is initialized, the pass asks for the
+   * next frame by a timer of it, so that input comes first. The mean starts again if the
+   * modification times of the renderer, its lights, props, textures and the data behind them, of
+   * the media, of this pass or its DelegatePass change, or the camera's matrices; a hardware
+   * selection counts as a change of the renderer. Call Modified() on this pass for other changes,
+   * as of uniforms or of passes below the DelegatePass. Annotations (vtkActor2D) are drawn over
+   * each picture, and start nothing again. The last picture is the same, bit for bit, as that of
+   * one Render() without refinement; until then depths are of a pixel's middle but for half a
+   * pixel. All frames are drawn at once for stereo pairs, pictures in tiles, and a scene that
+   * changes whenever it is drawn. Give each renderer a pass of its own: renderers that share one
+   * begin the mean again and again. Take screenshots without refinement, or wait until
+   * GetAccumulatedFrames() is SubpixelFrames. Default: off, all at once.
    */
   vtkSetMacro(ProgressiveRefinement, bool);
   vtkGetMacro(ProgressiveRefinement, bool);

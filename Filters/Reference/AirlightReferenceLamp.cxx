@@ -7,6 +7,7 @@
 #include "vtkLight.h"
 #include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace airlight
@@ -22,9 +23,11 @@ struct Across
 
 Across GetAcross(const glm::dvec3& axis, glm::dvec3 up)
 {
+  up /= std::max({ std::abs(up.x), std::abs(up.y), std::abs(up.z) }); // of any size
   if (glm::length(glm::cross(axis, glm::normalize(up))) < 1e-6)
   {
-    up = std::abs(axis.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 z(0.0, 0.0, 1.0);
+    up = glm::length(glm::cross(axis, z)) < 1e-6 ? glm::dvec3(1.0, 0.0, 0.0) : z;
   }
   const glm::dvec3 right = glm::normalize(glm::cross(axis, up));
   return { right, glm::cross(right, axis) };

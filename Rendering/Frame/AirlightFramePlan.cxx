@@ -100,8 +100,9 @@ bool IsShownAsDrawn(const PassProperties& properties)
 bool IsPlain(const FramePlan& plan, const PassProperties& properties, const SceneFacts& scene)
 {
   const bool shadows = plan.Shadows != ShadowMethod::None && properties.SurfaceShadows;
-  return scene.Clear && properties.View == DebugView::Shaded && !properties.RecordBuffers &&
-    !properties.LinearFrame && properties.Annotations && IsShownAsDrawn(properties) &&
+  return scene.Clear && !scene.VisibleLamps && properties.View == DebugView::Shaded &&
+    !properties.RecordBuffers && !properties.LinearFrame && properties.Annotations &&
+    IsShownAsDrawn(properties) &&
     std::none_of(scene.Lights.begin(), scene.Lights.end(), [shadows](const LightFacts& light) {
       return light.Photometric || (shadows && light.Shadows());
     });

@@ -88,6 +88,7 @@ struct SceneFacts
   double TranslucentBoundaries = -1.0;
   double GaussianFragments = 0.0; // of a pixel, likewise
   std::size_t Volumes = 0;
+  bool VisibleLamps = false; // which the renderer itself does not draw
   int Width = 1;
   int Height = 1;
 };

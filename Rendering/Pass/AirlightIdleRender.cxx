@@ -22,13 +22,9 @@ IdleRender::IdleRender()
 IdleRender::~IdleRender() { this->Cancel(); }
 
 //------------------------------------------------------------------------------
-// An interactor without an event loop has no timers yet, and is told so by none.
+// Interactors without an event loop have no timers yet.
 void IdleRender::Request(vtkRenderWindowInteractor* interactor)
 {
-  if (this->Timer && this->Interactor == interactor)
-  {
-    return;
-  }
   this->Cancel();
   if (!interactor->GetInitialized())
   {
@@ -42,13 +38,10 @@ void IdleRender::Request(vtkRenderWindowInteractor* interactor)
 //------------------------------------------------------------------------------
 void IdleRender::Cancel()
 {
-  if (this->Interactor && this->Observer)
+  if (this->Interactor)
   {
     this->Interactor->RemoveObserver(this->Observer);
-    if (this->Timer)
-    {
-      this->Interactor->DestroyTimer(this->Timer);
-    }
+    this->DestroyTimers();
   }
   this->Interactor = nullptr;
   this->Observer = 0;
@@ -56,19 +49,42 @@ void IdleRender::Cancel()
 }
 
 //------------------------------------------------------------------------------
-// This may be deleted while the window renders.
-void IdleRender::OnTimer(vtkObject*, unsigned long, void* self, void* timer)
+// Interactors of VTK's own windows destroy timers that have rung but for their entries, which must
+// not be destroyed while they ring: X11's would fail. Generic interactors let them ring on.
+void IdleRender::DestroyTimers()
+{
+  if (this->Timer)
+  {
+    this->Interactor->DestroyTimer(this->Timer);
+  }
+  if (!*this->Rendering || this->Interactor->IsA("vtkGenericRenderWindowInteractor"))
+  {
+    for (const int timer : this->Spent)
+    {
+      this->Interactor->DestroyTimer(timer);
+    }
+    this->Spent.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Generic interactors name the last timer that anybody made. This may be deleted while the window
+// renders.
+void IdleRender::OnTimer(vtkObject* caller, unsigned long, void* self, void* timer)
 {
   auto* idle = static_cast<IdleRender*>(self);
-  if (!timer || *static_cast<int*>(timer) != idle->Timer)
+  vtkRenderWindowInteractor* interactor = idle->Interactor;
+  if (!idle->Timer || interactor != caller ||
+    (!interactor->IsA("vtkGenericRenderWindowInteractor") &&
+      (!timer || *static_cast<int*>(timer) != idle->Timer)))
   {
     return;
   }
-  vtkRenderWindowInteractor* interactor = idle->Interactor;
-  idle->Timer = 0; // VTK destroys it: its X11 interactor fails if observers do
-  idle->Cancel();
+  idle->Spent.push_back(idle->Timer);
+  idle->Timer = 0;
   const std::shared_ptr<bool> rendering = idle->Rendering;
   *rendering = true;
+  idle->Cancel();
   interactor->Render();
   *rendering = false;
 }

@@ -12,6 +12,7 @@
 #include "vtkWeakPointer.h"
 
 #include <memory>
+#include <vector>
 
 class vtkObject;
 class vtkRenderWindowInteractor;
@@ -26,7 +27,8 @@ public:
   IdleRender(const IdleRender&) = delete;
   void operator=(const IdleRender&) = delete;
 
-  // By a timer of this interactor, whose event loop must run.
+  // By a timer of this interactor, whose event loop must run. A request that was made before counts
+  // no more: its timer may be lost.
   void Request(vtkRenderWindowInteractor* interactor);
   void Cancel();
 
@@ -34,11 +36,13 @@ public:
   bool IsRendering() const { return *this->Rendering; }
 
 private:
+  void DestroyTimers();
   static void OnTimer(vtkObject* caller, unsigned long event, void* self, void* timer);
 
   vtkNew<vtkCallbackCommand> Callback;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   int Timer = 0;
+  std::vector<int> Spent; // timers that have rung
   unsigned long Observer = 0;
   std::shared_ptr<bool> Rendering = std::make_shared<bool>(false);
 };

@@ -67,6 +67,49 @@ bool IsBlended(vtkRenderer* renderer)
   return renderer->GetPreserveColorBuffer() || renderer->Transparent();
 }
 
+// A camera whose clipping range has another one in it, until this goes out of scope: lamps are none
+// of the props by which renderers choose it.
+class WiderRange
+{
+public:
+  WiderRange(vtkCamera* camera, const glm::dvec2& range)
+    : Camera(camera)
+  {
+    this->Camera->GetClippingRange(this->Range);
+    if (range.x < range.y)
+    {
+      const double far = std::max(this->Range[1], range.y);
+      const double near = std::min(this->Range[0], std::max(range.x, 1e-3 * far));
+      this->Camera->SetClippingRange(near, far);
+    }
+  }
+  ~WiderRange() { this->Camera->SetClippingRange(this->Range); }
+  WiderRange(const WiderRange&) = delete;
+  void operator=(const WiderRange&) = delete;
+
+private:
+  vtkCamera* Camera;
+  double Range[2];
+};
+
+// Texts follow their strings in their opaque stage, which a picture without a new frame leaves out.
+void UpdateAnnotations(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState::ScopedglColorMask colorMask(window->GetState());
+  vtkOpenGLState::ScopedglDepthMask depthMask(window->GetState());
+  window->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  window->GetState()->vtkglDepthMask(GL_FALSE);
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    if (s->GetPropArray()[i]->IsA("vtkActor2D"))
+    {
+      s->GetPropArray()[i]->RenderOpaqueGeometry(renderer);
+    }
+  }
+}
+
 // The state of OpenGL that a frame changes, restored when it goes out of scope.
 class StateSaver
 {
@@ -148,6 +191,7 @@ void PassRenderer::Render(
   state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   state.SetFrameBuffer(s->GetFrameBuffer());
   state.SetRequiredKeys(s->GetRequiredKeys());
+  const WiderRange range(s->GetRenderer()->GetActiveCamera(), this->Lamps.GetRange());
   this->RenderScene(&state, settings, viewport);
 }
 
@@ -204,6 +248,7 @@ bool PassRenderer::RenderMean(
   // Without FXAA, which would blur edges that are smooth.
   if (settings.Properties.Annotations)
   {
+    UpdateAnnotations(s);
     AirlightScenePass::RenderOverlay(s);
   }
   return true;
@@ -223,25 +268,29 @@ bool PassRenderer::AddFrames(
   this->Mean.SetMovesLamps(!remote);
   SubpixelFrames::Range range{ 0, settings.SubpixelFrames, settings.SubpixelFrames };
   const bool refines = settings.Progressive && !remote && Refinement::MayRefine(renderer);
-  const Refinement::Picture refined{ s, this->Pass, picture, range.Count, settings.Requested };
+  const Refinement::Picture refined{ s, this->Pass, settings.Delegate, picture, range.Count,
+    settings.Requested };
   if (refines)
   {
     const Refinement::Frames frames = this->Refined.Begin(refined);
     range.First = frames.First;
     range.Last = frames.Last;
   }
-  if (!this->Mean.Render(renderer, picture, range, this->CurrentFrame.GetBuffers(),
-        settings.Progress, [&] { return this->RenderFrame(s, frame, viewport); }))
+  const auto progress = [&](double share) {
+    if (refines)
+    {
+      this->Refined.Keep(refined, this->Mean.GetDone());
+    }
+    return settings.Progress(share);
+  };
+  if (!this->Mean.Render(renderer, picture, range, this->CurrentFrame.GetBuffers(), progress,
+        [&] { return this->RenderFrame(s, frame, viewport); }))
   {
     return false;
   }
   this->AccumulatedFrames = this->Mean.GetDone();
-  if (refines)
-  {
-    this->Refined.Keep(refined, this->AccumulatedFrames);
-    this->Unfinished = this->AccumulatedFrames < range.Count;
-  }
-  else
+  this->Unfinished = refines && this->AccumulatedFrames < range.Count;
+  if (!refines)
   {
     this->Refined.Forget();
     this->CurrentFrame.GetBuffers().ClearMean();
@@ -407,6 +456,7 @@ SceneFacts PassRenderer::GetFacts(const Scene& scene) const
   facts.NonPolygonalCasters = !this->Casters.GetNonPolygonal().empty();
   facts.TranslucentCasters = this->Casters.MetTranslucent();
   facts.Volumes = scene.Support->Volumes.size();
+  facts.VisibleLamps = !this->Lamps.IsEmpty();
   facts.Width = scene.Rays.GetWidth();
   facts.Height = scene.Rays.GetHeight();
   return facts;

@@ -29,8 +29,9 @@ Refinement::Frames Refinement::Begin(const Picture& picture)
 {
   const bool same = this->Done > 0 && this->Renderer == picture.State->GetRenderer() &&
     this->Viewport == picture.Viewport && this->Count == picture.Count &&
-    this->Stamp == SceneStamp(picture.State, picture.Pass);
-  this->Changes = picture.Requested && !same ? this->Changes + 1 : 0;
+    this->Stamp == SceneStamp(picture.State, picture.Pass, picture.Delegate);
+  // Pictures that others ask for, as another pass in the window may, say nothing.
+  this->Changes = same ? 0 : this->Changes + (picture.Requested ? 1 : 0);
   const int first = same ? this->Done : 0;
   return { first,
     this->Changes < MostChanges ? std::min(first + 1, picture.Count) : picture.Count };
@@ -40,7 +41,7 @@ Refinement::Frames Refinement::Begin(const Picture& picture)
 // What the picture itself changed, as the camera that it moved and put back, is no change.
 void Refinement::Keep(const Picture& picture, int done)
 {
-  this->Stamp = SceneStamp(picture.State, picture.Pass);
+  this->Stamp = SceneStamp(picture.State, picture.Pass, picture.Delegate);
   this->Renderer = picture.State->GetRenderer();
   this->Viewport = picture.Viewport;
   this->Count = picture.Count;

@@ -27,6 +27,7 @@ public:
   {
     const vtkRenderState* State;
     vtkObject* Pass;
+    vtkObject* Delegate;
     glm::ivec4 Viewport;
     int Count;
     bool Requested; // by the pass, to refine it
@@ -44,7 +45,7 @@ public:
   };
   Frames Begin(const Picture& picture);
 
-  // The picture has been drawn: its mean has so many frames.
+  // A frame has been drawn: the mean has so many. To be called before others can change the scene.
   void Keep(const Picture& picture, int done);
   void Forget() { this->Done = 0; }
 

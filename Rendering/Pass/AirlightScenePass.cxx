@@ -36,6 +36,21 @@ void RenderPointGaussians(const vtkRenderState* s)
   }
 }
 
+// Those at the end of the state's props that the renderer does not have: visible lamps.
+void RenderAddedProps(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  for (int i = s->GetPropArrayCount() - 1; i >= 0; --i)
+  {
+    vtkProp* prop = s->GetPropArray()[i];
+    if (renderer->HasViewProp(prop))
+    {
+      return;
+    }
+    prop->RenderOpaqueGeometry(renderer);
+  }
+}
+
 // The props of the state. VTK's way with hidden lines and ambient occlusion has the renderer's own.
 void RenderOpaque(const vtkRenderState* s)
 {
@@ -43,6 +58,7 @@ void RenderOpaque(const vtkRenderState* s)
   if (renderer->GetUseHiddenLineRemoval() || renderer->GetUseSSAO())
   {
     renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer());
+    RenderAddedProps(s);
     return;
   }
   std::for_each(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount(),

@@ -6,6 +6,8 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
@@ -14,9 +16,11 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
@@ -26,14 +30,19 @@
 namespace airlight
 {
 //------------------------------------------------------------------------------
-SceneStamp::SceneStamp(const vtkRenderState* s, vtkObject* pass)
+SceneStamp::SceneStamp(const vtkRenderState* s, vtkObject* pass, vtkObject* delegate)
 {
   vtkRenderer* renderer = s->GetRenderer();
   this->Add(pass);
+  this->Add(delegate);
   this->Add(renderer);
-  this->Add(renderer->GetActiveCamera());
-  this->Add(renderer->GetBackgroundTexture());
-  this->Add(renderer->GetEnvironmentTexture());
+  this->AddTexture(renderer->GetBackgroundTexture());
+  this->AddTexture(renderer->GetLeftBackgroundTexture());
+  this->AddTexture(renderer->GetEnvironmentTexture());
+  // By its values: passes move cameras and move them back.
+  vtkCamera* camera = renderer->GetActiveCamera();
+  this->AddMatrix(camera->GetModelViewTransformMatrix());
+  this->AddMatrix(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
   this->AddLights(renderer);
   this->AddProps(s);
 }
@@ -46,53 +55,9 @@ void SceneStamp::Add(vtkObject* object)
 }
 
 //------------------------------------------------------------------------------
-void SceneStamp::AddLights(vtkRenderer* renderer)
-{
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator it = nullptr;
-  lights->InitTraversal(it);
-  while (vtkLight* light = lights->GetNextLight(it))
-  {
-    this->Add(light);
-    this->Times.push_back(light->GetInformation()->GetMTime());
-  }
-}
-
-//------------------------------------------------------------------------------
-void SceneStamp::AddProps(const vtkRenderState* s)
-{
-  const SceneProps props(s->GetRenderer(), s->GetPropArray(), s->GetPropArrayCount());
-  for (const SceneProp& prop : props.GetProps())
-  {
-    if (!prop.Prop->GetBounds()) // an annotation, which is drawn over each picture
-    {
-      continue;
-    }
-    for (const ScenePart& part : prop.Parts)
-    {
-      this->AddActor(part.Actor);
-      this->AddMatrix(part.ToWorld);
-    }
-    for (vtkVolume* volume : prop.Volumes)
-    {
-      this->AddPipeline(volume->GetMapper());
-      this->Times.push_back(volume->GetRedrawMTime());
-    }
-    this->Add(prop.Prop);
-    this->Times.push_back(prop.Prop->GetRedrawMTime());
-    this->Times.push_back(prop.InView ? 1 : 0);
-    if (vtkInformation* keys = prop.Prop->GetPropertyKeys())
-    {
-      this->Times.push_back(keys->GetMTime());
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// Parts get a matrix in each walk.
 void SceneStamp::AddMatrix(vtkMatrix4x4* matrix)
 {
-  for (int i = 0; i < 16; ++i)
+  for (int i = 0; matrix && i < 16; ++i)
   {
     const double element = matrix->GetElement(i / 4, i % 4);
     std::uint64_t bits = 0;
@@ -102,38 +67,124 @@ void SceneStamp::AddMatrix(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
-void SceneStamp::AddActor(vtkActor* actor)
+void SceneStamp::AddTexture(vtkTexture* texture)
 {
-  this->AddPipeline(actor->GetMapper());
-  this->Add(actor);
-  this->Times.push_back(actor->GetRedrawMTime());
-  this->Add(actor->GetShaderProperty());
-  vtkPlaneCollection* planes =
-    actor->GetMapper() ? actor->GetMapper()->GetClippingPlanes() : nullptr;
-  if (planes)
+  this->Add(texture);
+  if (texture)
   {
-    vtkCollectionSimpleIterator it = nullptr;
-    planes->InitTraversal(it);
-    while (vtkPlane* plane = planes->GetNextPlane(it))
-    {
-      this->Add(plane);
-    }
+    this->AddInputs(texture);
   }
 }
 
 //------------------------------------------------------------------------------
-void SceneStamp::AddPipeline(vtkAlgorithm* mapper)
+void SceneStamp::AddLights(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it = nullptr;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    this->Add(light);
+    this->Add(light->GetInformation());
+    this->AddMatrix(light->GetTransformMatrix());
+  }
+}
+
+//------------------------------------------------------------------------------
+// But for annotations, which are drawn over each picture.
+void SceneStamp::AddProps(const vtkRenderState* s)
+{
+  const SceneProps props(s->GetRenderer(), s->GetPropArray(), s->GetPropArrayCount());
+  for (const SceneProp& prop : props.GetProps())
+  {
+    if (prop.Prop->IsA("vtkActor2D"))
+    {
+      continue;
+    }
+    for (vtkActor* actor : prop.Actors)
+    {
+      this->AddActor(actor);
+    }
+    for (const ScenePart& part : prop.Parts)
+    {
+      this->AddActor(part.Actor);
+      this->AddMatrix(part.ToWorld); // of this walk
+    }
+    for (vtkVolume* volume : prop.Volumes)
+    {
+      this->AddMapper(volume->GetMapper());
+      this->Times.push_back(volume->GetRedrawMTime());
+    }
+    this->Add(prop.Prop);
+    this->Times.push_back(prop.Prop->GetRedrawMTime());
+    this->Times.push_back(prop.InView ? 1 : 0);
+    this->Add(prop.Prop->GetPropertyKeys());
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneStamp::AddActor(vtkActor* actor)
+{
+  this->AddMapper(actor->GetMapper());
+  this->Add(actor);
+  this->Times.push_back(actor->GetRedrawMTime());
+  this->Add(actor->GetShaderProperty());
+  this->AddTexture(actor->GetTexture());
+  for (const auto& texture : actor->GetProperty()->GetAllTextures())
+  {
+    this->AddTexture(texture.second);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Neither mappers nor collections count the planes' own times.
+void SceneStamp::AddMapper(vtkAbstractMapper* mapper)
 {
   if (!mapper)
   {
     return;
   }
-  mapper->Update();
-  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  this->Add(mapper);
+  this->AddInputs(mapper);
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  vtkCollectionSimpleIterator it = nullptr;
+  if (planes)
   {
-    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
+    planes->InitTraversal(it);
+  }
+  while (vtkPlane* plane = planes ? planes->GetNextPlane(it) : nullptr)
+  {
+    this->Add(plane);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneStamp::AddInputs(vtkAlgorithm* algorithm)
+{
+  if (algorithm->GetNumberOfInputPorts() > 0 && algorithm->GetNumberOfInputConnections(0) > 0)
+  {
+    algorithm->Update();
+  }
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
     {
-      this->Add(mapper->GetInputDataObject(port, i));
+      this->AddData(algorithm->GetInputDataObject(port, i));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Composite data do not count the times of their leaves.
+void SceneStamp::AddData(vtkDataObject* data)
+{
+  this->Add(data);
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto leaves = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      this->Add(leaves->GetCurrentDataObject());
     }
   }
 }

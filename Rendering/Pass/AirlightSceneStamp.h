@@ -10,12 +10,15 @@
 #include <cstdint>
 #include <vector>
 
+class vtkAbstractMapper;
 class vtkActor;
 class vtkAlgorithm;
+class vtkDataObject;
 class vtkMatrix4x4;
 class vtkObject;
 class vtkRenderState;
 class vtkRenderer;
+class vtkTexture;
 
 namespace airlight
 {
@@ -23,20 +26,23 @@ class SceneStamp
 {
 public:
   SceneStamp() = default;
-  // Of a state's renderer and props, and of a render pass. Brings the actors' pipelines up to date,
-  // so that a change of any filter counts.
-  SceneStamp(const vtkRenderState* s, vtkObject* pass);
+  // Of a state's renderer and props, of a render pass and of the one below it. Brings the pipelines
+  // of actors and textures up to date, so that a change of any filter counts.
+  SceneStamp(const vtkRenderState* s, vtkObject* pass, vtkObject* delegate);
 
   bool operator==(const SceneStamp& other) const { return this->Times == other.Times; }
   bool operator!=(const SceneStamp& other) const { return !(*this == other); }
 
 private:
   void Add(vtkObject* object);
-  void AddProps(const vtkRenderState* s);
   void AddMatrix(vtkMatrix4x4* matrix);
-  void AddActor(vtkActor* actor);
-  void AddPipeline(vtkAlgorithm* mapper);
+  void AddTexture(vtkTexture* texture);
   void AddLights(vtkRenderer* renderer);
+  void AddProps(const vtkRenderState* s);
+  void AddActor(vtkActor* actor);
+  void AddMapper(vtkAbstractMapper* mapper);
+  void AddInputs(vtkAlgorithm* algorithm);
+  void AddData(vtkDataObject* data);
 
   std::vector<std::uint64_t> Times; // objects' addresses, times and places
 };

@@ -37,7 +37,7 @@ enum class LampKind
   Rectangle
 };
 
-// A lamp in the world.
+// A lamp in the coordinates of its light, which the light's matrix takes into the world.
 struct Lamp
 {
   LampKind Kind = LampKind::Ball;
@@ -52,15 +52,10 @@ struct Lamp
   }
 };
 
-bool IsVisibleLamp(vtkLight* light)
+bool IsShown(vtkLight* light)
 {
   return light->GetSwitch() && light->GetPositional() && light->LightTypeIsSceneLight() &&
     GetProperties(light).Visible;
-}
-
-bool HasExtent(const LampExtent& extent)
-{
-  return extent.Radius > 0.0 || (extent.Size.x > 0.0 && extent.Size.y > 0.0);
 }
 
 // As its points are: AirlightLampSamples.h.
@@ -73,14 +68,21 @@ Lamp GetLamp(vtkLight* light)
   light->GetFocalPoint(&focalPoint.x);
   const double length = glm::length(focalPoint - lamp.Position);
   const bool flat = properties.Extent.Size != glm::dvec2(0.0);
-  lamp.Size = flat ? properties.Extent.Size : glm::dvec2(properties.Extent.Radius);
+  lamp.Size = glm::dvec2(properties.Extent.Radius);
   if (length > 0.0 && (flat || light->GetConeAngle() < 90.0 || properties.Table))
   {
     lamp.Kind = flat ? LampKind::Rectangle : LampKind::Disc;
+    lamp.Size = flat ? properties.Extent.Size : lamp.Size;
     lamp.Axis = (focalPoint - lamp.Position) / length;
     lamp.Up = MakeAcross(properties.PhotometryUp, lamp.Axis);
   }
   return lamp;
+}
+
+glm::dmat4 GetToWorld(vtkLight* light)
+{
+  vtkMatrix4x4* matrix = light->GetTransformMatrix();
+  return matrix ? ToGlm(matrix) : glm::dmat4(1.0);
 }
 
 // Of size 1, about the origin, across the z axis.
@@ -123,18 +125,12 @@ bool Contains(const Lamp& lamp, const glm::dvec3& point)
   return lamp.Kind == LampKind::Ball && glm::length(point - lamp.Position) <= lamp.Size.x;
 }
 
-void Place(const Lamp& lamp, vtkMatrix4x4* matrix)
+glm::dmat4 GetPlace(const Lamp& lamp)
 {
-  const glm::dvec3 columns[4] = { lamp.Size.x * glm::cross(lamp.Up, lamp.Axis),
-    lamp.Size.y * lamp.Up, lamp.Axis * (lamp.Kind == LampKind::Ball ? lamp.Size.x : 1.0),
-    lamp.Position };
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int row = 0; row < 3; ++row)
-    {
-      matrix->SetElement(row, i, columns[i][row]);
-    }
-  }
+  const double depth = lamp.Kind == LampKind::Ball ? lamp.Size.x : 1.0;
+  return { glm::dvec4(lamp.Size.x * glm::cross(lamp.Up, lamp.Axis), 0.0),
+    glm::dvec4(lamp.Size.y * lamp.Up, 0.0), glm::dvec4(depth * lamp.Axis, 0.0),
+    glm::dvec4(lamp.Position, 1.0) };
 }
 
 vtkSmartPointer<vtkActor> MakeActor()
@@ -148,8 +144,9 @@ vtkSmartPointer<vtkActor> MakeActor()
   return actor;
 }
 
-// Changes nothing that is as it was, so that a picture that rests is known to.
-void UpdateActor(vtkActor* actor, const Lamp& lamp, const glm::dvec3& radiance)
+// Changes nothing that is as it was, by which a picture at rest is recognized.
+void UpdateActor(
+  vtkActor* actor, const Lamp& lamp, const glm::dmat4& toWorld, const glm::dvec3& radiance)
 {
   const char* names[] = { "vtkSphereSource", "vtkRegularPolygonSource", "vtkPlaneSource" };
   vtkMapper* mapper = actor->GetMapper();
@@ -158,7 +155,8 @@ void UpdateActor(vtkActor* actor, const Lamp& lamp, const glm::dvec3& radiance)
   {
     mapper->SetInputConnection(MakeShape(lamp.Kind)->GetOutputPort());
   }
-  Place(lamp, actor->GetUserMatrix());
+  const glm::dmat4 place = glm::transpose(toWorld * GetPlace(lamp));
+  actor->GetUserMatrix()->DeepCopy(&place[0].x);
   actor->GetProperty()->SetColor(radiance.x, radiance.y, radiance.z);
 }
 }
@@ -167,6 +165,7 @@ void UpdateActor(vtkActor* actor, const Lamp& lamp, const glm::dvec3& radiance)
 const std::vector<vtkProp*>& LampShapes::Update(vtkRenderer* renderer, bool linear)
 {
   this->Props.clear();
+  this->Range = glm::dvec2(0.0);
   std::map<vtkLight*, vtkSmartPointer<vtkActor>> used;
   glm::dvec3 eye;
   renderer->GetActiveCamera()->GetPosition(&eye.x);
@@ -175,13 +174,15 @@ const std::vector<vtkProp*>& LampShapes::Update(vtkRenderer* renderer, bool line
   lights->InitTraversal(it);
   while (vtkLight* light = lights->GetNextLight(it))
   {
-    if (!IsVisibleLamp(light) || !HasExtent(GetProperties(light).Extent) || used.count(light) > 0)
+    const Lamp lamp = GetLamp(light);
+    if (!IsShown(light) || !(lamp.GetArea() > 0.0) || used.count(light) > 0)
     {
       continue;
     }
-    const Lamp lamp = GetLamp(light);
-    const double share = GetShare(light, lamp, eye);
-    if (!(share > 0.0) || Contains(lamp, eye))
+    const glm::dmat4 toWorld = GetToWorld(light);
+    const glm::dvec3 from = glm::inverse(toWorld) * glm::dvec4(eye, 1.0);
+    const double share = GetShare(light, lamp, from);
+    if (!(share > 0.0) || Contains(lamp, from))
     {
       continue;
     }
@@ -190,11 +191,32 @@ const std::vector<vtkProp*>& LampShapes::Update(vtkRenderer* renderer, bool line
     radiance *= share / lamp.GetArea();
     vtkSmartPointer<vtkActor>& actor = used[light];
     actor = this->Actors.count(light) > 0 ? this->Actors[light] : MakeActor();
-    UpdateActor(actor, lamp, linear ? radiance : glm::pow(radiance, glm::dvec3(1.0 / 2.2)));
+    UpdateActor(
+      actor, lamp, toWorld, linear ? radiance : glm::pow(radiance, glm::dvec3(1.0 / 2.2)));
     this->Props.push_back(actor);
+    this->AddToRange(renderer->GetActiveCamera(), actor);
   }
   this->Actors.swap(used);
   return this->Props;
+}
+
+//------------------------------------------------------------------------------
+void LampShapes::AddToRange(vtkCamera* camera, vtkActor* actor)
+{
+  glm::dvec3 eye;
+  glm::dvec3 view;
+  camera->GetPosition(&eye.x);
+  camera->GetDirectionOfProjection(&view.x);
+  const double* center = actor->GetCenter();
+  const double distance = glm::dot(glm::dvec3(center[0], center[1], center[2]) - eye, view);
+  const double radius = 0.5 * actor->GetLength(); // half of its box's diagonal
+  if (distance + radius > 0.0)
+  {
+    const glm::dvec2 range(std::max(distance - radius, 0.0), distance + radius);
+    const bool first = !(this->Range.x < this->Range.y);
+    this->Range.x = first ? range.x : std::min(this->Range.x, range.x);
+    this->Range.y = first ? range.y : std::max(this->Range.y, range.y);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -209,6 +231,6 @@ void LampShapes::Release(vtkWindow* window)
 //------------------------------------------------------------------------------
 bool IsInvisiblePoint(vtkLight* light)
 {
-  return IsVisibleLamp(light) && !HasExtent(GetProperties(light).Extent);
+  return IsShown(light) && !(GetLamp(light).GetArea() > 0.0);
 }
 }

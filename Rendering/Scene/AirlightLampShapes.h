@@ -9,10 +9,13 @@
 
 #include "vtkSmartPointer.h"
 
+#include <glm/vec2.hpp>
+
 #include <map>
 #include <vector>
 
 class vtkActor;
+class vtkCamera;
 class vtkLight;
 class vtkProp;
 class vtkRenderer;
@@ -27,14 +30,22 @@ public:
   // props. `linear`: the colours of surfaces are radiances, else their powers of 1/2.2.
   const std::vector<vtkProp*>& Update(vtkRenderer* renderer, bool linear);
 
+  bool IsEmpty() const { return this->Props.empty(); }
+
+  // The distances before the camera, along its view, between which they are; 0 and 0 for none.
+  const glm::dvec2& GetRange() const { return this->Range; }
+
   void Release(vtkWindow* window);
 
 private:
+  void AddToRange(vtkCamera* camera, vtkActor* actor);
+
   std::map<vtkLight*, vtkSmartPointer<vtkActor>> Actors;
   std::vector<vtkProp*> Props;
+  glm::dvec2 Range{ 0.0 };
 };
 
-// Whether a lamp was set to be visible and has no extent.
+// Whether a light was set to be visible, though nothing is seen of it.
 bool IsInvisiblePoint(vtkLight* light);
 }
 

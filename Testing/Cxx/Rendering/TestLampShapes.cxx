@@ -157,8 +157,42 @@ void TestPictures()
   scene.Pass->SetLinearInput(true);
   scene.Medium->SetScattering(0.0, 0.0, 0.0);
   scene.Medium->SetAbsorption(0.0, 0.0, 0.0);
+  scene.Pass->RecordBuffersOff(); // or the pass would draw clear air, too
   const Picture clear = Capture(scene.Window);
   Check(clear[3 * (Side * Middle + Middle)] == 255, "in clear air");
+}
+
+//------------------------------------------------------------------------------
+// Where the renderer draws its own props; beyond its clipping range; moved by a matrix.
+void TestPlaces()
+{
+  LampScene scene;
+  vtkNew<vtkCubeSource> floor;
+  floor->SetBounds(-4, 4, -2, -1.8, -4, 4);
+  scene.Add(floor);
+  vtkAirlightLight::SetRadius(scene.Lamp, 0.5);
+  vtkAirlightLight::SetVisible(scene.Lamp, true);
+  const double expected = GetValue(scene.Render().at("Surface"), Middle, Middle);
+  scene.Renderer->UseHiddenLineRemovalOn();
+  const double lines = GetValue(scene.Render().at("Surface"), Middle, Middle);
+  Check(std::abs(lines / expected - 1.0) < 1e-5, Text("with hidden lines removed: ", lines));
+  scene.Renderer->UseHiddenLineRemovalOff();
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  for (const glm::dvec2 range : { glm::dvec2(0.1, 3.0), glm::dvec2(8.0, 20.0) })
+  {
+    camera->SetClippingRange(range.x, range.y);
+    const double beyond = GetValue(scene.Render().at("Surface"), Middle, Middle);
+    Check(std::abs(beyond / expected - 1.0) < 1e-4, Text("beyond the clipping range: ", beyond));
+    double after[2];
+    camera->GetClippingRange(after);
+    Check(after[0] == range.x && after[1] == range.y, "which stays the camera's");
+  }
+  scene.Renderer->ResetCameraClippingRange();
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(2, 3, 1.0);
+  scene.Lamp->SetTransformMatrix(matrix);
+  const double depth = GetValue(scene.Render().at("Depth"), Middle, Middle);
+  Check(std::abs(depth - 4.5) < 2e-3, Text("the light's matrix moves it: ", depth));
 }
 
 //------------------------------------------------------------------------------
@@ -173,6 +207,9 @@ void TestErrors()
     "one warning of a point");
   vtkAirlightLight::SetSize(scene.Lamp, 1.0, 0.0);
   CheckFinite(scene.Render(), "a line");
+  vtkAirlightLight::SetRadius(scene.Lamp, 0.5);
+  vtkAirlightLight::SetSize(scene.Lamp, 1.0, 0.0);
+  CheckFinite(scene.Render(), "a line and a radius, without an axis");
   vtkAirlightLight::SetSize(scene.Lamp, 0.0, 0.0);
   vtkAirlightLight::SetRadius(scene.Lamp, 7.0);
   Check(CountPixels(scene.Render().at("Depth")) == 0, "the eye inside sees no shape");
@@ -188,6 +225,7 @@ int TestLampShapes(int, char*[])
   TestSize();
   TestNeighbours();
   TestPictures();
+  TestPlaces();
   TestErrors();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -12,16 +12,26 @@
 #include "vtkAirlightLight.h"
 #include "vtkCallbackCommand.h"
 #include "vtkElevationFilter.h"
+#include "vtkGenericRenderWindowInteractor.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkRendererCollection.h"
 #include "vtkSphereSource.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTexture.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <utility>
+#include <vector>
 
 using namespace airlight_test;
 
@@ -48,7 +58,14 @@ public:
     actor->SetMapper(mapper);
     actor->SetPosition(0.2, 1.3, 0.0);
     this->Renderer->AddActor(actor);
+    this->Image->SetDimensions(2, 2, 1);
+    this->Image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    this->Image->GetPointData()->GetScalars()->Fill(128.0);
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(this->Image);
+    this->Floor->SetTexture(texture);
     this->Lamp = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
+    this->Lamp->SetTransformMatrix(this->Matrix);
     this->Pass->SetSubpixelFrames(Count);
     this->Pass->ProgressiveRefinementOn();
   }
@@ -69,6 +86,8 @@ public:
     return picture;
   }
 
+  vtkNew<vtkImageData> Image;
+  vtkNew<vtkMatrix4x4> Matrix; // of the lamp
   vtkNew<vtkSphereSource> Source;
   vtkNew<vtkElevationFilter> Filter;
   vtkNew<vtkPlane> Plane;
@@ -123,6 +142,12 @@ void TestChanges()
     { "opacity", [&] { scene.Cube->GetProperty()->SetOpacity(0.5); } },
     { "opaque again", [&] { scene.Cube->GetProperty()->SetOpacity(1.0); } },
     { "hidden", [&] { scene.Ball->VisibilityOff(); } },
+    { "texture",
+      [&] {
+        scene.Image->GetPointData()->GetScalars()->Fill(250.0);
+        scene.Image->Modified();
+      } },
+    { "light's matrix", [&] { scene.Matrix->SetElement(0, 3, 0.5); } },
     { "added", [&] { scene.Renderer->AddActor(another); } },
     { "removed", [&] { scene.Renderer->RemoveActor(another); } },
     { "light", [&] { scene.Lamp->SetPosition(2.0, 4.0, 2.0); } },
@@ -147,6 +172,51 @@ void TestChanges()
     const Picture refined = Capture(scene.Window);
     Check(refined == scene.CaptureAtOnce(), name + ": the picture is the new one's");
   }
+}
+
+//------------------------------------------------------------------------------
+// Annotations follow without a new frame.
+void TestAnnotations()
+{
+  RefinedScene scene;
+  vtkNew<vtkTextActor> text;
+  text->SetInput("1");
+  text->GetTextProperty()->SetFontSize(30);
+  scene.Renderer->AddActor2D(text);
+  scene.Finish();
+  const Picture before = Capture(scene.Window);
+  int frames = 0;
+  CountEvents(scene.Pass, vtkCommand::ProgressEvent, frames);
+  text->SetInput("2");
+  const Picture after = Capture(scene.Window);
+  Check(after != before && frames == 0, "a text changes and no frame is drawn");
+  Check(after == scene.CaptureAtOnce(), "to what it is with all frames at once");
+}
+
+//------------------------------------------------------------------------------
+// A change during a picture is none of the picture before.
+void TestChangeInProgress()
+{
+  RefinedScene scene;
+  vtkNew<vtkCallbackCommand> change;
+  change->SetClientData(scene.Ball);
+  change->SetCallback([](vtkObject*, unsigned long, void* ball, void* share) {
+    if (*static_cast<double*>(share) > 0.4 && *static_cast<double*>(share) < 0.6)
+    {
+      static_cast<vtkActor*>(ball)->AddPosition(0.3, 0.0, 0.0);
+    }
+  });
+  const unsigned long observer = scene.Pass->AddObserver(vtkCommand::ProgressEvent, change);
+  for (int i = 0; i < 3; ++i)
+  {
+    scene.Window->Render();
+  }
+  scene.Pass->RemoveObserver(observer);
+  scene.Window->Render();
+  Check(scene.Pass->GetAccumulatedFrames() == 1, "a change between frames starts again");
+  scene.Finish();
+  const Picture refined = Capture(scene.Window);
+  Check(refined == scene.CaptureAtOnce(), "and is in all of the mean");
 }
 
 //------------------------------------------------------------------------------
@@ -182,7 +252,6 @@ void TestBuffers()
 void TestNoRefinement()
 {
   RefinedScene scene;
-  vtkNew<vtkRenderer> other;
   scene.Pass->SetDebugViewToBoundaryCount();
   scene.Window->Render();
   Check(scene.Pass->GetAccumulatedFrames() == 1, "counts have one frame");
@@ -193,7 +262,7 @@ void TestNoRefinement()
 }
 
 //------------------------------------------------------------------------------
-// An interactor whose only timer the test lets ring.
+// An interactor whose timers the test lets ring.
 class TimedInteractor : public vtkRenderWindowInteractor
 {
 public:
@@ -205,29 +274,30 @@ public:
     this->Initialized = 1;
     this->Enable();
   }
-  bool HasTimer() const { return this->Timer != 0; }
+  bool HasTimer() const { return !this->Timers.empty(); }
   void Ring()
   {
-    int timer = this->Timer;
-    this->Timer = 0; // it rings once
+    int timer = this->Timers.front();
+    this->Timers.erase(this->Timers.begin()); // it rings once
     this->InvokeEvent(vtkCommand::TimerEvent, &timer);
   }
 
 protected:
   int InternalCreateTimer(int timer, int type, unsigned long) override
   {
-    Check(type == OneShotTimer && !this->Timer, "one timer at a time, that rings once");
-    this->Timer = timer;
+    Check(type == OneShotTimer, "timers that ring once");
+    this->Timers.push_back(timer);
     return timer;
   }
-  int InternalDestroyTimer(int) override
+  int InternalDestroyTimer(int timer) override
   {
-    this->Timer = 0;
+    this->Timers.erase(
+      std::remove(this->Timers.begin(), this->Timers.end(), timer), this->Timers.end());
     return 1;
   }
 
 private:
-  int Timer = 0;
+  std::vector<int> Timers;
 };
 
 vtkStandardNewMacro(TimedInteractor);
@@ -292,6 +362,60 @@ void TestRestlessScene()
 }
 
 //------------------------------------------------------------------------------
+// Toolkits have interactors that name other timers, and repeat them until they are destroyed.
+void TestToolkit()
+{
+  RefinedScene scene;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(scene.Window);
+  interactor->Initialize();
+  int created = 0;
+  int destroyed = 0;
+  CountEvents(interactor, vtkCommand::CreateTimerEvent, created);
+  CountEvents(interactor, vtkCommand::DestroyTimerEvent, destroyed);
+  scene.Window->Render();
+  Check(created == 1, "a timer of the toolkit");
+  interactor->CreateRepeatingTimer(1000); // another's, by which ours would not be named
+  for (int i = 0; i < 2 * Count; ++i)
+  {
+    interactor->TimerEvent();
+  }
+  Check(scene.Pass->GetAccumulatedFrames() == Count, "the toolkit's timers refine");
+  Check(
+    destroyed == created - 1, Text("and end: ", created, " created, ", destroyed, " destroyed"));
+}
+
+//------------------------------------------------------------------------------
+// Two passes in a window with a scene that is never at rest.
+void TestTwoPasses()
+{
+  InteractiveScene scene;
+  RefinedScene other;
+  Place(other, scene.Window, 0.5, 0.0, 1.0, 1.0);
+  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkCallbackCommand> change;
+  change->SetClientData(scene.Renderer->GetRenderWindow());
+  change->SetCallback([](vtkObject*, unsigned long, void* window, void*) {
+    vtkRendererCollection* renderers = static_cast<vtkRenderWindow*>(window)->GetRenderers();
+    vtkCollectionSimpleIterator it = nullptr;
+    renderers->InitTraversal(it);
+    while (vtkRenderer* renderer = renderers->GetNextRenderer(it))
+    {
+      renderer->GetActors()->GetLastActor()->AddPosition(0.001, 0.0, 0.0);
+    }
+  });
+  scene.Window->AddObserver(vtkCommand::StartEvent, change);
+  scene.Interactor->Render();
+  int rings = 0;
+  while (scene.Interactor->HasTimer() && rings < 50)
+  {
+    scene.Interactor->Ring();
+    ++rings;
+  }
+  Check(rings <= 12, Text("two restless scenes come to an end after ", rings));
+}
+
+//------------------------------------------------------------------------------
 // Timers of a pass and of an interactor that are no more.
 void TestEnd()
 {
@@ -319,11 +443,15 @@ int TestProgressiveRefinement(int, char*[])
 {
   TestGrowth();
   TestChanges();
+  TestAnnotations();
+  TestChangeInProgress();
   TestMoving();
   TestBuffers();
   TestNoRefinement();
   TestInteractor();
   TestRestlessScene();
+  TestTwoPasses();
+  TestToolkit();
   TestEnd();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
