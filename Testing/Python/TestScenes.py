@@ -23,11 +23,11 @@ def numbers(text):
 
 
 class TestScenes(ExampleTest):
-    def draw(self, name):
+    def draw(self, name, size=SIZE):
         """The example as a module, and what it prints; its picture must be the gallery's."""
         with tempfile.TemporaryDirectory() as folder:
             picture = f"{folder}/use-{name.replace('_', '-')}.png"
-            text = self.run_example(name + ".py", "-o", picture, "--size", SIZE)
+            text = self.run_example(name + ".py", "-o", picture, "--size", size)
             print(text)
             self.compare_with_large(picture)
         return load_example(name), text
@@ -93,6 +93,40 @@ class TestScenes(ExampleTest):
         largest, shaded = numbers(text)
         self.assertAlmostEqual(largest, columns.max(), delta=0.03 * columns.max())
         self.assertAlmostEqual(shaded, 100 * np.mean(columns > np.log(2)), delta=1.5)
+
+    def test_flow_with_lamps(self):
+        scene, text = self.draw("flow_with_lamps", "640x360")  # thin tubes
+        speed, formula, circulation = numbers(text)
+        # On the axis, the velocity is 2 A j1(k x)/x, with A such that the stream outside, which
+        # slips along the sphere with 1.5 sin(angle), is as fast there. The line along the axis and
+        # back over the sphere goes around half of the vortex.
+        k = scene.WAVE
+        self.assertAlmostEqual(np.tan(k), k, delta=1e-9)  # j1 is 0
+        t = middles(k, 20000)
+        axis = 2 * 1.5 / np.abs(np.sin(k)) * (np.sin(t) / t - np.cos(t)) / t**2 * k
+        self.assertAlmostEqual(speed, axis[0], delta=2e-3)
+        self.assertAlmostEqual(formula, axis[0], delta=2e-3)
+        around = 2 * axis.mean() + 1.5 * np.sin(middles(np.pi, 20000)).mean() * np.pi
+        self.assertAlmostEqual(circulation, around, delta=0.01 * around)
+
+    def test_flow_is_a_solution(self):
+        """The flow has no divergence; its vorticity is k times the velocity in the vortex, which
+        makes it a steady solution of the Euler equations, and 0 outside."""
+        scene = load_example("flow_with_lamps")
+        points = np.random.default_rng(3).uniform(-1.5, 1.5, (2000, 3))
+        r = np.linalg.norm(points, axis=1)
+        points, step = points[np.abs(r - 1) > 0.01], 1e-4
+        slopes = np.stack([(scene.flow(points + step * axis) - scene.flow(points - step * axis))
+                           / (2 * step) for axis in np.eye(3)], axis=1)  # of axis, of component
+        velocity = scene.flow(points)
+        inside = np.linalg.norm(points, axis=1) < 1
+        curl = np.stack([slopes[:, a, b] - slopes[:, b, a] for a, b in ((1, 2), (2, 0), (0, 1))], 1)
+        self.assertLess(np.abs(np.trace(slopes, axis1=1, axis2=2)).max(), 1e-5)
+        expected = np.where(inside[:, None], scene.WAVE * velocity, 0)
+        self.assertLess(np.abs(curl - expected).max(), 1e-4)
+        on_sphere = points / np.linalg.norm(points, axis=1)[:, None]
+        jump = scene.flow(1.0000001 * on_sphere) - scene.flow(0.9999999 * on_sphere)
+        self.assertLess(np.abs(jump).max(), 1e-5)
 
     def test_valley_fog(self):
         scene, text = self.draw("valley_fog")

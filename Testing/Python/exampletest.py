@@ -26,7 +26,7 @@ USES = ("daylight_room", "depth_cueing", "headlights_in_fog", "laser_sheet", "sm
         "underwater_lamp")
 
 # Examples with real data or a larger scene, in Python only, which TestScenes runs.
-SCENES = ("cathedral_shafts", "ct_lit_through", "cumulus", "valley_fog")
+SCENES = ("cathedral_shafts", "ct_lit_through", "cumulus", "flow_with_lamps", "valley_fog")
 
 
 def read_picture(path):
