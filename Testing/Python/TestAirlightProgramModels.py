@@ -12,7 +12,7 @@ import unittest
 
 import numpy as np
 
-from programtest import ProgramTest, scene_file, write_models
+from programtest import ProgramTest, read_pfm, scene_file, write_models
 
 
 class TestModels(ProgramTest):
@@ -265,6 +265,62 @@ class TestImported(ProgramTest):
             image = self.render(bare, "d.pfm", *self.SIZE, "--buffer", "Depth")
             background = (image < 0).mean()
             self.assertTrue(0.3 < background < 0.95, f"{name}: {background}")
+
+    def test_cameras(self):
+        """The first perspective camera that a node holds; without one all of the model is seen."""
+        shape = {"perspective": {"yfov": 0.8, "znear": 0.1}, "type": "perspective"}
+        parallel = {"orthographic": {"xmag": 1, "ymag": 1, "znear": 0.1, "zfar": 9},
+                    "type": "orthographic"}
+        options = (*self.SIZE, "--buffer", "Depth")
+        model = self.write("no.gltf", gltf_square(cameras=[], scenes=[{"nodes": [0, 1, 2, 3]}]))
+        whole = self.render(model, "a.pfm", *options)
+        for number, cameras in ((1, [parallel, shape]), (1, [shape, shape]), (1, [shape])):
+            nodes = json.loads(gltf_square())["nodes"]
+            nodes[4].update(camera=number, translation=[0, 0, 7])
+            model = self.write("a.gltf", gltf_square(cameras=cameras, nodes=nodes))
+            image = self.render(model, "a.pfm", *options)
+            expected = whole if len(cameras) == 1 else self.render(
+                model, "b.pfm", *options, "--camera", f"0,0,7:0,0,0:{np.degrees(0.8)}")
+            np.testing.assert_allclose(image, expected, rtol=1e-4)
+
+    def test_inside(self):
+        """A camera in the model's middle turns about a point before it, and a lamp there leaves
+        the others their share."""
+        nodes = json.loads(gltf_square())["nodes"]
+        nodes[4].update(translation=[0, 0, 0])
+        nodes[1].update(translation=[0, 0, 1e-3])
+        model = self.write("a.gltf", gltf_square(nodes=nodes, materials=[{"doubleSided": True}]))
+        self.succeed("render", model, "-o", self.path("%d.pfm"), "--orbit", "2", *self.SIZE,
+                     "--buffer", "Depth")
+        start, back = (read_pfm(self.path(f"{i}.pfm")) for i in range(2))
+        self.assertLess(start.max(), 0)
+        np.testing.assert_allclose(back[18, 24], 0.2 * 8**0.5, rtol=0.01)
+        nodes[4].update(translation=[0.5, 0.2, 4])
+        self.check(self.write("a.gltf", gltf_square(nodes=nodes)),
+                   [("--point", "0,0,0.001", (40, 20, 10), 1 / (0.3**2 * 8)),
+                    ("--spot", f"0,0,5:0,0,0:{np.degrees(0.5)}", (100, 100, 100), 1 / 25),
+                    ("--sun", "0,1,0", (3, 3, 3), 1)])
+
+    def test_pitched(self):
+        """A camera that looks down turns about the world's way up, where the lamp is too."""
+        angle = np.arctan(3 / 4) / 2
+        nodes = json.loads(gltf_square())["nodes"]
+        nodes[4].update(translation=[0, 3, 4], rotation=[-np.sin(angle), 0, 0, np.cos(angle)])
+        two_sides = [{"doubleSided": True}]
+        model = self.write("a.gltf", gltf_square(nodes=nodes, materials=two_sides))
+        self.succeed("render", model, "-o", self.path("%d.pfm"), "--orbit", "2", *self.SIZE,
+                     "--buffer", "Depth")
+        view = f":0,0,0:{np.degrees(0.8)}"
+        expected = self.render(model, "a.pfm", *self.SIZE, "--buffer", "Depth",
+                               "--camera", "0,3,-4" + view)
+        np.testing.assert_allclose(read_pfm(self.path("1.pfm")), expected, rtol=1e-4)
+        self.assertGreater(expected.max(), 4)
+        bare = self.write("b.gltf", gltf_square(cameras=[], scenes=[{"nodes": [0, 1, 2, 3]}],
+                                                materials=two_sides))
+        above = (*self.SIZE, "--light-from", "above")
+        np.testing.assert_allclose(
+            self.render(model, "b.pfm", *above),
+            self.render(bare, "c.pfm", *above, "--camera", "0,3,4" + view), rtol=1e-3, atol=1e-6)
 
     def test_left(self):
         """Is the left of the file's camera, here of one that looks from behind."""

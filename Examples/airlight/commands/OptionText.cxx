@@ -106,7 +106,8 @@ CameraSettings ParseCamera(
   CameraSettings changed = camera;
   changed.Position = MakeVector(position);
   changed.FocalPoint = MakeVector(focalPoint);
-  changed.ViewUp = ChooseViewUp(changed.Position, changed.FocalPoint, camera.ViewUp);
+  changed.ViewUp =
+    ChooseViewUp(changed.Position, changed.FocalPoint, camera.Vertical.value_or(camera.ViewUp));
   changed.ViewAngle = angle;
   return changed;
 }

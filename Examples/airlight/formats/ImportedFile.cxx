@@ -5,6 +5,7 @@
 #include "formats/Files.h"
 #include "formats/ImportedLights.h"
 #include "formats/ModelColours.h"
+#include "formats/PlacedCameras.h"
 #include "formats/PolyDataFile.h"
 #include "formats/UserError.h"
 #include "formats/VTKMessages.h"
@@ -12,7 +13,6 @@
 #include <vtk3DSImporter.h>
 #include <vtkActorCollection.h>
 #include <vtkBoundingBox.h>
-#include <vtkGLTFImporter.h>
 #include <vtkOBJImporter.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
@@ -81,8 +81,8 @@ const std::map<std::string, ImporterMaker>& GetImporterMakers()
 {
   static const std::map<std::string, ImporterMaker> makers = {
     { "3ds", MakeImporter<vtk3DSImporter> },
-    { "glb", MakeImporter<vtkGLTFImporter> },
-    { "gltf", MakeImporter<vtkGLTFImporter> },
+    { "glb", MakeImporter<PlacedCameras> },
+    { "gltf", MakeImporter<PlacedCameras> },
     { "obj", MakeOBJImporter },
     { "wrl", MakeImporter<vtkVRMLImporter> },
   };
@@ -226,7 +226,7 @@ ImportedScene ImportFile(const std::string& fileName)
   Vector3 center;
   box.GetCenter(center.data());
   scene.Lights = GetImportedLights(renderer, extension, center);
-  scene.Camera = GetImportedCamera(importer, renderer, center);
+  scene.Camera = GetImportedCamera(importer, renderer, center, box.GetDiagonalLength());
   return scene;
 }
 

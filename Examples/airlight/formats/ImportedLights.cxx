@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/ImportedLights.h"
 
+#include "formats/PlacedCameras.h"
+
 #include <vtkCamera.h>
-#include <vtkGLTFImporter.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkMath.h>
@@ -19,6 +20,7 @@ namespace airlight
 namespace
 {
 constexpr double DirectionEpsilon = 1e-12;
+constexpr double NearestFocus = 0.1; // diagonals; inside a model the middle may be anywhere
 
 bool IsFinite(const Vector3& vector)
 {
@@ -99,6 +101,23 @@ bool IsUsable(const LightSource& lamp)
     (lamp.Type == LightSource::Kind::Point ||
       vtkMath::Norm(lamp.Direction.data()) > DirectionEpsilon);
 }
+
+// The last of the file; VRML's are not read.
+std::optional<CameraSettings> Find3DSCamera(vtkRenderer* renderer)
+{
+  if (!renderer->IsActiveCameraCreated() || renderer->GetActiveCamera()->GetParallelProjection())
+  {
+    return std::nullopt;
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  CameraSettings settings;
+  std::copy_n(camera->GetPosition(), 3, settings.Position.begin());
+  std::copy_n(camera->GetFocalPoint(), 3, settings.FocalPoint.begin());
+  std::copy_n(camera->GetViewUp(), 3, settings.ViewUp.begin());
+  settings.ViewAngle = camera->GetViewAngle();
+  settings.Vertical = Vector3{ 0.0, 0.0, 1.0 };
+  return settings;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -121,42 +140,31 @@ std::vector<LightSource> GetImportedLights(
 
 //------------------------------------------------------------------------------
 std::optional<CameraSettings> GetImportedCamera(
-  vtkImporter* importer, vtkRenderer* renderer, const Vector3& center)
+  vtkImporter* importer, vtkRenderer* renderer, const Vector3& center, double diagonal)
 {
-  vtkSmartPointer<vtkCamera> camera;
-  auto* gltf = vtkGLTFImporter::SafeDownCast(importer);
-  if (gltf && gltf->GetNumberOfCameras() > 0)
-  {
-    camera = gltf->GetCamera(0);
-  }
-  else if (!gltf && renderer->IsActiveCameraCreated())
-  {
-    camera = renderer->GetActiveCamera();
-  }
-  if (!camera || camera->GetParallelProjection())
+  auto* gltf = PlacedCameras::SafeDownCast(importer);
+  std::optional<CameraSettings> camera = gltf ? gltf->FindCamera() : Find3DSCamera(renderer);
+  if (!camera)
   {
     return std::nullopt;
   }
-  CameraSettings settings;
-  std::copy_n(camera->GetPosition(), 3, settings.Position.begin());
-  std::copy_n(camera->GetViewUp(), 3, settings.ViewUp.begin());
-  settings.ViewAngle = std::clamp(camera->GetViewAngle(), 0.001, 179.0);
-  Vector3 forward = Subtract(camera->GetFocalPoint(), camera->GetPosition());
+  camera->ViewAngle = std::clamp(camera->ViewAngle, 0.001, 179.0);
+  Vector3 forward = Subtract(camera->FocalPoint.data(), camera->Position.data());
   Vector3 right;
-  vtkMath::Cross(forward.data(), settings.ViewUp.data(), right.data());
-  if (!IsFinite(settings.Position) || !IsFinite(right) ||
+  vtkMath::Cross(forward.data(), camera->ViewUp.data(), right.data());
+  if (!IsFinite(camera->Position) || !IsFinite(right) ||
     !(vtkMath::Norm(right.data()) > DirectionEpsilon))
   {
     return std::nullopt;
   }
   vtkMath::Normalize(forward.data());
-  const Vector3 way = Subtract(center.data(), settings.Position.data());
+  const Vector3 way = Subtract(center.data(), camera->Position.data());
   const double ahead = vtkMath::Dot(way.data(), forward.data());
   // Who looks away from the middle looks as far as it is away.
-  vtkMath::MultiplyScalar(
-    forward.data(), ahead > 0.0 ? ahead : std::max(vtkMath::Norm(way.data()), 1e-30));
-  vtkMath::Add(settings.Position.data(), forward.data(), settings.FocalPoint.data());
-  return settings;
+  const double distance = ahead > 0.0 ? ahead : vtkMath::Norm(way.data());
+  vtkMath::MultiplyScalar(forward.data(), std::max(distance, NearestFocus * diagonal));
+  vtkMath::Add(camera->Position.data(), forward.data(), camera->FocalPoint.data());
+  return camera;
 }
 
 }

@@ -21,19 +21,21 @@ namespace airlight
 {
 
 /**
- * The lamps that a file's importer has put into a renderer. glTF has all of KHR_lights_punctual in
- * its units (candela, lux), spots without their soft borders; VRML has directional lights; 3DS has
+ * The lamps that a file's importer has put into a renderer. glTF has KHR_lights_punctual in its
+ * units (candela, lux), without range and with hard borders: innerConeAngle is not read, and a spot
+ * of 90 degrees shines all around; VRML has directional lights; 3DS has
  * points and spots, whose power is what arrives at `center`, since the format knows no distance.
  */
 std::vector<LightSource> GetImportedLights(
   vtkRenderer* renderer, const std::string& extension, const Vector3& center);
 
 /**
- * The first camera of a glTF file and the last of a 3DS file, if there is one that shows
- * perspective. It looks at the point of its axis that is beside `center`.
+ * PlacedCameras::FindCamera() of a glTF file and the last camera of a 3DS file, if there is one that
+ * shows perspective. It looks at the point of its axis that is beside `center`, but not nearer than
+ * a tenth of the model's diagonal.
  */
 std::optional<CameraSettings> GetImportedCamera(
-  vtkImporter* importer, vtkRenderer* renderer, const Vector3& center);
+  vtkImporter* importer, vtkRenderer* renderer, const Vector3& center, double diagonal);
 
 }
 

@@ -4,6 +4,8 @@
 #define UserError_h
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace airlight
 {
@@ -17,6 +19,19 @@ class UserError : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/**
+ * The names that would be accepted: a, b, c.
+ */
+inline std::string ListNames(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
+}
 
 }
 

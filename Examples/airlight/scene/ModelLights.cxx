@@ -94,7 +94,8 @@ ModelLights MakeModelLights(
     Places.begin(), Places.end(), [&name](const Place& entry) { return entry.Name == name; });
   if (place == Places.end())
   {
-    throw UserError("unknown place of a lamp '" + name + "'");
+    throw UserError(
+      "unknown place of a lamp '" + name + "': expected " + ListNames(GetLampPlaces()));
   }
   return { { MakeLamp(*place, mood, center, diagonal), MakeFill(*place, mood) }, place->Ambient,
     place->Brightness };
@@ -102,14 +103,16 @@ ModelLights MakeModelLights(
 
 //------------------------------------------------------------------------------
 std::vector<LightSource> ScaleLights(
-  const std::vector<LightSource>& lights, const Mood& mood, const Vector3& center)
+  const std::vector<LightSource>& lights, const Mood& mood, const Vector3& center, double diagonal)
 {
+  const double nearest = std::pow(InsideDistance * diagonal, 2);
   double sum = 0.0;
   for (const LightSource& light : lights)
   {
     const double brightest = *std::max_element(light.Power.begin(), light.Power.end());
     const double squared = vtkMath::Distance2BetweenPoints(light.Position.data(), center.data());
-    sum += light.Type == LightSource::Kind::Directional ? brightest : brightest / squared;
+    sum += light.Type == LightSource::Kind::Directional ? brightest
+                                                        : brightest / std::max(squared, nearest);
   }
   const double factor = mood.LampRadiance * vtkMath::Pi() / sum;
   if (!std::isnormal(factor))
@@ -128,7 +131,7 @@ std::vector<LightSource> ScaleLights(
 void TurnLights(
   std::vector<LightSource>& lights, const Vector3& center, const CameraSettings& camera)
 {
-  Vector3 up = camera.ViewUp;
+  Vector3 up = camera.GetUp();
   Vector3 back;
   Vector3 right;
   vtkMath::Subtract(camera.Position.data(), camera.FocalPoint.data(), back.data());

@@ -37,11 +37,12 @@ ModelLights MakeModelLights(
 
 /**
  * The lamps of a file, in proportion: a white surface in the middle that faces all of them would
- * have the mood's radiance in clear air, whatever the file's units. Empty if none of them reaches
- * the middle.
+ * have the mood's radiance in clear air, whatever the file's units. Lamps near the middle count as if
+ * they were farther away, or there would be nothing left for the others. Empty if none of them
+ * reaches the middle.
  */
 std::vector<LightSource> ScaleLights(
-  const std::vector<LightSource>& lights, const Mood& mood, const Vector3& center);
+  const std::vector<LightSource>& lights, const Mood& mood, const Vector3& center, double diagonal);
 
 /**
  * Turn what was placed for a camera that looks along -z, with y up, about the middle to another

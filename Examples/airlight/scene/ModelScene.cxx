@@ -67,7 +67,7 @@ Scene MakeModelScene(const std::string& fileName, const ModelChoices& choices)
   }
   if (choices.LightFrom.empty())
   {
-    scene.Lights = ScaleLights(model.Lights, mood, center);
+    scene.Lights = ScaleLights(model.Lights, mood, center, diagonal);
   }
   if (scene.Lights.empty())
   {

@@ -42,7 +42,7 @@ const Mood& GetMood(const std::string& name)
     Moods.begin(), Moods.end(), [&name](const Mood& mood) { return mood.Name == name; });
   if (found == Moods.end())
   {
-    throw UserError("unknown mood '" + name + "'");
+    throw UserError("unknown mood '" + name + "': expected " + ListNames(GetMoodNames()));
   }
   return *found;
 }

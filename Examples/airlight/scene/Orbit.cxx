@@ -24,11 +24,18 @@ void Orbit::SetFrame(int frame)
   const Vector3& center = start.FocalPoint;
   vtkNew<vtkTransform> turn;
   turn->Translate(center.data());
-  turn->RotateWXYZ(360.0 * (frame % this->Period) / this->Period, start.ViewUp.data());
+  turn->RotateWXYZ(360.0 * (frame % this->Period) / this->Period, start.GetUp().data());
   turn->Translate(-center[0], -center[1], -center[2]);
   Vector3 position;
   turn->TransformPoint(start.Position.data(), position.data());
-  this->Rendered.Renderer->GetActiveCamera()->SetPosition(position.data());
+  vtkCamera* camera = this->Rendered.Renderer->GetActiveCamera();
+  camera->SetPosition(position.data());
+  if (start.Vertical)
+  {
+    Vector3 up;
+    turn->TransformVector(start.ViewUp.data(), up.data());
+    camera->SetViewUp(up.data());
+  }
   double bounds[6];
   if (this->Start.GetBounds(bounds))
   {

@@ -10,9 +10,9 @@ namespace airlight
 {
 
 /**
- * A turntable: the camera goes once around its focal point, about its view-up direction, and to the
- * right. Lamps stay where they are. Each state is a function of the frame's number alone. Frame 0
- * is the scene as it was read, and after `period` frames everything is back there.
+ * A turntable: the camera goes once around its focal point, about CameraSettings::GetUp(), and to
+ * the right. Lamps stay where they are. Each state is a function of the frame's number alone. Frame
+ * 0 is the scene as it was read, and after `period` frames everything is back there.
  */
 class Orbit
 {

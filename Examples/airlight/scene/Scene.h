@@ -18,6 +18,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,15 @@ struct CameraSettings
   Vector3 FocalPoint = { 0.0, 0.0, 0.0 };
   Vector3 ViewUp = { 0.0, 1.0, 0.0 };
   double ViewAngle = 30.0; ///< vertical, degrees
+
+  /// The way up of a model's world, about which turntables turn; without one, or where the camera
+  /// looks along it, that is ViewUp.
+  std::optional<Vector3> Vertical;
+
+  /**
+   * Vertical or ViewUp.
+   */
+  Vector3 GetUp() const;
 };
 
 struct LightSource
