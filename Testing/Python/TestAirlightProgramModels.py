@@ -160,6 +160,14 @@ class TestModels(ProgramTest):
         for curved, flat in zip(*errors):
             self.assertLess(curved, 0.75 * flat, errors)
 
+    def test_lines(self):
+        """Of a coarse model stay."""
+        model = self.write("a.obj", "v -1 -1 0\nv 1 -1 0\nv 0 0 0\nv -1 1 0\nv 1 1 0\n"
+                           "f 1 2 3\nl 4 5\n")
+        depth = self.render(model, "a.pfm", "--camera", "0,0,5:0,0,0", "--size", "96x72",
+                            "--buffer", "Depth")
+        self.assertGreater(depth[:20].max(), 4)
+
     def test_sharp(self):
         """Edges that normals do not round stay where they are."""
         model = self.path(write_models(self.path)[4])  # a tetrahedron

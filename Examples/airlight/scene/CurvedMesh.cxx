@@ -272,7 +272,7 @@ vtkSmartPointer<vtkPolyData> Curver::Make()
 }
 
 // Polygons of three points and more: what is less, and strips of it, vtkTriangleFilter may not
-// survive.
+// survive. Lines and single points would be lost.
 bool HasPolygonsAlone(vtkPolyData* mesh)
 {
   vtkNew<vtkIdList> ids;
@@ -284,7 +284,8 @@ bool HasPolygonsAlone(vtkPolyData* mesh)
       return false;
     }
   }
-  return mesh->GetNumberOfStrips() == 0;
+  return mesh->GetNumberOfStrips() == 0 && mesh->GetNumberOfLines() == 0 &&
+    mesh->GetNumberOfVerts() == 0;
 }
 }
 
