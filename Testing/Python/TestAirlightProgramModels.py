@@ -89,6 +89,9 @@ class TestModels(ProgramTest):
                 ("--mood", "gloom", ["--mood", "mist", "underwater"]),
                 ("--light-from", "below", ["--light-from", "behind", "inside"])):
             self.fail_with(words, "render", model, "-o", self.path("x.png"), option, name)
+        for lamp in ("--point=0,9,0:9", "--spot=0,9,0:0,0,0:20:9", "--sun=0,1,0:9"):
+            self.fail_with(["--light-from", lamp[:5]], "render", model, "-o", self.path("x.png"),
+                           "--light-from", "left", lamp)
         scene = scene_file("S1_point_iso")
         for options in (("--mood", "fog"), ("--light-from", "left")):
             for command in (("render", scene, "-o", self.path("x.png")), ("view", scene)):
@@ -353,6 +356,7 @@ class TestImported(ProgramTest):
 
     def test_vrml(self):
         model = self.write("a.wrl", VRML)
+        self.fail_with(["--facets", model], "render", model, "--facets", "-o", self.path("x.png"))
         self.check(model, [("--sun", "0,1,2", (0.5, 0.5, 0.25), 1)])
         image = self.render(model, "a.pfm", *TestModels.CLEAR) / (3 / np.pi)
         middle = image[36, 48]  # on the diagonal of two triangles

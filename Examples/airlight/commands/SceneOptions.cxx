@@ -5,6 +5,7 @@
 #include "commands/MediumText.h"
 #include "commands/OptionText.h"
 #include "formats/Files.h"
+#include "formats/ImportedFile.h"
 #include "formats/ModelReader.h"
 #include "formats/UserError.h"
 #include "scene/MediumFile.h"
@@ -34,8 +35,8 @@ lamp hangs behind it, above and to the left, and a dimmer light falls on its sur
 medium is unbounded, scatters forward and does not absorb, with a visibility of 20 times the
 diagonal of the box around the model. The options change all of that.
 Over a scene file, --point, --spot and --sun replace all of its lamps and add up with each other,
-and the options --ies, --lamp and --sun-diameter change the lamp before them on the command line;
-any other option replaces what it names and leaves the rest as the file has it.)";
+and the options --ies, --ies-aim, --ies-up, --lamp-radius, --lamp-size and --sun-diameter change
+the lamp before them on the command line; any other option replaces what it names and leaves the rest as the file has it.)";
 
 // An option with one value, which leaves the words after it to others.
 CLI::Option* AddText(
@@ -104,6 +105,10 @@ void SceneOptions::AddTo(CLI::App* command)
     "px,py,pz:fx,fy,fz[:angle]: position, point looked at, vertical view angle in degrees");
   this->AddModelOptions(command);
   this->Lights.AddTo(command);
+  for (const char* lamp : { "--point", "--spot", "--sun" })
+  {
+    command->get_option("--light-from")->excludes(command->get_option(lamp));
+  }
   this->AddMediumOptions(command);
 }
 
@@ -141,7 +146,8 @@ void SceneOptions::AddMediumOptions(CLI::App* command)
     "coefficients");
   this->AddPhaseOptions(command, options);
   add("--ambient", this->Ambient,
-    "r,g,b: ambient radiance in W/(m^2 sr) that the medium scatters (default 0,0,0)");
+    "r,g,b: ambient radiance in W/(m^2 sr) that the medium scatters (default that of the scene or "
+    "the mood)");
   this->AddRegionOptions(command, options);
   add("--height-fog", this->HeightFog,
     "REFERENCE:SCALE[:ux,uy,uz]: the medium thins out with height and has its coefficients at the "
@@ -215,6 +221,10 @@ Scene SceneOptions::Load() const
       throw UserError(option->get_name() + ": expected a model, not a scene file (" +
         this->FileName + "), which has lamps and a medium of its own");
     }
+  }
+  if (this->Choices.KeepFacets && IsImportedFile(this->FileName))
+  {
+    throw UserError("--facets: " + this->FileName + " is drawn as it is: leave out --facets");
   }
   Scene scene = ReadSceneOrModel(this->FileName, this->Choices);
   for (const std::string& text : this->Size)
