@@ -58,6 +58,17 @@ class TestReference(ProgramTest):
                                    "--scattering", ",".join(3 * [coefficient]))
             self.assertEqual(changed.max() > 0, coefficient != "0")
 
+    def test_extent(self):
+        """A lamp's extent softens shadows as it does in a mean of the pass."""
+        lamp = ("--size", "32x24", "--point", "0,6,0:60", "--buffer", "Surface")
+        point, ball = (self.compute("a.pfm", *lamp, *more) for more in ((), ("--lamp-radius", "1")))
+        drawn = self.render(SCENE, "b.pfm", *lamp, "--lamp-radius", "1", "--antialiasing", "256")
+        changed = np.abs(ball - point) > 0.05 * point.max()
+        self.assertGreater(changed.sum(), 10)
+        # Only the mean is of whole pixels.
+        self.assertLess(np.median(np.abs(ball - drawn)[changed]),
+                        0.3 * np.median(np.abs(ball - point)[changed]))
+
     def test_errors(self):
         with open(SCENE) as file:
             scene = json.load(file)

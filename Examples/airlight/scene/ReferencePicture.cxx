@@ -43,12 +43,6 @@ void CheckKnown(const Scene& scene, const PictureSettings& settings)
       throw UserError(light.PhotometryFile +
         ": --reference does not know photometric files: leave out one of them");
     }
-    if (light.HasExtent())
-    {
-      throw UserError(scene.FileName +
-        ": --reference does not know lamps with an extent (radius, size, angular diameter): leave "
-        "out one of them");
-    }
   }
 }
 
