@@ -68,7 +68,7 @@ void WriteFrames(const AnimationOptions& options, FogAnimation& animation, Rende
   const bool single = options.Frame >= 0;
   const int first = single ? options.Frame : 0;
   const int count = single ? 1 : options.Frames;
-  const Progress progress(count);
+  Progress progress(count);
   for (int i = 0; i < count; ++i)
   {
     const bool numbered = !single || options.Output.find('%') != std::string::npos;

@@ -33,7 +33,16 @@ Progress::Progress(int all)
 }
 
 //------------------------------------------------------------------------------
-void Progress::Show(int done) const
+Progress::~Progress()
+{
+  if (this->Open)
+  {
+    std::cerr << std::endl;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Progress::Show(int done)
 {
   if (!this->Visible)
   {
@@ -53,6 +62,7 @@ void Progress::Show(int done) const
   {
     text << ", " << FormatTime(passed.count() / done * (this->All - done)) << " left   ";
   }
+  this->Open = done < this->All;
   std::cerr << text.str() << std::flush;
 }
 

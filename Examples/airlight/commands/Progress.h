@@ -20,11 +20,20 @@ public:
    */
   explicit Progress(int all);
 
-  void Show(int done) const;
+  /**
+   * Ends the line if not all are done, so that an error has one of its own.
+   */
+  ~Progress();
+
+  Progress(const Progress&) = delete;
+  void operator=(const Progress&) = delete;
+
+  void Show(int done);
 
 private:
   int All;
   bool Visible;
+  bool Open = false; // the line
   std::chrono::steady_clock::time_point Start;
 };
 

@@ -6,6 +6,7 @@
 #include "commands/OptionText.h"
 #include "commands/Progress.h"
 #include "commands/SceneOptions.h"
+#include "formats/ImageFile.h"
 #include "formats/Picture.h"
 #include "formats/UserError.h"
 #include "scene/Orbit.h"
@@ -47,8 +48,12 @@ void WarnOfPoints(const Scene& scene, const RenderSettings& settings)
 void RenderOrbit(const RenderOptions& options, const Scene& scene, RenderedScene& rendered,
   const PictureSettings& picture)
 {
+  for (int i = 0; i < options.Orbit; ++i) // before the first picture
+  {
+    CheckImageFile(NumberFile("--output", options.Output, i));
+  }
   Orbit orbit(scene, rendered, options.Orbit);
-  const Progress progress(options.Orbit);
+  Progress progress(options.Orbit);
   progress.Show(0);
   for (int i = 0; i < options.Orbit; ++i)
   {
