@@ -45,7 +45,8 @@ LevelSlider::LevelSlider(
   this->Widget->SetRepresentation(this->Shape);
   this->Widget->SetAnimationModeToJump();
   this->Widget->AddObserver(vtkCommand::InteractionEvent, this, &LevelSlider::Move);
-  this->Widget->AddObserver(vtkCommand::EndInteractionEvent, this, &LevelSlider::Move);
+  this->Widget->AddObserver(vtkCommand::StartInteractionEvent, this, &LevelSlider::Begin);
+  this->Widget->AddObserver(vtkCommand::EndInteractionEvent, this, &LevelSlider::End);
   this->Widget->EnabledOn();
 }
 
@@ -64,8 +65,9 @@ void LevelSlider::SetLook()
 }
 
 //------------------------------------------------------------------------------
-void LevelSlider::Update(bool visible, int left, int length)
+void LevelSlider::Update(bool wanted, int left, int length)
 {
+  const bool visible = wanted || this->Slides;
   this->Shape->SetVisibility(visible);
   this->Label->SetVisibility(visible);
   this->Widget->SetProcessEvents(visible);
@@ -89,6 +91,16 @@ void LevelSlider::Place(int left, int length)
   this->Shape->SetSliderLength(BeadLength / size[0]);
   this->Shape->SetSliderWidth(BeadWidth / size[1]);
   this->Shape->SetTubeWidth(TubeWidth / size[1]);
+}
+
+//------------------------------------------------------------------------------
+void LevelSlider::Begin() { this->Slides = true; }
+
+//------------------------------------------------------------------------------
+void LevelSlider::End()
+{
+  this->Slides = false;
+  this->Move();
 }
 
 //------------------------------------------------------------------------------

@@ -30,20 +30,24 @@ public:
   void operator=(const LevelSlider&) = delete;
 
   /**
-   * Follow the level, and lie at the window's bottom from a column on, in pixels.
+   * Follow the level, and lie at the window's bottom from a column on, in pixels. While it is
+   * dragged it stays, since a hidden slider would miss the mouse's release.
    */
-  void Update(bool visible, int left, int length);
+  void Update(bool wanted, int left, int length);
 
 private:
   void SetLook();
   void Place(int left, int length);
+  void Begin();
   void Move();
+  void End();
 
   const Level& Own;
   vtkNew<vtkSliderRepresentation2D> Shape;
   vtkNew<vtkSliderWidget> Widget;
   vtkNew<vtkTextActor> Label;
-  double Shown = 0.0; // the shape's value as last set, from the level or to it
+  bool Slides = false; // from the mouse's press to its release
+  double Shown = 0.0;  // the shape's value as last set, from the level or to it
 };
 
 }
