@@ -193,6 +193,8 @@ class TestView(ViewTest):
         for pattern, word in (("shot.png", "%d"), ("shot-%d.jpg", "jpg"),
                               (self.path("none/shot-%d.png"), "none")):
             self.fail_with(["shot", word], "view", scene, "--screenshots", pattern)
+        for text in ("nan", "-1", "x"):
+            self.fail_with(["--frame-time", text], "view", scene, "--frame-time", text)
         self.fail_with(["none"], "view", scene, "--record", self.path("none/log.txt"))
 
     def test_no_medium(self):

@@ -98,6 +98,47 @@ class TestViewMouse(ViewTest):
         self.assertLess(np.abs(pictures[5] - pictures[6])[130:-44].max(), STEP)
         self.assertGreater(np.abs(pictures[7] - pictures[6]).mean(), 0.002)
 
+    def test_slider_held(self):
+        """Keys that hide a slider while it is dragged do so when it is let go; the mouse then
+        turns the camera."""
+        grip, end = (108, 13), (128, 13)
+        texts, pictures = self.view(
+            self.scene(["wall.ply"], absorption=0.05),
+            [grab(grip, end), press("p"), mouse("LeftButtonReleaseEvent", end), press("s"),
+             drag((300, 300), (340, 300)), press("s")], "--size", "640x480")
+        self.assertNotEqual(shown("visibility", texts[0]), 59.9)
+        self.assertLess(pictures[0][480 - 1 - 13, end[0]].min(), 0.9)  # no bead
+        self.assertGreater(np.abs(pictures[1] - pictures[0]).mean(), 0.002)
+
+    def test_clear_air(self):
+        """Is the end of the visibility's slider."""
+        texts, _ = self.view(
+            self.scene(["wall.ply"]),
+            [press("s"), drag((195, 13), (100, 13)), press("s"), drag((100, 13), (230, 13)),
+             press("s")], "--size", "640x480")
+        found = [float(re.search("visibility ([^;]+)", text)[1]) for text in texts]
+        self.assertEqual([np.isfinite(value) for value in found], [False, True, False])
+
+    def test_mood(self):
+        """The key e brings back the exposure of a night."""
+        self.scene(["wall.ply"])
+        options = ("--mood", "night", "--size", "120x90")
+        _, pictures = self.view(self.path("blocker.ply"), [press("i"), press("e"), press("s")],
+                                *options)
+        expected = self.render(self.path("blocker.ply"), "x.png", *options, *LINEAR[2:],
+                               "--antialiasing", "1")
+        self.assertLess(abs(pictures[0].mean() / expected.mean() - 1), 0.05)
+
+    def test_technique_while_moving(self):
+        """A key chooses it also while frames have no shadows."""
+        start, away = (30, 90), (60, 90)
+        texts, _ = self.view(
+            self.scene(["wall.ply", "blocker.ply"], absorption=0.05),
+            [grab(start, away), mouse("MouseMoveEvent", start), press("T"),
+             mouse("LeftButtonReleaseEvent", start), press("r"), press("s")],
+            "--frame-time", "0.0001")
+        self.assertTrue(texts[0].startswith("technique None;"), texts[0])
+
     def test_frame_time(self):
         """A frame that takes too long while the mouse moves is simpler, the one at rest is not."""
         scene = self.scene(["wall.ply", "blocker.ply"], absorption=0.05)
@@ -150,6 +191,10 @@ class TestViewMouse(ViewTest):
             for name in ("i", "s"):
                 keyboard.press(name)
 
+        self.use_for_real(scene, use, "--antialiasing", "6", "--no-medium")
+        plain = self.render(scene, "plain.png", *LINEAR, "--antialiasing", "6", "--no-medium")
+        np.testing.assert_array_equal(read_png(self.path("real-0.png")), plain)
+        os.remove(self.path("real-0.png"))
         self.use_for_real(scene, use, "--antialiasing", "6")
         for count in ("6", "1"):
             self.succeed("render", scene, *LINEAR, "--antialiasing", count, "-o",
@@ -170,7 +215,9 @@ class TestViewMouse(ViewTest):
                 self.assertLess(time.monotonic(), end)
                 time.sleep(0.1)
             keyboard.press("Up")
-            time.sleep(3)  # until the timer has ended; nothing tells
+            while b"TimerEvent" not in self.read("record.txt"):
+                self.assertLess(time.monotonic(), end)
+                time.sleep(0.1)
             keyboard.press("s")
 
         self.record(scene, use, "--frame-time", "0.0001")

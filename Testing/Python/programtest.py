@@ -145,6 +145,10 @@ class ProgramTest(unittest.TestCase):
             file.write(content)
         return self.path(name)
 
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
     def run_program(self, *arguments, program=PROGRAM):
         """(exit code, standard output, error output) of the program."""
         done = subprocess.run([program, *arguments], stdout=subprocess.PIPE,

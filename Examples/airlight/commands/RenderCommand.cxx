@@ -12,8 +12,6 @@
 #include "scene/Orbit.h"
 #include "scene/ReferencePicture.h"
 
-#include <algorithm>
-#include <iostream>
 #include <memory>
 
 namespace airlight
@@ -31,19 +29,6 @@ struct RenderOptions
   int Antialiasing = 0;
   int Orbit = 0;
 };
-
-// Each frame of a mean takes another point of a lamp.
-void WarnOfPoints(const Scene& scene, const RenderSettings& settings)
-{
-  if (settings.SubpixelFrames == 1 && settings.UseMedium &&
-    std::any_of(scene.Lights.begin(), scene.Lights.end(),
-      [](const LightSource& light) { return light.HasExtent(); }))
-  {
-    std::cerr << "warning: one frame takes lamps for points: give --antialiasing 16 or more for "
-                 "their extent"
-              << std::endl;
-  }
-}
 
 void RenderOrbit(const RenderOptions& options, const Scene& scene, RenderedScene& rendered,
   const PictureSettings& picture)
@@ -94,7 +79,7 @@ void Render(const RenderOptions& options)
     settings.SubpixelFrames = options.Antialiasing;
   }
   const Scene scene = options.Scene.Load();
-  WarnOfPoints(scene, settings);
+  WarnOfPoints(scene, settings, settings.SubpixelFrames);
   RenderedScene rendered = BuildScene(scene, settings);
   if (options.Orbit > 0)
   {

@@ -3,6 +3,7 @@
 #include "commands/Commands.h"
 
 #include "commands/DisplayOptions.h"
+#include "commands/OptionText.h"
 #include "commands/SceneOptions.h"
 #include "viewer/Viewer.h"
 
@@ -13,6 +14,8 @@ namespace airlight
 
 namespace
 {
+constexpr double LongestFrame = 1e6; // ms
+
 struct ViewOptions
 {
   SceneOptions Scene;
@@ -25,7 +28,9 @@ void View(const ViewOptions& options)
   RenderSettings settings = options.Scene.GetSettings();
   settings.OffScreen = false;
   settings.Display = options.Display.GetSettings();
-  Viewer viewer(options.Scene.Load(), settings, options.Viewer);
+  const Scene scene = options.Scene.Load();
+  WarnOfPoints(scene, settings, options.Viewer.Frames);
+  Viewer viewer(scene, settings, options.Viewer);
   viewer.Run();
 }
 }
@@ -46,11 +51,15 @@ void AddViewCommand(CLI::App& program)
   command->add_option("--play", viewer.Play,
     "Do first what this file says: one of --record, or of VTK's vtkInteractorEventRecorder");
   command
-    ->add_option("--frame-time", viewer.FrameTime,
+    ->add_option_function<std::string>(
+      "--frame-time",
+      [&viewer](const std::string& text) {
+        viewer.FrameTime = ParseNumber("--frame-time", text, 0.0, LongestFrame);
+      },
       "Milliseconds that a frame may take while mouse or keys move something, before fewer pixels "
       "and no shadows are drawn; 0 for no limit")
-    ->check(CLI::Range(0.0, 1e6))
-    ->capture_default_str();
+    ->type_name("FLOAT in [0 - 1e+06]")
+    ->default_str(std::to_string(static_cast<int>(viewer.FrameTime)));
   command
     ->add_option("--antialiasing", viewer.Frames,
       "Mean of so many frames at rest, drawn one after the other: smooth edges of surfaces and "

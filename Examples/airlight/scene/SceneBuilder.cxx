@@ -11,6 +11,9 @@
 #include <vtkCamera.h>
 #include <vtkMath.h>
 
+#include <algorithm>
+#include <iostream>
+
 namespace airlight
 {
 
@@ -107,6 +110,7 @@ void SetCamera(vtkRenderer* renderer, const Scene& scene)
 RenderedScene MakeRenderer(const Scene& scene)
 {
   RenderedScene built;
+  built.Brightness = scene.Brightness;
   built.Renderer = vtkSmartPointer<vtkRenderer>::New();
   built.Renderer->SetBackground(0.0, 0.0, 0.0);
   built.Renderer->TwoSidedLightingOn();
@@ -173,6 +177,19 @@ RenderedScene BuildSceneWithoutWindow(const Scene& scene)
   RenderedScene built = MakeRenderer(scene);
   SetCamera(built.Renderer, scene);
   return built;
+}
+
+//------------------------------------------------------------------------------
+void WarnOfPoints(const Scene& scene, const RenderSettings& settings, int frames)
+{
+  if (frames == 1 && settings.UseMedium &&
+    std::any_of(scene.Lights.begin(), scene.Lights.end(),
+      [](const LightSource& light) { return light.HasExtent(); }))
+  {
+    std::cerr << "warning: one frame takes lamps for points: give --antialiasing 16 or more for "
+                 "their extent"
+              << std::endl;
+  }
 }
 
 }

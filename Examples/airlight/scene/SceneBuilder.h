@@ -49,6 +49,7 @@ struct RenderedScene
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkAirlightPass> Pass; ///< null without medium
   std::vector<vtkSmartPointer<vtkLight>> Lights;
+  double Brightness = 1.0; ///< Scene::Brightness
 
   /**
    * Draw a frame. Throws UserError with VTK's first error if there was one, and prints its first
@@ -67,6 +68,12 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings);
  * The same scene without a window and a pass, for vtkAirlightReference.
  */
 RenderedScene BuildSceneWithoutWindow(const Scene& scene);
+
+/**
+ * Warn if a mean of so many frames shows lamps of finite size as points: each frame takes another
+ * point of a lamp.
+ */
+void WarnOfPoints(const Scene& scene, const RenderSettings& settings, int frames);
 
 }
 

@@ -43,6 +43,15 @@ void MovingQuality::BeginFrame()
 }
 
 //------------------------------------------------------------------------------
+void MovingQuality::ReturnTechnique()
+{
+  if (this->Step == FrameBudget::Step::NoShadows)
+  {
+    this->Apply(FrameBudget::Step::QuarterSize);
+  }
+}
+
+//------------------------------------------------------------------------------
 void MovingQuality::EndFrame(double seconds)
 {
   this->LastTime = seconds;
@@ -68,8 +77,7 @@ void MovingQuality::Apply(FrameBudget::Step step)
     this->Technique = this->Pass->GetShadowTechnique();
     this->Pass->SetShadowTechniqueToNone();
   }
-  else if (this->Step == FrameBudget::Step::NoShadows &&
-    this->Pass->GetShadowTechnique() == vtkAirlightPass::NONE) // or a key has chosen another
+  else if (this->Step == FrameBudget::Step::NoShadows)
   {
     this->Pass->SetShadowTechnique(this->Technique);
   }

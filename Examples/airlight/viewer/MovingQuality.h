@@ -43,6 +43,11 @@ public:
   ///@}
 
   /**
+   * Before a key may choose another technique: to the chosen one, until the next frame.
+   */
+  void ReturnTechnique();
+
+  /**
    * Whether the window is in motion.
    */
   bool IsMoving() const;

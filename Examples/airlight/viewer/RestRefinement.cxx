@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/RestRefinement.h"
 
-#include <vtkRenderWindow.h>
-
 namespace airlight
 {
 
@@ -27,12 +25,12 @@ void RestRefinement::Start()
 
 //------------------------------------------------------------------------------
 // Views of counts have one frame whatever was set.
-void RestRefinement::Finish(vtkRenderWindow* window)
+void RestRefinement::Finish(RenderedScene& rendered)
 {
   for (int i = 0;
        i < this->Frames && this->Pass && this->Pass->GetAccumulatedFrames() < this->Frames; ++i)
   {
-    window->Render();
+    rendered.Render();
   }
 }
 

@@ -3,11 +3,11 @@
 #ifndef RestRefinement_h
 #define RestRefinement_h
 
+#include "scene/SceneBuilder.h"
+
 #include <vtkAirlightPass.h>
 
 #include <string>
-
-class vtkRenderWindow;
 
 namespace airlight
 {
@@ -34,7 +34,7 @@ public:
   /**
    * Draws what is missing.
    */
-  void Finish(vtkRenderWindow* window);
+  void Finish(RenderedScene& rendered);
 
   ///@{
   /**

@@ -74,6 +74,7 @@ int FindAnisotropy(vtkPhaseFunction* function)
 //------------------------------------------------------------------------------
 SceneLevels::SceneLevels(const RenderedScene& rendered, vtkAirlightPass* pass)
   : Pass(pass)
+  , Brightness(rendered.Brightness)
 {
   if (rendered.Pass)
   {
@@ -91,13 +92,21 @@ SceneLevels::SceneLevels(const RenderedScene& rendered, vtkAirlightPass* pass)
 void SceneLevels::AddVisibility(double distance)
 {
   const double visibility = this->Medium->GetVisibility();
-  const double middle =
-    std::log10(std::isfinite(visibility) ? visibility : VisibilityRange * distance);
+  const bool clear = !std::isfinite(visibility);
+  const double middle = std::log10(clear ? VisibilityRange * distance : visibility);
   Level level;
   level.Minimum = middle - std::log10(VisibilityRange);
   level.Maximum = middle + std::log10(VisibilityRange);
   level.Get = [this] { return std::log10(this->Medium->GetVisibility()); };
-  level.Set = [this](double value) { this->Medium->SetVisibility(std::pow(10.0, value)); };
+  level.Set = [this, end = clear ? level.Maximum : VTK_DOUBLE_MAX](double value) {
+    if (value < end)
+    {
+      this->Medium->SetVisibility(std::pow(10.0, value));
+      return;
+    }
+    this->Medium->SetScattering(0.0, 0.0, 0.0);
+    this->Medium->SetAbsorption(0.0, 0.0, 0.0);
+  };
   level.GetText = [this](int digits) {
     return GetNumberText("visibility", this->Medium->GetVisibility(), digits);
   };
@@ -169,7 +178,7 @@ bool SceneLevels::ResetExposure()
   {
     return false;
   }
-  this->Pass->SetExposure(1.0);
+  this->Pass->SetExposure(this->Brightness);
   this->Pass->AutomaticExposureOn();
   return true;
 }

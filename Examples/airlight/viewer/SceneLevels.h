@@ -28,7 +28,7 @@ struct Level
  * Visibility, anisotropy and exposure of a rendered scene.
  *
  * The visibility's level is its logarithm, from 1/30 to 30 times the first visibility. In clear air
- * the range begins at the distance that the camera looks at.
+ * the range begins at the distance that the camera looks at, and its end is clear air again.
  *
  * The anisotropy is the phase function's parameter g or k, -0.99 to 0.99. It makes an isotropic
  * medium one of Henyey and Greenstein; media whose phase function has no such parameter do not have
@@ -51,7 +51,7 @@ public:
   const std::vector<Level>& GetLevels() const { return this->Levels; }
 
   /**
-   * Let the exposure follow the picture again. False without a pass.
+   * Let the exposure follow the picture again, as at first. False without a pass.
    */
   bool ResetExposure();
 
@@ -67,6 +67,7 @@ private:
   void SetExposure(double stops);
 
   vtkSmartPointer<vtkAirlightPass> Pass;
+  double Brightness; // of the scene: the exposure's factor while it follows the picture
   vtkParticipatingMedium* Medium = nullptr;
   std::vector<Level> Levels;
   double BaseExposure = 1.0; // at 0 stops

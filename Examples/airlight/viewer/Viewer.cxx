@@ -81,7 +81,8 @@ Viewer::Viewer(const Scene& scene, const RenderSettings& settings, const ViewerS
   this->Log = viewer.Play.empty() ? "" : ReadEventLog(viewer.Play);
   this->Rendered = BuildScene(scene, settings);
   this->Controls = std::make_unique<SceneControls>(this->Rendered);
-  this->Refinement = std::make_unique<RestRefinement>(this->Rendered.Pass, viewer.Frames);
+  this->Pass = vtkAirlightPass::SafeDownCast(this->Rendered.Renderer->GetPass());
+  this->Refinement = std::make_unique<RestRefinement>(this->Pass, viewer.Frames);
   this->Quality = std::make_unique<MovingQuality>(this->Rendered.Renderer, 1e-3 * viewer.FrameTime);
   this->Text = std::make_unique<ReadOut>(this->Rendered.Renderer);
   this->Text->SetHelp(Viewer::GetKeys());
@@ -101,9 +102,9 @@ void Viewer::Run()
   vtkRenderWindow* window = this->Rendered.Window;
   window->AddObserver(vtkCommand::StartEvent, this, &Viewer::StartFrame);
   window->AddObserver(vtkCommand::EndEvent, this, &Viewer::EndFrame);
-  if (this->Rendered.Pass)
+  if (this->Pass)
   {
-    this->Rendered.Pass->AddObserver(vtkCommand::ProgressEvent, this, &Viewer::NoteFrame);
+    this->Pass->AddObserver(vtkCommand::ProgressEvent, this, &Viewer::NoteFrame);
   }
   this->Interactor->AddObserver(vtkCommand::ExitEvent, this, &Viewer::Quit);
   this->Interactor->Initialize();
@@ -148,6 +149,7 @@ void Viewer::PressKey(const std::string& name)
   }
   const auto same = SameKeys.find(name);
   const std::string key = same == SameKeys.end() ? name : same->second;
+  this->Quality->ReturnTechnique();
   try
   {
     if (key == "s")
@@ -156,7 +158,7 @@ void Viewer::PressKey(const std::string& name)
       {
         this->DrawTwice();
       }
-      this->Refinement->Finish(this->Rendered.Window);
+      this->Refinement->Finish(this->Rendered);
       this->SaveScreenshot();
     }
     else if (this->ChangeText(key) || this->Controls->PressKey(key))

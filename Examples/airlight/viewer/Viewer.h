@@ -96,6 +96,7 @@ private:
   std::string GetState() const;
 
   RenderedScene Rendered;
+  vtkSmartPointer<vtkAirlightPass> Pass; // also without medium
   ViewerSettings Settings;
   vtkNew<vtkRenderWindowInteractor> Interactor;
   std::unique_ptr<SceneControls> Controls;
