@@ -91,6 +91,8 @@ class TestBadModels(ProgramTest):
                  ["points that it does not hold"]),
                 ("c.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n", ["no extent"]),
                 ("c.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", ["no polygons"]),
+                ("c.obj", TETRAHEDRON + "v nan 0 0\n", ["c.obj:", "three finite numbers"]),
+                ("c.obj", TETRAHEDRON + "v 1 2\n", ["c.obj:", "three finite numbers"]),
                 ("c.txt", TETRAHEDRON, ["unknown kind of model", "gltf"])):
             bad = self.write(name, text)
             self.fail_with([bad, *words], "render", bad, "-o", self.path("x.png"))

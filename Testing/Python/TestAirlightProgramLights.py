@@ -292,7 +292,6 @@ class TestExtent(SceneTest):
                 ((*sun, "--lamp-radius", "1"), ["behind the --point or --spot"]),
                 (("--lamp-radius", "1", *point), ["behind the --point or --spot"]),
                 ((*point, "--ies-up", "1,0,0"), ["--ies FILE or --lamp-size"]),
-                ((*point, "--lamp-radius", "1", "--reference"), ["--reference", "extent"]),
                 ((*point, "--lamp-radius", "1", "--no-medium"), ["--no-medium"])):
             self.fail_with(words, "render", path, *out, *options)
         with open(path) as file:

@@ -197,6 +197,15 @@ class TestView(ViewTest):
             self.fail_with(["--frame-time", text], "view", scene, "--frame-time", text)
         self.fail_with(["none"], "view", scene, "--record", self.path("none/log.txt"))
 
+    def test_warning(self):
+        """One frame shows lamps of finite size as points."""
+        log = self.write("log.txt", "\n".join(["# StreamVersion 1.1", *press("q")]))
+        for count in ("1", "2"):
+            code, _, errors = self.run_program(
+                "view", self.scene(["wall.ply"]), "--play", log, "--point", "0,0,1:5",
+                "--lamp-radius", "0.5", "--antialiasing", count)
+            self.assertEqual((code, "--antialiasing 16" in errors), (0, count == "1"), errors)
+
     def test_no_medium(self):
         """Keys of the medium do nothing where there is none; the lamp's still do."""
         texts, pictures = self.view(

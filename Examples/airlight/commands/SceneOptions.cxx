@@ -36,7 +36,8 @@ medium is unbounded, scatters forward and does not absorb, with a visibility of 
 diagonal of the box around the model. The options change all of that.
 Over a scene file, --point, --spot and --sun replace all of its lamps and add up with each other,
 and the options --ies, --ies-aim, --ies-up, --lamp-radius, --lamp-size and --sun-diameter change
-the lamp before them on the command line; any other option replaces what it names and leaves the rest as the file has it.)";
+the lamp before them on the command line; any other option replaces what it names and leaves the
+rest as the file has it.)";
 
 // An option with one value, which leaves the words after it to others.
 CLI::Option* AddText(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/ImportedFile.h"
 
+#include "formats/CheckedOBJ.h"
 #include "formats/Files.h"
 #include "formats/ImportedLights.h"
 #include "formats/ModelColours.h"
@@ -200,6 +201,10 @@ ImportedScene ImportFile(const std::string& fileName)
   CheckInputFile(fileName);
   const VTKMessages messages;
   const std::string extension = GetExtension(fileName);
+  if (extension == "obj")
+  {
+    CheckOBJ(fileName);
+  }
   vtkSmartPointer<vtkImporter> importer = GetImporterMakers().at(extension)(fileName);
   vtkNew<vtkRenderWindow> window; // importers put their actors into one; it never opens
   vtkNew<vtkRenderer> renderer;

@@ -30,9 +30,9 @@ std::vector<LightSource> GetImportedLights(
   vtkRenderer* renderer, const std::string& extension, const Vector3& center);
 
 /**
- * PlacedCameras::FindCamera() of a glTF file and the last camera of a 3DS file, if there is one that
- * shows perspective. It looks at the point of its axis that is beside `center`, but not nearer than
- * a tenth of the model's diagonal.
+ * PlacedCameras::FindCamera() of a glTF file and the last camera of a 3DS file, if there is one
+ * that shows perspective. It looks at the point of its axis that is beside `center`, but not nearer
+ * than a tenth of the model's diagonal.
  */
 std::optional<CameraSettings> GetImportedCamera(
   vtkImporter* importer, vtkRenderer* renderer, const Vector3& center, double diagonal);

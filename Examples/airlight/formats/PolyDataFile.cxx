@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/PolyDataFile.h"
 
+#include "formats/CheckedOBJ.h"
 #include "formats/CheckedPLY.h"
 #include "formats/Files.h"
 #include "formats/UserError.h"
@@ -119,6 +120,10 @@ vtkSmartPointer<vtkPolyData> ReadPolyDataFile(const std::string& fileName)
   if (GetExtension(fileName) == "ply")
   {
     CheckPLY(fileName);
+  }
+  else if (GetExtension(fileName) == "obj")
+  {
+    CheckOBJ(fileName);
   }
   const VTKMessages messages;
   vtkSmartPointer<vtkAlgorithm> reader = GetReaderMakers().at(GetExtension(fileName))(fileName);

@@ -37,8 +37,8 @@ ModelLights MakeModelLights(
 
 /**
  * The lamps of a file, in proportion: a white surface in the middle that faces all of them would
- * have the mood's radiance in clear air, whatever the file's units. Lamps near the middle count as if
- * they were farther away, or there would be nothing left for the others. Empty if none of them
+ * have the mood's radiance in clear air, whatever the file's units. Lamps near the middle count as
+ * if they were farther away, or there would be nothing left for the others. Empty if none of them
  * reaches the middle.
  */
 std::vector<LightSource> ScaleLights(
