@@ -253,7 +253,9 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
   settings.SubpixelFrames = IsMoving(window) ? 1 : this->SubpixelFrames;
   settings.Progressive = this->ProgressiveRefinement;
-  settings.Requested = this->Impl->GetIdle().IsRendering();
+  vtkRenderWindowInteractor* interactor = window->GetInteractor();
+  const bool hasTimers = interactor && interactor->GetInitialized();
+  settings.Requested = this->Impl->GetIdle().TakeRinging() || !hasTimers;
   settings.Progress = [this, window](double done) {
     this->InvokeEvent(vtkCommand::ProgressEvent, &done);
     return window->CheckAbortStatus() == 0 && !HasInput(window);
@@ -276,7 +278,6 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   properties.MemoryLimit = static_cast<std::uint64_t>(this->MemoryLimit) << 20;
   this->Impl->Render(s, settings, viewport);
   this->NumberOfRenderedProps = this->Impl->GetStages().GetPasses().GetNumberOfRenderedProps();
-  vtkRenderWindowInteractor* interactor = window->GetInteractor();
   if (interactor && this->Impl->IsUnfinished())
   {
     this->Impl->GetIdle().Request(interactor);

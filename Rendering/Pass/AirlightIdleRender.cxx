@@ -68,6 +68,14 @@ void IdleRender::DestroyTimers()
 }
 
 //------------------------------------------------------------------------------
+bool IdleRender::TakeRinging()
+{
+  const bool rung = this->Rung;
+  this->Rung = false;
+  return rung;
+}
+
+//------------------------------------------------------------------------------
 // Generic interactors name the last timer that anybody made. This may be deleted while the window
 // renders.
 void IdleRender::OnTimer(vtkObject* caller, unsigned long, void* self, void* timer)
@@ -82,6 +90,7 @@ void IdleRender::OnTimer(vtkObject* caller, unsigned long, void* self, void* tim
   }
   idle->Spent.push_back(idle->Timer);
   idle->Timer = 0;
+  idle->Rung = true; // until the picture, which applications may draw later
   const std::shared_ptr<bool> rendering = idle->Rendering;
   *rendering = true;
   idle->Cancel();

@@ -32,8 +32,8 @@ public:
   void Request(vtkRenderWindowInteractor* interactor);
   void Cancel();
 
-  // Whether what is drawn now was requested.
-  bool IsRendering() const { return *this->Rendering; }
+  // Whether the next picture is what was requested. True once a request.
+  bool TakeRinging();
 
 private:
   void DestroyTimers();
@@ -44,6 +44,7 @@ private:
   int Timer = 0;
   std::vector<int> Spent; // timers that have rung
   unsigned long Observer = 0;
+  bool Rung = false;
   std::shared_ptr<bool> Rendering = std::make_shared<bool>(false);
 };
 }

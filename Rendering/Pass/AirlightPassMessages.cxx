@@ -118,7 +118,7 @@ void PassMessages::CheckLights(
     this->WarnOnce(InvisiblePoint,
       "A light that vtkAirlightLight::SetVisible() shows is a point, of which nothing is seen: "
       "call "
-      "vtkAirlightLight::SetRadius() or SetSize() with a width and a height above 0 for it.");
+      "SetRadius(), or SetSize() with a width and a height above 0, for it.");
   }
   if (static_cast<int>(sceneLights.size()) > MaximumShadowingLights)
   {

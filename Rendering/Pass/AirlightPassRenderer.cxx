@@ -78,9 +78,10 @@ public:
     this->Camera->GetClippingRange(this->Range);
     if (range.x < range.y)
     {
-      const double far = std::max(this->Range[1], range.y);
-      const double near = std::min(this->Range[0], std::max(range.x, 1e-3 * far));
-      this->Camera->SetClippingRange(near, far);
+      const double last = std::max(this->Range[1], range.y);
+      const double least = camera->GetParallelProjection() ? range.x : 1e-3 * last;
+      const double first = std::min(this->Range[0], std::max(range.x, least));
+      this->Camera->SetClippingRange(first, last);
     }
   }
   ~WiderRange() { this->Camera->SetClippingRange(this->Range); }
@@ -204,12 +205,18 @@ void PassRenderer::RenderScene(
     SubpixelFrames::MayAverage(s->GetRenderer(), settings.Properties.View);
   this->AccumulatedFrames = 1;
   this->Unfinished = false;
+  if (!mean)
+  {
+    this->Refined.Forget(); // this frame's buffers and depths replace the mean's
+  }
   if (mean ? this->RenderMean(s, settings, viewport) : this->RenderFrame(s, settings, viewport))
   {
     this->Messages.ForgetFrame();
     return;
   }
   this->Messages.ReportFrame(this->Error);
+  this->AccumulatedFrames = 1;
+  this->Unfinished = false;
   this->EffectiveExposure = 1.0; // VTK's picture
   this->Recover();
   this->Stages.GetPasses().DrawAll(s);
@@ -267,7 +274,7 @@ bool PassRenderer::AddFrames(
   // Silhouettes of other processes are those of lamps in their middles.
   this->Mean.SetMovesLamps(!remote);
   SubpixelFrames::Range range{ 0, settings.SubpixelFrames, settings.SubpixelFrames };
-  const bool refines = settings.Progressive && !remote && Refinement::MayRefine(renderer);
+  const bool refines = settings.Progressive && !remote && Refinement::MayRefine(s);
   const Refinement::Picture refined{ s, this->Pass, settings.Delegate, picture, range.Count,
     settings.Requested };
   if (refines)

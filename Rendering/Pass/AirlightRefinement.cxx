@@ -17,11 +17,11 @@ constexpr int MostChanges = 3;
 }
 
 //------------------------------------------------------------------------------
-bool Refinement::MayRefine(vtkRenderer* renderer)
+bool Refinement::MayRefine(const vtkRenderState* s)
 {
-  vtkRenderWindow* window = renderer->GetRenderWindow();
+  vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
   const int* tiles = window->GetTileScale();
-  return !window->GetStereoRender() && tiles[0] == 1 && tiles[1] == 1;
+  return !s->GetFrameBuffer() && !window->GetStereoRender() && tiles[0] == 1 && tiles[1] == 1;
 }
 
 //------------------------------------------------------------------------------

@@ -33,8 +33,9 @@ public:
     bool Requested; // by the pass, to refine it
   };
 
-  // Whether a renderer's pictures may be refined: neither eyes nor tiles take turns.
-  static bool MayRefine(vtkRenderer* renderer);
+  // Whether pictures may be refined: neither eyes nor tiles take turns, and no pass outside draws
+  // into a framebuffer of its own, with cameras of its own.
+  static bool MayRefine(const vtkRenderState* s);
 
   // The frames that a picture adds to the mean: from those that it has, 0 if it starts again, to
   // one more, or to all of a scene that changes whenever it is drawn.

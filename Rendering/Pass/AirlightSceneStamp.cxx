@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pass/AirlightSceneStamp.h"
 
+#include "Scene/AirlightCasterKeys.h"
 #include "Scene/AirlightSceneProps.h"
 
 #include "vtkActor.h"
@@ -19,13 +20,16 @@
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
+#include "vtkTransform.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 
 #include <cstring>
+#include <string>
 
 namespace airlight
 {
@@ -35,11 +39,11 @@ SceneStamp::SceneStamp(const vtkRenderState* s, vtkObject* pass, vtkObject* dele
   vtkRenderer* renderer = s->GetRenderer();
   this->Add(pass);
   this->Add(delegate);
-  this->Add(renderer);
+  this->Add(renderer, renderer->vtkViewport::GetMTime()); // without its camera's
   this->AddTexture(renderer->GetBackgroundTexture());
   this->AddTexture(renderer->GetLeftBackgroundTexture());
   this->AddTexture(renderer->GetEnvironmentTexture());
-  // By its values: passes move cameras and move them back.
+  // Cameras and lights by their values: passes move them, and move them back.
   vtkCamera* camera = renderer->GetActiveCamera();
   this->AddMatrix(camera->GetModelViewTransformMatrix());
   this->AddMatrix(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
@@ -48,21 +52,31 @@ SceneStamp::SceneStamp(const vtkRenderState* s, vtkObject* pass, vtkObject* dele
 }
 
 //------------------------------------------------------------------------------
-void SceneStamp::Add(vtkObject* object)
+void SceneStamp::Add(vtkObject* object) { this->Add(object, object ? object->GetMTime() : 0); }
+
+void SceneStamp::Add(vtkObject* object, std::uint64_t time)
 {
   this->Times.push_back(reinterpret_cast<std::uintptr_t>(object));
-  this->Times.push_back(object ? object->GetMTime() : 0);
+  this->Times.push_back(time);
+}
+
+//------------------------------------------------------------------------------
+void SceneStamp::AddNumbers(const double* numbers, int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, numbers + i, sizeof(bits));
+    this->Times.push_back(bits);
+  }
 }
 
 //------------------------------------------------------------------------------
 void SceneStamp::AddMatrix(vtkMatrix4x4* matrix)
 {
-  for (int i = 0; matrix && i < 16; ++i)
+  if (matrix)
   {
-    const double element = matrix->GetElement(i / 4, i % 4);
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &element, sizeof(bits));
-    this->Times.push_back(bits);
+    this->AddNumbers(matrix->GetData(), 16);
   }
 }
 
@@ -72,6 +86,8 @@ void SceneStamp::AddTexture(vtkTexture* texture)
   this->Add(texture);
   if (texture)
   {
+    this->Add(texture->GetLookupTable());
+    this->Add(texture->GetTransform());
     this->AddInputs(texture);
   }
 }
@@ -84,10 +100,26 @@ void SceneStamp::AddLights(vtkRenderer* renderer)
   lights->InitTraversal(it);
   while (vtkLight* light = lights->GetNextLight(it))
   {
-    this->Add(light);
-    this->Add(light->GetInformation());
-    this->AddMatrix(light->GetTransformMatrix());
+    this->AddLight(light);
   }
+}
+
+//------------------------------------------------------------------------------
+void SceneStamp::AddLight(vtkLight* light)
+{
+  this->Add(light, 0);
+  this->Add(light->GetInformation());
+  this->AddMatrix(light->GetTransformMatrix());
+  for (const double* numbers :
+    { light->GetPosition(), light->GetFocalPoint(), light->GetAmbientColor(),
+      light->GetDiffuseColor(), light->GetSpecularColor(), light->GetAttenuationValues() })
+  {
+    this->AddNumbers(numbers, 3);
+  }
+  const double numbers[] = { light->GetIntensity(), light->GetConeAngle(), light->GetExponent(),
+    1.0 * light->GetSwitch(), 1.0 * light->GetPositional(), 1.0 * light->GetLightType(),
+    1.0 * light->GetShadowAttenuation() };
+  this->AddNumbers(numbers, 7);
 }
 
 //------------------------------------------------------------------------------
@@ -118,8 +150,19 @@ void SceneStamp::AddProps(const vtkRenderState* s)
     this->Add(prop.Prop);
     this->Times.push_back(prop.Prop->GetRedrawMTime());
     this->Times.push_back(prop.InView ? 1 : 0);
-    this->Add(prop.Prop->GetPropertyKeys());
+    this->AddKeys(prop.Prop);
   }
+}
+
+//------------------------------------------------------------------------------
+// Passes write into the same information while they draw.
+void SceneStamp::AddKeys(vtkProp* prop)
+{
+  glm::dvec3 opacity(-1.0); // none
+  std::string error;
+  ReadShadowOpacity(prop, opacity, error);
+  this->Times.push_back(CastsShadow(prop) ? 1 : 0);
+  this->AddNumbers(&opacity.x, 3);
 }
 
 //------------------------------------------------------------------------------

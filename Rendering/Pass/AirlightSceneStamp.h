@@ -14,8 +14,10 @@ class vtkAbstractMapper;
 class vtkActor;
 class vtkAlgorithm;
 class vtkDataObject;
+class vtkLight;
 class vtkMatrix4x4;
 class vtkObject;
+class vtkProp;
 class vtkRenderState;
 class vtkRenderer;
 class vtkTexture;
@@ -35,16 +37,20 @@ public:
 
 private:
   void Add(vtkObject* object);
+  void Add(vtkObject* object, std::uint64_t time);
+  void AddNumbers(const double* numbers, int count);
   void AddMatrix(vtkMatrix4x4* matrix);
   void AddTexture(vtkTexture* texture);
   void AddLights(vtkRenderer* renderer);
+  void AddLight(vtkLight* light);
   void AddProps(const vtkRenderState* s);
+  void AddKeys(vtkProp* prop);
   void AddActor(vtkActor* actor);
   void AddMapper(vtkAbstractMapper* mapper);
   void AddInputs(vtkAlgorithm* algorithm);
   void AddData(vtkDataObject* data);
 
-  std::vector<std::uint64_t> Times; // objects' addresses, times and places
+  std::vector<std::uint64_t> Times; // and addresses and values
 };
 }
 

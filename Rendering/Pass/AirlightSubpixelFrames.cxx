@@ -64,7 +64,7 @@ bool SubpixelFrames::Render(vtkRenderer* renderer, const glm::ivec4& picture, co
     ok = this->AddFrame(renderer, picture, range.Count, buffers, renderFrame);
     goesOn = ok && progress(static_cast<double>(this->Done) / range.Count);
   }
-  if (ok)
+  if (ok && range.First < range.Last)
   {
     buffers.TakeMean();
   }

@@ -155,8 +155,11 @@ void UpdateActor(
   {
     mapper->SetInputConnection(MakeShape(lamp.Kind)->GetOutputPort());
   }
-  const glm::dmat4 place = glm::transpose(toWorld * GetPlace(lamp));
-  actor->GetUserMatrix()->DeepCopy(&place[0].x);
+  const glm::dmat4 place = toWorld * GetPlace(lamp);
+  for (int i = 0; i < 16; ++i)
+  {
+    actor->GetUserMatrix()->SetElement(i % 4, i / 4, place[i / 4][i % 4]);
+  }
   actor->GetProperty()->SetColor(radiance.x, radiance.y, radiance.z);
 }
 }
@@ -209,10 +212,12 @@ void LampShapes::AddToRange(vtkCamera* camera, vtkActor* actor)
   camera->GetDirectionOfProjection(&view.x);
   const double* center = actor->GetCenter();
   const double distance = glm::dot(glm::dvec3(center[0], center[1], center[2]) - eye, view);
-  const double radius = 0.5 * actor->GetLength(); // half of its box's diagonal
-  if (distance + radius > 0.0)
+  const double radius = 0.5 * actor->GetLength();             // half of its box's diagonal
+  const bool parallel = camera->GetParallelProjection() != 0; // may see what is behind its position
+  if ((parallel || distance + radius > 0.0) && std::isfinite(distance + radius))
   {
-    const glm::dvec2 range(std::max(distance - radius, 0.0), distance + radius);
+    const double nearest = parallel ? distance - radius : std::max(distance - radius, 0.0);
+    const glm::dvec2 range(nearest, distance + radius);
     const bool first = !(this->Range.x < this->Range.y);
     this->Range.x = first ? range.x : std::min(this->Range.x, range.x);
     this->Range.y = first ? range.y : std::max(this->Range.y, range.y);

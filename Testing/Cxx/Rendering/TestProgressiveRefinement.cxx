@@ -16,6 +16,7 @@
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkLookupTable.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlane.h"
@@ -59,10 +60,13 @@ public:
     actor->SetPosition(0.2, 1.3, 0.0);
     this->Renderer->AddActor(actor);
     this->Image->SetDimensions(2, 2, 1);
-    this->Image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    this->Image->AllocateScalars(VTK_FLOAT, 1);
     this->Image->GetPointData()->GetScalars()->Fill(128.0);
     vtkNew<vtkTexture> texture;
     texture->SetInputData(this->Image);
+    this->Table->SetRange(0.0, 255.0);
+    this->Table->Build();
+    texture->SetLookupTable(this->Table);
     this->Floor->SetTexture(texture);
     this->Lamp = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
     this->Lamp->SetTransformMatrix(this->Matrix);
@@ -87,6 +91,7 @@ public:
   }
 
   vtkNew<vtkImageData> Image;
+  vtkNew<vtkLookupTable> Table;
   vtkNew<vtkMatrix4x4> Matrix; // of the lamp
   vtkNew<vtkSphereSource> Source;
   vtkNew<vtkElevationFilter> Filter;
@@ -148,6 +153,8 @@ void TestChanges()
         scene.Image->Modified();
       } },
     { "light's matrix", [&] { scene.Matrix->SetElement(0, 3, 0.5); } },
+    { "texture's table", [&] { scene.Table->SetTableValue(128, 1.0, 0.5, 0.2); } },
+    { "key", [&] { vtkAirlightPass::SetCastsShadow(scene.Ball, false); } },
     { "added", [&] { scene.Renderer->AddActor(another); } },
     { "removed", [&] { scene.Renderer->RemoveActor(another); } },
     { "light", [&] { scene.Lamp->SetPosition(2.0, 4.0, 2.0); } },
@@ -362,6 +369,51 @@ void TestRestlessScene()
 }
 
 //------------------------------------------------------------------------------
+// Lamps that are seen, near and beyond the camera's clipping range.
+void TestVisibleLamps()
+{
+  RefinedScene scene;
+  vtkAirlightLight::SetRadius(scene.Lamp, 0.3);
+  vtkAirlightLight::SetVisible(scene.Lamp, true);
+  scene.Lamp->SetPosition(0.5, 2.0, 3.0);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  for (const double factor : { 1.0, 0.3 })
+  {
+    double range[2];
+    scene.Renderer->ResetCameraClippingRange();
+    camera->GetClippingRange(range);
+    camera->SetClippingRange(range[0], range[0] + factor * (range[1] - range[0]));
+    scene.Finish();
+    Check(scene.Pass->GetAccumulatedFrames() == Count, Text("a visible lamp, ", factor));
+    const Picture refined = Capture(scene.Window);
+    Check(refined == scene.CaptureAtOnce(), "and the picture of all frames at once");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Two views of the same actors, light and camera, whose passes move them in turn.
+void TestLinkedViews()
+{
+  RefinedScene scene;
+  vtkAirlightLight::SetRadius(scene.Lamp, 0.3);
+  RefinedScene other;
+  other.Renderer->RemoveAllViewProps();
+  other.Renderer->RemoveAllLights();
+  other.Renderer->AddLight(scene.Lamp);
+  for (vtkActor* actor : { scene.Floor, scene.Ball, scene.Cube })
+  {
+    other.Renderer->AddActor(actor);
+  }
+  other.Renderer->SetActiveCamera(scene.Renderer->GetActiveCamera());
+  Place(other, scene.Window, 0.5, 0.0, 1.0, 1.0);
+  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  scene.Finish();
+  Check(scene.Pass->GetAccumulatedFrames() == Count && other.Pass->GetAccumulatedFrames() == Count,
+    Text("linked views: ", scene.Pass->GetAccumulatedFrames(), " and ",
+      other.Pass->GetAccumulatedFrames()));
+}
+
+//------------------------------------------------------------------------------
 // Toolkits have interactors that name other timers, and repeat them until they are destroyed.
 void TestToolkit()
 {
@@ -451,6 +503,8 @@ int TestProgressiveRefinement(int, char*[])
   TestInteractor();
   TestRestlessScene();
   TestTwoPasses();
+  TestVisibleLamps();
+  TestLinkedViews();
   TestToolkit();
   TestEnd();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
