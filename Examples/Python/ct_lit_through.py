@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A CT scan lit through: a lamp in the pelvis, and the shadows of the bones in the tissue.
 
-The soft tissue is a medium whose density is that of the scan (Examples/Data/torso_ct.npz, from
-TotalSegmentator); bones are a surface of constant density, above 160 Hounsfield units. Lengths are
+The soft tissue is a medium whose density rises with the scan's values (Examples/Data/torso_ct.npz,
+from TotalSegmentator), from -160 to 40 Hounsfield units; bones are a surface of constant density, above 160 Hounsfield units. Lengths are
 centimetres. The tissue is far clearer than it is, so that one sees through it.
 
 The program prints the volume of the bones and the optical depth from the lamp to the belly.
@@ -28,7 +28,7 @@ DATA = pathlib.Path(__file__).resolve().parents[1] / "Data" / "torso_ct.npz"
 BONE = 160  # Hounsfield units
 LAMP = (18.3, 16.0, 11.0)  # left to right, back to front, up
 INTENSITY = (1300.0, 800.0, 460.0)  # with 1 as white; red, green, blue
-SCATTERING = 0.04  # of water, per centimetre
+SCATTERING = 0.04  # per centimetre, from 40 Hounsfield units on
 ABSORPTION = (0.008, 0.025, 0.045)  # tissue is red
 EYE, TARGET, ANGLE = (4.0, -50.0, 24.0), (18.3, 15.0, 15.0), 26
 

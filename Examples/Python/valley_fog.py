@@ -7,7 +7,9 @@ The terrain is measured: the Jacksboro fault (Examples/Data/jacksboro_elevation.
 matplotlib's sample data), drawn three times as high as it is. The fog thins out exponentially with
 height. Lengths are kilometres.
 
-The program prints the fog's optical depth straight down onto the lowest point and onto the highest.
+The program prints the fog's optical depth straight down onto the lowest point and onto the highest,
+in the raised terrain: three times that of fog as thick as this over the true one. The sun's
+direction is chosen for the picture.
 """
 
 import argparse
@@ -27,7 +29,8 @@ import airlight.display
 DATA = pathlib.Path(__file__).resolve().parents[1] / "Data" / "jacksboro_elevation.npz"
 CELL = (0.0744, 0.0925)  # km: 3 seconds of arc at 36.6 degrees north, to the east and to the north
 RAISED = 3.0  # factor of heights
-FOG_HEIGHT, FOG_BASE, FOG = 0.17, 0.78, 0.75  # km, km, and scattering per km at the base
+FOG_HEIGHT, FOG = 0.17, 0.75  # scale height in km, and scattering per km at the base
+FOG_BASE = 0.78  # km above the sea in the raised terrain
 ANISOTROPY = 0.5
 TO_SUN = (0.9, 0.26, -0.55)  # east, up, south
 SUN = (10.0, 6.9, 4.0)  # irradiance, with 1 as white; red, green, blue

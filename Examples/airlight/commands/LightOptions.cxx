@@ -67,13 +67,12 @@ void LightOptions::AddTo(CLI::App* command)
     "the irradiance in W/m^2 of a surface that faces it, a number or r,g,b. Repeat it for more");
   this->PassOptions = {
     this->Add("--ies",
-      "FILE: the --point or --spot before it shines as this photometric file (IES LM-63) says, "
-      "with "
-      "I in its brightest direction"),
+      "FILE: the --point or --spot before it shines as this photometric file (IES LM-63) says, I "
+      "in "
+      "its brightest direction"),
     this->Add("--ies-aim",
-      "tx,ty,tz: the point that the axis of the --point with --ies or --lamp-size before it aims "
-      "at "
-      "(default: below the lamp, along 0,-1,0)"),
+      "tx,ty,tz: the point at which the axis of the --point with --ies or --lamp-size before it "
+      "aims (default: below the lamp, along 0,-1,0)"),
     this->Add("--ies-up",
       "ux,uy,uz: the direction of the file's horizontal angle 0 (type C) or vertical angle 90 "
       "(types A and B), or that of the height of --lamp-size, for the lamp before it (default "

@@ -121,9 +121,8 @@ void AddRenderCommand(CLI::App& program)
     ->check(CLI::Range(1, 100000));
   command->get_option("--no-medium")->excludes(buffer);
   CLI::Option* reference = command->add_flag("--reference", options->Reference,
-    "Compute the picture on the CPU in double precision, without a display; slower, most of all "
-    "for "
-    "lamps with an extent (256 points each), and without --ies and --glow");
+    "Compute the picture on the CPU in double precision, without a display; slower, mostly with "
+    "lamps of an extent (256 points each), and without --ies and --glow");
   for (const char* name : { "--no-medium", "--technique", "--steps", "--glow", "--antialiasing",
          "--tone-mapping", "--color-space", "--orbit" })
   {

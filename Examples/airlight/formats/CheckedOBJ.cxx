@@ -4,6 +4,7 @@
 
 #include "formats/UserError.h"
 
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -20,7 +21,7 @@ bool HasThreeNumbers(const char* text)
   {
     char* end = nullptr;
     const double number = std::strtod(text, &end);
-    if (end == text || !std::isfinite(number))
+    if (end == text || !std::isfinite(static_cast<float>(number))) // as VTK stores it
     {
       return false;
     }
@@ -39,7 +40,7 @@ void CheckOBJ(const std::string& fileName)
   {
     const std::size_t start = line.find_first_not_of(" \t");
     const bool isVertex = start != std::string::npos && line[start] == 'v' &&
-      start + 1 < line.size() && (line[start + 1] == ' ' || line[start + 1] == '\t');
+      (start + 1 == line.size() || std::isspace(static_cast<unsigned char>(line[start + 1])));
     if (isVertex && !HasThreeNumbers(line.c_str() + start + 1))
     {
       throw UserError(fileName + ":" + std::to_string(number) +
