@@ -154,7 +154,7 @@ void TestChanges()
       } },
     { "light's matrix", [&] { scene.Matrix->SetElement(0, 3, 0.5); } },
     { "texture's table", [&] { scene.Table->SetTableValue(128, 1.0, 0.5, 0.2); } },
-    { "key", [&] { vtkAirlightPass::SetCastsShadow(scene.Ball, false); } },
+    { "key", [&] { vtkAirlightPass::SetCastsShadow(scene.Cube, false); } },
     { "added", [&] { scene.Renderer->AddActor(another); } },
     { "removed", [&] { scene.Renderer->RemoveActor(another); } },
     { "light", [&] { scene.Lamp->SetPosition(2.0, 4.0, 2.0); } },
