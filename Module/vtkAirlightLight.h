@@ -122,10 +122,10 @@ public:
    * that towards the eye, over the area: pi R^2, or width times height; a photometric file counts
    * by its brightest direction. The shape is fogged and occluded as surfaces are, casts no shadow,
    * is no prop of the renderer, has no part in vtkRenderer::ResetCamera(), and is not picked; the
-   * pass widens the camera's clipping range for it while it draws, and depths of the window are those
-   * of the wider range. A spotlight is seen from within
-   * its cone, a ball from outside. Points, directional lights and lights fixed to the camera show
-   * nothing; the pass warns of points once. Default: false.
+   * pass widens the camera's clipping range for it while it draws, and depths of the window are
+   * those of the wider range. A spotlight is seen from within its cone, a ball from outside.
+   * Points, directional lights and lights fixed to the camera show nothing; the pass warns of
+   * points once. Default: false.
    */
   static void SetVisible(vtkLight* light, bool visible);
   static bool GetVisible(vtkLight* light);

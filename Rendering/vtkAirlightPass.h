@@ -408,14 +408,14 @@ public:
    * modification times of the renderer, its lights, props, textures and the data behind them, of
    * the media, of this pass or its DelegatePass change, or the camera's matrices; a hardware
    * selection counts as a change of the renderer. Call Modified() on this pass for other changes,
-   * as of uniforms, of passes below the DelegatePass, or of inner parts of widgets. Annotations (vtkActor2D) are drawn over
-   * each picture, and start nothing again. The last picture is the same, bit for bit, as that of
-   * one Render() without refinement; until then depths are of a pixel's middle but for half a
-   * pixel. All frames are drawn at once for stereo pairs, pictures in tiles, with silhouettes of
-   * other processes, below passes that draw into framebuffers of their own, and for a scene that
-   * changes whenever it is drawn. Give each renderer a pass of its own: renderers that share one
-   * begin the mean again and again. Take screenshots without refinement, or wait until
-   * GetAccumulatedFrames() is SubpixelFrames. Default: off, all at once.
+   * as of uniforms, of passes below the DelegatePass, or of inner parts of widgets. Annotations
+   * (vtkActor2D) are drawn over each picture, and start nothing again. The last picture is the
+   * same, bit for bit, as that of one Render() without refinement; until then depths are of a
+   * pixel's middle but for half a pixel. All frames are drawn at once for stereo pairs, pictures
+   * in tiles, with silhouettes of other processes, below passes that draw into framebuffers of
+   * their own, and for a scene that changes whenever it is drawn. Give each renderer a pass of its
+   * own: renderers that share one begin the mean again and again. Take screenshots without
+   * refinement, or wait until GetAccumulatedFrames() is SubpixelFrames. Default: off, all at once.
    */
   vtkSetMacro(ProgressiveRefinement, bool);
   vtkGetMacro(ProgressiveRefinement, bool);

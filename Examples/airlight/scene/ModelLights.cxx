@@ -79,6 +79,7 @@ LightSource MakeFill(const Place& place, const Mood& mood)
 std::vector<std::string> GetLampPlaces()
 {
   std::vector<std::string> names;
+  names.reserve(Places.size());
   for (const Place& place : Places)
   {
     names.emplace_back(place.Name);

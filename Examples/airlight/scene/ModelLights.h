@@ -33,7 +33,7 @@ struct ModelLights
  * Throws UserError for an unknown place.
  */
 ModelLights MakeModelLights(
-  const std::string& place, const Mood& mood, const Vector3& center, double diagonal);
+  const std::string& name, const Mood& mood, const Vector3& center, double diagonal);
 
 /**
  * The lamps of a file, in proportion: a white surface in the middle that faces all of them would

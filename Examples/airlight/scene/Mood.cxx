@@ -51,6 +51,7 @@ const Mood& GetMood(const std::string& name)
 std::vector<std::string> GetMoodNames()
 {
   std::vector<std::string> names;
+  names.reserve(Moods.size());
   for (const Mood& mood : Moods)
   {
     names.emplace_back(mood.Name);
