@@ -284,9 +284,10 @@ bool PassRenderer::AddFrames(
     range.Last = frames.Last;
   }
   const auto progress = [&](double share) {
+    this->AccumulatedFrames = this->Mean.GetDone();
     if (refines)
     {
-      this->Refined.Keep(refined, this->Mean.GetDone());
+      this->Refined.Keep(refined, this->AccumulatedFrames);
     }
     return settings.Progress(share);
   };

@@ -29,6 +29,7 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <utility>
@@ -198,6 +199,22 @@ void TestAnnotations()
   const Picture after = Capture(scene.Window);
   Check(after != before && frames == 0, "a text changes and no frame is drawn");
   Check(after == scene.CaptureAtOnce(), "to what it is with all frames at once");
+}
+
+//------------------------------------------------------------------------------
+// Observers of the progress know the number, as those who show it need.
+void TestCount()
+{
+  RefinedScene scene;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetCallback([](vtkObject* pass, unsigned long, void*, void* share) {
+    const int frames = static_cast<vtkAirlightPass*>(pass)->GetAccumulatedFrames();
+    Check(frames == std::lround(*static_cast<double*>(share) * Count),
+      Text("the number in its progress: ", frames));
+  });
+  scene.Pass->AddObserver(vtkCommand::ProgressEvent, count);
+  scene.Finish();
+  Check(scene.Pass->GetAccumulatedFrames() == Count, "the number of all frames");
 }
 
 //------------------------------------------------------------------------------
@@ -496,6 +513,7 @@ int TestProgressiveRefinement(int, char*[])
   TestGrowth();
   TestChanges();
   TestAnnotations();
+  TestCount();
   TestChangeInProgress();
   TestMoving();
   TestBuffers();
