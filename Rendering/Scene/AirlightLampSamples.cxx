@@ -82,6 +82,21 @@ glm::dvec3 GetLampOffset(
 }
 
 //------------------------------------------------------------------------------
+glm::dvec3 GetLampAxis(vtkLight* light)
+{
+  const LightProperties& properties = GetProperties(light);
+  glm::dvec3 position;
+  glm::dvec3 focalPoint;
+  light->GetPosition(&position.x);
+  light->GetFocalPoint(&focalPoint.x);
+  const double length = glm::length(focalPoint - position);
+  const bool aims = length > 0.0 &&
+    (!light->GetPositional() || light->GetConeAngle() < 90.0 || properties.Table ||
+      properties.Extent.Size != glm::dvec2(0.0));
+  return aims ? (focalPoint - position) / length : glm::dvec3(0.0);
+}
+
+//------------------------------------------------------------------------------
 MovedLamps::MovedLamps(vtkRenderer* renderer, int number)
 {
   vtkLightCollection* lights = renderer->GetLights();
@@ -120,18 +135,15 @@ void MovedLamps::Move(vtkLight* light, const glm::dvec3& numbers)
   Place place{ light, {}, {} };
   light->GetPosition(&place.Position.x);
   light->GetFocalPoint(&place.FocalPoint.x);
-  const glm::dvec3 path = place.FocalPoint - place.Position;
-  const double length = glm::length(path);
+  const double length = glm::length(place.FocalPoint - place.Position);
   const LightProperties& properties = GetProperties(light);
   const bool positional = light->GetPositional() != 0;
-  const bool aims = length > 0.0 &&
-    (!positional || light->GetConeAngle() < 90.0 || properties.Table ||
-      properties.Extent.Size != glm::dvec2(0.0));
+  const glm::dvec3 axis = GetLampAxis(light);
+  const bool aims = axis != glm::dvec3(0.0);
   if (!positional && !aims)
   {
     return;
   }
-  const glm::dvec3 axis = aims ? path / length : glm::dvec3(0.0);
   const glm::dvec3 up = aims ? MakeAcross(properties.PhotometryUp, axis) : glm::dvec3(0.0);
   const glm::dvec3 offset = positional
     ? GetLampOffset(properties.Extent, axis, up, numbers)

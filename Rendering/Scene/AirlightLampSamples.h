@@ -30,6 +30,10 @@ VTKAIRLIGHT_EXPORT glm::dvec3 GetLampNumbers(int number, int light);
 VTKAIRLIGHT_EXPORT glm::dvec3 GetLampOffset(const LampExtent& extent, const glm::dvec3& axis,
   const glm::dvec3& up, const glm::dvec3& numbers);
 
+// The direction of a lamp that shines along one, of length 1; 0 for a lamp that shines in all
+// directions alike, and where position and focal point are the same.
+glm::dvec3 GetLampAxis(vtkLight* light);
+
 // The lamps of a renderer at their points for a frame, until this goes out of scope.
 class MovedLamps
 {

@@ -4,6 +4,7 @@
 
 #include "Integration/AirlightMatrix.h"
 #include "Photometry/AirlightLightProperties.h"
+#include "Scene/AirlightLampSamples.h"
 #include "Scene/AirlightSceneLights.h"
 #include "vtkAirlightLight.h"
 
@@ -58,22 +59,19 @@ bool IsShown(vtkLight* light)
     GetProperties(light).Visible;
 }
 
-// As its points are: AirlightLampSamples.h.
 Lamp GetLamp(vtkLight* light)
 {
   const LightProperties& properties = GetProperties(light);
   Lamp lamp;
-  glm::dvec3 focalPoint;
   light->GetPosition(&lamp.Position.x);
-  light->GetFocalPoint(&focalPoint.x);
-  const double length = glm::length(focalPoint - lamp.Position);
-  const bool flat = properties.Extent.Size != glm::dvec2(0.0);
   lamp.Size = glm::dvec2(properties.Extent.Radius);
-  if (length > 0.0 && (flat || light->GetConeAngle() < 90.0 || properties.Table))
+  const glm::dvec3 axis = GetLampAxis(light);
+  if (axis != glm::dvec3(0.0))
   {
+    const bool flat = properties.Extent.Size != glm::dvec2(0.0);
     lamp.Kind = flat ? LampKind::Rectangle : LampKind::Disc;
     lamp.Size = flat ? properties.Extent.Size : lamp.Size;
-    lamp.Axis = (focalPoint - lamp.Position) / length;
+    lamp.Axis = axis;
     lamp.Up = MakeAcross(properties.PhotometryUp, lamp.Axis);
   }
   return lamp;
