@@ -50,8 +50,6 @@ public:
   void Keep(const Picture& picture, int done);
   void Forget() { this->Done = 0; }
 
-  int GetDone() const { return this->Done; }
-
 private:
   SceneStamp Stamp;
   vtkWeakPointer<vtkRenderer> Renderer;

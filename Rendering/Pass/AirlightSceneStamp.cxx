@@ -139,7 +139,10 @@ void SceneStamp::AddProps(const vtkRenderState* s)
     }
     for (const ScenePart& part : prop.Parts)
     {
-      this->AddActor(part.Actor);
+      if (!prop.InView || part.Actor != prop.Prop) // else it is among the actors
+      {
+        this->AddActor(part.Actor);
+      }
       this->AddMatrix(part.ToWorld); // of this walk
     }
     for (vtkVolume* volume : prop.Volumes)
