@@ -116,9 +116,8 @@ void PassMessages::CheckLights(
         [](const SceneLight& sceneLight) { return IsInvisiblePoint(sceneLight.Light); }))
   {
     this->WarnOnce(InvisiblePoint,
-      "A light that vtkAirlightLight::SetVisible() shows is a point, of which nothing is seen: "
-      "call "
-      "SetRadius(), or SetSize() with a width and a height above 0, for it.");
+      "vtkAirlightLight::SetVisible() was called for a point, of which nothing is seen: call "
+      "SetRadius(), or SetSize() with a width and a height above 0, for that light.");
   }
   if (static_cast<int>(sceneLights.size()) > MaximumShadowingLights)
   {
