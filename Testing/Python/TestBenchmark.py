@@ -23,7 +23,7 @@ SMALL = BRIEF + ["shadow map, 64 steps"] + [
 
 
 def run(*arguments, **environment):
-    return subprocess.run([PROGRAM, *arguments], check=False, text=True, timeout=120,
+    return subprocess.run([PROGRAM, *arguments], check=False, text=True, timeout=600,
                           env={**os.environ, **environment}, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE)
 

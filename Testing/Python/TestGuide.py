@@ -200,7 +200,7 @@ class TestGuide(unittest.TestCase):
         read = self.read_png
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([sys.executable, str(ROOT / "Documentation" / "plots.py"), folder],
-                           check=True, timeout=100)
+                           check=True, timeout=300)
             drawn = sorted(path.name for path in pathlib.Path(folder).iterdir())
             self.assertEqual(drawn, sorted(path.name for path in shown.glob("guide-*.png")))
             for name in drawn:

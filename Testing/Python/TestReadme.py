@@ -81,7 +81,7 @@ class TestReadme(unittest.TestCase):
                 if "view" in words or "--live" in words:
                     self.run_interactive(words, folder)
                     continue
-                done = subprocess.run(words, cwd=folder, stdout=subprocess.PIPE, timeout=100,
+                done = subprocess.run(words, cwd=folder, stdout=subprocess.PIPE, timeout=300,
                                       stderr=subprocess.STDOUT, text=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stdout)
                 for file in re.findall(r"(?:-o|--difference) (\S+)", line):
@@ -104,7 +104,7 @@ class TestReadme(unittest.TestCase):
         package = pathlib.Path(airlight.__file__).parents[1]
         self.assertEqual(package.parts[-3:], pathlib.Path(folder).parts)
         environment = dict(os.environ, PYTHONPATH=str(package))
-        done = subprocess.run([sys.executable, "-m", "airlight"], env=environment, timeout=100,
+        done = subprocess.run([sys.executable, "-m", "airlight"], env=environment, timeout=300,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               check=False)
         self.assertEqual(done.returncode, 0, done.stdout)
