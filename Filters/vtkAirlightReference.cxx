@@ -4,6 +4,7 @@
 
 #include "Medium/AirlightMediaList.h"
 #include "Medium/AirlightMediaMethods.h"
+#include "Reference/AirlightPathPicture.h"
 #include "Reference/AirlightReferencePicture.h"
 #include "Reference/AirlightReferenceTracer.h"
 #include "Scene/AirlightVTKVersions.h"
@@ -25,12 +26,15 @@
 #include "vtkWindow.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace airlight;
 
 namespace
 {
 constexpr int MostPixels = 32768; // along a side
+
+constexpr double SingleShare = 0.1; // of the progress, of light that is scattered once
 }
 
 // What it was given.
@@ -84,6 +88,70 @@ void vtkAirlightReference::SetSize(int width, int height)
   {
     this->Size[0] = width;
     this->Size[1] = height;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightReference::SetScatteringOrders(int orders)
+{
+  if (orders < 0)
+  {
+    vtkErrorMacro(<< "ScatteringOrders " << orders << " must be 1 for single scattering, more, or "
+                  << "0 for all orders; it stays " << this->ScatteringOrders << ".");
+    return;
+  }
+  if (this->ScatteringOrders != orders)
+  {
+    this->ScatteringOrders = orders;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightReference::SetSamplesPerPixel(int samples)
+{
+  if (samples < 2)
+  {
+    vtkErrorMacro(<< "SamplesPerPixel " << samples << " must be at least 2, as one path has no "
+                  << "standard error; it stays " << this->SamplesPerPixel << ".");
+    return;
+  }
+  if (this->SamplesPerPixel != samples)
+  {
+    this->SamplesPerPixel = samples;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightReference::SetTargetError(double error)
+{
+  if (!std::isfinite(error) || error < 0.0)
+  {
+    vtkErrorMacro(<< "TargetError " << error << " must be finite and above 0, such as 0.01, or 0 "
+                  << "for none; it stays " << this->TargetError << ".");
+    return;
+  }
+  if (this->TargetError != error)
+  {
+    this->TargetError = error;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightReference::SetTimeLimit(double seconds)
+{
+  if (!std::isfinite(seconds) || seconds < 0.0)
+  {
+    vtkErrorMacro(<< "TimeLimit " << seconds << " must be a finite number of seconds above 0, or 0 "
+                  << "for none; it stays " << this->TimeLimit << ".");
+    return;
+  }
+  if (this->TimeLimit != seconds)
+  {
+    this->TimeLimit = seconds;
     this->Modified();
   }
 }
@@ -151,6 +219,12 @@ void vtkAirlightReference::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "LampPoints: " << this->LampPoints << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
+  os << indent << "ScatteringOrders: " << this->ScatteringOrders << "\n";
+  os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
+  os << indent << "TargetError: " << this->TargetError << "\n";
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "ReachedError: " << this->ReachedError << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -254,18 +328,55 @@ int vtkAirlightReference::RequestData(
   image->SetExtent(extent);
   image->SetSpacing(1.0, 1.0, 1.0);
   image->SetOrigin(0.0, 0.0, 0.0);
-  ReferencePicture picture(image);
-  // Some rows at a time: progress is for this thread to tell.
-  const int step = std::max(1, settings.Height / 50);
-  for (int row = 0; row < settings.Height && !IsAborted(this); row += step)
+  this->ReachedError = 0.0;
+  if (this->ComputeSingle(image, tracer) && this->ScatteringOrders != 1)
   {
-    const int rows = std::min(step, settings.Height - row);
-    picture.Trace(tracer, row, rows);
-    this->UpdateProgress(static_cast<double>(row + rows) / settings.Height);
+    this->AddPaths(image, tracer);
   }
   if (IsAborted(this))
   {
     image->Initialize();
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// False if it was aborted.
+bool vtkAirlightReference::ComputeSingle(vtkImageData* image, const ReferenceTracer& tracer)
+{
+  const double share = this->ScatteringOrders == 1 ? 1.0 : SingleShare;
+  const int height = image->GetDimensions()[1];
+  ReferencePicture picture(image);
+  // Some rows at a time: progress is for this thread to tell.
+  const int step = std::max(1, height / 50);
+  for (int row = 0; row < height && !IsAborted(this); row += step)
+  {
+    const int rows = std::min(step, height - row);
+    picture.Trace(tracer, row, rows);
+    this->UpdateProgress(share * static_cast<double>(row + rows) / height);
+  }
+  return !IsAborted(this);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightReference::AddPaths(vtkImageData* image, const ReferenceTracer& tracer)
+{
+  PathSettings settings;
+  settings.Orders = this->ScatteringOrders;
+  settings.Samples = this->SamplesPerPixel;
+  settings.TargetError = this->TargetError;
+  settings.TimeLimit = this->TimeLimit;
+  settings.Seed = this->Seed;
+  PathPicture picture(image, tracer, settings);
+  double most = 0.0;
+  picture.Compute([&](double done) {
+    most = std::max(most, done); // estimates may fall
+    this->UpdateProgress(SingleShare + (1.0 - SingleShare) * most);
+    return !IsAborted(this);
+  });
+  this->ReachedError = picture.GetRelativeError();
+  if (!IsAborted(this))
+  {
+    this->UpdateProgress(1.0);
+  }
 }

@@ -18,6 +18,9 @@
  * "What shares code with what" in Documentation/trust.md. Lights, casters and limits are in
  * Documentation/guide.md.
  *
+ * With SetScatteringOrders() it also follows light that is scattered in the media and reflected by
+ * surfaces several times, which the pass does not: an unbiased volumetric path tracer adds it.
+ *
  * The output has the picture's size, spacing 1, the bottom row first, and these point data in
  * double precision, which are the buffers of vtkAirlightPass::GetBuffer():
  *
@@ -27,16 +30,21 @@
  * - "Transmittance" (RGB)
  * - "Depth", world units; -1 without a surface
  * - "LitLength", world units
+ * - "StandardError" (RGB), W/(m^2 sr), only with ScatteringOrders other than 1: the standard
+ *   deviation of "Radiance" by chance, estimated from the paths of its pixel
  *
  * The pixels are computed in parallel by vtkSMPTools; the result is bit-identical for any number of
- * threads. Progress is reported. SetAbortExecute() from an observer stops at the next rows and
- * leaves an output without points.
+ * threads, with paths, too, unless a time limit ends them. Progress is reported; while paths are
+ * added, an observer of it finds the picture so far in GetOutputDataObject(0). SetAbortExecute()
+ * from an observer stops at the next rows and leaves an output without points.
  *
  * Errors: a missing renderer, an unknown size, a camera without valid matrices and more than eight
  * media give an error and an output without points.
  *
  * Source: the formulae of vtkAirlight. The shadow of a triangle on a ray is the intersection of a
- * half space and the cone of the light and the triangle's three edges.
+ * half space and the cone of the light and the triangle's three edges. Paths: E. Veach, Robust
+ * Monte Carlo Methods for Light Transport Simulation, 1997; C. Kulla and M. Fajardo, Importance
+ * Sampling Techniques for Path Tracing in Participating Media, 2012.
  *
  * @sa vtkAirlightPass vtkAirlight vtkParticipatingMedium
  */
@@ -52,6 +60,11 @@
 class vtkLight;
 class vtkParticipatingMedium;
 class vtkRenderer;
+
+namespace airlight
+{
+class ReferenceTracer;
+}
 
 class VTKAIRLIGHT_EXPORT vtkAirlightReference : public vtkImageAlgorithm
 {
@@ -124,6 +137,75 @@ public:
 
   ///@{
   /**
+   * How many times light may be scattered by the media or reflected by surfaces on its way from a
+   * lamp to the eye. 1 is single scattering and VTK's shading, as the pass draws it, without noise.
+   * n > 1: at most n times. 0: any number of times. Range: at least 0. Default: 1.
+   *
+   * Light that was scattered or reflected once stays what it is with 1. Paths add the rest:
+   *
+   * - Surfaces reflect as Lambertian ones, of the diffuse colour of VTK's material (times its
+   *   coefficient, or the colours of scalars), at most 1, as albedo. Their highlights reflect only
+   *   the lamps that the eye sees in them. Those with lighting switched off reflect nothing.
+   * - The ambient radiance of media and the ambient colour of surfaces are light of order 1 that
+   *   shines on, as do unlit surfaces. A constant that was to stand for multiple scattering must be
+   *   set to 0, else that light counts twice.
+   * - Backgrounds shine on nothing. Lights that do not scatter
+   *   (vtkAirlightLight::SetScatters()) have order 1 alone.
+   * - Translucent surfaces dim what is behind them for the eye; they neither stop nor reflect light
+   *   of higher orders.
+   *
+   * Without absorption anywhere in a closed room, no picture exists for 0.
+   */
+  void SetScatteringOrders(int orders);
+  vtkGetMacro(ScatteringOrders, int);
+  ///@}
+
+  ///@{
+  /**
+   * The number of paths of each pixel, at most where there is a target error or a time limit. The
+   * standard error falls as the inverse of its square root. Range: at least 2. Default: 64.
+   */
+  void SetSamplesPerPixel(int samples);
+  vtkGetMacro(SamplesPerPixel, int);
+  ///@}
+
+  ///@{
+  /**
+   * The relative error at which to stop: the root mean square of "StandardError" over the mean of
+   * "Radiance", each over all pixels and colours. All pixels have as many paths. 0: no target.
+   * Range: finite, at least 0. Default: 0.
+   */
+  void SetTargetError(double error);
+  vtkGetMacro(TargetError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds after which no more paths are added, but for the first two of each pixel; how many
+   * there are then depends on the machine, so that the same scene gives other numbers each time. 0:
+   * no limit. Range: finite, at least 0. Default: 0.
+   */
+  void SetTimeLimit(double seconds);
+  vtkGetMacro(TimeLimit, double);
+  ///@}
+
+  ///@{
+  /**
+   * Which random numbers are drawn. Pictures of two seeds are independent; the same seed gives the
+   * same picture. Default: 0.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  /**
+   * After Update() with ScatteringOrders other than 1: the relative error that was reached, as
+   * TargetError defines it; else 0.
+   */
+  vtkGetMacro(ReachedError, double);
+
+  ///@{
+  /**
    * The same as vtkAirlightLight::SetScatters(): the light keeps the value.
    */
   void SetLightScatters(vtkLight* light, bool scatters);
@@ -150,11 +232,19 @@ private:
 
   bool FindSize(int size[2]);
   bool Check();
+  bool ComputeSingle(vtkImageData* image, const airlight::ReferenceTracer& tracer);
+  void AddPaths(vtkImageData* image, const airlight::ReferenceTracer& tracer);
 
   int Size[2] = { 0, 0 };
   double LightRadius = 0.0;
   int LampPoints = 256;
   bool SurfaceShadows = true;
+  int ScatteringOrders = 1;
+  int SamplesPerPixel = 64;
+  double TargetError = 0.0;
+  double TimeLimit = 0.0;
+  int Seed = 0;
+  double ReachedError = 0.0;
 
   class Internals;
   std::unique_ptr<Internals> Impl;

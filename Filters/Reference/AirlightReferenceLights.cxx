@@ -4,7 +4,7 @@
 
 #include "Photometry/AirlightLightProperties.h"
 #include "Reference/AirlightReferenceLamp.h"
-#include "Reference/AirlightReferenceMesh.h"
+#include "Reference/AirlightReferenceSurface.h"
 #include "Scene/AirlightVTKVersions.h"
 #include "vtkAirlightLight.h"
 #include "vtkCamera.h"
@@ -58,32 +58,6 @@ ReferenceLight Convert(
   result.ConeAngle = light->GetConeAngle();
   result.Exponent = light->GetExponent();
   return result;
-}
-
-// The corners' weights of a point of a triangle.
-glm::dvec3 GetWeights(const OccluderTriangle& t, const glm::dvec3& p)
-{
-  const glm::dvec3 normal = glm::cross(t.B - t.A, t.C - t.A);
-  const double a = glm::dot(normal, glm::cross(t.B - p, t.C - p));
-  const double b = glm::dot(normal, glm::cross(t.C - p, t.A - p));
-  const double c = glm::dot(normal, glm::cross(t.A - p, t.B - p));
-  return glm::dvec3(a, b, c) / (a + b + c);
-}
-
-// On the viewer's side. Given normals are turned by the winding of the corners, as mappers do it.
-glm::dvec3 GetNormal(const ReferencePart& part, const OccluderTriangle& triangle,
-  const glm::dvec3& weights, const glm::dvec3& direction)
-{
-  const glm::dvec3 flat = glm::cross(triangle.B - triangle.A, triangle.C - triangle.A);
-  glm::dvec3 normal = flat;
-  if (!part.Normals.empty())
-  {
-    const glm::dvec3* n = &part.Normals[3 * triangle.Cell];
-    normal = weights.x * n[0] + weights.y * n[1] + weights.z * n[2];
-  }
-  const double length = glm::length(normal);
-  normal = length > 0.0 ? normal / length : glm::dvec3(0.0);
-  return IsSeenFromFront(triangle, direction) ? normal : -normal;
 }
 
 // The light's direction at a point and what is left of it there.
@@ -171,21 +145,13 @@ glm::dvec4 ReferenceLights::Shade(const ReferencePart& part, const OccluderTrian
   const glm::dvec3& position, const glm::dvec3& direction, const glm::dvec3& eye,
   const std::vector<glm::dvec3>& arriving) const
 {
-  ReferenceMaterial material = IsSeenFromFront(triangle, direction) ? part.Front : part.Back;
-  const glm::dvec3 weights = GetWeights(triangle, position);
-  if (!part.Colours.empty())
-  {
-    const glm::dvec4* c = &part.Colours[3 * triangle.Cell];
-    const glm::dvec4 colour = weights.x * c[0] + weights.y * c[1] + weights.z * c[2];
-    material.Ambient = part.AmbientFactor * glm::dvec3(colour);
-    material.Diffuse = part.DiffuseFactor * glm::dvec3(colour);
-    material.Opacity *= colour.a;
-  }
+  const ReferenceSurface surface(part, triangle, position, direction);
+  const ReferenceMaterial& material = surface.Material;
   if (!part.Lighting || this->Lights.empty())
   {
     return { material.Ambient + material.Diffuse, material.Opacity };
   }
-  const glm::dvec3 normal = GetNormal(part, triangle, weights, direction);
+  const glm::dvec3& normal = surface.Normal;
   const glm::dvec3 toEye = glm::normalize(eye - position);
   glm::dvec3 diffuse(0.0);
   glm::dvec3 specular(0.0);

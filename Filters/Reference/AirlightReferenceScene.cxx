@@ -99,6 +99,24 @@ bool ReferenceScene::IsHidden(const OccluderTriangle& triangle, const glm::dvec3
 }
 
 //------------------------------------------------------------------------------
+bool ReferenceScene::FindFirst(const Occluders& surfaces, const glm::dvec3& origin,
+  const glm::dvec3& direction, double after, double before, ReferenceHit& hit) const
+{
+  Occluders::Hit found;
+  while (surfaces.FirstHit(origin, direction, after, before, found))
+  {
+    const OccluderTriangle& triangle = surfaces.GetTriangles()[found.Triangle];
+    if (!this->IsHidden(triangle, origin, direction, found.T))
+    {
+      hit = { found.T, &triangle };
+      return true;
+    }
+    after = found.T;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 void ReferenceScene::AddProp(const SceneProp& prop)
 {
   if (prop.Prop->IsA("vtkActor2D"))

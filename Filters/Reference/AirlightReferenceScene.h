@@ -56,6 +56,12 @@ struct ReferencePart
   std::vector<glm::dvec4> Colours;        // three for each triangle, or none: RGBA of scalars
 };
 
+struct ReferenceHit
+{
+  double T;
+  const OccluderTriangle* Triangle;
+};
+
 class ReferenceScene
 {
 public:
@@ -78,6 +84,10 @@ public:
   // Whether the ray does not see the triangle at t: culled or clipped away. `origin` in the world.
   bool IsHidden(const OccluderTriangle& triangle, const glm::dvec3& origin,
     const glm::dvec3& direction, double t) const;
+
+  // The first surface that is seen with after < T < before; `origin` in the world.
+  bool FindFirst(const Occluders& surfaces, const glm::dvec3& origin, const glm::dvec3& direction,
+    double after, double before, ReferenceHit& hit) const;
 
 private:
   void AddProp(const SceneProp& prop);

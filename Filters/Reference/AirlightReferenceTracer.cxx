@@ -67,22 +67,10 @@ glm::dvec3 ReferenceTracer::GetBackground(double y) const
 }
 
 //------------------------------------------------------------------------------
-// The first one that is seen.
 bool ReferenceTracer::FindSurface(const Occluders& surfaces, const PixelRay& ray, double after,
   double before, SurfaceHit& hit) const
 {
-  Occluders::Hit found;
-  while (surfaces.FirstHit(ray.World, ray.Direction, after, before, found))
-  {
-    const OccluderTriangle& triangle = surfaces.GetTriangles()[found.Triangle];
-    if (!this->Scene.IsHidden(triangle, ray.World, ray.Direction, found.T))
-    {
-      hit = { found.T, &triangle };
-      return true;
-    }
-    after = found.T;
-  }
-  return false;
+  return this->Scene.FindFirst(surfaces, ray.World, ray.Direction, after, before, hit);
 }
 
 //------------------------------------------------------------------------------
@@ -262,5 +250,43 @@ ReferencePixel ReferenceTracer::Trace(double x, double y, const ReferenceChange&
   pixel.Radiance = pixel.Airlight + pixel.Transmittance * behind;
   this->AddLayers(ray, hit.T, pixel.Radiance);
   return pixel;
+}
+
+//------------------------------------------------------------------------------
+ReferenceTracer::EyeRay ReferenceTracer::FindEyeRay(double x, double y) const
+{
+  const PixelRay ray = this->MakeRay(x, y, {});
+  EyeRay result;
+  result.Origin = ray.Origin;
+  result.Direction = ray.Direction;
+  SurfaceHit hit{ AIRLIGHT_FAR, nullptr };
+  this->FindSurface(this->Scene.GetOpaque(), ray, ray.Nearest, ray.Farthest, hit);
+  result.End = hit.T;
+  result.Triangle = hit.Triangle;
+  hit = { ray.Nearest, nullptr };
+  const double before = std::min(result.End, ray.Farthest);
+  while (this->FindSurface(this->Scene.GetTranslucent(), ray, hit.T, before, hit))
+  {
+    const ReferenceSurface surface(this->Scene.GetPart(*hit.Triangle), *hit.Triangle,
+      ray.World + hit.T * ray.Direction, ray.Direction);
+    result.Layers.push_back({ hit.T, std::clamp(surface.Material.Opacity, 0.0, 1.0) });
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+ReferenceSurface ReferenceTracer::GetSurface(const EyeRay& ray) const
+{
+  return { this->Scene.GetPart(*ray.Triangle), *ray.Triangle,
+    ray.Origin + this->Rays.GetEye() + ray.End * ray.Direction, ray.Direction };
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 ReferenceTracer::GetAmbient(
+  const glm::dvec3& origin, const glm::dvec3& direction, double end) const
+{
+  const bool shines = std::any_of(this->Media.item, this->Media.item + this->Media.count,
+    [](const f64::AirlightMedium& medium) { return medium.ambient != glm::dvec3(0.0); });
+  return shines ? IntegrateAmbient(this->Media, origin, direction, end) : glm::dvec3(0.0);
 }
 }

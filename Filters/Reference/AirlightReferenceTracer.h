@@ -9,6 +9,7 @@
 
 #include "Reference/AirlightReferenceLights.h"
 #include "Reference/AirlightReferenceScene.h"
+#include "Reference/AirlightReferenceSurface.h"
 #include "Scene/AirlightCameraRays.h"
 #include "vtkAirlightModule.h" // for export macro
 
@@ -74,13 +75,43 @@ public:
   // length.
   ReferencePixel TraceTo(double x, double y, double end) const;
 
-private:
-  struct PixelRay;
-  struct SurfaceHit
+  // ---- For paths of light (AirlightPathTracer.h) ----
+
+  const f64::AirlightMedia& GetMedia() const { return this->Media; }
+  const glm::dvec3& GetEye() const { return this->Rays.GetEye(); }
+  bool HasSurfaceShadows() const { return this->Settings.SurfaceShadows; }
+
+  // Whether lights shade a triangle; else it shows its colour.
+  bool IsShaded(const OccluderTriangle& triangle) const
+  {
+    return this->Scene.GetPart(triangle).Lighting && !this->Lights.GetAll().empty();
+  }
+
+  struct Layer
   {
     double T;
-    const OccluderTriangle* Triangle;
+    double Opacity;
   };
+
+  struct EyeRay
+  {
+    glm::dvec3 Origin; // from the eye
+    glm::dvec3 Direction;
+    double End = AIRLIGHT_FAR;
+    const OccluderTriangle* Triangle = nullptr; // of the opaque surface that ends it
+    std::vector<Layer> Layers;                  // translucent surfaces before
+  };
+
+  EyeRay FindEyeRay(double x, double y) const;
+  ReferenceSurface GetSurface(const EyeRay& ray) const; // that ends it
+
+  // What the media scatter of their ambient radiance into [0, end] of a ray.
+  glm::dvec3 GetAmbient(
+    const glm::dvec3& origin, const glm::dvec3& direction, double end) const;
+
+private:
+  struct PixelRay;
+  using SurfaceHit = ReferenceHit;
 
   PixelRay MakeRay(double x, double y, const ReferenceChange& change) const;
   void TraceMedium(PixelRay& ray, double end, ReferencePixel& pixel) const;

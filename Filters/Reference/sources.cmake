@@ -2,9 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
+    AirlightPathDirections
+    AirlightPathLights
+    AirlightPathPicture
+    AirlightPathRay
+    AirlightPathSegment
+    AirlightPathTracer
+    AirlightPathVertex
     AirlightReferenceLamp
     AirlightReferenceLights
     AirlightReferenceMesh
     AirlightReferencePicture
     AirlightReferenceScene
+    AirlightReferenceSurface
     AirlightReferenceTracer)

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reference/AirlightPathTracer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace airlight
+{
+namespace
+{
+constexpr int FirstRoulette = 4; // order from which on paths may end by chance
+
+// From here on paths end by chance even if nothing absorbs: in closed rooms they would never.
+constexpr int LastCertain = 1000;
+constexpr double CertainSurvival = 0.999;
+}
+
+//------------------------------------------------------------------------------
+PathTracer::PathTracer(const ReferenceTracer& tracer, int orders)
+  : Tracer(tracer)
+  , Media(tracer.GetMedia())
+  , Lights(tracer)
+  , Orders(orders)
+{
+}
+
+//------------------------------------------------------------------------------
+// Where light is scattered or reflected into the eye's ray: a place drawn by free flight or, half
+// of the time, by the angle seen from a light.
+bool PathTracer::FindFirst(
+  const ReferenceTracer::EyeRay& eye, RandomNumbers& random, PathVertex& vertex) const
+{
+  const PathSegment segment(this->Media.Media, eye.Origin, eye.Direction, eye.End);
+  const glm::dvec3 shares(1.0 / 3.0);
+  std::optional<EquiangularPlaces> places;
+  if (!this->Lights.IsEmpty() && segment.GetFrom() < segment.GetTo())
+  {
+    const PathLights::Choice choice = this->Lights.Choose(segment.GetOrigin(), random);
+    if (choice.HasPlace())
+    {
+      places.emplace(choice.Light->Values.position, choice.Light->Values.radius, segment);
+    }
+  }
+  const double byAngle = places && !places->IsEmpty() ? 0.5 : 0.0;
+  double t = 0.0;
+  if (random.Next() < byAngle)
+  {
+    t = places->Sample(random);
+  }
+  else if (!segment.SampleFlight(shares, random, t))
+  {
+    const double passing = (1.0 - byAngle) * segment.GetPassing(shares);
+    if (!eye.Triangle || !this->Tracer.IsShaded(*eye.Triangle) || !(passing > 0.0))
+    {
+      return false;
+    }
+    vertex.EnterSurface(this->Tracer.GetSurface(eye), *eye.Triangle, segment, 1.0 / passing);
+    return vertex.GetLargestWeight() > 0.0;
+  }
+  const double density =
+    (1.0 - byAngle) * PathSegment::GetFlightDensity(shares, segment.GetPlace(t)) +
+    (byAngle > 0.0 ? byAngle * places->GetDensity(t) : 0.0);
+  if (!(density > 0.0))
+  {
+    return false;
+  }
+  vertex.EnterMedium(segment, t, 1.0 / density);
+  return vertex.GetLargestWeight() > 0.0;
+}
+
+//------------------------------------------------------------------------------
+// Russian roulette by what the path still may bring, compared with its first vertex.
+bool PathTracer::Survives(PathVertex& vertex, int order, double first, RandomNumbers& random) const
+{
+  double chance = 1.0;
+  if (order >= FirstRoulette)
+  {
+    const double now = vertex.GetLargestWeight() * this->Lights.GetImportance(vertex.Position);
+    chance = std::min(1.0, now / first);
+  }
+  chance *= order > LastCertain ? CertainSurvival : 1.0;
+  if (chance < 1.0 && !(random.Next() < chance))
+  {
+    return false;
+  }
+  vertex.Weight /= chance;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// All that reaches a vertex and goes on towards the eye.
+glm::dvec3 PathTracer::Gather(PathVertex vertex, RandomNumbers& random) const
+{
+  glm::dvec3 sum(0.0);
+  const double first = vertex.GetLargestWeight() * this->Lights.GetImportance(vertex.Position);
+  for (int order = 2; this->Orders == 0 || order <= this->Orders; ++order)
+  {
+    if (!this->Survives(vertex, order, first, random) || !this->GatherNext(vertex, sum, random))
+    {
+      break;
+    }
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+// Adds what one more scattering or reflection brings to a vertex, and moves it there. False where
+// the path ends.
+bool PathTracer::GatherNext(PathVertex& vertex, glm::dvec3& sum, RandomNumbers& random) const
+{
+  const glm::dvec3 shares = vertex.GetShares();
+  std::optional<PathLights::Choice> choice;
+  if (!this->Lights.IsEmpty())
+  {
+    choice = this->Lights.Choose(vertex.Position, random);
+  }
+  const bool hasPlace = choice && choice->HasPlace();
+  const auto gather = [&](const PathRay& ray, const glm::dvec3& scattering, double density) {
+    const double both = density +
+      (hasPlace
+          ? LampDirections::GetDensity(choice->ToLight, ray.GetSegment().GetDirection())
+          : 0.0);
+    sum += vertex.Weight * scattering * ray.Gather(this->Lights, *choice->Light, random) /
+      (both * choice->Probability);
+  };
+  if (hasPlace)
+  {
+    const glm::dvec3 direction = LampDirections::Sample(choice->ToLight, random);
+    const glm::dvec3 scattering = vertex.GetScattering(this->Media, direction);
+    if (scattering != glm::dvec3(0.0))
+    {
+      PathRay ray(this->Tracer, vertex, direction);
+      ray.SampleFlight(shares, random);
+      gather(ray, scattering, vertex.GetDensity(this->Media, direction));
+    }
+  }
+  const glm::dvec3 direction = vertex.SampleDirection(this->Media, random);
+  const glm::dvec3 scattering = vertex.GetScattering(this->Media, direction);
+  const double density = vertex.GetDensity(this->Media, direction);
+  if (scattering == glm::dvec3(0.0) || !(density > 0.0))
+  {
+    return false;
+  }
+  PathRay ray(this->Tracer, vertex, direction);
+  ray.SampleFlight(shares, random);
+  if (choice)
+  {
+    gather(ray, scattering, density);
+  }
+  vertex.Weight *= scattering / density;
+  sum += vertex.Weight * ray.GetEmission();
+  return ray.Move(vertex);
+}
+
+//------------------------------------------------------------------------------
+PathRadiance PathTracer::Trace(const ReferenceTracer::EyeRay& eye, RandomNumbers& random) const
+{
+  PathRadiance result;
+  PathVertex vertex;
+  if (!this->FindFirst(eye, random, vertex))
+  {
+    return result;
+  }
+  glm::dvec3 radiance = this->Gather(vertex, random);
+  for (int c = 0; c < 3; ++c)
+  {
+    radiance[c] = std::isfinite(radiance[c]) ? radiance[c] : 0.0;
+  }
+  (vertex.OnSurface ? result.Surface : result.Airlight) = radiance;
+  result.Radiance = radiance;
+  for (const ReferenceTracer::Layer& layer : eye.Layers)
+  {
+    result.Radiance *= layer.T < vertex.T ? 1.0 - layer.Opacity : 1.0;
+  }
+  return result;
+}
+}
