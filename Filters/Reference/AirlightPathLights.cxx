@@ -17,14 +17,6 @@ double GetDistance(const f64::AirlightLight& light, const glm::dvec3& position)
     : std::max(glm::length(light.position - position), light.radius);
 }
 
-glm::dvec3 GetDirection(const f64::AirlightLight& light, const glm::dvec3& position)
-{
-  const glm::dvec3 way =
-    f64::airlightIsDirectional(light) ? light.position : light.position - position;
-  const double length = glm::length(way);
-  return length > 0.0 ? way / length : glm::dvec3(0.0, 0.0, 1.0);
-}
-
 // What a light sends to a position, but for its cone, its table and the media.
 double GetStrength(const f64::AirlightLight& light, double distance)
 {
@@ -64,6 +56,16 @@ PathLights::PathLights(const ReferenceTracer& tracer)
 }
 
 //------------------------------------------------------------------------------
+glm::dvec3 PathLights::GetDirection(const ReferenceLight& light, const glm::dvec3& position)
+{
+  const glm::dvec3 way = f64::airlightIsDirectional(light.Values)
+    ? light.Values.position
+    : light.Values.position - position;
+  const double length = glm::length(way);
+  return length > 0.0 ? way / length : glm::dvec3(0.0, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
 PathLights::Choice PathLights::Choose(const glm::dvec3& position, RandomNumbers& random) const
 {
   const auto count = static_cast<double>(this->Lights.size());
@@ -91,7 +93,7 @@ PathLights::Choice PathLights::Choose(const glm::dvec3& position, RandomNumbers&
       }
     }
   }
-  return { light, probability, GetDirection(light->Values, position) };
+  return { light, probability };
 }
 
 //------------------------------------------------------------------------------
@@ -99,7 +101,7 @@ glm::dvec3 PathLights::GetArriving(const ReferenceLight& light, const glm::dvec3
   double margin, bool shadows, glm::dvec3& toLight) const
 {
   const f64::AirlightLight& values = light.Values;
-  toLight = GetDirection(values, position);
+  toLight = PathLights::GetDirection(light, position);
   if (values.cosCone > 0.0 && -glm::dot(toLight, values.axis) < values.cosCone)
   {
     return glm::dvec3(0.0);

@@ -24,13 +24,15 @@ public:
   {
     const ReferenceLight* Light;
     double Probability;
-    glm::dvec3 ToLight; // unit, from where it was chosen
     bool HasPlace() const { return !f64::airlightIsDirectional(this->Light->Values); }
   };
 
   // One of them, half at random and half by what it would send to the position without a medium;
   // positions are relative to the eye.
   Choice Choose(const glm::dvec3& position, RandomNumbers& random) const;
+
+  // Unit.
+  static glm::dvec3 GetDirection(const ReferenceLight& light, const glm::dvec3& position);
 
   // What arrives at a position across its direction: radiant intensity over squared distance, or
   // irradiance, less what the media take; 0 in shadow. `toLight`: unit. `margin` around the

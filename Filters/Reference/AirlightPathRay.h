@@ -25,6 +25,14 @@ public:
   // Draws where light is scattered next, if it is before the end, by the colours' shares.
   void SampleFlight(const glm::dvec3& shares, RandomNumbers& random);
 
+  // Where the flight ends, null if it passes all of the segment; the density of flights that end at
+  // a place.
+  const PathPlace* GetFlight() const { return this->Flight ? &*this->Flight : nullptr; }
+  double GetFlightDensity(const PathPlace& place) const
+  {
+    return PathSegment::GetFlightDensity(this->Shares, place);
+  }
+
   // After SampleFlight(): what it gathers from a light that is scattered or reflected once on it.
   // In the media at a place drawn by angle and at the end of the flight, each weighted by both
   // densities.

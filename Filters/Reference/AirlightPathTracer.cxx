@@ -94,9 +94,24 @@ glm::dvec3 PathTracer::Gather(PathVertex vertex, RandomNumbers& random) const
 {
   glm::dvec3 sum(0.0);
   const double first = vertex.GetLargestWeight() * this->Lights.GetImportance(vertex.Position);
-  for (int order = 2; this->Orders == 0 || order <= this->Orders; ++order)
+  Choice choice = this->Choose(vertex, random);
+  double share = 1.0; // of the light gathered at the vertex
+  for (int order = 2; this->Survives(vertex, order, first, random); ++order)
   {
-    if (!this->Survives(vertex, order, first, random) || !this->GatherNext(vertex, sum, random))
+    const std::optional<Turn> turn = this->GatherAround(vertex, choice, share, sum, random);
+    if (!turn)
+    {
+      break;
+    }
+    vertex.Weight *= turn->Factor;
+    sum += vertex.Weight * turn->Ray.GetEmission();
+    if (order == this->Orders)
+    {
+      break;
+    }
+    choice = this->Choose(vertex, random);
+    share = this->GatherBeside(vertex, *turn, choice, sum, random);
+    if (!turn->Ray.Move(vertex))
     {
       break;
     }
@@ -105,28 +120,32 @@ glm::dvec3 PathTracer::Gather(PathVertex vertex, RandomNumbers& random) const
 }
 
 //------------------------------------------------------------------------------
-// Adds what one more scattering or reflection brings to a vertex, and moves it there. False where
-// the path ends.
-bool PathTracer::GatherNext(PathVertex& vertex, glm::dvec3& sum, RandomNumbers& random) const
+PathTracer::Choice PathTracer::Choose(const PathVertex& vertex, RandomNumbers& random) const
+{
+  return this->Lights.IsEmpty() ? Choice() : this->Lights.Choose(vertex.Position, random);
+}
+
+//------------------------------------------------------------------------------
+// Adds a share of what a light brings to a vertex by one more scattering or reflection: from a
+// direction drawn around the light and from the one in which the path goes on, which it returns
+// unless nothing comes from there.
+std::optional<PathTracer::Turn> PathTracer::GatherAround(const PathVertex& vertex,
+  const Choice& choice, double share, glm::dvec3& sum, RandomNumbers& random) const
 {
   const glm::dvec3 shares = vertex.GetShares();
-  std::optional<PathLights::Choice> choice;
-  if (!this->Lights.IsEmpty())
-  {
-    choice = this->Lights.Choose(vertex.Position, random);
-  }
   const bool hasPlace = choice && choice->HasPlace();
+  const glm::dvec3 toLight =
+    choice ? PathLights::GetDirection(*choice->Light, vertex.Position) : glm::dvec3(0.0);
   const auto gather = [&](const PathRay& ray, const glm::dvec3& scattering, double density) {
-    const double both = density +
-      (hasPlace
-          ? LampDirections::GetDensity(choice->ToLight, ray.GetSegment().GetDirection())
-          : 0.0);
-    sum += vertex.Weight * scattering * ray.Gather(this->Lights, *choice->Light, random) /
-      (both * choice->Probability);
+    const glm::dvec3& direction = ray.GetSegment().GetDirection();
+    const double both =
+      density + (hasPlace ? LampDirections::GetDensity(toLight, direction) : 0.0);
+    sum += share / (both * choice->Probability) * vertex.Weight * scattering *
+      ray.Gather(this->Lights, *choice->Light, random);
   };
   if (hasPlace)
   {
-    const glm::dvec3 direction = LampDirections::Sample(choice->ToLight, random);
+    const glm::dvec3 direction = LampDirections::Sample(toLight, random);
     const glm::dvec3 scattering = vertex.GetScattering(this->Media, direction);
     if (scattering != glm::dvec3(0.0))
     {
@@ -140,17 +159,50 @@ bool PathTracer::GatherNext(PathVertex& vertex, glm::dvec3& sum, RandomNumbers& 
   const double density = vertex.GetDensity(this->Media, direction);
   if (scattering == glm::dvec3(0.0) || !(density > 0.0))
   {
-    return false;
+    return std::nullopt;
   }
-  PathRay ray(this->Tracer, vertex, direction);
-  ray.SampleFlight(shares, random);
+  Turn turn{ PathRay(this->Tracer, vertex, direction), scattering / density };
+  turn.Ray.SampleFlight(shares, random);
   if (choice)
   {
-    gather(ray, scattering, density);
+    gather(turn.Ray, scattering, density);
   }
-  vertex.Weight *= scattering / density;
-  sum += vertex.Weight * ray.GetEmission();
-  return ray.Move(vertex);
+  return turn;
+}
+
+//------------------------------------------------------------------------------
+// The light around a vertex grows as the inverse of its distance from the lamp. So it is gathered
+// at a place drawn by angle, too; returns the share that is left for the end of the free flight.
+double PathTracer::GatherBeside(const PathVertex& vertex, const Turn& turn, const Choice& choice,
+  glm::dvec3& sum, RandomNumbers& random) const
+{
+  const PathSegment& segment = turn.Ray.GetSegment();
+  if (!choice || !choice->HasPlace() || !(segment.GetFrom() < segment.GetTo()))
+  {
+    return 1.0;
+  }
+  const f64::AirlightLight& light = choice->Light->Values;
+  const EquiangularPlaces places(light.position, light.radius, segment);
+  if (places.IsEmpty())
+  {
+    return 1.0;
+  }
+  const double t = places.Sample(random);
+  const double density = turn.Ray.GetFlightDensity(segment.GetPlace(t)) + places.GetDensity(t);
+  PathVertex beside = vertex;
+  beside.EnterMedium(segment, t, density > 0.0 ? 1.0 / density : 0.0);
+  // By chance where it matters less than the path itself.
+  const double distance = glm::length(light.position - beside.Position);
+  const double chance = std::min(1.0,
+    beside.GetLargestWeight() / vertex.GetLargestWeight() *
+      (1.0 + beside.GetMeanFreePath() / distance));
+  if (random.Next() < chance)
+  {
+    this->GatherAround(beside, choice, 1.0 / chance, sum, random);
+  }
+  const PathPlace* flight = turn.Ray.GetFlight();
+  const double byFlight = flight ? turn.Ray.GetFlightDensity(*flight) : 0.0;
+  return flight ? byFlight / (byFlight + places.GetDensity(flight->T)) : 1.0;
 }
 
 //------------------------------------------------------------------------------

@@ -6,8 +6,9 @@
  *
  * At each vertex a path gathers what one light sends to the next segment: once in the direction in
  * which the path goes on and once in one drawn around the light, and on both segments at a place
- * drawn by angle and at one drawn by free flight. Each pair is weighted by the balance heuristic
- * (Veach 1997). Flights are drawn of one colour at random and weighted by the density of all three.
+ * drawn by angle and at one drawn by free flight. The vertex itself is one of two, likewise. Each
+ * pair is weighted by the balance heuristic (Veach 1997), so that no lamp at a place, however near,
+ * makes a path's radiance unbounded. Flights are drawn of one colour at random and weighted by the density of all three.
  */
 
 #ifndef AirlightPathTracer_h
@@ -36,11 +37,24 @@ public:
   PathRadiance Trace(const ReferenceTracer::EyeRay& eye, RandomNumbers& random) const;
 
 private:
+  using Choice = std::optional<PathLights::Choice>; // none without lights
+
+  // Where a path goes on, and by what its weight changes with the direction.
+  struct Turn
+  {
+    PathRay Ray;
+    glm::dvec3 Factor;
+  };
+
   bool FindFirst(
     const ReferenceTracer::EyeRay& eye, RandomNumbers& random, PathVertex& vertex) const;
   bool Survives(PathVertex& vertex, int order, double first, RandomNumbers& random) const;
   glm::dvec3 Gather(PathVertex vertex, RandomNumbers& random) const;
-  bool GatherNext(PathVertex& vertex, glm::dvec3& sum, RandomNumbers& random) const;
+  Choice Choose(const PathVertex& vertex, RandomNumbers& random) const;
+  std::optional<Turn> GatherAround(const PathVertex& vertex, const Choice& choice, double share,
+    glm::dvec3& sum, RandomNumbers& random) const;
+  double GatherBeside(const PathVertex& vertex, const Turn& turn, const Choice& choice,
+    glm::dvec3& sum, RandomNumbers& random) const;
 
   const ReferenceTracer& Tracer;
   PathMedia Media;

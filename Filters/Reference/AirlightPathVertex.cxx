@@ -27,6 +27,13 @@ glm::dvec3 PathVertex::GetShares() const
 }
 
 //------------------------------------------------------------------------------
+double PathVertex::GetMeanFreePath() const
+{
+  const glm::dvec3& sigma = this->Place.SigmaT;
+  return 1.0 / std::max({ sigma.x, sigma.y, sigma.z, 1.0 / AIRLIGHT_FAR });
+}
+
+//------------------------------------------------------------------------------
 void PathVertex::EnterMedium(const PathSegment& segment, double t, double factor)
 {
   this->OnSurface = false;
