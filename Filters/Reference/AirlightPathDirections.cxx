@@ -23,8 +23,8 @@ glm::dvec3 TurnFrom(const glm::dvec3& axis, double cosine, double sine, double t
     std::abs(axis.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
   const glm::dvec3 across = glm::normalize(glm::cross(axis, other));
   const double angle = 2.0 * vtkMath::Pi() * turn;
-  return glm::normalize(cosine * axis +
-    sine * (std::cos(angle) * across + std::sin(angle) * glm::cross(axis, across)));
+  return glm::normalize(
+    cosine * axis + sine * (std::cos(angle) * across + std::sin(angle) * glm::cross(axis, across)));
 }
 
 //------------------------------------------------------------------------------

@@ -28,24 +28,22 @@ double FindEnd(const ReferenceTracer& tracer, const PathVertex& from, const glm:
   const ReferenceScene& scene = tracer.GetScene();
   const double after = from.OnSurface ? GetMargin(tracer, from.Position) : 0.0;
   ReferenceHit hit{ AIRLIGHT_FAR, nullptr };
-  scene.FindFirst(scene.GetOpaque(), from.Position + tracer.GetEye(), direction, after,
-    AIRLIGHT_FAR, hit);
+  scene.FindFirst(
+    scene.GetOpaque(), from.Position + tracer.GetEye(), direction, after, AIRLIGHT_FAR, hit);
   triangle = hit.Triangle;
   return hit.T;
 }
 }
 
 //------------------------------------------------------------------------------
-PathRay::PathRay(
-  const ReferenceTracer& tracer, const PathVertex& from, const glm::dvec3& direction)
+PathRay::PathRay(const ReferenceTracer& tracer, const PathVertex& from, const glm::dvec3& direction)
   : Tracer(tracer)
-  , Segment(tracer.GetMedia(), from.Position, direction,
-      FindEnd(tracer, from, direction, this->Triangle))
+  , Segment(
+      tracer.GetMedia(), from.Position, direction, FindEnd(tracer, from, direction, this->Triangle))
 {
   if (this->Triangle)
   {
-    const glm::dvec3 end =
-      from.Position + tracer.GetEye() + this->Segment.GetEnd() * direction;
+    const glm::dvec3 end = from.Position + tracer.GetEye() + this->Segment.GetEnd() * direction;
     this->Surface.emplace(
       tracer.GetScene().GetPart(*this->Triangle), *this->Triangle, end, direction);
   }
@@ -73,8 +71,8 @@ bool PathRay::Move(PathVertex& vertex) const
   }
   else if (this->Triangle && this->Tracer.IsShaded(*this->Triangle))
   {
-    vertex.EnterSurface(*this->Surface, *this->Triangle, this->Segment,
-      1.0 / this->Segment.GetPassing(this->Shares));
+    vertex.EnterSurface(
+      *this->Surface, *this->Triangle, this->Segment, 1.0 / this->Segment.GetPassing(this->Shares));
   }
   else
   {
@@ -93,9 +91,8 @@ glm::dvec3 PathRay::GatherAt(
   }
   glm::dvec3 toLight;
   const glm::dvec3 arriving = lights.GetArriving(light, place.Position, 0.0, true, toLight);
-  return arriving == glm::dvec3(0.0)
-    ? arriving
-    : arriving * place.Transmittance *
+  return arriving == glm::dvec3(0.0) ? arriving
+                                     : arriving * place.Transmittance *
       this->Segment.GetScattered(place, glm::dot(toLight, this->Segment.GetDirection()));
 }
 
@@ -115,8 +112,8 @@ glm::dvec3 PathRay::GatherAtEnd(const PathLights& lights, const ReferenceLight& 
   const glm::dvec3 position =
     this->Segment.GetOrigin() + this->Segment.GetEnd() * this->Segment.GetDirection();
   glm::dvec3 toLight;
-  const glm::dvec3 arriving = lights.GetArriving(light, position,
-    GetMargin(this->Tracer, position), this->Tracer.HasSurfaceShadows(), toLight);
+  const glm::dvec3 arriving = lights.GetArriving(
+    light, position, GetMargin(this->Tracer, position), this->Tracer.HasSurfaceShadows(), toLight);
   const double cosine = std::max(glm::dot(toLight, this->Surface->Normal), 0.0);
   return weight * arriving * cosine / vtkMath::Pi();
 }

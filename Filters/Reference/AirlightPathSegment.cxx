@@ -124,8 +124,7 @@ double PathSegment::FindInPiece(const f64::AirlightPiece& piece, int channel, do
     {
       high = std::min(high,
         piece.from +
-          f64::airlightFadingLength(
-            medium, start, this->Direction, medium.sigmaT[channel], rest));
+          f64::airlightFadingLength(medium, start, this->Direction, medium.sigmaT[channel], rest));
     }
   }
   if (uniform)

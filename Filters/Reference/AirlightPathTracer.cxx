@@ -14,6 +14,11 @@ constexpr int FirstRoulette = 4; // order from which on paths may end by chance
 // From here on paths end by chance even if nothing absorbs: in closed rooms they would never.
 constexpr int LastCertain = 1000;
 constexpr double CertainSurvival = 0.999;
+
+// So often the first few turns of a path aim at a light: media that scatter forward do so rarely,
+// and then all the light is there. Each makes the path's weight 4/3 of what it is at most.
+constexpr int LastAimed = 3; // order
+constexpr double AimedShare = 0.25;
 }
 
 //------------------------------------------------------------------------------
@@ -98,7 +103,8 @@ glm::dvec3 PathTracer::Gather(PathVertex vertex, RandomNumbers& random) const
   double share = 1.0; // of the light gathered at the vertex
   for (int order = 2; this->Survives(vertex, order, first, random); ++order)
   {
-    const std::optional<Turn> turn = this->GatherAround(vertex, choice, share, sum, random);
+    const std::optional<Turn> turn =
+      this->GatherAround(vertex, choice, share, order <= LastAimed ? AimedShare : 0.0, sum, random);
     if (!turn)
     {
       break;
@@ -128,18 +134,23 @@ PathTracer::Choice PathTracer::Choose(const PathVertex& vertex, RandomNumbers& r
 //------------------------------------------------------------------------------
 // Adds a share of what a light brings to a vertex by one more scattering or reflection: from a
 // direction drawn around the light and from the one in which the path goes on, which it returns
-// unless nothing comes from there.
+// unless nothing comes from there. The latter aims at the light with the probability `aim`.
 std::optional<PathTracer::Turn> PathTracer::GatherAround(const PathVertex& vertex,
-  const Choice& choice, double share, glm::dvec3& sum, RandomNumbers& random) const
+  const Choice& choice, double share, double aim, glm::dvec3& sum, RandomNumbers& random) const
 {
   const glm::dvec3 shares = vertex.GetShares();
   const bool hasPlace = choice && choice->HasPlace();
   const glm::dvec3 toLight =
     choice ? PathLights::GetDirection(*choice->Light, vertex.Position) : glm::dvec3(0.0);
-  const auto gather = [&](const PathRay& ray, const glm::dvec3& scattering, double density) {
+  const double aimed = hasPlace ? aim : 0.0;
+  const auto getDensity = [&](const glm::dvec3& direction) {
+    const double density = (1.0 - aimed) * vertex.GetDensity(this->Media, direction);
+    return aimed > 0.0 ? density + aimed * LampDirections::GetDensity(toLight, direction) : density;
+  };
+  const auto gather = [&](const PathRay& ray, const glm::dvec3& scattering) {
     const glm::dvec3& direction = ray.GetSegment().GetDirection();
     const double both =
-      density + (hasPlace ? LampDirections::GetDensity(toLight, direction) : 0.0);
+      getDensity(direction) + (hasPlace ? LampDirections::GetDensity(toLight, direction) : 0.0);
     sum += share / (both * choice->Probability) * vertex.Weight * scattering *
       ray.Gather(this->Lights, *choice->Light, random);
   };
@@ -151,12 +162,14 @@ std::optional<PathTracer::Turn> PathTracer::GatherAround(const PathVertex& verte
     {
       PathRay ray(this->Tracer, vertex, direction);
       ray.SampleFlight(shares, random);
-      gather(ray, scattering, vertex.GetDensity(this->Media, direction));
+      gather(ray, scattering);
     }
   }
-  const glm::dvec3 direction = vertex.SampleDirection(this->Media, random);
+  const glm::dvec3 direction = aimed > 0.0 && random.Next() < aimed
+    ? LampDirections::Sample(toLight, random)
+    : vertex.SampleDirection(this->Media, random);
   const glm::dvec3 scattering = vertex.GetScattering(this->Media, direction);
-  const double density = vertex.GetDensity(this->Media, direction);
+  const double density = getDensity(direction);
   if (scattering == glm::dvec3(0.0) || !(density > 0.0))
   {
     return std::nullopt;
@@ -165,7 +178,7 @@ std::optional<PathTracer::Turn> PathTracer::GatherAround(const PathVertex& verte
   turn.Ray.SampleFlight(shares, random);
   if (choice)
   {
-    gather(turn.Ray, scattering, density);
+    gather(turn.Ray, scattering);
   }
   return turn;
 }
@@ -191,14 +204,9 @@ double PathTracer::GatherBeside(const PathVertex& vertex, const Turn& turn, cons
   const double density = turn.Ray.GetFlightDensity(segment.GetPlace(t)) + places.GetDensity(t);
   PathVertex beside = vertex;
   beside.EnterMedium(segment, t, density > 0.0 ? 1.0 / density : 0.0);
-  // By chance where it matters less than the path itself.
-  const double distance = glm::length(light.position - beside.Position);
-  const double chance = std::min(1.0,
-    beside.GetLargestWeight() / vertex.GetLargestWeight() *
-      (1.0 + beside.GetMeanFreePath() / distance));
-  if (random.Next() < chance)
+  if (beside.GetLargestWeight() > 0.0)
   {
-    this->GatherAround(beside, choice, 1.0 / chance, sum, random);
+    this->GatherAround(beside, choice, 1.0, 0.0, sum, random);
   }
   const PathPlace* flight = turn.Ray.GetFlight();
   const double byFlight = flight ? turn.Ray.GetFlightDensity(*flight) : 0.0;

@@ -52,7 +52,7 @@ private:
   glm::dvec3 Gather(PathVertex vertex, RandomNumbers& random) const;
   Choice Choose(const PathVertex& vertex, RandomNumbers& random) const;
   std::optional<Turn> GatherAround(const PathVertex& vertex, const Choice& choice, double share,
-    glm::dvec3& sum, RandomNumbers& random) const;
+    double aim, glm::dvec3& sum, RandomNumbers& random) const;
   double GatherBeside(const PathVertex& vertex, const Turn& turn, const Choice& choice,
     glm::dvec3& sum, RandomNumbers& random) const;
 

@@ -27,13 +27,6 @@ glm::dvec3 PathVertex::GetShares() const
 }
 
 //------------------------------------------------------------------------------
-double PathVertex::GetMeanFreePath() const
-{
-  const glm::dvec3& sigma = this->Place.SigmaT;
-  return 1.0 / std::max({ sigma.x, sigma.y, sigma.z, 1.0 / AIRLIGHT_FAR });
-}
-
-//------------------------------------------------------------------------------
 void PathVertex::EnterMedium(const PathSegment& segment, double t, double factor)
 {
   this->OnSurface = false;
@@ -70,8 +63,8 @@ glm::dvec3 PathVertex::SampleDirection(const PathMedia& media, RandomNumbers& ra
     const glm::dvec3& sigma = media.Media.item[i].sigmaS;
     return this->Place.Density[i] * (sigma.x + sigma.y + sigma.z);
   };
-  double rest = random.Next() *
-    (this->Place.SigmaS.x + this->Place.SigmaS.y + this->Place.SigmaS.z);
+  double rest =
+    random.Next() * (this->Place.SigmaS.x + this->Place.SigmaS.y + this->Place.SigmaS.z);
   int chosen = -1;
   for (int i = 0; i < media.Media.count && (chosen < 0 || rest >= 0.0); ++i)
   {

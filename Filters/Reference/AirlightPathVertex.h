@@ -47,8 +47,6 @@ public:
   {
     return glm::max(this->Weight.x, glm::max(this->Weight.y, this->Weight.z));
   }
-  // Of the colour that fades most; large without a medium.
-  double GetMeanFreePath() const;
   // Shares of colours by the weight; their sum is 1.
   glm::dvec3 GetShares() const;
 

@@ -49,8 +49,7 @@ ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
       settings.Width, settings.Height)
   , Media(ConvertMedia(media, this->Rays.GetEye()))
   , Scene(renderer)
-  , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius,
-      settings.LampPoints)
+  , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius, settings.LampPoints)
 {
   renderer->GetBackground(&this->Bottom.x);
   this->Top = this->Bottom;

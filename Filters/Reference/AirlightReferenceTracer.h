@@ -106,8 +106,7 @@ public:
   ReferenceSurface GetSurface(const EyeRay& ray) const; // that ends it
 
   // What the media scatter of their ambient radiance into [0, end] of a ray.
-  glm::dvec3 GetAmbient(
-    const glm::dvec3& origin, const glm::dvec3& direction, double end) const;
+  glm::dvec3 GetAmbient(const glm::dvec3& origin, const glm::dvec3& direction, double end) const;
 
 private:
   struct PixelRay;
