@@ -75,8 +75,8 @@ struct Traced
   double Error;
 };
 
-void CheckTraced(const std::string& what, PathScene& scene, const glm::dvec3& eye,
-  const std::vector<Traced>& rays)
+void CheckTraced(
+  const std::string& what, PathScene& scene, const glm::dvec3& eye, const std::vector<Traced>& rays)
 {
   for (const Traced& ray : rays)
   {
