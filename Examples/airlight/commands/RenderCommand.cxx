@@ -4,6 +4,7 @@
 
 #include "commands/DisplayOptions.h"
 #include "commands/OptionText.h"
+#include "commands/PathOptions.h"
 #include "commands/Progress.h"
 #include "commands/SceneOptions.h"
 #include "formats/ImageFile.h"
@@ -12,7 +13,10 @@
 #include "scene/Orbit.h"
 #include "scene/ReferencePicture.h"
 
+#include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace airlight
 {
@@ -26,6 +30,7 @@ struct RenderOptions
   PictureSettings Picture;
   std::string Output;
   bool Reference = false;
+  PathOptions Paths;
   int Antialiasing = 0;
   int Orbit = 0;
 };
@@ -49,8 +54,19 @@ void RenderOrbit(const RenderOptions& options, const Scene& scene, RenderedScene
   }
 }
 
+std::vector<std::string> GetKnownBuffers()
+{
+  std::vector<std::string> names = GetBufferNames();
+  names.emplace_back(StandardErrorBuffer);
+  return names;
+}
+
 void Render(const RenderOptions& options)
 {
+  if (options.Picture.Buffer == StandardErrorBuffer && !options.Reference)
+  {
+    throw UserError("--buffer StandardError is of pictures by --reference --orders: add them");
+  }
   PictureSettings picture = options.Picture;
   const bool buffers = NeedsBuffers(
     picture, options.Orbit > 0 ? NumberFile("--output", options.Output, 0) : options.Output);
@@ -60,7 +76,11 @@ void Render(const RenderOptions& options)
   }
   if (options.Reference)
   {
-    ComputeToFile(options.Scene.Load(), picture, options.Output);
+    Progress progress(100);
+    const PathSettings paths = options.Paths.GetSettings();
+    const auto show = [&](double done) { progress.Show(static_cast<int>(100.0 * done)); };
+    ComputeToFile(options.Scene.Load(), picture, paths, options.Output,
+      paths.Orders == 1 ? std::function<void(double)>() : show);
     return;
   }
   RenderSettings settings = options.Scene.GetSettings();
@@ -105,8 +125,9 @@ void AddRenderCommand(CLI::App& program)
   CLI::Option* buffer =
     command
       ->add_option("--buffer", options->Picture.Buffer,
-        "One of the pass's buffers in place of the picture; a .png clamps it to 0..1")
-      ->check(CLI::IsMember(GetBufferNames()));
+        "One of the pass's buffers in place of the picture, or with --orders StandardError; a .png "
+        "clamps it to 0..1")
+      ->check(CLI::IsMember(GetKnownBuffers()));
   options->Display.AddTo(command);
   command
     ->add_option("--antialiasing", options->Antialiasing,
@@ -123,6 +144,7 @@ void AddRenderCommand(CLI::App& program)
   CLI::Option* reference = command->add_flag("--reference", options->Reference,
     "Compute the picture on the CPU in double precision, without a display; slower, mostly with "
     "lamps of an extent (256 points each), and without --ies and --glow");
+  options->Paths.AddTo(command, reference);
   for (const char* name : { "--no-medium", "--technique", "--steps", "--glow", "--antialiasing",
          "--tone-mapping", "--color-space", "--orbit" })
   {

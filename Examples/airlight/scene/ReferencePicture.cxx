@@ -8,6 +8,7 @@
 #include "scene/SceneBuilder.h"
 
 #include <vtkAirlightReference.h>
+#include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -22,8 +23,12 @@ namespace
 // Buffers of the pass that the reference does not have: what they say is of the pass's own work.
 constexpr const char* PassBuffers[] = { "BoundaryCount", "ErrorBound" };
 
-void CheckKnown(const Scene& scene, const PictureSettings& settings)
+void CheckKnown(const Scene& scene, const PictureSettings& settings, const PathSettings& paths)
 {
+  if (settings.Buffer == StandardErrorBuffer && paths.Orders == 1)
+  {
+    throw UserError("--buffer StandardError is of pictures with --orders 0 or from 2 on: add it");
+  }
   for (const char* name : PassBuffers)
   {
     if (settings.Buffer == name)
@@ -71,15 +76,33 @@ vtkSmartPointer<vtkImageData> GetFloats(
 }
 
 //------------------------------------------------------------------------------
-void ComputeToFile(const Scene& scene, const PictureSettings& settings, const std::string& fileName)
+void ComputeToFile(const Scene& scene, const PictureSettings& settings, const PathSettings& paths,
+  const std::string& fileName, const std::function<void(double)>& progress)
 {
   CheckImageFile(fileName);
-  CheckKnown(scene, settings);
+  CheckKnown(scene, settings, paths);
   const RenderedScene built = BuildSceneWithoutWindow(scene);
   vtkNew<vtkAirlightReference> reference;
   reference->SetRenderer(built.Renderer);
   reference->SetMedium(scene.Medium);
   reference->SetSize(scene.Width, scene.Height);
+  reference->SetScatteringOrders(paths.Orders);
+  if (paths.Orders != 1)
+  {
+    reference->SetSamplesPerPixel(paths.Samples);
+    reference->SetTargetError(paths.Error);
+    reference->SetTimeLimit(paths.TimeLimit);
+    reference->SetSeed(paths.Seed);
+  }
+  vtkNew<vtkCallbackCommand> observer;
+  if (progress)
+  {
+    observer->SetClientData(const_cast<std::function<void(double)>*>(&progress));
+    observer->SetCallback([](vtkObject*, unsigned long, void* show, void* done) {
+      (*static_cast<std::function<void(double)>*>(show))(*static_cast<double*>(done));
+    });
+    reference->AddObserver(vtkCommand::ProgressEvent, observer);
+  }
   {
     const VTKMessages messages;
     reference->Update();
