@@ -69,6 +69,25 @@ class TestReference(ProgramTest):
         self.assertLess(np.median(np.abs(ball - drawn)[changed]),
                         0.3 * np.median(np.abs(ball - point)[changed]))
 
+    def test_orders(self):
+        """More orders, more light; the noise is what was asked for, and says what it is."""
+        options = ("--size", "16x12", "--orders")
+        single = self.compute("a.pfm", "--size", "16x12")
+        np.testing.assert_array_equal(self.compute("b.pfm", *options, "1"), single)
+        double = self.compute("b.pfm", *options, "2", "--samples", "64")
+        many = self.compute("b.pfm", *options, "0", "--samples", "64")
+        self.assertGreater(double.mean(), 1.05 * single.mean())
+        self.assertGreater(many.mean(), 1.02 * double.mean())
+        target = (*options, "0", "--error", "0.1")
+        first, again, other = (self.compute("b.pfm", *target, "--seed", seed) for seed in "112")
+        np.testing.assert_array_equal(first, again)
+        error = self.compute("b.pfm", *target, "--seed", "1", "--buffer", "StandardError")
+        self.assertLessEqual(np.sqrt((error**2).mean()), 0.1 * first.mean())
+        self.assertGreater(np.sqrt((error**2).mean()), 0.05 * first.mean())
+        chi2 = ((first - other)[error > 0]**2 / (2 * error[error > 0]**2)).mean()
+        self.assertTrue(0.5 < chi2 < 2, chi2)
+        self.compute("b.pfm", *options, "0", "--time-limit", "0.2")
+
     def test_errors(self):
         with open(SCENE) as file:
             scene = json.load(file)
@@ -79,6 +98,14 @@ class TestReference(ProgramTest):
                 (SCENE, ["--steps", "16"], ["--reference", "--steps"]),
                 (SCENE, ["--technique", "None"], ["--reference", "--technique"]),
                 (SCENE, ["--no-medium"], ["--reference", "--no-medium"]),
+                (SCENE, ["--orders", "-1"], ["--orders", "-1"]),
+                (SCENE, ["--samples", "8"], ["--samples", "--orders"]),
+                (SCENE, ["--orders", "0", "--samples", "1"], ["--samples", "1"]),
+                (SCENE, ["--orders", "0", "--error", "nan"], ["--error 'nan'", "0.01"]),
+                (SCENE, ["--orders", "0", "--error", "0"], ["--error '0'"]),
+                (SCENE, ["--orders", "0", "--time-limit", "-1"], ["--time-limit '-1'"]),
+                (SCENE, ["--orders", "0", "--seed", "x"], ["--seed"]),
+                (SCENE, ["--buffer", "StandardError"], ["StandardError", "--orders"]),
                 (SCENE, ["--buffer", "ErrorBound"], ["--reference", "ErrorBound"]),
                 (SCENE, ["--buffer", "BoundaryCount"], ["--reference", "BoundaryCount"]),
                 (SCENE, ["--point", "0,3,0:50", "--ies", LAMP], ["--reference", LAMP]),
@@ -87,6 +114,9 @@ class TestReference(ProgramTest):
                 self.fail_with(words, "render", scene, "--reference", *options, "-o",
                                self.path("a.pfm"))
                 self.assertFalse(os.path.exists(self.path("a.pfm")))
+        for options in (["--orders", "0"], ["--buffer", "StandardError"]):
+            with self.subTest(options=options):
+                self.fail_with(["--reference"], "render", SCENE, *options, "-o", self.path("a.pfm"))
 
 
 if __name__ == "__main__":
