@@ -8,7 +8,8 @@
  * which the path goes on and once in one drawn around the light, and on both segments at a place
  * drawn by angle and at one drawn by free flight. The vertex itself is one of two, likewise. Each
  * pair is weighted by the balance heuristic (Veach 1997), so that no lamp at a place, however near,
- * makes a path's radiance unbounded. Flights are drawn of one colour at random and weighted by the density of all three.
+ * makes a path's radiance unbounded. Flights are drawn of one colour at random and weighted by the
+ * density of all three.
  */
 
 #ifndef AirlightPathTracer_h
