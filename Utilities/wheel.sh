@@ -9,10 +9,11 @@
 #                                              build/vtk-of-wheel, and runs them
 #
 # Suites: Wheel (the package, the reference scenes, windows without a screen) draws through EGL, then
-# through X on a virtual display; Python are the tests of Testing/Python that need no program; PyVista
-# and Web (vedo, trame in a browser, Jupyter) are the folders of Testing. The wheel is for one version
-# of Python: AIRLIGHT_PYTHON selects the interpreter (default: python3 in /usr/bin). AIRLIGHT_JOBS is
-# the number of parallel jobs (default: one per processor).
+# through X on a virtual display; Python are the tests of Testing/Python that need no program; PyVista,
+# Web (vedo, trame in a browser, Jupyter) and Mitsuba (light of all orders against Mitsuba 3) are the
+# folders of Testing. The wheel is for one version of Python: AIRLIGHT_PYTHON selects the interpreter
+# (default: python3 in /usr/bin). AIRLIGHT_JOBS is the number of parallel jobs (default: one per
+# processor).
 #
 # --test exits with 125 if there is no wheel; the tests are then skipped.
 set -euo pipefail
@@ -23,7 +24,7 @@ dependencies=(--with-wheel)
 python=${AIRLIGHT_PYTHON:-/usr/bin/python3}
 work=$build/wheel
 largest=20000000 # bytes
-suites=(Wheel Python PyVista Web)
+suites=(Wheel Python PyVista Web Mitsuba)
 # Of Testing/Python: without the program, without OpenVDB, and without pictures that have text, which
 # other versions of VTK draw otherwise.
 python_tests=(AirlightComparison AirlightReference Casters Composition HeightFog Import LightScatters
@@ -69,7 +70,8 @@ build_wheel()
   ls -l "$root/dist"
 
   step "Installing the wheel into an empty virtual environment"
-  environment test "$work"/made/repaired/*.whl -r "$root/Testing/Web/requirements.txt"
+  environment test "$work"/made/repaired/*.whl -r "$root/Testing/Web/requirements.txt" \
+    -r "$root/Testing/Mitsuba/requirements.txt"
 }
 
 # draw_with egl|x COMMAND...: through EGL alone, or through X on a virtual display.
@@ -99,6 +101,7 @@ test_suite()
       ;;
     PyVista) draw_with egl "${pytest[@]}" "$root/Testing/PyVista" ;;
     Web) AIRLIGHT_REQUIRE_ALL=1 draw_with x "${pytest[@]}" "$root/Testing/Web" ;;
+    Mitsuba) "${pytest[@]}" "$root/Testing/Mitsuba" ;;
     *) die "unknown suite '$1'; there are ${suites[*]}." ;;
   esac
 }
