@@ -60,7 +60,7 @@ public:
    * a point, its tilt is ignored. A spotlight's cone and exponent also apply. Airlight is
    * integrated by quadrature, within 1e-3, cell by cell of the file's table. Directional lights,
    * and lights whose focal point is their position, ignore the file, with one warning. Photometric
-   * files apply in vtkAirlightPass only.
+   * files apply in vtkAirlightPass and vtkAirlightReference only.
    *
    * Returns false, with an error that names file, line and cause, for an invalid file; the light is
    * then unchanged. Null or an empty name removes the file, the default.

@@ -93,6 +93,12 @@ glm::dvec3 GetInSky(
 }
 
 //------------------------------------------------------------------------------
+glm::dvec3 GetUpAcross(const glm::dvec3& axis, const glm::dvec3& up)
+{
+  return GetAcross(axis, up).Up;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkLight>> SplitLamp(vtkLight* light, int count)
 {
   const LightProperties& properties = GetProperties(light);

@@ -9,6 +9,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <glm/glm.hpp>
+
 #include <vector>
 
 class vtkLight;
@@ -19,6 +21,9 @@ namespace airlight
 // many copies, each with its part of the intensity. Their places come from Fibonacci's lattices,
 // unlike those of the pass.
 std::vector<vtkSmartPointer<vtkLight>> SplitLamp(vtkLight* light, int count);
+
+// The unit vector across an axis that is next to `up`.
+glm::dvec3 GetUpAcross(const glm::dvec3& axis, const glm::dvec3& up);
 }
 
 #endif

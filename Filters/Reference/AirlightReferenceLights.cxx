@@ -10,6 +10,7 @@
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -58,6 +59,44 @@ ReferenceLight Convert(
   result.ConeAngle = light->GetConeAngle();
   result.Exponent = light->GetExponent();
   return result;
+}
+
+glm::dvec3 TransformDirection(vtkLight* light, vtkRenderer* renderer, const glm::dvec3& direction)
+{
+  vtkMatrix4x4* matrix = light->LightTypeIsHeadlight()
+    ? renderer->GetActiveCamera()->GetCameraLightTransformMatrix()
+    : light->GetTransformMatrix();
+  glm::dvec3 result = direction;
+  for (int i = 0; matrix && i < 3; ++i)
+  {
+    result[i] = matrix->GetElement(i, 0) * direction.x + matrix->GetElement(i, 1) * direction.y +
+      matrix->GetElement(i, 2) * direction.z;
+  }
+  return result;
+}
+
+// The photometric file of a light, for what was made of it.
+void ApplyPhotometry(vtkLight* light, vtkRenderer* renderer, ReferenceLight& result)
+{
+  const LightProperties& properties = GetProperties(light);
+  glm::dvec3 position;
+  glm::dvec3 focalPoint;
+  light->GetTransformedPosition(&position.x);
+  light->GetTransformedFocalPoint(&focalPoint.x);
+  const glm::dvec3 axis = focalPoint - position;
+  if (!properties.Table || result.Support != LightSupport::Scatters ||
+    f64::airlightIsDirectional(result.Values) || !(glm::length(axis) > 0.0))
+  {
+    return;
+  }
+  result.Table = properties.Table;
+  result.Values.kind = AIRLIGHT_POINT_QUADRATURE;
+  result.Values.goniometric = 1;
+  f64::AirlightPhotometry& photometry = result.Values.photometry;
+  photometry.data = result.Table->data();
+  photometry.axis = glm::normalize(axis);
+  photometry.up =
+    GetUpAcross(photometry.axis, TransformDirection(light, renderer, properties.PhotometryUp));
 }
 
 // The light's direction at a point and what is left of it there.
@@ -114,6 +153,7 @@ ReferenceLights::ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia
     for (vtkLight* lamp : SplitLamp(light, lampPoints))
     {
       this->Lights.push_back(Convert(lamp, media, eye, radius));
+      ApplyPhotometry(light, renderer, this->Lights.back());
     }
     this->IsHeadlight =
       this->Lights.size() == 1 && light->LightTypeIsHeadlight() && !light->GetPositional();

@@ -14,6 +14,7 @@
 
 #include <glm/glm.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct ReferenceLight
   f64::AirlightLight Values;     // relative to the eye
   HomogeneousPoint World{ 0.0 }; // its position
   bool CastsShadows = false;
+  std::shared_ptr<const std::vector<glm::dvec4>> Table; // of its photometric file
   bool LeftOut = false; // of the medium, as it is fixed to the camera and its user did not set it
 
   // As mappers take it.

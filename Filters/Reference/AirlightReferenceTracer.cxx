@@ -162,7 +162,8 @@ glm::dvec4 ReferenceTracer::Shade(const PixelRay& ray, const SurfaceHit& hit) co
       share = glm::exp(-(f64::airlightIsDirectional(light.Values)
           ? f64::airlightSunDepths(this->Media, point, position)
           : f64::airlightDepthBetween(this->Media, point, position)));
-      share *= this->IsLit(ray, k, hit.T) ? 1.0 : 0.0;
+      share *=
+        this->IsLit(ray, k, hit.T) ? f64::airlightPhotometricShare(light.Values, point) : 0.0;
     }
     arriving.push_back(share);
   }

@@ -23,7 +23,7 @@ import airlight
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("AIRLIGHT_PROGRAM")
 SIZES = {"fog.pfm": b"PF\n160 120\n", "reference.pfm": b"PF\n160 120\n",
-         "airlight.pfm": b"PF\n"}
+         "airlight.pfm": b"PF\n", "orders.pfm": b"PF\n40 30\n"}
 
 
 def blocks_of(language):

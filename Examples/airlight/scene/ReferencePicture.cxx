@@ -41,14 +41,6 @@ void CheckKnown(const Scene& scene, const PictureSettings& settings, const PathS
     throw UserError(scene.FileName +
       ": --reference does not know scattered_surface_light: leave out one of them");
   }
-  for (const LightSource& light : scene.Lights)
-  {
-    if (!light.PhotometryFile.empty())
-    {
-      throw UserError(light.PhotometryFile +
-        ": --reference does not know photometric files: leave out one of them");
-    }
-  }
 }
 
 // One array of a picture, as floats.

@@ -32,7 +32,7 @@ constexpr const char* StandardErrorBuffer = "StandardError";
 /**
  * Compute a scene by vtkAirlightReference, on the CPU in double precision and without a window, and
  * write it; in PNG without gamma, clamped to 0..1. Throws UserError on failure and for what only
- * the pass knows: some of its buffers, photometric files and scattered surface light. `progress`,
+ * the pass knows: some of its buffers and scattered surface light. `progress`,
  * which may be empty, is called with the share that is done.
  */
 void ComputeToFile(const Scene& scene, const PictureSettings& settings, const PathSettings& paths,

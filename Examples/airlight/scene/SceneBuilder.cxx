@@ -62,17 +62,22 @@ vtkSmartPointer<vtkLight> MakeLight(const LightSource& source)
   return light;
 }
 
-void AddPhotometry(vtkAirlightPass* pass, vtkLight* light, const LightSource& source)
+void AddPhotometry(const Scene& scene, const RenderedScene& built)
 {
-  if (!source.PhotometryFile.empty())
+  for (std::size_t i = 0; i < scene.Lights.size(); ++i)
   {
+    const LightSource& source = scene.Lights[i];
+    if (source.PhotometryFile.empty())
+    {
+      continue;
+    }
     const VTKMessages messages;
-    if (!pass->SetLightPhotometry(light, source.PhotometryFile.c_str()))
+    if (!vtkAirlightLight::SetPhotometry(built.Lights[i], source.PhotometryFile.c_str()))
     {
       throw UserError(messages.GetFirstError());
     }
     const Vector3& up = source.PhotometryUp;
-    pass->SetLightPhotometryUp(light, up[0], up[1], up[2]);
+    vtkAirlightLight::SetPhotometryUp(built.Lights[i], up[0], up[1], up[2]);
   }
 }
 
@@ -152,10 +157,7 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
     pass->SetNumberOfSteps(settings.Steps);
     pass->SetRecordBuffers(settings.RecordBuffers);
     pass->SetScatteredSurfaceLight(scene.ScatteredSurfaceLight);
-    for (std::size_t i = 0; i < scene.Lights.size(); ++i)
-    {
-      AddPhotometry(pass, built.Lights[i], scene.Lights[i]);
-    }
+    AddPhotometry(scene, built);
   }
   else
   {
@@ -175,6 +177,7 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
 RenderedScene BuildSceneWithoutWindow(const Scene& scene)
 {
   RenderedScene built = MakeRenderer(scene);
+  AddPhotometry(scene, built);
   SetCamera(built.Renderer, scene);
   return built;
 }
