@@ -154,6 +154,19 @@ void CheckMedia()
   scene.Check("height fog and a sphere", 60);
   scene.Reference->SetMedium(fog);
   scene.Check("height fog", 60);
+
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0.2, 0.1, -0.5);
+  ball->SetRadius(1.0);
+  ball->Update();
+  sphere->SetSurface(ball->GetOutput());
+  sphere->SetRegionToSurface();
+  fog->SetDensityToUniform();
+  fog->SetRegionToCylinder();
+  fog->SetHeight(2.0);
+  fog->SetRadius(1.2);
+  scene.Reference->AddMedium(sphere);
+  scene.Check("a closed surface and a cylinder", 60);
 }
 
 //------------------------------------------------------------------------------
