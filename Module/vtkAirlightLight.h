@@ -118,14 +118,21 @@ public:
   ///@{
   /**
    * Whether vtkAirlightPass shows a lamp of a radius or a size as a bright, even shape: its ball,
-   * disc or rectangle, in its middle place. Its radiance is the radiant intensity, for a spotlight
+   * disc or rectangle, in its middle place; and a directional light of an angular diameter as a
+   * disc in the sky. Its radiance is the radiant intensity, for a spotlight
    * that towards the eye, over the area: pi R^2, or width times height; a photometric file counts
    * by its brightest direction. The shape is fogged and occluded as surfaces are, casts no shadow,
    * is no prop of the renderer, has no part in vtkRenderer::ResetCamera(), and is not picked; the
    * pass widens the camera's clipping range for it while it draws, and depths of the window are
    * those of the wider range. A spotlight is seen from within its cone, a ball from outside.
-   * Points, directional lights and lights fixed to the camera show nothing; the pass warns of
-   * points once. Default: false.
+   *
+   * A sun's radiance is its irradiance over the solid angle of its disc. It is behind everything,
+   * and fogged by the media on the whole ray: an unbounded uniform medium hides it. It belongs to
+   * the background in recorded buffers. Parallel projections do not show it, nor suns after the
+   * first 16. A disc smaller than a pixel is seen only where a ray meets it.
+   *
+   * Points, suns without a diameter and lights fixed to the camera show nothing; the pass warns of
+   * the former two once. Default: false.
    */
   static void SetVisible(vtkLight* light, bool visible);
   static bool GetVisible(vtkLight* light);

@@ -52,7 +52,8 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     (equiangular ? GetEquiangularSource() : "uniform AirlightMedia media;\n") +
     (options.Unshadowed ? GetUnshadowedSource(lights) : "") +
     (options.ShadowingLight >= 0 ? AirlightShadowingLight : "") + AirlightDecode +
-    (intoTextures ? "" : options.Display.GetSource()) + AirlightCompositeFS;
+    GetSunSource(options.Suns) + (intoTextures ? "" : options.Display.GetSource()) +
+    AirlightCompositeFS;
 }
 }
 
@@ -82,6 +83,7 @@ vtkShaderProgram* CompositePass::GetProgram(
     SetEquiangularConstants(program, scene, lights);
   }
   SetUnshadowedUniforms(program, scene, lights);
+  SetSunUniforms(program, options.Suns);
   SetMediaUniforms(program, equiangular ? "givenMedia" : "media", scene.Media);
   // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
   scene.Rays.SetUniforms(program, x, y);

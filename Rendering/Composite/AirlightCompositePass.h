@@ -11,6 +11,7 @@
 #include "Composite/AirlightDisplayStage.h"
 #include "OpenGL/AirlightQuad.h"
 #include "Scene/AirlightFrameScene.h"
+#include "Scene/AirlightSunDiscs.h"
 
 #include <string>
 #include <utility>
@@ -36,7 +37,8 @@ public:
     bool Record = false;
     float AmbientError = 0.0f; // of what the media scatter of the ambient light, relative; recorded
     bool EncodedInput = false;
-    DisplayStage Display; // into viewports only
+    std::vector<SunDisc> Suns; // that are seen where there is nothing else
+    DisplayStage Display;      // into viewports only
   };
 
   // What earlier steps drew; null where they drew none.

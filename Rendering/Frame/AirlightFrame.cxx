@@ -394,6 +394,7 @@ CompositePass::Options Frame::GetCompositeOptions() const
   options.Record = this->Plan.Record;
   options.AmbientError = ClosedFormError;
   options.EncodedInput = this->Plan.EncodedInput;
+  options.Suns = this->Current->Suns;
   return options;
 }
 

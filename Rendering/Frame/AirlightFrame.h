@@ -37,6 +37,7 @@
 #include "Scene/AirlightCameraUniforms.h"
 #include "Scene/AirlightFrameScene.h"
 #include "Scene/AirlightSceneArrays.h"
+#include "Scene/AirlightSunDiscs.h"
 #include "Translucency/AirlightTranslucentFragments.h"
 
 #include <optional>
@@ -101,6 +102,7 @@ public:
     // Props of which each fragment hides what is behind it, drawn as their mappers' inputs are.
     std::vector<vtkProp*> Solids;
     DrawActors DrawInMap; // casters without polygons
+    std::vector<SunDisc> Suns;
   };
 
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.

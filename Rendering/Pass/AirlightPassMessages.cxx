@@ -8,6 +8,7 @@
 #include "Pass/AirlightSceneSupport.h"
 #include "Photometry/AirlightLightProperties.h"
 #include "Scene/AirlightLampShapes.h"
+#include "Scene/AirlightSunDiscs.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
@@ -112,12 +113,14 @@ void PassMessages::CheckLights(
           "from its position.");
     }
   }
-  if (std::any_of(sceneLights.begin(), sceneLights.end(),
-        [](const SceneLight& sceneLight) { return IsInvisiblePoint(sceneLight.Light); }))
+  if (std::any_of(sceneLights.begin(), sceneLights.end(), [](const SceneLight& sceneLight) {
+        return IsInvisiblePoint(sceneLight.Light) || IsInvisibleSun(sceneLight.Light);
+      }))
   {
     this->WarnOnce(InvisiblePoint,
       "vtkAirlightLight::SetVisible() was called for a point, of which nothing is seen: call "
-      "SetRadius(), or SetSize() with a width and a height above 0, for that light.");
+      "SetRadius(), or SetSize() with a width and a height above 0, for that light, or for a "
+      "directional one SetAngularDiameter().");
   }
   if (static_cast<int>(sceneLights.size()) > MaximumShadowingLights)
   {

@@ -192,6 +192,7 @@ void PassRenderer::Render(
   state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   state.SetFrameBuffer(s->GetFrameBuffer());
   state.SetRequiredKeys(s->GetRequiredKeys());
+  this->Suns = CollectSunDiscs(s->GetRenderer());
   const WiderRange range(s->GetRenderer()->GetActiveCamera(), this->Lamps.GetRange());
   this->RenderScene(&state, settings, viewport);
 }
@@ -464,7 +465,7 @@ SceneFacts PassRenderer::GetFacts(const Scene& scene) const
   facts.NonPolygonalCasters = !this->Casters.GetNonPolygonal().empty();
   facts.TranslucentCasters = this->Casters.MetTranslucent();
   facts.Volumes = scene.Support->Volumes.size();
-  facts.VisibleLamps = !this->Lamps.IsEmpty();
+  facts.VisibleLamps = !this->Lamps.IsEmpty() || !this->Suns.empty();
   facts.Width = scene.Rays.GetWidth();
   facts.Height = scene.Rays.GetHeight();
   return facts;
@@ -479,7 +480,8 @@ bool PassRenderer::Draw(
   Frame::Input input{ renderer, scene.Converted, scene.Lights, scene.Rays, &this->Casters,
     scene.Support->Solids,
     [this](const std::vector<NonPolygonalCaster>& casters, vtkCamera* camera, int x, int y,
-      int side) { this->Stages.DrawInMap(casters, camera, x, y, side); } };
+      int side) { this->Stages.DrawInMap(casters, camera, x, y, side); },
+    this->Suns };
   bool ok = this->CurrentFrame.Upload(scene.Window, scene.Media, input.Media, input.SceneLights) &&
     this->CurrentFrame.Begin(input);
   if (ok)

@@ -19,6 +19,7 @@
 #include "Pass/AirlightSceneStages.h"
 #include "Pass/AirlightSubpixelFrames.h"
 #include "Scene/AirlightLampShapes.h"
+#include "Scene/AirlightSunDiscs.h"
 
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
@@ -117,6 +118,7 @@ private:
   bool Unfinished = false;
   ExposureMeter Exposure;
   LampShapes Lamps;
+  std::vector<SunDisc> Suns; // of the picture, which the frames of a mean move
   double EffectiveExposure = 1.0;
   PassMessages Messages;
   MapperHooks Mappers;

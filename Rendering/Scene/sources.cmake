@@ -11,9 +11,11 @@ airlight_sources(
     AirlightSceneLights
     AirlightLightGrid
     AirlightSceneData
+    AirlightSunDiscs
     AirlightUnshadowedLights
   GLSL
     glsl/AirlightCameraShader.glsl
     glsl/AirlightConstants.glsl
     glsl/AirlightLightPixel.glsl
+    glsl/AirlightSunDisc.glsl
     glsl/AirlightUnshadowedRays.glsl)

@@ -256,6 +256,20 @@ class TestPictures(ProgramTest):
         middle = luminance[int(0.4 * luminance.size):int(0.95 * luminance.size)].mean()
         self.assertAlmostEqual(middle, 0.46, delta=0.02)  # sRGB of 0.18
 
+    def test_dithering(self):
+        """Without it values are rounded to 8 bits; with it blocks of pixels have truer means."""
+        linear = self.render(self.SCENE, "a.pfm").clip(0, 1)
+        rounded = self.render(self.SCENE, "a.png", *self.PLAIN, "--no-dithering") - linear
+        dithered = self.render(self.SCENE, "b.png", *self.PLAIN) - linear
+        self.assertLessEqual(np.abs(rounded).max(), 0.5001 / 255)
+        self.assertGreater(np.abs(dithered).max(), 0.6 / 255)
+
+        def error(values):
+            return np.abs(values.reshape(15, 8, 20, 8, 3).mean(axis=(1, 3))).mean()
+        self.assertLess(error(dithered), 0.8 * error(rounded))
+        self.fail_with(["--no-dithering", "linear"], "render", self.SCENE, "-o",
+                       self.path("b.pfm"), "--no-dithering")
+
     def test_antialiasing(self):
         """Frames moved by parts of a pixel: as a picture of four times the size, at its edges."""
         large = self.render(self.SCENE, "large.pfm", "--size", "640x480")

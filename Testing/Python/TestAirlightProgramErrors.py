@@ -206,7 +206,8 @@ class TestBadScenes(ProgramTest):
                 (["--exposure", "0"], ["--exposure '0'", "auto"]),
                 (["--tone-mapping", "clamp", "--buffer", "Depth"], ["--tone-mapping"]),
                 (["--exposure", "auto", "--buffer", "Depth"], ["--exposure auto"]),
-                (["--tone-mapping", "gamma"], ["--tone-mapping", "gamma"])):
+                (["--tone-mapping", "gamma"], ["--tone-mapping", "gamma"]),
+                (["--no-dithering", "--reference"], ["--no-dithering", "--reference"])):
             with self.subTest(options=options):
                 self.fail_with(words, "render", scene, *output, *options)
         self.fail_with(["x.jpg", "png, pfm, tiff, exr"], "render", scene, "-o", "x.jpg")

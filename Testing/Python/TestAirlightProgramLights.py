@@ -257,6 +257,10 @@ class TestExtent(SceneTest):
                  *by_point, "--lamp-size", "1,0.5", "--ies-aim", "0.2,0.1,0", "--ies-up", "1,0,0"),
                 (dict(spot, radius=0.5), *by_spot, "--lamp-radius", "0.5"),
                 (dict(spot, size=[1, 0.5]), *by_spot, "--lamp-size", "1,0.5"),
+                (dict(spot, size=[1, 0.5], visible=True), *by_spot, "--lamp-size", "1,0.5",
+                 "--lamp-visible"),
+                (dict(sun, angular_diameter_deg=20, visible=True), "--sun", "0,1,1:5",
+                 "--lamp-visible", "--sun-diameter", "20"),
                 (dict(sun, angular_diameter_deg=20), "--sun", "0,1,1:5", "--sun-diameter", "20")):
             by_option = self.render(path, "a.pfm", *options, *more)
             by_file = self.render(self.write("b.json", json.dumps(dict(scene, lights=[light]))),
@@ -264,6 +268,52 @@ class TestExtent(SceneTest):
             np.testing.assert_array_equal(by_file, by_option, str(light))
             bare = self.render(path, "c.pfm", *options[:2], *more)
             self.assertGreater(np.abs(bare - by_option).max(), 1e-3 * bare.max(), str(light))
+
+    def render_points(self, scene, name, *options):
+        """One frame, which warns that it takes lamps for points."""
+        code, _, errors = self.run_program("render", scene, "-o", self.path(name), *options)
+        self.assertEqual(code, 0, errors)
+        return read_pfm(self.path(name))
+
+    VISIBLE_SUN = ("--sun", "0.02,-0.01,-1:5,4,3", "--sun-diameter", "8", "--lamp-visible")
+
+    def test_visible(self):
+        """A lamp shows its intensity over its area, a sun its irradiance over its solid angle."""
+        disc = 2 * np.pi * (1 - np.cos(np.radians(4)))
+        for options, radiance in (
+                (("--point", "0.2,0.1,3:5,4,3", "--lamp-visible", "--lamp-radius", "0.25"),
+                 np.array([5, 4, 3]) / (np.pi * 0.25**2)),
+                (("--spot", "0.2,0.1,3:0.2,0.1,9:40:5,4,3", "--lamp-size", "1,0.5",
+                  "--lamp-visible"), np.array([5, 4, 3]) / 0.5),
+                (self.VISIBLE_SUN, np.array([5, 4, 3]) / disc)):
+            clear = ("--scattering", "0,0,0", "--absorption", "0,0,0", *options)
+            image = self.render_points(self.scene(), "a.pfm", *clear)
+            brightest = image.reshape(-1, 3)[image[..., 0].argmax()]
+            np.testing.assert_allclose(brightest, radiance, rtol=1e-3, err_msg=str(options))
+            picture = self.render(self.scene(), "a.png", *clear)
+            self.assertGreater(picture[image[..., 0] > 0].mean(), 0.25)
+            hidden = [option for option in clear if option != "--lamp-visible"]
+            self.assertEqual(self.render_points(self.scene(), "b.pfm", *hidden).max(), 0)
+
+    def test_sun_disc(self):
+        """Exactly the pixels whose ray meets it show the disc, behind what is before it."""
+        image = self.render_points(
+            self.scene(), "a.pfm", "--box", "-99,99,-99,99,-1,2", "--scattering", "0,0,0",
+            "--absorption", "0.2,0.1,0.1", *self.VISIBLE_SUN)
+        rays = pixel_rays(self.CAMERA, *self.SIZE)
+        sun = np.array([0.02, -0.01, -1])
+        angle = np.degrees(np.arccos(rays @ (sun / np.linalg.norm(sun))))
+        disc = angle < 4
+        sure = np.abs(angle - 4) > 1e-3
+        np.testing.assert_array_equal((image[..., 0] > 0)[sure], disc[sure])
+        self.assertGreater(disc.sum(), 10)
+        way = 3 / -rays[..., 2:]
+        expected = np.array([5, 4, 3]) * np.exp(-np.array([0.2, 0.1, 0.1]) * way) / (
+            2 * np.pi * (1 - np.cos(np.radians(4))))
+        np.testing.assert_allclose(image[disc & sure], expected[disc & sure], rtol=1e-5)
+        wall = self.render_points(self.wall_scene([0, 0, 0]), "b.pfm", "--scattering", "0,0,0",
+                                  *self.VISIBLE_SUN)
+        self.assertEqual(wall.max(), 0)
 
     def test_one_frame(self):
         """Is a warning, and takes the lamp for a point."""
@@ -292,6 +342,13 @@ class TestExtent(SceneTest):
                 ((*sun, "--lamp-radius", "1"), ["behind the --point or --spot"]),
                 (("--lamp-radius", "1", *point), ["behind the --point or --spot"]),
                 ((*point, "--ies-up", "1,0,0"), ["--ies FILE or --lamp-size"]),
+                ((*point, "--lamp-visible"), ["--lamp-visible", "--lamp-radius"]),
+                ((*sun, "--lamp-visible"), ["--lamp-visible", "--sun-diameter"]),
+                (("--lamp-visible", *point), ["--lamp-visible: expected behind"]),
+                ((*point, "--lamp-radius", "1", "--lamp-visible", "--no-medium"),
+                 ["--no-medium"]),
+                ((*point, "--lamp-radius", "1", "--lamp-visible", "--reference"),
+                 ["--reference", "--lamp-visible"]),
                 ((*point, "--lamp-radius", "1", "--no-medium"), ["--no-medium"])):
             self.fail_with(words, "render", path, *out, *options)
         with open(path) as file:
@@ -308,6 +365,9 @@ class TestExtent(SceneTest):
                 (dict(lamp, radius=1, direction=[0, 1, 0]), ["unknown key 'direction'"]),
                 (dict(lamp, angular_diameter_deg=1), ["unknown key 'angular_diameter_deg'"]),
                 (dict(far, angular_diameter_deg=180), ["lights[0].angular_diameter_deg"]),
+                (dict(lamp, visible=True), ["lights[0].visible", "radius"]),
+                (dict(far, visible=True), ["lights[0].visible", "angular_diameter_deg"]),
+                (dict(lamp, radius=1, visible=1), ["lights[0].visible"]),
                 (dict(far, radius=1), ["unknown key 'radius'", "angular_diameter_deg"])):
             bad = self.write("bad.json", json.dumps(dict(scene, lights=[light])))
             self.fail_with([bad + ":1: ", *words], "render", bad, *out)

@@ -47,6 +47,9 @@ void DisplayOptions::AddTo(CLI::App* command)
     ->add_option("--color-space", this->ColorSpace,
       "Numbers of the picture: srgb, which screens expect, or linear (default srgb)")
     ->check(CLI::IsMember(&ColorSpaces));
+  command->add_flag("--no-dithering", this->NoDithering,
+    "Round to 8 bits as is; else a fixed pattern of less than half a step breaks up the rings of "
+    "smooth glows");
 }
 
 //------------------------------------------------------------------------------
@@ -63,15 +66,17 @@ DisplaySettings DisplayOptions::GetSettings() const
   {
     settings.OutputColorSpace = ColorSpaces.at(this->ColorSpace);
   }
+  settings.Dithering = !this->NoDithering;
   return settings;
 }
 
 //------------------------------------------------------------------------------
 double DisplayOptions::GetFactor() const
 {
-  if (!this->ToneMapping.empty() || !this->ColorSpace.empty())
+  if (!this->ToneMapping.empty() || !this->ColorSpace.empty() || this->NoDithering)
   {
-    throw UserError("--tone-mapping and --color-space are for pictures: linear values stay linear");
+    throw UserError("--tone-mapping, --color-space and --no-dithering are for pictures: linear "
+                    "values stay linear");
   }
   if (this->Exposure == Automatic)
   {

@@ -13,8 +13,8 @@ namespace airlight
 {
 
 /**
- * How `airlight render` and `airlight view` show radiance on the screen: exposure, tone mapping and
- * colour space.
+ * How `airlight render` and `airlight view` show radiance on the screen: exposure, tone mapping,
+ * colour space and dithering.
  */
 class DisplayOptions
 {
@@ -39,6 +39,7 @@ private:
   std::string Exposure;
   std::string ToneMapping;
   std::string ColorSpace;
+  bool NoDithering = false;
 };
 
 }

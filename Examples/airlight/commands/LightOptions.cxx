@@ -22,6 +22,32 @@ const std::map<std::string, Changer> LampChangers = { { "--ies", ParsePhotometry
 
 const std::map<std::string, Changer> SunChangers = { { "--sun-diameter", ParseSunDiameter } };
 
+const std::string Visible = "--lamp-visible";
+
+// The lamp before --lamp-visible.
+LightSource& GetLast(std::vector<LightSource>& lights)
+{
+  if (lights.empty())
+  {
+    throw UserError(Visible + ": expected behind the --point, --spot or --sun it is for");
+  }
+  return lights.back();
+}
+
+// When all lamps have the size that options give them.
+void CheckVisible(const std::vector<LightSource>& lights)
+{
+  for (const LightSource& light : lights)
+  {
+    if (light.Visible && !light.HasExtent())
+    {
+      throw UserError(Visible +
+        ": nothing is seen of a point: give its lamp --lamp-radius or --lamp-size, or its sun "
+        "--sun-diameter, above 0");
+    }
+  }
+}
+
 // Change the lamp before the option, or add one.
 void Apply(const std::string& option, const std::string& text, std::vector<LightSource>& lights)
 {
@@ -85,6 +111,12 @@ void LightOptions::AddTo(CLI::App* command)
       "units, across its axis; it shines as evenly as before, with soft shadows"),
     this->Add("--sun-diameter",
       "DEG: the --sun before it is a disc of this many degrees in the sky (the sun: 0.53)"),
+    this->Command
+      ->add_flag(Visible,
+        "The lamp before it is seen, as a bright shape of its --lamp-radius or --lamp-size, or as "
+        "a "
+        "disc of its --sun-diameter in the sky, behind all of the medium")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll),
   };
 }
 
@@ -95,12 +127,17 @@ std::vector<LightSource> LightOptions::Read() const
   std::map<std::string, std::size_t> used;
   for (const CLI::Option* option : this->Command->parse_order())
   {
+    if (option->get_name() == Visible)
+    {
+      GetLast(lights).Visible = true;
+    }
     const auto texts = this->Texts.find(option->get_name());
     if (texts != this->Texts.end())
     {
       Apply(texts->first, texts->second.at(used[texts->first]++), lights);
     }
   }
+  CheckVisible(lights);
   return lights;
 }
 

@@ -143,10 +143,10 @@ void AddRenderCommand(CLI::App& program)
   command->get_option("--no-medium")->excludes(buffer);
   CLI::Option* reference = command->add_flag("--reference", options->Reference,
     "Compute the picture on the CPU in double precision, without a display; slower, mostly with "
-    "lamps of an extent (256 points each) and --ies, and without --glow");
+    "lamps of an extent (256 points each) and --ies, and without --glow and --lamp-visible");
   options->Paths.AddTo(command, reference);
   for (const char* name : { "--no-medium", "--technique", "--steps", "--glow", "--antialiasing",
-         "--tone-mapping", "--color-space", "--orbit" })
+         "--tone-mapping", "--color-space", "--no-dithering", "--orbit" })
   {
     reference->excludes(command->get_option(name));
   }

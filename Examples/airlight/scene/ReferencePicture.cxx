@@ -41,6 +41,14 @@ void CheckKnown(const Scene& scene, const PictureSettings& settings, const PathS
     throw UserError(scene.FileName +
       ": --reference does not know scattered_surface_light: leave out one of them");
   }
+  for (const LightSource& light : scene.Lights)
+  {
+    if (light.Visible)
+    {
+      throw UserError(scene.FileName +
+        ": --reference shows no lamps: leave out one of it and --lamp-visible or visible");
+    }
+  }
 }
 
 // One array of a picture, as floats.

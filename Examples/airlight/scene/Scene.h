@@ -82,6 +82,7 @@ struct LightSource
   std::array<double, 2> Size = { 0.0, 0.0 }; ///< point and spot, width and height
   double AngularDiameter = 0.0;              ///< directional, degrees
   ///@}
+  bool Visible = false; ///< vtkAirlightLight::SetVisible(); of a lamp with an extent
 
   bool IsRectangle() const { return this->Size[0] > 0.0 || this->Size[1] > 0.0; }
   bool HasExtent() const

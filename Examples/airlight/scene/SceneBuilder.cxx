@@ -24,6 +24,7 @@ void SetExtent(vtkLight* light, const LightSource& source)
   vtkAirlightLight::SetRadius(light, source.Radius);
   vtkAirlightLight::SetSize(light, source.Size[0], source.Size[1]);
   vtkAirlightLight::SetAngularDiameter(light, source.AngularDiameter);
+  vtkAirlightLight::SetVisible(light, source.Visible);
   if (source.IsRectangle())
   {
     const Vector3& up = source.PhotometryUp;
@@ -89,6 +90,7 @@ void SetDisplay(vtkAirlightPass* pass, const Scene& scene, const RenderSettings&
   pass->SetAutomaticExposure(automatic);
   pass->SetToneMapping(settings.Display.ToneMapping);
   pass->SetOutputColorSpace(settings.Display.OutputColorSpace);
+  pass->SetDithering(settings.Display.Dithering);
 }
 
 // The picture's camera, with a depth range that holds every surface. There may be none.

@@ -25,6 +25,7 @@ struct DisplaySettings
   bool AutomaticExposure = false;
   int ToneMapping = vtkAirlightPass::NEUTRAL_PBR;
   int OutputColorSpace = vtkAirlightPass::SRGB;
+  bool Dithering = true;
 };
 
 constexpr int PictureFrames = 16; ///< whose mean is smooth; numbers are of the pixels' middles

@@ -21,20 +21,8 @@ void ReadPhotometry(const LocatedJson& json, const std::string& sceneFile, Light
   UseSceneFile(json["photometry"], [&light] { CheckPhotometryFile(light.PhotometryFile); });
 }
 
-void ReadExtent(const LocatedJson& json, LightSource& light)
+void ReadSize(const LocatedJson& json, LightSource& light)
 {
-  if (json.Has("angular_diameter_deg"))
-  {
-    light.AngularDiameter = json["angular_diameter_deg"].GetNumber(0.0, LargestAngularDiameter);
-  }
-  if (json.Has("radius"))
-  {
-    light.Radius = json["radius"].GetNumber(0.0, LargestNumber);
-  }
-  if (!json.Has("size"))
-  {
-    return;
-  }
   if (json.Has("radius"))
   {
     json["radius"].Fail("must not stand beside size: a lamp is a rectangle or round");
@@ -47,12 +35,35 @@ void ReadExtent(const LocatedJson& json, LightSource& light)
   light.Size = { items[0].GetNumber(0.0, LargestNumber), items[1].GetNumber(0.0, LargestNumber) };
 }
 
+void ReadExtent(const LocatedJson& json, LightSource& light)
+{
+  if (json.Has("angular_diameter_deg"))
+  {
+    light.AngularDiameter = json["angular_diameter_deg"].GetNumber(0.0, LargestAngularDiameter);
+  }
+  if (json.Has("radius"))
+  {
+    light.Radius = json["radius"].GetNumber(0.0, LargestNumber);
+  }
+  if (json.Has("size"))
+  {
+    ReadSize(json, light);
+  }
+  light.Visible = json.Has("visible") && json["visible"].GetBoolean();
+  if (light.Visible && !light.HasExtent())
+  {
+    json["visible"].Fail(light.Type == LightSource::Kind::Directional
+        ? "shows nothing of a sun without an angular_diameter_deg above 0"
+        : "shows nothing of a point: give the lamp a radius or a size above 0");
+  }
+}
+
 // Photometric files and rectangles have an axis and a direction across it.
 bool HasAxis(const LocatedJson& json) { return json.Has("photometry") || json.Has("size"); }
 
 void CheckLightKeys(const LocatedJson& json, LightSource::Kind type)
 {
-  std::vector<std::string> optional = { "photometry", "radius", "size" };
+  std::vector<std::string> optional = { "photometry", "radius", "size", "visible" };
   if (HasAxis(json))
   {
     optional.emplace_back("photometry_up");
@@ -72,7 +83,7 @@ void CheckLightKeys(const LocatedJson& json, LightSource::Kind type)
         optional);
       break;
     default:
-      json.CheckKeys({ "type", "direction", "irradiance" }, { "angular_diameter_deg" });
+      json.CheckKeys({ "type", "direction", "irradiance" }, { "angular_diameter_deg", "visible" });
   }
 }
 
@@ -100,7 +111,7 @@ LightSource ReadSceneLight(const LocatedJson& json, const std::string& sceneFile
 {
   json.CheckKeys({ "type" },
     { "position", "direction", "intensity", "irradiance", "cone_half_angle_deg", "exponent",
-      "photometry", "photometry_up", "radius", "size", "angular_diameter_deg" });
+      "photometry", "photometry_up", "radius", "size", "angular_diameter_deg", "visible" });
   LightSource light;
   light.Type = ReadLightType(json);
   CheckLightKeys(json, light.Type);

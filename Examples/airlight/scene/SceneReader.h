@@ -33,7 +33,8 @@ namespace airlight
  *    where the lamp's axis aims. Lamps may have an extent, see vtkAirlightLight::SetRadius(): point
  *    and spot `radius` or `size` [width, height] in world units (with `size` go `photometry_up` and
  *    a point's `direction`, too), directional `angular_diameter_deg`. It shows in pictures of
- *    several frames (`airlight render --antialiasing`);
+ *    several frames (`airlight render --antialiasing`). With `visible` true (false) the lamp itself
+ *    is seen, too, see vtkAirlightLight::SetVisible();
  *  - `surfaces`, a list of {mesh, albedo};
  *  - optional: `scattered_surface_light`, true or false (false), see
  *    vtkAirlightPass::SetScatteredSurfaceLight(); and for people `name` and `description`.

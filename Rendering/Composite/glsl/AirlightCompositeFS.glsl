@@ -44,6 +44,10 @@ void main()
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
   float end = parameter >= 0.0 ? unit * parameter : AIRLIGHT_FAR;
+#ifdef AIRLIGHT_SUNS
+  vec4 sky = parameter >= 0.0 ? vec4(0.0) : airlightSunDiscs(direction);
+  colour = vec4(colour.rgb + sky.rgb, max(colour.a, sky.a));
+#endif
   vec3 passes = airlightTransmittanceOf(airlightDepth(media, origin, direction, end));
 #if AIRLIGHT_AMBIENT
   vec3 ambient = airlightAmbient(media, origin, direction, end);
