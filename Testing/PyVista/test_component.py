@@ -275,6 +275,58 @@ def test_display(plotter):
     plotter.airlight.set_state(state)
     assert airlight.vtkAirlightLight.GetRadius(plotter.airlight.lamps[0]) == 0.1
     assert airlight.vtkAirlightLight.GetAngularDiameter(plotter.airlight.lamps[1]) == 0.53
+    assert state["lamps"][1]["visible"] is False
     state["lamps"][0]["radius"] = -1
     with pytest.raises(ValueError, match="radius is -1.0"):
         plotter.airlight.set_state(state)
+
+
+def test_visible_lamps(dark):
+    """A lamp shows its intensity over its area, a sun its irradiance over its solid angle."""
+    dark.add_mesh(pv.Sphere(radius=0.01, center=(5, 5, 0)))
+    dark.camera_position = [(0, 0, 6), (0, 0, 0), (0, 1, 0)]
+    dark.airlight.enable(visibility=float("inf"), lamp=False)
+
+    def brightest():
+        return dark.airlight.buffer("Radiance").active_scalars[:, 0].max()
+    lamp = dark.airlight.add_lamp((0, 0, 0), 3, radius=0.5, visible=True)
+    assert brightest() == pytest.approx(3 / (np.pi * 0.25), rel=1e-4)
+    state = dark.airlight.get_state()
+    dark.airlight.remove_lamp(lamp)
+    assert brightest() < 1
+    dark.airlight.set_state(state)
+    assert brightest() == pytest.approx(3 / (np.pi * 0.25), rel=1e-4)
+    dark.airlight.remove_lamp(dark.airlight.lamps[0])
+    dark.airlight.add_sun((0, 0, 1), 3, angular_diameter=6, visible=True)
+    disc = 2 * np.pi * (1 - np.cos(np.radians(3)))
+    assert brightest() == pytest.approx(3 / disc, rel=1e-4)
+    with pytest.raises(ValueError, match="visible is True"):
+        dark.airlight.add_sun((0, 0, 1), visible=True)
+    with pytest.raises(TypeError, match="visible is 'yes'"):
+        dark.airlight.add_lamp((0, 0, 1), radius=1, visible="yes")
+
+
+def test_progressive(plotter):
+    """A window on the screen is refined; pictures off screen and buffers are complete at once."""
+    plotter.airlight.enable(visibility=6, frames=4, progressive=True)
+    render_pass = plotter.airlight.render_pass
+    complete = plotter.screenshot(return_img=True)
+    assert render_pass.GetAccumulatedFrames() == 4
+    assert not render_pass.GetProgressiveRefinement()
+    window = plotter.render_window
+    window.SetOffScreenRendering(False)  # as if it were on a screen
+    counts = []
+    for _ in range(5):
+        plotter.render()
+        counts.append(render_pass.GetAccumulatedFrames())
+    assert counts == [1, 2, 3, 4, 4]
+    np.testing.assert_array_equal(plotter.screenshot(return_img=True), complete)
+    plotter.airlight.buffer()
+    assert render_pass.GetAccumulatedFrames() == 4
+    plotter.render()
+    assert render_pass.GetAccumulatedFrames() == 1  # as recording has changed
+    plotter.airlight.set_state(plotter.airlight.get_state())
+    plotter.airlight.enable(visibility=6, frames=4)
+    assert not render_pass.GetProgressiveRefinement()
+    with pytest.raises(TypeError, match="progressive is 'yes'"):
+        plotter.airlight.enable(progressive="yes")

@@ -51,8 +51,12 @@ def read(plotter: Any, subplot: Any, source: str, name: str) -> pv.ImageData:
     """
     recorded = subplot.render_pass.GetRecordBuffers()
     subplot.render_pass.RecordBuffersOn()
-    with Messages(subplot.render_pass) as messages:
-        render_now(plotter)
+    subplot.draws_at_once = True
+    try:
+        with Messages(subplot.render_pass) as messages:
+            render_now(plotter)
+    finally:
+        subplot.draws_at_once = False
     render_pass = subplot.render_pass  # a chain of other passes may have made another one
     found = render_pass.GetBuffer(source)
     render_pass.SetRecordBuffers(recorded)

@@ -76,7 +76,8 @@ class AirlightComponent:
                medium: vtkParticipatingMedium | None = None, shadows: bool | str = True,
                lamp: bool | None = None, white: float = 1.0,
                anti_aliasing: bool | None = None, tone_mapping: str | None = None,
-               color_space: str = "linear", frames: int = 1) -> AirlightComponent:
+               color_space: str = "linear", frames: int = 1,
+               progressive: bool = False) -> AirlightComponent:
         """Put the active subplot into a medium.
 
         What is None is derived from the scene at the first frame, and again if the scene's size
@@ -134,6 +135,10 @@ class AirlightComponent:
         frames : int, default: 1
             How many frames make a picture, whose mean has smooth edges of surfaces and shadows, and
             soft shadows of lamps with a radius. 16 are good, 64 very good. 1 to 1024.
+        progressive : bool, default: False
+            Whether a window on the screen stays responsive meanwhile: each frame is shown as the
+            mean so far, and input comes before the next. Pictures off screen, and buffers, are of
+            all frames at once in any case.
 
         Returns
         -------
@@ -161,7 +166,7 @@ class AirlightComponent:
                                  "medium, or give no medium.")
         settings = Settings(**given, albedo=albedo, shadows=shadows, lamp=lamp, white=white,
                             anti_aliasing=anti_aliasing, tone_mapping=tone_mapping,
-                            color_space=color_space, frames=frames)
+                            color_space=color_space, frames=frames, progressive=progressive)
         subplot.enable(settings, medium)
         return self
 
@@ -204,7 +209,7 @@ class AirlightComponent:
     def add_lamp(self, position: Any, intensity: Any = None, *, unit: str | None = None,
                  color: Any = "white", target: Any = None, direction: Any = None,
                  cone_angle: float | None = None, exponent: float = 0.0,
-                 ies: Any = None, radius: float = 0.0) -> pv.Light:
+                 ies: Any = None, radius: float = 0.0, visible: bool = False) -> pv.Light:
         """Add a lamp to the active subplot, in physical units.
 
         Parameters
@@ -237,6 +242,8 @@ class AirlightComponent:
             The radius of the lamp: of a sphere, or of a disc across the axis of a spotlight or a
             photometric file. Its shadows are soft where ``frames`` of enable() is above 1. At
             least 0.
+        visible : bool, default: False
+            Whether the lamp is seen, as a bright shape of its radius.
 
         Returns
         -------
@@ -252,11 +259,12 @@ class AirlightComponent:
         """
         subplot = self._active()
         lamp = make_lamp(position, intensity, unit, color, target, direction, cone_angle, exponent,
-                         ies, radius, subplot.derive_intensity)
+                         ies, radius, subplot.derive_intensity, visible)
         return subplot.add_lamp(lamp)
 
     def add_sun(self, direction: Any, irradiance: Any = 2.5, *, unit: str = "W/m^2",
-                color: Any = "white", angular_diameter: float = 0.0) -> pv.Light:
+                color: Any = "white", angular_diameter: float = 0.0,
+                visible: bool = False) -> pv.Light:
         """Add a directional light to the active subplot, in physical units.
 
         Its light is not attenuated on its way to the scene unless the medium has a region or a
@@ -276,6 +284,9 @@ class AirlightComponent:
         angular_diameter : float, default: 0.0
             The diameter of its disc in the sky, in degrees: the sun's is 0.53. Its shadows are soft
             where ``frames`` of enable() is above 1. At least 0, below 180.
+        visible : bool, default: False
+            Whether it is seen, as a disc of its diameter behind everything. A medium without a
+            region or a scale height hides it.
 
         Returns
         -------
@@ -288,7 +299,7 @@ class AirlightComponent:
             If an argument is invalid.
         """
         return self._active().add_lamp(make_sun(direction, irradiance, unit, color,
-                                                angular_diameter))
+                                                angular_diameter, visible))
 
     def remove_lamp(self, light: pv.Light) -> AirlightComponent:
         """Remove a light that add_lamp() or add_sun() returned from the active subplot.

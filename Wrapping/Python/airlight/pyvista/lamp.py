@@ -20,8 +20,8 @@ LAMP_UNITS = {"W/sr": "radiometric", "cd": "photometric"}
 SUN_UNITS = {"W/m^2": "radiometric", "lx": "photometric"}
 
 
-# The extents of a lamp that is no point, in states; those of older versions have none.
-EXTENTS = ("radius", "size", "angular_diameter")
+# What a lamp that is no point has, in states; those of older versions have none of it.
+EXTENTS = ("radius", "size", "angular_diameter", "visible")
 
 
 class Lamp:
@@ -112,22 +112,29 @@ def get_extent(light: pv.Light) -> dict[str, Any]:
     size = [0.0, 0.0]
     vtkAirlightLight.GetSize(light, size)
     return {"radius": vtkAirlightLight.GetRadius(light), "size": tuple(size),
-            "angular_diameter": vtkAirlightLight.GetAngularDiameter(light)}
+            "angular_diameter": vtkAirlightLight.GetAngularDiameter(light),
+            "visible": vtkAirlightLight.GetVisible(light)}
 
 
 def set_extent(light: pv.Light, radius: Any = 0.0, size: Any = (0.0, 0.0),
-               angular_diameter: Any = 0.0) -> None:
+               angular_diameter: Any = 0.0, visible: Any = False) -> None:
     """Give a lamp its extent, checked."""
+    if visible not in (True, False):
+        raise TypeError(f"visible is {visible!r}: give True or False.")
     radius = arguments.number("radius", radius, lambda x: 0 <= x <= 1e100,
                               "the radius of the lamp, a finite number, at least 0")
     width, height = arguments.vector("size", size, "width and height of the lamp", 2)
     angular_diameter = arguments.number(
         "angular_diameter", angular_diameter, lambda x: 0 <= x < 180,
         "the diameter of a sun's disc in degrees, at least 0 and below 180")
+    if visible and not (radius > 0 or (width > 0 and height > 0) or angular_diameter > 0):
+        raise ValueError("visible is True, and nothing is seen of a point: give the lamp a radius, "
+                         "or the sun an angular_diameter, above 0.")
     with Messages(light) as messages:
         vtkAirlightLight.SetRadius(light, radius)
         vtkAirlightLight.SetSize(light, width, height)
         vtkAirlightLight.SetAngularDiameter(light, angular_diameter)
+        vtkAirlightLight.SetVisible(light, bool(visible))
     messages.raise_if_any(ValueError)
 
 
@@ -146,7 +153,7 @@ def read_photometry(light: pv.Light, ies: Any) -> None:
 
 def make_lamp(position: Any, intensity: Any, unit: str | None, color: Any, target: Any,
               direction: Any, cone_angle: Any, exponent: Any, ies: Any,
-              radius: Any, derive: Any) -> Lamp:
+              radius: Any, derive: Any, visible: Any = False) -> Lamp:
     """A lamp from the arguments of AirlightComponent.add_lamp(), checked.
 
     ``derive(position)`` returns the intensity for None.
@@ -175,7 +182,7 @@ def make_lamp(position: Any, intensity: Any, unit: str | None, color: Any, targe
     color = arguments.rgb("color", color, "a colour")
     light = pv.Light(position=position, focal_point=np.add(position, aim), positional=True,
                      cone_angle=cone_angle, exponent=exponent)
-    set_extent(light, radius=radius)
+    set_extent(light, radius=radius, visible=visible)
     if ies is not None:
         read_photometry(light, ies)
         if intensity is None:
@@ -189,12 +196,12 @@ def make_lamp(position: Any, intensity: Any, unit: str | None, color: Any, targe
 
 
 def make_sun(direction: Any, irradiance: Any, unit: str, color: Any,
-             angular_diameter: Any = 0.0) -> Lamp:
+             angular_diameter: Any = 0.0, visible: Any = False) -> Lamp:
     """A sun from the arguments of AirlightComponent.add_sun(), checked."""
     direction = arguments.direction("direction", direction)
     unit = arguments.one_of("unit", unit, list(SUN_UNITS))
     color = arguments.rgb("color", color, "a colour")
     power = arguments.rgb("irradiance", irradiance, f"an irradiance in {unit}")
     light = pv.Light(position=np.negative(direction), focal_point=(0, 0, 0), positional=False)
-    set_extent(light, angular_diameter=angular_diameter)
+    set_extent(light, angular_diameter=angular_diameter, visible=visible)
     return Lamp(light, tuple(np.multiply(power, color).tolist()), unit, is_sun=True)

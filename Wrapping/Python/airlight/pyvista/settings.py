@@ -62,6 +62,7 @@ class Settings:
     tone_mapping: str | None = None
     color_space: str = "linear"
     frames: int = 1
+    progressive: bool = False
 
     def __post_init__(self) -> None:
         if self.visibility is not None and self.visibility != math.inf:
@@ -87,6 +88,8 @@ class Settings:
         self.frames = int(arguments.number(
             "frames", self.frames, lambda n: 1 <= n <= 1024 and n == int(n),
             "how many frames make a picture, a whole number from 1 to 1024"))
+        if self.progressive not in (True, False):
+            raise TypeError(f"progressive is {self.progressive!r}: give True or False.")
         self._check_shadows()
         self._check_region()
         self._check_density()
@@ -185,6 +188,8 @@ class Settings:
         render_pass.SetShadowTechnique(SHADOWS[self.shadows])
         render_pass.SetSurfaceShadows(self.shadows != "none")
         render_pass.SetSubpixelFrames(self.frames)
+        if not self.progressive:
+            render_pass.ProgressiveRefinementOff()
         render_pass.SetOutputColorSpace(COLOR_SPACES[self.color_space])
         if self.tone_mapping is not None:
             render_pass.SetToneMapping(TONE_MAPPINGS[self.tone_mapping])

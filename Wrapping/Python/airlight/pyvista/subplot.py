@@ -55,6 +55,7 @@ class Subplot:
         self.render_pass = vtkAirlightPass()
         self.lamps: list[Lamp] = []
         self.enabled = False
+        self.draws_at_once = False  # whatever the settings say, for a buffer
         self.is_provided = False  # a chain of pyvista-render-passes has the pass
         self._quieted: weakref.WeakValueDictionary = weakref.WeakValueDictionary()
         provider.register(renderer, self)
@@ -155,6 +156,7 @@ class Subplot:
         self._quiet_camera_lights(renderer)
         self._update_derived(in_frame and renderer.camera_set)
         self._update_tone_mapping()
+        self._update_progressive(renderer.GetRenderWindow())
         if not self.is_provided:
             self._chain.install(renderer, self.render_pass)
         self._edges.update(renderer, self.render_pass)
@@ -201,6 +203,13 @@ class Subplot:
         if is_clear != self._is_clear:
             self.settings.derive_tone_mapping(self.render_pass, is_clear=is_clear)
             self._is_clear = is_clear
+
+    def _update_progressive(self, window: Any) -> None:
+        """Pictures off screen have no time after the first frame."""
+        if self.settings.progressive:
+            self.render_pass.SetProgressiveRefinement(
+                not self.draws_at_once and window is not None
+                and not window.GetOffScreenRendering())
 
     def _has_changed(self, scene: Any) -> bool:
         if self._diagonal is None:
