@@ -9,6 +9,7 @@ import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import mutable, vtkCollection
 from vtkmodules.vtkCommonDataModel import vtkCellLocator
+from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 
 import paraviewtest as test
 
@@ -76,6 +77,28 @@ class View(unittest.TestCase):
         self.assertGreater(test.picture(self.view, "mean").std(), 5)
         for name in ("RadianceExposure", "ToneMapping", "AutomaticExposure", "SubpixelFrames"):
             self.view.GetProperty(name).ResetToDefault()
+        self.view.UpdateVTKObjects()
+
+    def test_progressive_refinement(self):
+        """A view with an interactor adds a frame a rendering; screenshots are complete."""
+        self.view.SubpixelFrames = 4
+        complete = test.picture(self.view, "complete")
+        self.view.ProgressiveRefinement = 1
+        render_pass = self.view.GetClientSideObject().GetAirlightPass()
+        self.view.StillRender()
+        self.assertEqual(render_pass.GetAccumulatedFrames(), 4, "no interactor: all at once")
+        interactor = vtkGenericRenderWindowInteractor()
+        self.view.SMProxy.SetupInteractor(interactor)
+        counts = []
+        for _ in range(5):
+            self.view.StillRender()
+            counts.append(render_pass.GetAccumulatedFrames())
+        self.assertEqual(counts, [1, 2, 3, 4, 4])
+        self.assert_same(test.picture(self.view, "refined"), complete, 0, "screenshot")
+        self.view.ProgressiveRefinement = 0
+        self.view.StillRender()
+        self.assertEqual(render_pass.GetAccumulatedFrames(), 4)
+        self.view.GetProperty("SubpixelFrames").ResetToDefault()
         self.view.UpdateVTKObjects()
 
     def test_stock_scene(self):

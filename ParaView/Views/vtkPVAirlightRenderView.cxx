@@ -171,6 +171,8 @@ void vtkPVAirlightRenderView::Render(bool interactive, bool skip_rendering)
   {
     this->Pass->SetOutputColorSpaceToGamma22();
   }
+  this->Pass->SetProgressiveRefinement(
+    this->ProgressiveRefinement && this->GetInteractor() && !this->GetInCaptureScreenshot());
   this->Superclass::Render(interactive, skip_rendering);
   this->Pass->SetOutputColorSpace(space);
   this->Remote->Spread(this->GetRenderer(), false);
@@ -255,6 +257,7 @@ void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Airlight: " << this->Airlight << "\n";
   os << indent << "CameraLightsScatter: " << this->CameraLightsScatter << "\n";
+  os << indent << "ProgressiveRefinement: " << this->ProgressiveRefinement << "\n";
   os << indent << "AirlightPass:\n";
   this->Pass->PrintSelf(os, indent.GetNextIndent());
 }

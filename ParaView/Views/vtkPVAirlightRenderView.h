@@ -89,6 +89,16 @@ public:
   void SetMemoryLimit(int limit);
   ///@}
 
+  ///@{
+  /**
+   * vtkAirlightPass::SetProgressiveRefinement() of a view that has an interactor, which asks for
+   * the next frame. All frames of screenshots and of views without one, as those of servers, are
+   * drawn at once. Default: false.
+   */
+  vtkSetMacro(ProgressiveRefinement, bool);
+  vtkGetMacro(ProgressiveRefinement, bool);
+  ///@}
+
   /**
    * The pass that renders the scene.
    */
@@ -120,6 +130,7 @@ private:
 
   bool Airlight = true;
   bool CameraLightsScatter = false;
+  bool ProgressiveRefinement = false;
   bool WarnedOrdered = false;
   vtkNew<vtkAirlightPass> Pass;
   vtkSmartPointer<vtkPVParticipatingMedium> OwnMedium; // null if it is of another class
