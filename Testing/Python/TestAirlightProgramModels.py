@@ -15,6 +15,18 @@ import numpy as np
 from programtest import ProgramTest, read_pfm, scene_file, write_models
 
 
+def ball(count):
+    """Points and quads of a ball of radius 1 with count rings."""
+    angles = np.linspace(0, np.pi, count)
+    turns = np.arange(2 * count) * np.pi / count
+    points = [(np.sin(a) * np.cos(b), np.cos(a), np.sin(a) * np.sin(b))
+              for a in angles for b in turns]
+    faces = [(i * 2 * count + j, i * 2 * count + (j + 1) % (2 * count),
+              (i + 1) * 2 * count + (j + 1) % (2 * count), (i + 1) * 2 * count + j)
+             for i in range(count - 1) for j in range(2 * count)]
+    return points, faces
+
+
 class TestModels(ProgramTest):
     def test_models(self):
         """The model is in the middle, lit, and the light around the lamp is above it to the left.
@@ -112,13 +124,7 @@ class TestModels(ProgramTest):
 
     def ball(self, count, sign=None):
         """A ball of radius 1 with count rings; normals outwards, inwards, 0 or none."""
-        angles = np.linspace(0, np.pi, count)
-        turns = np.arange(2 * count) * np.pi / count
-        points = [(np.sin(a) * np.cos(b), np.cos(a), np.sin(a) * np.sin(b))
-                  for a in angles for b in turns]
-        faces = [(i * 2 * count + j, i * 2 * count + (j + 1) % (2 * count),
-                  (i + 1) * 2 * count + (j + 1) % (2 * count), (i + 1) * 2 * count + j)
-                 for i in range(count - 1) for j in range(2 * count)]
+        points, faces = ball(count)
         lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
         names = ["x", "y", "z"] + (["nx", "ny", "nz"] if sign is not None else [])
         lines += [f"property float {name}" for name in names]
@@ -242,6 +248,20 @@ def studio_square():
     return chunk(0x4D4D, chunk(0x3D3D, content))
 
 
+def spot_exponent(inner, outer):
+    """Of the cosine to whose power a spot sends out as much light as one that fades between the
+    angles as KHR_lights_punctual says; by sums over the angle."""
+    angles = (np.arange(20000) + 0.5) / 20000 * outer
+    cosine, ring = np.cos(angles), np.sin(angles)
+    ramp = (cosine - np.cos(outer)) / max(1e-9, np.cos(inner) - np.cos(outer))
+    light = (np.clip(ramp, 0, 1) ** 2 * ring).sum()
+    low, high = 0.0, 128.0
+    for _ in range(50):
+        middle = (low + high) / 2
+        low, high = (middle, high) if (cosine**middle * ring).sum() > light else (low, middle)
+    return low
+
+
 class TestImported(ProgramTest):
     """Lamps, cameras and colours of files, against options that say the same."""
 
@@ -249,10 +269,11 @@ class TestImported(ProgramTest):
 
     def check(self, model, lamps, camera=None):
         """lamps: option, place, power, and what a surface in the middle gets of it."""
-        factor = 3.5 * np.pi / sum(share * max(power) for _, _, power, share in lamps)
+        factor = 3.5 * np.pi / sum(share * max(power) for _, _, power, share, *_ in lamps)
         options = []
-        for option, place, power, _ in lamps:
-            options += [option, place + ":" + ",".join(str(factor * x) for x in power)]
+        for option, place, power, _, *rest in lamps:
+            powers = ",".join(str(factor * x) for x in power)
+            options += [option, ":".join((place, powers, *rest))]
         if camera:
             options += ["--camera", camera]
         image = self.render(model, "a.pfm", *self.SIZE)
@@ -263,7 +284,8 @@ class TestImported(ProgramTest):
 
     def test_gltf(self):
         lamps = [("--point", "1,2,3", (40, 20, 10), 1 / 14),
-                 ("--spot", f"0,0,5:0,0,0:{np.degrees(0.5)}", (100, 100, 100), 1 / 25),
+                 ("--spot", f"0,0,5:0,0,0:{np.degrees(0.5)}", (100, 100, 100), 1 / 25,
+                  str(spot_exponent(0, 0.5))),
                  ("--sun", "0,1,0", (3, 3, 3), 1)]
         model = self.write("a.gltf", gltf_square())
         self.check(model, lamps, f"0.5,0.2,4:0.5,0.2,0:{np.degrees(0.8)}")
@@ -276,6 +298,72 @@ class TestImported(ProgramTest):
             image = self.render(bare, "d.pfm", *self.SIZE, "--buffer", "Depth")
             background = (image < 0).mean()
             self.assertTrue(0.3 < background < 0.95, f"{name}: {background}")
+
+    def test_spots(self):
+        """Fade between two angles; light has no range."""
+        nodes = json.loads(gltf_square())["nodes"]
+        for inner, outer in ((0, 0.5), (0.35, 0.4), (0.399, 0.4), (0, 0.05)):
+            lamp = {"type": "spot", "intensity": 100, "range": 3,
+                    "spot": {"innerConeAngle": inner, "outerConeAngle": outer}}
+            model = self.write("a.gltf", gltf_square(
+                nodes=[nodes[0], nodes[2], nodes[4]], scenes=[{"nodes": [0, 1, 2]}],
+                extensions={"KHR_lights_punctual": {"lights": [lamp, lamp]}}))
+            exponent = spot_exponent(inner, outer)
+            self.check(model, [("--spot", f"0,0,5:0,0,0:{np.degrees(outer)}", (100, 100, 100),
+                                1 / 25, str(exponent))])
+
+    def write_balls(self):
+        """A coarse ball without normals in each format that has materials."""
+        points, quads = ball(12)
+        faces = [(a, b, c) for a, b, c, _ in quads] + [(a, c, d) for a, _, c, d in quads]
+        self.write("b.mtl", "newmtl grey\nKd 0.5 0.5 0.5\n")
+        obj = self.write("b.obj", "\n".join(
+            ["mtllib b.mtl", "usemtl grey"] + ["v %f %f %f" % point for point in points]
+            + ["f %d %d %d" % tuple(i + 1 for i in face) for face in faces]))
+        data = np.array(points, "<f4").tobytes() + np.array(faces, "<u2").tobytes()
+        gltf = json.loads(gltf_square(materials=[{"doubleSided": True}]))
+        gltf["accessors"][0].update(count=len(points), min=[-1] * 3, max=[1] * 3)
+        gltf["accessors"][1].update(count=3 * len(faces))
+        gltf["bufferViews"] = [
+            {"buffer": 0, "byteLength": 12 * len(points)},
+            {"buffer": 0, "byteOffset": 12 * len(points), "byteLength": 6 * len(faces)}]
+        gltf["buffers"] = [{"byteLength": len(data), "uri": "data:application/octet-stream;base64,"
+                            + base64.b64encode(data).decode()}]
+        studio = chunk(0x4110, struct.pack("<H", len(points)) + np.array(points, "<f4").tobytes())
+        studio += chunk(0x4120, struct.pack("<H", len(faces)) + np.array(
+            [(*face, 0) for face in faces], "<u2").tobytes())
+        content = chunk(0x4000, b"mesh\0" + chunk(0x4100, studio))
+        return (obj, self.write("b.gltf", json.dumps(gltf)),
+                self.write("b.3ds", chunk(0x4D4D, chunk(0x3D3D, content))))
+
+    def test_smooth(self):
+        """Meshes without normals get smooth ones, and keep their facets if that is asked for."""
+        for model in self.write_balls():
+            shades = []
+            for more in ((), ("--facets",)):
+                image = self.render(model, "a.pfm", *TestModels.CLEAR, *more)[..., 0]
+                shades.append(len(np.unique((image[image > 0] / image.max()).round(3))))
+            self.assertGreater(shades[0], 3 * shades[1], model)
+
+    def test_seams(self):
+        """A box with texture coordinates keeps its edges; a fold of 20 degrees is smooth across a
+        seam of them."""
+        self.write("a.mtl", "newmtl grey\nKd 0.5 0.5 0.5\n")
+        height = np.tan(np.radians(10))
+
+        def fold(rise):
+            return self.write("a.obj", "\n".join((
+                "mtllib a.mtl", "v -1 -1 0", "v 0 -1 %f" % rise, "v 1 -1 0", "v -1 1 0",
+                "v 0 1 %f" % rise, "v 1 1 0", "vt 0 0", "vt 1 0", "vt 1 1", "vt 0 1",
+                "usemtl grey", "f 1/1 2/2 5/3 4/4", "f 2/1 3/2 6/3 5/4")))
+        options = (*TestModels.CLEAR[:4], "--camera", "0,0,9:0,0,0", "--sun", "1,0,1:3", "--size",
+                   "96x72", "--buffer", "Surface")
+        flat, sharp = (self.render(fold(rise), "a.pfm", *options)[36, :, 0]
+                       for rise in (height, np.tan(np.radians(30))))
+        for row, steps in ((flat, False), (sharp, True)):
+            lit = row[row > 0]
+            jump = np.abs(np.diff(lit)).max() / lit.max()
+            self.assertEqual(jump > 0.2, steps, jump)
 
     def test_cameras(self):
         """The first perspective camera that a node holds; without one all of the model is seen."""
@@ -309,7 +397,8 @@ class TestImported(ProgramTest):
         nodes[4].update(translation=[0.5, 0.2, 4])
         self.check(self.write("a.gltf", gltf_square(nodes=nodes)),
                    [("--point", "0,0,0.001", (40, 20, 10), 1 / (0.3**2 * 8)),
-                    ("--spot", f"0,0,5:0,0,0:{np.degrees(0.5)}", (100, 100, 100), 1 / 25),
+                    ("--spot", f"0,0,5:0,0,0:{np.degrees(0.5)}", (100, 100, 100), 1 / 25,
+                     str(spot_exponent(0, 0.5))),
                     ("--sun", "0,1,0", (3, 3, 3), 1)])
 
     def test_pitched(self):

@@ -5,7 +5,6 @@
 #include "commands/MediumText.h"
 #include "commands/OptionText.h"
 #include "formats/Files.h"
-#include "formats/ImportedFile.h"
 #include "formats/ModelReader.h"
 #include "formats/UserError.h"
 #include "scene/MediumFile.h"
@@ -128,8 +127,10 @@ void SceneOptions::AddModelOptions(CLI::App* command)
       ->check(CLI::IsMember(GetMoodNames()))
       ->capture_default_str(),
     command->add_flag("--facets", this->Choices.KeepFacets,
-      "Keep the triangles of a coarse model on its own as they are (.obj without materials, .ply, "
-      ".stl, .vtp, .vtk, .vtu), where they are curved as the normals say otherwise"),
+      "Keep the triangles of a coarse model on its own as they are: .ply, .stl, .vtp, .vtk, .vtu "
+      "and "
+      ".obj without materials are curved as their normals say otherwise, and .gltf, .glb, .3ds and "
+      ".obj with materials get smooth normals where they have none"),
   };
 }
 
@@ -223,7 +224,7 @@ Scene SceneOptions::Load() const
         this->FileName + "), which has lamps and a medium of its own");
     }
   }
-  if (this->Choices.KeepFacets && IsImportedFile(this->FileName))
+  if (this->Choices.KeepFacets && GetExtension(this->FileName) == "wrl")
   {
     throw UserError("--facets: " + this->FileName + " is drawn as it is: leave out --facets");
   }

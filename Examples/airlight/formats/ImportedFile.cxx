@@ -4,10 +4,11 @@
 
 #include "formats/CheckedOBJ.h"
 #include "formats/Files.h"
+#include "formats/GLTFNodes.h"
 #include "formats/ImportedLights.h"
 #include "formats/ModelColours.h"
-#include "formats/PlacedCameras.h"
 #include "formats/PolyDataFile.h"
+#include "formats/SmoothNormals.h"
 #include "formats/UserError.h"
 #include "formats/VTKMessages.h"
 
@@ -82,8 +83,8 @@ const std::map<std::string, ImporterMaker>& GetImporterMakers()
 {
   static const std::map<std::string, ImporterMaker> makers = {
     { "3ds", MakeImporter<vtk3DSImporter> },
-    { "glb", MakeImporter<PlacedCameras> },
-    { "gltf", MakeImporter<PlacedCameras> },
+    { "glb", MakeImporter<GLTFNodes> },
+    { "gltf", MakeImporter<GLTFNodes> },
     { "obj", MakeOBJImporter },
     { "wrl", MakeImporter<vtkVRMLImporter> },
   };
@@ -164,7 +165,7 @@ vtkPolyData* GetMesh(vtkActor* actor)
 }
 
 std::vector<vtkSmartPointer<vtkActor>> TakeActors(
-  vtkRenderer* renderer, const std::string& fileName)
+  vtkRenderer* renderer, const std::string& fileName, bool keepFacets)
 {
   std::vector<vtkSmartPointer<vtkActor>> actors;
   vtkActorCollection* imported = renderer->GetActors();
@@ -179,6 +180,10 @@ std::vector<vtkSmartPointer<vtkActor>> TakeActors(
       if (GetExtension(fileName) == "wrl")
       {
         DecodePointColours(actor);
+      }
+      else if (!keepFacets)
+      {
+        vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(AddSmoothNormals(mesh));
       }
       actors.emplace_back(actor);
     }
@@ -196,7 +201,7 @@ bool IsImportedFile(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-ImportedScene ImportFile(const std::string& fileName)
+ImportedScene ImportFile(const std::string& fileName, bool keepFacets)
 {
   CheckInputFile(fileName);
   const VTKMessages messages;
@@ -213,7 +218,7 @@ ImportedScene ImportFile(const std::string& fileName)
   importer->Read();
 
   ImportedScene scene;
-  scene.Actors = TakeActors(renderer, fileName);
+  scene.Actors = TakeActors(renderer, fileName, keepFacets);
   if (!messages.GetFirstError().empty())
   {
     throw UserError(fileName + ": " + messages.GetFirstError());
@@ -230,7 +235,7 @@ ImportedScene ImportFile(const std::string& fileName)
   }
   Vector3 center;
   box.GetCenter(center.data());
-  scene.Lights = GetImportedLights(renderer, extension, center);
+  scene.Lights = GetImportedLights(importer, renderer, extension, center);
   scene.Camera = GetImportedCamera(importer, renderer, center, box.GetDiagonalLength());
   return scene;
 }

@@ -38,8 +38,11 @@ struct ImportedScene
  * Colours and textures become those of matt surfaces: diffuse, without ambient light, highlights or
  * physically based shading, which are not in the airlight equation. Those of unlit materials
  * (KHR_materials_unlit) are radiances, which need no lamp.
+ *
+ * Meshes without normals get smooth ones but for sharp edges, see AddSmoothNormals(), unless their
+ * facets are to be kept, as the glTF specification has it. VRML's facets are always kept.
  */
-ImportedScene ImportFile(const std::string& fileName);
+ImportedScene ImportFile(const std::string& fileName, bool keepFacets);
 
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/ImportedLights.h"
 
-#include "formats/PlacedCameras.h"
+#include "formats/GLTFNodes.h"
 
 #include <vtkCamera.h>
 #include <vtkLight.h>
@@ -62,7 +62,8 @@ void Place3DS(vtkLight* light, const Vector3& center, LightSource& lamp)
     lamp.Power.data(), vtkMath::Distance2BetweenPoints(lamp.Position.data(), center.data()));
 }
 
-LightSource MakeLamp(vtkLight* light, const std::string& extension, const Vector3& center)
+LightSource MakeLamp(
+  vtkLight* light, vtkImporter* importer, const std::string& extension, const Vector3& center)
 {
   LightSource lamp;
   for (int i = 0; i < 3; ++i)
@@ -81,6 +82,11 @@ LightSource MakeLamp(vtkLight* light, const std::string& extension, const Vector
   if (light->GetTransformMatrix())
   {
     PlaceByNode(light->GetTransformMatrix(), lamp);
+    auto* gltf = GLTFNodes::SafeDownCast(importer);
+    if (gltf && lamp.Type == LightSource::Kind::Spot)
+    {
+      lamp.Exponent = FindSpotExponent(gltf->GetInnerConeAngle(light), lamp.ConeHalfAngle);
+    }
   }
   else if (extension == "3ds")
   {
@@ -121,15 +127,35 @@ std::optional<CameraSettings> Find3DSCamera(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+// The light is 2 pi times the integral of the intensity over the cosine: of KHR_lights_punctual's
+// square of a linear ramp 1 - inner + (inner - outer)/3, of a power n (1 - outer^(n + 1))/(n + 1),
+// which falls with n.
+double FindSpotExponent(double innerAngle, double outerAngle)
+{
+  const double inner = std::cos(vtkMath::RadiansFromDegrees(std::min(innerAngle, outerAngle)));
+  const double outer = std::cos(vtkMath::RadiansFromDegrees(outerAngle));
+  const double light = 1.0 - inner + (inner - outer) / 3.0;
+  double low = 0.0;
+  double high = LargestExponent;
+  for (int i = 0; i < 50 && innerAngle < outerAngle; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    const bool more = (1.0 - std::pow(outer, middle + 1.0)) / (middle + 1.0) > light;
+    (more ? low : high) = middle;
+  }
+  return low;
+}
+
+//------------------------------------------------------------------------------
 std::vector<LightSource> GetImportedLights(
-  vtkRenderer* renderer, const std::string& extension, const Vector3& center)
+  vtkImporter* importer, vtkRenderer* renderer, const std::string& extension, const Vector3& center)
 {
   std::vector<LightSource> lamps;
   vtkLightCollection* lights = renderer->GetLights();
   lights->InitTraversal();
   while (vtkLight* light = lights->GetNextItem())
   {
-    const LightSource lamp = MakeLamp(light, extension, center);
+    const LightSource lamp = MakeLamp(light, importer, extension, center);
     if (light->GetSwitch() && IsUsable(lamp))
     {
       lamps.push_back(lamp);
@@ -142,7 +168,7 @@ std::vector<LightSource> GetImportedLights(
 std::optional<CameraSettings> GetImportedCamera(
   vtkImporter* importer, vtkRenderer* renderer, const Vector3& center, double diagonal)
 {
-  auto* gltf = PlacedCameras::SafeDownCast(importer);
+  auto* gltf = GLTFNodes::SafeDownCast(importer);
   std::optional<CameraSettings> camera = gltf ? gltf->FindCamera() : Find3DSCamera(renderer);
   if (!camera)
   {

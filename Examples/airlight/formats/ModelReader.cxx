@@ -43,7 +43,7 @@ Model ReadModel(const std::string& fileName, bool keepFacets)
   Model model;
   if (IsImportedFile(fileName))
   {
-    ImportedScene imported = ImportFile(fileName);
+    ImportedScene imported = ImportFile(fileName, keepFacets);
     for (const auto& actor : imported.Actors)
     {
       model.Surfaces.push_back({ fileName, actor });
@@ -69,7 +69,7 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& fileName)
     return ReadPolyDataFile(fileName);
   }
   vtkNew<vtkAppendPolyData> append;
-  for (const auto& actor : ImportFile(fileName).Actors)
+  for (const auto& actor : ImportFile(fileName, true).Actors)
   {
     vtkNew<vtkMatrixToLinearTransform> placement;
     placement->SetInput(actor->GetMatrix());

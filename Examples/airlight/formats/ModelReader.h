@@ -35,7 +35,7 @@ struct Model
 
 /**
  * Coarse meshes without materials are curved as their normals say, see MakeCurved(), or keep their
- * facets. Throws UserError.
+ * facets; for others see ImportFile(). Throws UserError.
  */
 Model ReadModel(const std::string& fileName, bool keepFacets = false);
 

@@ -3,6 +3,7 @@
 #include "scene/LambertActor.h"
 
 #include "formats/ModelColours.h"
+#include "formats/SmoothNormals.h"
 #include "scene/CurvedMesh.h"
 
 #include <vtkCellArray.h>
@@ -24,8 +25,6 @@ namespace airlight
 
 namespace
 {
-constexpr double SmoothAngle = 40.0; // degrees: sharper edges stay sharp
-
 // Polygons keep their order and their winding, which alone decides on the normal's side; the mapper
 // turns it to the viewer. Points are not split: shadows need the edges that polygons share.
 vtkSmartPointer<vtkPolyData> MakeFlat(vtkPolyData* mesh)

@@ -19,7 +19,7 @@ struct ModelChoices
   std::string LightFrom;
 
   std::string Mood = "mist"; ///< one of GetMoodNames()
-  bool KeepFacets = false;   ///< of coarse meshes, see MakeCurved()
+  bool KeepFacets = false;   ///< see ReadModel()
 };
 
 /**

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "formats/PlacedCameras.h"
+#include "formats/GLTFNodes.h"
 
 #include <vtkGLTFDocumentLoader.h>
+#include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace airlight
@@ -38,12 +40,17 @@ CameraSettings PlaceByNode(vtkMatrix4x4* node, double viewAngle)
   camera.Vertical = Vector3{ 0.0, 1.0, 0.0 };
   return camera;
 }
+
+bool IsSame(vtkMatrix4x4* a, vtkMatrix4x4* b)
+{
+  return a && b && std::equal(a->GetData(), a->GetData() + 16, b->GetData());
+}
 }
 
-vtkStandardNewMacro(PlacedCameras);
+vtkStandardNewMacro(GLTFNodes);
 
 //------------------------------------------------------------------------------
-std::optional<CameraSettings> PlacedCameras::FindCamera() const
+std::optional<CameraSettings> GLTFNodes::FindCamera() const
 {
   const auto model = this->Loader ? this->Loader->GetInternalModel() : nullptr;
   if (!model || !Holds(model->Scenes, model->DefaultScene))
@@ -70,6 +77,28 @@ std::optional<CameraSettings> PlacedCameras::FindCamera() const
     nodes.insert(nodes.end(), node.Children.rbegin(), node.Children.rend());
   }
   return std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+double GLTFNodes::GetInnerConeAngle(vtkLight* light) const
+{
+  const auto model = this->Loader ? this->Loader->GetInternalModel() : nullptr;
+  if (!model)
+  {
+    return 0.0;
+  }
+  using Lamp = vtkGLTFDocumentLoader::Extensions::KHRLightsPunctual::Light;
+  const auto& lamps = model->ExtensionMetaData.KHRLightsPunctualMetaData.Lights;
+  for (const auto& node : model->Nodes)
+  {
+    const int number = node.ExtensionMetaData.KHRLightsPunctualMetaData.Light;
+    if (Holds(lamps, number) && lamps[number].Type == Lamp::LightType::SPOT &&
+      IsSame(node.GlobalTransform, light->GetTransformMatrix()))
+    {
+      return vtkMath::DegreesFromRadians(lamps[number].SpotInnerConeAngle);
+    }
+  }
+  return 0.0;
 }
 
 }
