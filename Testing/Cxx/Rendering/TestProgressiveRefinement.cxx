@@ -2,113 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // vtkAirlightPass::SetProgressiveRefinement(): pictures add frames to a mean until it is complete,
-// and then equal the one that has all frames at once. Each change starts the mean again. An
-// interactor asks for the frames by itself.
+// and then equal the one that has all frames at once. Each change starts the mean again.
 
-#include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
-#include "AirlightTestWindowScene.h"
+#include "RefinedScene.h"
 
 #include "vtkAirlightLight.h"
-#include "vtkCallbackCommand.h"
-#include "vtkElevationFilter.h"
-#include "vtkGenericRenderWindowInteractor.h"
-#include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkLookupTable.h"
-#include "vtkMatrix4x4.h"
-#include "vtkObjectFactory.h"
-#include "vtkPlane.h"
-#include "vtkPointData.h"
-#include "vtkRenderWindowInteractor.h"
-#include "vtkRendererCollection.h"
-#include "vtkSphereSource.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
-#include "vtkTexture.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <utility>
-#include <vector>
 
 using namespace airlight_test;
 
 namespace
 {
-constexpr int Count = 6;
-
-// With a ball whose size a filter of its pipeline sets, and a plane that cuts it.
-class RefinedScene : public WindowScene
-{
-public:
-  RefinedScene()
-    : WindowScene(96, 72)
-  {
-    this->Source->SetThetaResolution(24);
-    this->Filter->SetInputConnection(this->Source->GetOutputPort());
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(this->Filter->GetOutputPort());
-    mapper->ScalarVisibilityOff();
-    this->Plane->SetOrigin(0.0, 0.0, -5.0);
-    this->Plane->SetNormal(0.0, 0.0, 1.0);
-    mapper->AddClippingPlane(this->Plane);
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->SetPosition(0.2, 1.3, 0.0);
-    this->Renderer->AddActor(actor);
-    this->Image->SetDimensions(2, 2, 1);
-    this->Image->AllocateScalars(VTK_FLOAT, 1);
-    this->Image->GetPointData()->GetScalars()->Fill(128.0);
-    vtkNew<vtkTexture> texture;
-    texture->SetInputData(this->Image);
-    this->Table->SetRange(0.0, 255.0);
-    this->Table->Build();
-    texture->SetLookupTable(this->Table);
-    this->Floor->SetTexture(texture);
-    this->Lamp = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
-    this->Lamp->SetTransformMatrix(this->Matrix);
-    this->Pass->SetSubpixelFrames(Count);
-    this->Pass->ProgressiveRefinementOn();
-  }
-
-  void Finish()
-  {
-    for (int i = 0; i < Count; ++i)
-    {
-      this->Window->Render();
-    }
-  }
-
-  Picture CaptureAtOnce()
-  {
-    this->Pass->ProgressiveRefinementOff();
-    const Picture picture = Capture(this->Window);
-    this->Pass->ProgressiveRefinementOn();
-    return picture;
-  }
-
-  vtkNew<vtkImageData> Image;
-  vtkNew<vtkLookupTable> Table;
-  vtkNew<vtkMatrix4x4> Matrix; // of the lamp
-  vtkNew<vtkSphereSource> Source;
-  vtkNew<vtkElevationFilter> Filter;
-  vtkNew<vtkPlane> Plane;
-  vtkLight* Lamp = nullptr;
-};
-
-void CountEvents(vtkObject* object, unsigned long event, int& count)
-{
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&count);
-  command->SetCallback(
-    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
-  object->AddObserver(event, command);
-}
-
 //------------------------------------------------------------------------------
 void TestGrowth()
 {
@@ -286,106 +197,6 @@ void TestNoRefinement()
 }
 
 //------------------------------------------------------------------------------
-// An interactor whose timers the test lets ring.
-class TimedInteractor : public vtkRenderWindowInteractor
-{
-public:
-  static TimedInteractor* New();
-  vtkTypeMacro(TimedInteractor, vtkRenderWindowInteractor);
-
-  void Initialize() override
-  {
-    this->Initialized = 1;
-    this->Enable();
-  }
-  bool HasTimer() const { return !this->Timers.empty(); }
-  void Ring()
-  {
-    int timer = this->Timers.front();
-    this->Timers.erase(this->Timers.begin()); // it rings once
-    this->InvokeEvent(vtkCommand::TimerEvent, &timer);
-  }
-
-protected:
-  int InternalCreateTimer(int timer, int type, unsigned long) override
-  {
-    Check(type == OneShotTimer, "timers that ring once");
-    this->Timers.push_back(timer);
-    return timer;
-  }
-  int InternalDestroyTimer(int timer) override
-  {
-    this->Timers.erase(
-      std::remove(this->Timers.begin(), this->Timers.end(), timer), this->Timers.end());
-    return 1;
-  }
-
-private:
-  std::vector<int> Timers;
-};
-
-vtkStandardNewMacro(TimedInteractor);
-
-class InteractiveScene : public RefinedScene
-{
-public:
-  InteractiveScene()
-  {
-    this->Interactor->SetRenderWindow(this->Window);
-    this->Interactor->Initialize();
-    CountEvents(this->Window, vtkCommand::EndEvent, this->Renders);
-  }
-
-  // How often it rings until it rings no more.
-  int RingOn()
-  {
-    int rings = 0;
-    for (; this->Interactor->HasTimer() && rings < 100; ++rings)
-    {
-      this->Interactor->Ring();
-    }
-    return rings;
-  }
-
-  vtkNew<TimedInteractor> Interactor;
-  int Renders = 0;
-};
-
-void TestInteractor()
-{
-  InteractiveScene scene;
-  scene.Interactor->Render();
-  Check(scene.Pass->GetAccumulatedFrames() == 1, "one frame at once");
-  const int rings = scene.RingOn();
-  Check(rings == Count - 1 && scene.Renders == Count, Text("the others by themselves: ", rings));
-  const Picture refined = Capture(scene.Window);
-  Check(!scene.Interactor->HasTimer(), "and no more");
-  Check(refined == scene.CaptureAtOnce(), "the same picture as at once");
-  Check(!scene.Interactor->HasTimer(), "what is complete at once asks for nothing");
-  scene.Ball->Modified();
-  scene.Window->SetDesiredUpdateRate(15.0);
-  scene.Interactor->Render();
-  Check(!scene.Interactor->HasTimer(), "nor what moves");
-}
-
-//------------------------------------------------------------------------------
-// A scene that changes with each picture is not refined for ever.
-void TestRestlessScene()
-{
-  InteractiveScene scene;
-  vtkNew<vtkCallbackCommand> change;
-  change->SetClientData(scene.Ball);
-  change->SetCallback([](vtkObject*, unsigned long, void* ball, void*) {
-    static_cast<vtkActor*>(ball)->AddPosition(0.001, 0.0, 0.0);
-  });
-  scene.Window->AddObserver(vtkCommand::StartEvent, change);
-  scene.Interactor->Render();
-  const int rings = scene.RingOn();
-  Check(rings <= 4, Text("restless, after ", rings, " more pictures"));
-  Check(scene.Pass->GetAccumulatedFrames() == Count, "restless, it has all frames in the end");
-}
-
-//------------------------------------------------------------------------------
 // Lamps that are seen, near and beyond the camera's clipping range.
 void TestVisibleLamps()
 {
@@ -429,82 +240,6 @@ void TestLinkedViews()
     Text("linked views: ", scene.Pass->GetAccumulatedFrames(), " and ",
       other.Pass->GetAccumulatedFrames()));
 }
-
-//------------------------------------------------------------------------------
-// Toolkits have interactors that name other timers, and repeat them until they are destroyed.
-void TestToolkit()
-{
-  RefinedScene scene;
-  vtkNew<vtkGenericRenderWindowInteractor> interactor;
-  interactor->SetRenderWindow(scene.Window);
-  interactor->Initialize();
-  int created = 0;
-  int destroyed = 0;
-  CountEvents(interactor, vtkCommand::CreateTimerEvent, created);
-  CountEvents(interactor, vtkCommand::DestroyTimerEvent, destroyed);
-  scene.Window->Render();
-  Check(created == 1, "a timer of the toolkit");
-  interactor->CreateRepeatingTimer(1000); // another's, by which ours would not be named
-  for (int i = 0; i < 2 * Count; ++i)
-  {
-    interactor->TimerEvent();
-  }
-  Check(scene.Pass->GetAccumulatedFrames() == Count, "the toolkit's timers refine");
-  Check(
-    destroyed == created - 1, Text("and end: ", created, " created, ", destroyed, " destroyed"));
-}
-
-//------------------------------------------------------------------------------
-// Two passes in a window with a scene that is never at rest.
-void TestTwoPasses()
-{
-  InteractiveScene scene;
-  RefinedScene other;
-  Place(other, scene.Window, 0.5, 0.0, 1.0, 1.0);
-  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
-  vtkNew<vtkCallbackCommand> change;
-  change->SetClientData(scene.Renderer->GetRenderWindow());
-  change->SetCallback([](vtkObject*, unsigned long, void* window, void*) {
-    vtkRendererCollection* renderers = static_cast<vtkRenderWindow*>(window)->GetRenderers();
-    vtkCollectionSimpleIterator it = nullptr;
-    renderers->InitTraversal(it);
-    while (vtkRenderer* renderer = renderers->GetNextRenderer(it))
-    {
-      renderer->GetActors()->GetLastActor()->AddPosition(0.001, 0.0, 0.0);
-    }
-  });
-  scene.Window->AddObserver(vtkCommand::StartEvent, change);
-  scene.Interactor->Render();
-  int rings = 0;
-  while (scene.Interactor->HasTimer() && rings < 50)
-  {
-    scene.Interactor->Ring();
-    ++rings;
-  }
-  Check(rings <= 12, Text("two restless scenes come to an end after ", rings));
-}
-
-//------------------------------------------------------------------------------
-// Timers of a pass and of an interactor that are no more.
-void TestEnd()
-{
-  InteractiveScene scene;
-  scene.Interactor->Render();
-  Check(scene.Interactor->HasTimer(), "a request");
-  scene.Renderer->SetPass(nullptr);
-  scene.Pass = nullptr;
-  Check(scene.RingOn() <= 1, "of a pass that draws no more");
-  RefinedScene other;
-  {
-    vtkNew<TimedInteractor> interactor;
-    interactor->SetRenderWindow(other.Window);
-    interactor->Initialize();
-    interactor->Render();
-    other.Window->SetInteractor(nullptr);
-  }
-  other.Finish();
-  Check(other.Pass->GetAccumulatedFrames() == Count, "an interactor that is no more");
-}
 }
 
 //------------------------------------------------------------------------------
@@ -518,12 +253,7 @@ int TestProgressiveRefinement(int, char*[])
   TestMoving();
   TestBuffers();
   TestNoRefinement();
-  TestInteractor();
-  TestRestlessScene();
-  TestTwoPasses();
   TestVisibleLamps();
   TestLinkedViews();
-  TestToolkit();
-  TestEnd();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -5,6 +5,7 @@
 // pictures of cameras that the test moves; it is the same each time; and camera, depths, viewports
 // and annotations are as with one frame.
 
+#include "AirlightTestMeans.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 #include "AirlightTestWindowScene.h"
@@ -27,45 +28,6 @@ namespace
 {
 constexpr int Width = 96;
 constexpr int Height = 72;
-
-using Means = std::vector<double>;
-
-// The mean of pictures on a grid of 16 x 16 places in each pixel.
-Means AverageByHand(vtkRenderWindow* window, vtkRenderer* renderer)
-{
-  constexpr int Side = 16;
-  Means sum;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  for (int i = 0; i < Side * Side; ++i)
-  {
-    camera->SetWindowCenter(((i % Side + 0.5) / Side - 0.5) * 2.0 / Width,
-      ((i / Side + 0.5) / Side - 0.5) * 2.0 / Height);
-    const Picture picture = Capture(window);
-    sum.resize(picture.size());
-    std::transform(picture.begin(), picture.end(), sum.begin(), sum.begin(),
-      [](int value, double before) { return before + value / double(Side * Side); });
-  }
-  camera->SetWindowCenter(0.0, 0.0);
-  return sum;
-}
-
-// The root mean square of the differences, over the values that one frame has wrong by more than 4
-// steps of 255: the edges.
-double GetEdgeError(const Means& expected, const Picture& one, const Picture& picture)
-{
-  double sum = 0.0;
-  int count = 0;
-  for (size_t i = 0; i < expected.size(); ++i)
-  {
-    if (std::abs(one[i] - expected[i]) > 4.0)
-    {
-      sum += std::pow(picture[i] - expected[i], 2);
-      ++count;
-    }
-  }
-  Check(count > 100, Text("there are edges: ", count));
-  return std::sqrt(sum / std::max(count, 1));
-}
 
 void CheckEdges(const std::string& name, WindowScene& scene)
 {
