@@ -81,6 +81,7 @@ void TestLayers()
   other->AddActor(actor);
   other->SetBackground(0.1, 0.2, 0.3);
   other->ResetCamera();
+  other->GetActiveCamera()->Zoom(0.3);
   scene.Window->SetNumberOfLayers(2);
   scene.Window->AddRenderer(other);
   scene.Renderer->SetLayer(1);
@@ -122,15 +123,13 @@ void TestAlpha()
 // Pairs have all frames of both eyes at once.
 void TestStereo()
 {
-  for (const int type : { VTK_STEREO_LEFT, VTK_STEREO_RIGHT, VTK_STEREO_ANAGLYPH,
-         VTK_STEREO_RED_BLUE, VTK_STEREO_INTERLACED })
+  for (const int type : { VTK_STEREO_LEFT, VTK_STEREO_ANAGLYPH, VTK_STEREO_INTERLACED })
   {
     DimScene scene;
     scene.Window->SetStereoType(type);
     scene.Window->StereoRenderOn();
     CheckMean(
-      std::string("stereo ") + scene.Window->GetStereoTypeAsString(), scene,
-      [&scene] { return Capture(scene.Window); }, false);
+      Text("stereo ", type), scene, [&scene] { return Capture(scene.Window); }, false);
   }
 }
 
@@ -149,32 +148,48 @@ void TestDelegate()
 }
 
 //------------------------------------------------------------------------------
-// A window of sRGB encodes what it is given: the mean of radiance, once.
+// A window of sRGB encodes what it is given, the mean of radiance, where VTK can have such a one.
+double Decode(double x)
+{
+  return x <= 0.04045 * 255.0 ? x / 12.92 : 255.0 * std::pow((x / 255.0 + 0.055) / 1.055, 2.4);
+}
+
+void CheckEncoding(const std::string& name, const Picture& linear, const Picture& encoded)
+{
+  int wrong = 0;
+  for (size_t i = 0; i < linear.size(); ++i)
+  {
+    // Half a step of each, by the encoding's slope.
+    const double step = Decode(encoded[i] + 0.51) - Decode(encoded[i] - 0.51);
+    wrong += std::abs(Decode(encoded[i]) - linear[i]) > 0.51 + step ? 1 : 0;
+  }
+  Check(wrong == 0, Text(name, " in a window of sRGB: ", wrong, " values differ"));
+}
+
 void TestSRGB()
 {
+  DimScene linear;
+  DimScene encoded;
+  encoded.Window->SetUseSRGBColorSpace(true);
+  vtkNew<vtkRenderStepsPass> steps; // VTK's own picture
+  const bool encodes = linear.ShowOnce(steps) != encoded.ShowOnce(steps);
+  std::cout << "VTK's windows of sRGB encode: " << encodes << "\n";
   for (const int frames : { 1, Count })
   {
-    DimScene linear;
     linear.Pass->SetSubpixelFrames(frames);
-    const Picture expected = Capture(linear.Window);
-    DimScene encoded;
-    encoded.Window->SetUseSRGBColorSpace(true);
     encoded.Pass->SetSubpixelFrames(frames);
+    linear.Renderer->SetPass(linear.Pass);
+    encoded.Renderer->SetPass(encoded.Pass);
+    const Picture expected = Capture(linear.Window);
     const Picture picture = Capture(encoded.Window);
-    const auto decode = [](double x) {
-      return x <= 0.04045 * 255.0 ? x / 12.92 : 255.0 * std::pow((x / 255.0 + 0.055) / 1.055, 2.4);
-    };
-    int wrong = 0;
-    int brighter = 0;
-    for (size_t i = 0; i < picture.size(); ++i)
+    if (encodes)
     {
-      // Half a step of each, by the encoding's slope.
-      const double step = decode(picture[i] + 0.51) - decode(picture[i] - 0.51);
-      wrong += std::abs(decode(picture[i]) - expected[i]) > 0.51 + step ? 1 : 0;
-      brighter += picture[i] > expected[i] + 10 ? 1 : 0;
+      CheckEncoding(Text(frames, " frames"), expected, picture);
     }
-    Check(wrong == 0, Text(frames, " frames in a window of sRGB: ", wrong, " values differ"));
-    Check(brighter > 1000, Text(frames, " frames are encoded: ", brighter));
+    else
+    {
+      Check(picture == expected, Text(frames, " frames, as VTK has no such window"));
+    }
   }
 }
 }
