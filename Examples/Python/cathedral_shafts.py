@@ -239,21 +239,7 @@ def main():
     fill.SetIntensity(FILL)
     airlight.vtkAirlightLight.SetScatters(fill, False)
     renderer.AddLight(fill)
-    incense_pass = airlight.vtkAirlightPass()
-    incense_pass.SetMedium(incense)
-    incense_pass.SetShadowTechniqueToShadowPlanes()  # exact, however many borders a pixel sees
-    incense_pass.SetSubpixelFrames(options.frames)
-    incense_pass.SetToneMappingToNeutralPBR()
-    incense_pass.SetOutputColorSpaceToSRGB()
-    renderer.SetPass(incense_pass)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(EYE)
-    camera.SetFocalPoint(TARGET)
-    camera.SetViewAngle(ANGLE)
-    renderer.ResetCameraClippingRange()
-    window = airlight.display.open_window(renderer, size=options.size,
-                                          offscreen=bool(options.output))
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_picture(renderer, incense, options, EYE, TARGET, ANGLE)
 
 
 if __name__ == "__main__":

@@ -126,23 +126,8 @@ def main():
     fill.SetIntensity(0.3)
     airlight.vtkAirlightLight.SetScatters(fill, False)
     renderer.AddLight(fill)
-    tissue_pass = airlight.vtkAirlightPass()
-    tissue_pass.SetMedium(tissue)
-    tissue_pass.SetShadowTechniqueToShadowPlanes()
-    tissue_pass.SetSubpixelFrames(options.frames)
-    tissue_pass.SetToneMappingToNeutralPBR()
-    tissue_pass.SetOutputColorSpaceToSRGB()
-    renderer.SetPass(tissue_pass)
     renderer.SetUseFXAA(options.frames == 1)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(EYE)
-    camera.SetFocalPoint(TARGET)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetViewAngle(ANGLE)
-    renderer.ResetCameraClippingRange()
-    window = airlight.display.open_window(renderer, size=options.size,
-                                          offscreen=bool(options.output))
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_picture(renderer, tissue, options, EYE, TARGET, ANGLE, up=(0, 0, 1))
 
 
 if __name__ == "__main__":

@@ -101,20 +101,8 @@ def main():
     sun.SetPosition(TO_SUN)
     sun.SetFocalPoint(0, 0, 0)
     renderer.AddLight(sun)
-    cloud_pass = airlight.vtkAirlightPass()
-    cloud_pass.SetMedium(cloud)
-    cloud_pass.SetSubpixelFrames(options.frames)
-    cloud_pass.SetToneMappingToNeutralPBR()
-    cloud_pass.SetOutputColorSpaceToSRGB()
-    renderer.SetPass(cloud_pass)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(EYE)
-    camera.SetFocalPoint(TARGET)
-    camera.SetViewAngle(ANGLE)
-    camera.SetClippingRange(0.1, 50)
-    window = airlight.display.open_window(renderer, size=options.size,
-                                          offscreen=bool(options.output))
-    airlight.display.show_or_write(window, options.output)
+    renderer.GetActiveCamera().SetClippingRange(0.1, 50)  # there is no surface
+    airlight.display.show_picture(renderer, cloud, options, EYE, TARGET, ANGLE)
 
 
 if __name__ == "__main__":

@@ -174,22 +174,8 @@ def main():
     haze.SetScattering(3 * [SCATTERING])
     haze.SetRegionToBox()
     haze.SetBounds(-4, 4, -3, 3, -2.5, 2.5)
-    haze_pass = airlight.vtkAirlightPass()
-    haze_pass.SetMedium(haze)
-    haze_pass.SetShadowTechniqueToShadowPlanes()  # exact, however many borders a pixel sees
-    haze_pass.SetSubpixelFrames(options.frames)
-    haze_pass.SetToneMappingToNeutralPBR()
-    haze_pass.SetOutputColorSpaceToSRGB()
-    renderer.SetPass(haze_pass)
     renderer.SetUseFXAA(options.frames == 1)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(EYE)
-    camera.SetFocalPoint(TARGET)
-    camera.SetViewAngle(ANGLE)
-    renderer.ResetCameraClippingRange()
-    window = airlight.display.open_window(renderer, size=options.size,
-                                          offscreen=bool(options.output))
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_picture(renderer, haze, options, EYE, TARGET, ANGLE)
 
 
 if __name__ == "__main__":

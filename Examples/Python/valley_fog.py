@@ -97,21 +97,7 @@ def main():
     sky.SetIntensity(1.3)
     airlight.vtkAirlightLight.SetScatters(sky, False)
     renderer.AddLight(sky)
-    fog_pass = airlight.vtkAirlightPass()
-    fog_pass.SetMedium(fog)
-    fog_pass.SetSubpixelFrames(options.frames)
-    fog_pass.SetToneMappingToNeutralPBR()
-    fog_pass.SetOutputColorSpaceToSRGB()
-    fog_pass.SetShadowTechniqueToShadowPlanes()
-    renderer.SetPass(fog_pass)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(EYE)
-    camera.SetFocalPoint(TARGET)
-    camera.SetViewAngle(ANGLE)
-    renderer.ResetCameraClippingRange()
-    window = airlight.display.open_window(renderer, size=options.size,
-                                          offscreen=bool(options.output))
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_picture(renderer, fog, options, EYE, TARGET, ANGLE)
 
 
 if __name__ == "__main__":

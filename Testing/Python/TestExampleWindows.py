@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The examples that have a purpose in their windows, and what they say to wrong options."""
 
+import argparse
 import os
 import subprocess
 import sys
@@ -9,8 +10,9 @@ import tempfile
 import time
 import unittest
 
-from vtkmodules.vtkRenderingCore import vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
 
+import airlight
 import airlight.display
 from exampletest import EXAMPLES, PROGRAMS, USES, read_picture
 from keyboard import Keyboard
@@ -52,6 +54,30 @@ class TestExampleWindows(unittest.TestCase):
                 airlight.display.write_picture(window, folder + "/missing/x.png")
             airlight.display.write_picture(window, folder + "/x.png")
             self.assertEqual(read_picture(folder + "/x.png").shape, (200, 3))
+
+    def test_picture(self):
+        """airlight.display.show_picture() does what the options say, and makes a pass for it."""
+        parser = argparse.ArgumentParser()
+        airlight.display.add_picture_options(parser)
+        with tempfile.TemporaryDirectory() as folder:
+            options = parser.parse_args(["--size", "20x10", "--frames", "3", "-o",
+                                         folder + "/x.png"])
+            renderer = vtkRenderer()
+            lamp = vtkLight()
+            lamp.SetPosition(0, 3, 0)
+            airlight.vtkAirlight.SetRadiantIntensity(lamp, (9, 6, 3))
+            renderer.AddLight(lamp)
+            fog = airlight.vtkParticipatingMedium()
+            fog.SetVisibility(20)
+            made = airlight.display.show_picture(renderer, fog, options, (0, 0, 5), (0, 1, 0), 40,
+                                                 up=(1, 0, 0))
+            picture = read_picture(folder + "/x.png")
+        self.assertEqual(picture.shape, (200, 3))
+        self.assertGreater(picture.max(), 2 * picture.min())
+        self.assertEqual((made.GetSubpixelFrames(), made.GetAccumulatedFrames()), (3, 3))
+        camera = renderer.GetActiveCamera()
+        self.assertEqual((camera.GetFocalPoint(), camera.GetViewUp(), camera.GetViewAngle()),
+                         ((0, 1, 0), (1, 0, 0), 40))
 
     def test_windows(self):
         """Without -o an example opens a window until q is pressed."""

@@ -8,6 +8,8 @@
 
     window = airlight.display.open_window(renderer, offscreen=True)
     airlight.display.write_picture(window, "fog.png")
+
+show_picture() does all of it from the options of a command line.
 """
 
 import argparse
@@ -18,6 +20,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow, vtkRenderWindowInteractor, vtkWindowToImageFilter)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
 import vtkmodules.vtkRenderingUI  # noqa: F401 its windows
+
+import airlight
 
 
 def parse_size(text):
@@ -96,3 +100,28 @@ def show_or_write(window, path):
         write_picture(window, path)
     else:
         show(window)
+
+
+def show_picture(renderer, medium, options, eye, target, angle, up=(0, 1, 0)):
+    """Shows or writes a renderer's scene in a medium, as the options of add_picture_options() say.
+
+    eye, target, angle, up: the camera's place, the point that it looks at, its vertical view angle
+    in degrees and what is up. The renderer gets a pass with exact shadows, whose bright colours fade
+    to white, for screens, and which is returned.
+    """
+    medium_pass = airlight.vtkAirlightPass()
+    medium_pass.SetMedium(medium)
+    medium_pass.SetShadowTechniqueToShadowPlanes()  # exact, however many borders a pixel sees
+    medium_pass.SetSubpixelFrames(options.frames)
+    medium_pass.SetToneMappingToNeutralPBR()
+    medium_pass.SetOutputColorSpaceToSRGB()
+    renderer.SetPass(medium_pass)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(eye)
+    camera.SetFocalPoint(target)
+    camera.SetViewUp(up)
+    camera.SetViewAngle(angle)
+    renderer.ResetCameraClippingRange()
+    window = open_window(renderer, size=options.size, offscreen=bool(options.output))
+    show_or_write(window, options.output)
+    return medium_pass
