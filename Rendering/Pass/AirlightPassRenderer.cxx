@@ -4,11 +4,12 @@
 
 #include "Integration/AirlightIntegrate.h"
 #include "OpenGL/AirlightOpenGL.h"
-#include "OpenGL/AirlightStorageBinding.h"
+#include "Pass/AirlightAnnotations.h"
 #include "Pass/AirlightErrorRecovery.h"
 #include "Pass/AirlightGaussianFragments.h"
-#include "Pass/AirlightScenePass.h"
 #include "Pass/AirlightSceneSupport.h"
+#include "Pass/AirlightStateSaver.h"
+#include "Pass/AirlightWiderRange.h"
 #include "Scene/AirlightSceneProps.h"
 
 #include "vtkCamera.h"
@@ -67,88 +68,6 @@ bool IsBlended(vtkRenderer* renderer)
   return renderer->GetPreserveColorBuffer() || renderer->Transparent();
 }
 
-// A camera whose clipping range has another one in it, until this goes out of scope: lamps are none
-// of the props by which renderers choose it.
-class WiderRange
-{
-public:
-  WiderRange(vtkCamera* camera, const glm::dvec2& range)
-    : Camera(camera)
-  {
-    this->Camera->GetClippingRange(this->Range);
-    if (range.x < range.y)
-    {
-      const double last = std::max(this->Range[1], range.y);
-      const double least = camera->GetParallelProjection() ? range.x : 1e-3 * last;
-      const double first = std::min(this->Range[0], std::max(range.x, least));
-      this->Camera->SetClippingRange(first, last);
-    }
-  }
-  ~WiderRange() { this->Camera->SetClippingRange(this->Range); }
-  WiderRange(const WiderRange&) = delete;
-  void operator=(const WiderRange&) = delete;
-
-private:
-  vtkCamera* Camera;
-  double Range[2];
-};
-
-// Texts follow their strings in their opaque stage, which a picture without a new frame leaves out.
-void UpdateAnnotations(const vtkRenderState* s)
-{
-  vtkRenderer* renderer = s->GetRenderer();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  vtkOpenGLState::ScopedglColorMask colorMask(window->GetState());
-  vtkOpenGLState::ScopedglDepthMask depthMask(window->GetState());
-  window->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  window->GetState()->vtkglDepthMask(GL_FALSE);
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
-  {
-    if (s->GetPropArray()[i]->IsA("vtkActor2D"))
-    {
-      s->GetPropArray()[i]->RenderOpaqueGeometry(renderer);
-    }
-  }
-}
-
-// The state of OpenGL that a frame changes, restored when it goes out of scope.
-class StateSaver
-{
-public:
-  StateSaver(vtkOpenGLRenderWindow* window, bool storage)
-    : State(window->GetState())
-    , Storage(storage)
-  {
-    this->State->PushFramebufferBindings();
-  }
-  ~StateSaver() { this->PopFramebuffer(); }
-  StateSaver(const StateSaver&) = delete;
-  void operator=(const StateSaver&) = delete;
-
-  // Back to the caller's framebuffer, into which the frame goes in the end.
-  void PopFramebuffer()
-  {
-    if (this->State)
-    {
-      this->State->PopFramebufferBindings();
-      this->State = nullptr;
-    }
-  }
-
-private:
-  vtkOpenGLState* State;
-  vtkOpenGLState::ScopedglViewport Viewport{ State };
-  vtkOpenGLState::ScopedglScissor Scissor{ State };
-  vtkOpenGLState::ScopedglEnableDisable ScissorTest{ State, GL_SCISSOR_TEST };
-  vtkOpenGLState::ScopedglEnableDisable Blend{ State, GL_BLEND };
-  vtkOpenGLState::ScopedglEnableDisable DepthTest{ State, GL_DEPTH_TEST };
-  vtkOpenGLState::ScopedglEnableDisable CullFace{ State, GL_CULL_FACE };
-  vtkOpenGLState::ScopedglDepthFunc DepthFunction{ State };
-  vtkOpenGLState::ScopedglDepthMask DepthMask{ State };
-  vtkOpenGLState::ScopedglColorMask ColorMask{ State };
-  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction{ State };
-  ScopedStorageBindings Storage;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -256,8 +175,7 @@ bool PassRenderer::RenderMean(
   // Without FXAA, which would blur edges that are smooth.
   if (settings.Properties.Annotations)
   {
-    UpdateAnnotations(s);
-    AirlightScenePass::RenderOverlay(s);
+    DrawAnnotations(s);
   }
   return true;
 }

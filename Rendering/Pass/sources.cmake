@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
+    AirlightAnnotations
     AirlightContext
     AirlightDelegateProps
     AirlightErrorRecovery
@@ -16,4 +17,7 @@ airlight_sources(
     AirlightSceneStamp
     AirlightSceneSupport
     AirlightStagePasses
-    AirlightSubpixelFrames)
+    AirlightSubpixelFrames
+    AirlightWiderRange
+  HEADERS
+    AirlightStateSaver.h)
