@@ -100,10 +100,10 @@ class TestExamples(ExampleTest):
         # The plate's shadow lies on the floor alone: a plane for each of its sides, and a far cap
         # for each of its triangles.
         self.assertEqual(text, "6 polygons\n")
-        # The lamp is at (-0.9, 0.9, 0.5), the floor at -0.35: the shadow of the plate's middle is
+        # The lamp is at (-0.9, 0.9, 0.3), the floor at -0.35: the shadow of the plate's middle is
         # 1.25/0.9 times as far from the lamp as the middle itself, and not behind the plate.
-        view = ((0.6, 1.1, 5.2), (0.1, 0.25, 0), picture.shape[1::-1])
-        shade = picture[project((0.35, -0.35, -0.194), *view)]
+        view = ((1.3, 1.5, 4.8), (0.35, 0.14, 0), picture.shape[1::-1])
+        shade = picture[project((0.35, -0.35, -0.117), *view)]
         floor = picture[project((-1, -0.35, 1), *view)]
         np.testing.assert_allclose(floor, (0.75, 0.75, 0.78), atol=0.01)
         # The caps' own colour under two planes that let 94 % through.
