@@ -17,11 +17,13 @@ from paraview.simple import *
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("mesh")
 parser.add_argument("-o", "--output", default="shafts_through_clip.png")
+parser.add_argument("--size", type=int, nargs=2, default=[480, 300], metavar=("WIDTH", "HEIGHT"))
+parser.add_argument("--frames", type=int, default=1, help="for smooth edges")
 options = parser.parse_args()
 LoadPlugin(os.environ["AIRLIGHT_PLUGIN"], remote=False, ns=globals())
 
 view = CreateView("AirlightRenderView")
-view.ViewSize = [480, 360]
+view.ViewSize = options.size
 view.OrientationAxesVisibility = 0
 view.UseColorPaletteForBackground = 0
 view.Background = [0, 0, 0]
@@ -32,26 +34,31 @@ x = reader.GetDataInformation().GetBounds()
 centre = [(x[0] + x[1]) / 2, (x[2] + x[3]) / 2, (x[4] + x[5]) / 2]
 size = max(x[1] - x[0], x[3] - x[2], x[5] - x[4])
 
-# Removes the part above a tilted plane, which is slightly higher than the light.
-clip = Clip(Input=reader, ClipType="Plane", Invert=1)
-clip.ClipType.Origin = [centre[0], centre[1] + 0.06 * size, centre[2]]
-clip.ClipType.Normal = [0.35, 1, 0.1]
-Show(ExtractSurface(Input=clip), view)
+# Smooths the coarse mesh, and removes the back above a plane that leaves the head.
+smooth = LoopSubdivision(Input=Triangulate(Input=reader), NumberofSubdivisions=2)
+clip = Clip(Input=smooth, ClipType="Plane", Invert=1)
+clip.ClipType.Origin = [centre[0], centre[1] + 0.3 * size, centre[2]]
+clip.ClipType.Normal = [0.0, 1.0, -1.1]
+shell = Show(GenerateSurfaceNormals(Input=ExtractSurface(Input=clip)), view)
+shell.DiffuseColor = shell.AmbientColor = [0.75, 0.6, 0.5]
 
 lamp = AddLight(view=view)  # its radiant intensity is pi times color times intensity
 lamp.Coords = "Scene"
 lamp.Type = "Positional"
-lamp.Position = [centre[0], centre[1] - 0.1 * size, centre[2]]
+lamp.Position = [centre[0], centre[1] - 0.1 * size, centre[2] - 0.2 * size]
 lamp.ConeAngle = 180
-lamp.DiffuseColor = [1, 0.85, 0.6]
+lamp.DiffuseColor = [1, 0.8, 0.5]
 lamp.Intensity = 2.5 * size**2
 lamp.Attenuation = [0, 0, 1]
-view.UseLight = 1  # ParaView's own light, weak, shows the outside
-view.KeyLightIntensity = 1.5
+view.UseLight = 1  # ParaView's own light shows the outside
+view.KeyLightIntensity = 1.3
 
-view.VisibilityDistance = 5 * size
+view.VisibilityDistance = 6 * size
 view.PhaseFunction = "Henyey-Greenstein"
 view.Anisotropy = 0.3
-view.CameraPosition = [centre[0] + 0.5 * size, centre[1] + 0.9 * size, centre[2] + 2.8 * size]
-view.CameraFocalPoint = [centre[0], centre[1] + 0.25 * size, centre[2]]
+view.RadianceExposure = 3
+view.ToneMapping = "Neutral PBR"  # bright colours fade to white
+view.SubpixelFrames = options.frames
+view.CameraPosition = [centre[0] + 2.3 * size, centre[1] + 1.1 * size, centre[2] + 0.5 * size]
+view.CameraFocalPoint = [centre[0], centre[1] + 0.1 * size, centre[2] - 0.15 * size]
 SaveScreenshot(options.output, view)
