@@ -28,6 +28,7 @@ set(airlight_rooms
   Module/Density
   Module/Integration
   Module/Medium
+  Module/MultipleScattering
   Module/Phase
   Module/Photometry
   Module/Region

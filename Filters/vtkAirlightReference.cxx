@@ -318,6 +318,10 @@ int vtkAirlightReference::RequestData(
   {
     vtkWarningMacro(<< InvalidLightText);
   }
+  if (tracer.GetScatteredOnce() > 0)
+  {
+    vtkWarningMacro(<< GetScatteredOnceText(tracer.GetScatteredOnce()));
+  }
   const std::string leftOut = tracer.DescribeLeftOut();
   if (!leftOut.empty() && !this->Impl->WarnedCameraLights)
   {

@@ -25,6 +25,7 @@ airlight_sources(
     glsl/Integrals/AirlightGridRay.glsl
     glsl/Integrals/AirlightKinks.glsl
     glsl/Integrals/AirlightPrelude.glsl
+    glsl/Integrals/AirlightMultipleScattering.glsl
     glsl/Integrals/AirlightQuadrature.glsl
     glsl/Integrals/AirlightScattering.glsl
     glsl/Integrals/AirlightEquiangular.glsl
@@ -41,4 +42,5 @@ airlight_sources(
     glsl/Medium/AirlightPath.glsl
     glsl/Medium/AirlightPhase.glsl
     glsl/Medium/AirlightPieces.glsl
-    glsl/Medium/AirlightRegion.glsl)
+    glsl/Medium/AirlightRegion.glsl
+    glsl/Medium/AirlightSourceFunction.glsl)

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace airlight;
 
@@ -66,16 +67,37 @@ bool CheckRay(vtkParticipatingMedium* medium, const double origin[3], const doub
   return true;
 }
 
+// Keeps the logarithms and quotients of a light on the ray finite; far below what a double resolves
+// of the distances involved.
+double LeastDistance(const glm::dvec3& light, double t1)
+{
+  const double distance = glm::length(light);
+  return std::max(distance > 0.0 ? 1e-12 * distance : 1e-12 * std::min(t1, 1.0), 1e-100);
+}
+
+// A medium with one lamp that is scattered more than once, relative to `origin`.
+bool MakeLamp(vtkParticipatingMedium* medium, const double position[3],
+  const double radiantIntensity[3], const double origin[3], f64::AirlightMedia& converted)
+{
+  if (!CheckVector(medium, "lightPosition", position) ||
+    !CheckVector(medium, "radiantIntensity", radiantIntensity))
+  {
+    return false;
+  }
+  converted = ConvertMedia({ medium }, Vector(origin));
+  f64::AirlightLight light =
+    ConvertPointLight(converted, Vector(position), Vector(radiantIntensity), Vector(origin));
+  light.radius = LeastDistance(light.position, 1.0);
+  AddMultipleLamp(converted, light);
+  return true;
+}
+
 // Airlight on [t0, t1]. All positions are relative to the ray's origin.
 glm::dvec3 Integrate(const f64::AirlightMedia& media, f64::AirlightLight light,
   const glm::dvec3& direction, double t0, double t1)
 {
   t1 = std::min(t1, AIRLIGHT_FAR);
-  // Keeps the logarithms and quotients of a light on the ray finite; far below what a double
-  // resolves of the distances involved.
-  const double distance = glm::length(light.position);
-  light.radius = distance > 0.0 ? 1e-12 * distance : 1e-12 * std::min(t1, 1.0);
-  light.radius = std::max(light.radius, 1e-100);
+  light.radius = LeastDistance(light.position, t1);
   const f64::AirlightRay ray = f64::airlightRay(media, light, glm::dvec3(0.0), direction, t1);
   const double from = std::max(t0, ray.lit.x);
   const double to = std::min(t1, ray.lit.y);
@@ -155,6 +177,45 @@ bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, vtkLight* light, con
     "least 0 with one term above 0, its exponent at least 0, and the focal point of a spot or a "
     "directional light apart from its position.");
   return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlight::MultipleScattering(vtkParticipatingMedium* medium, const double lightPosition[3],
+  const double radiantIntensity[3], const double origin[3], const double direction[3], double t1,
+  double rgb[3])
+{
+  std::fill_n(rgb, 3, 0.0);
+  glm::dvec3 unit;
+  f64::AirlightMedia converted;
+  if (!CheckRay(medium, origin, direction, 0.0, t1, unit) ||
+    !MakeLamp(medium, lightPosition, radiantIntensity, origin, converted))
+  {
+    return false;
+  }
+  const double end = std::min(std::max(t1, 0.0), AIRLIGHT_FAR);
+  const glm::dvec3 unshadowed(std::numeric_limits<double>::infinity());
+  Store(converted, IntegrateMultiple(converted, glm::dvec3(0.0), unit, end, unshadowed), rgb);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlight::MultipleIrradiance(vtkParticipatingMedium* medium, const double lightPosition[3],
+  const double radiantIntensity[3], const double point[3], const double normal[3], double rgb[3])
+{
+  std::fill_n(rgb, 3, 0.0);
+  glm::dvec3 unit;
+  f64::AirlightMedia converted;
+  if (!CheckRay(medium, point, normal, 0.0, 0.0, unit) ||
+    !MakeLamp(medium, lightPosition, radiantIntensity, point, converted))
+  {
+    return false;
+  }
+  if (converted.multiple.count > 0)
+  {
+    Store(converted,
+      f64::airlightMultipleIrradiance(converted.multiple, converted, glm::dvec3(0.0), unit), rgb);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -71,6 +71,27 @@ public:
     const double direction[3], double t0, double t1, double rgb[3]);
 
   /**
+   * Light of a point lamp inside the medium that was scattered more than once and reaches `origin`
+   * from [0, t1] of the ray, of radiant intensity `radiantIntensity` [W/sr]: see
+   * vtkParticipatingMedium::SetMultipleScattering(), which must be on; else, and for a lamp outside
+   * the medium's region, zeros. t1 may be infinite.
+   *
+   * Relative error in an unbounded medium: GetMultipleScatteringErrorBound() of the medium, and of
+   * the quadrature 0.5 % of this plus the light that was scattered once.
+   */
+  static bool MultipleScattering(vtkParticipatingMedium* medium, const double lightPosition[3],
+    const double radiantIntensity[3], const double origin[3], const double direction[3], double t1,
+    double rgb[3]);
+
+  /**
+   * The irradiance [W/m^2] that light of the same lamp which was scattered at least once brings to a
+   * surface at `point` with this unit normal: a quarter of its fluence and half of its flux against
+   * the normal. It replaces what vtkAirlightPass::SetScatteredSurfaceLight() adds.
+   */
+  static bool MultipleIrradiance(vtkParticipatingMedium* medium, const double lightPosition[3],
+    const double radiantIntensity[3], const double point[3], const double normal[3], double rgb[3]);
+
+  /**
    * The fraction of light that passes from point a to point b, per RGB channel: exp(-sigma_t *
    * integral of the density inside the medium).
    */

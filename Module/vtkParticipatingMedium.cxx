@@ -4,6 +4,7 @@
 
 #include "Density/AirlightDensityGrid.h"
 #include "Medium/AirlightDerivedData.h"
+#include "MultipleScattering/AirlightMediumSource.h"
 #include "Phase/AirlightMediumPhase.h"
 #include "Region/AirlightRegionKinds.h"
 #include "Region/AirlightSurfaceTree.h"
@@ -33,6 +34,7 @@ vtkStandardNewMacro(vtkParticipatingMedium);
 struct vtkParticipatingMedium::Internals
 {
   airlight::MediumPhase Phase;
+  airlight::MediumSource Source;
   airlight::DerivedData<vtkPolyData, airlight::SurfaceTree> Surface{ "surface", "surface",
     "The region is a surface and there is none: call SetSurface(). The medium is ignored until "
     "then." };
@@ -349,6 +351,55 @@ double vtkParticipatingMedium::EvaluatePhaseFunction(double cosTheta)
   const double value = this->Impl->Phase.Evaluate(cosTheta, problem.Error);
   this->Apply(problem);
   return value;
+}
+
+//------------------------------------------------------------------------------
+void vtkParticipatingMedium::SetMultipleScattering(bool on)
+{
+  if (this->MultipleScattering != on)
+  {
+    this->MultipleScattering = on;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const airlight::SourceFit> vtkParticipatingMedium::GetSourceFit()
+{
+  if (!this->MultipleScattering)
+  {
+    return nullptr;
+  }
+  airlight::Change problem;
+  std::shared_ptr<const airlight::SourceFit> fit;
+  if (this->Density != UNIFORM || this->Region == SURFACE)
+  {
+    if (this->MultipleProblemTime != this->GetMTime())
+    {
+      problem.Error = "Multiple scattering is left out, as it needs a medium of uniform density "
+                      "that is unbounded or in a box, sphere or cylinder: see SetDensity() and "
+                      "SetRegion(). SetAmbientRadiance() approximates it.";
+    }
+    this->MultipleProblemTime = this->GetMTime();
+  }
+  else
+  {
+    // Objects and tables change by themselves.
+    this->GetPhaseShape();
+    const double* albedo = this->GetAlbedo();
+    fit = this->Impl->Source.Update(
+      glm::dvec3(albedo[0], albedo[1], albedo[2]), this->Impl->Phase.GetTime(),
+      [this](double mu) { return this->EvaluatePhaseFunction(mu); }, problem.Error);
+  }
+  this->Apply(problem);
+  return fit;
+}
+
+//------------------------------------------------------------------------------
+double vtkParticipatingMedium::GetMultipleScatteringErrorBound()
+{
+  const std::shared_ptr<const airlight::SourceFit> fit = this->GetSourceFit();
+  return fit ? fit->ErrorBound : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,7 @@ namespace airlight
 struct Change;
 class DensityGrid;
 struct PhaseShape;
+struct SourceFit;
 class SurfaceTree;
 }
 
@@ -234,6 +235,31 @@ public:
   vtkGetVector3Macro(AmbientRadiance, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether light that was scattered more than once is computed, too: of point lamps with
+   * inverse-square attenuation inside one medium of uniform density that is unbounded or a box,
+   * sphere or cylinder. By the exact solution of the transport equation round such a lamp in an
+   * unbounded medium, fitted, with a factor for the faces of boxes and spheres (Documentation/
+   * physics.md). It takes the place of the ambient radiance. Surfaces receive what arrives there.
+   * Other lights are scattered once, with a message; other media, too. Default: off.
+   *
+   * In an unbounded medium the error is that of the fit and 0.5 % of the quadrature. What no bound
+   * covers: occluders that stop the multiply scattered light, floors and walls that reflect it, and
+   * how boundaries change it: 5 to 30 % where the lamp is within a mean free path or two of them.
+   */
+  void SetMultipleScattering(bool on);
+  vtkGetMacro(MultipleScattering, bool);
+  vtkBooleanMacro(MultipleScattering, bool);
+  ///@}
+
+  /**
+   * The relative error of the fit of the multiply scattered light, 0 while MultipleScattering is
+   * off. In an unbounded medium the multiply scattered light of a ray is in error by this and by
+   * that of the quadrature.
+   */
+  double GetMultipleScatteringErrorBound();
+
   /**
    * Where the medium is.
    */
@@ -404,6 +430,10 @@ public:
   // The phase function as it is used. For the library's own use.
   std::shared_ptr<const airlight::PhaseShape> GetPhaseShape();
 
+  // The source function of multiply scattered light; null where there is none. For the library's
+  // own use.
+  std::shared_ptr<const airlight::SourceFit> GetSourceFit();
+
   // The surface as it is used; null without a region of a surface or where that is no good. For the
   // library's own use.
   std::shared_ptr<const airlight::SurfaceTree> GetSurfaceTree();
@@ -435,6 +465,8 @@ private:
   double Extinction[3] = { 0.0, 0.0, 0.0 }; // returned by GetExtinction()
   double Albedo[3] = { 1.0, 1.0, 1.0 };     // returned by GetAlbedo()
   double AmbientRadiance[3] = { 0.0, 0.0, 0.0 };
+  bool MultipleScattering = false;
+  vtkMTimeType MultipleProblemTime = 0; // of the medium when it was last said that it has none
 
   int Region = UNBOUNDED;
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };

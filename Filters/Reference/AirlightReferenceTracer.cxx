@@ -51,6 +51,13 @@ ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
   , Scene(renderer)
   , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius, settings.LampPoints)
 {
+  for (const ReferenceLight& light : this->Lights.GetAll())
+  {
+    if (light.Support == LightSupport::Scatters && !AddMultipleLamp(this->Media, light.Values))
+    {
+      ++this->ScatteredOnce;
+    }
+  }
   renderer->GetBackground(&this->Bottom.x);
   this->Top = this->Bottom;
   if (renderer->GetGradientBackground())
@@ -109,7 +116,7 @@ bool ReferenceTracer::IsLit(const PixelRay& ray, size_t light, double t) const
 glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* litLength) const
 {
   end = std::min(end, AIRLIGHT_FAR);
-  glm::dvec3 sum = IntegrateAmbient(this->Media, ray.Origin, ray.Direction, end);
+  glm::dvec3 sum(0.0);
   for (size_t k = 0; k < this->Lights.GetAll().size(); ++k)
   {
     const ReferenceLight& light = this->Lights.GetAll()[k];
@@ -137,6 +144,9 @@ glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* lit
       }
     }
   }
+  sum += this->Media.multiple.count > 0
+    ? IntegrateMultiple(this->Media, ray.Origin, ray.Direction, end, sum)
+    : IntegrateAmbient(this->Media, ray.Origin, ray.Direction, end);
   // A channel that does not scatter is dark, whatever the limit of its integral.
   for (int c = 0; c < 3; ++c)
   {

@@ -67,6 +67,9 @@ public:
     return HasScattering(this->Media) ? this->Lights.DescribeLeftOut() : "";
   }
 
+  // How many lights multiple scattering leaves out.
+  int GetScatteredOnce() const { return this->ScatteredOnce; }
+
   // At a point of the picture, in pixels from its lower left corner; the middle of the first pixel
   // is at 0.5, 0.5.
   ReferencePixel Trace(double x, double y, const ReferenceChange& change = {}) const;
@@ -127,6 +130,7 @@ private:
   ReferenceSettings Settings;
   CameraRays Rays;
   f64::AirlightMedia Media;
+  int ScatteredOnce = 0; // lights that multiple scattering leaves out
   ReferenceScene Scene;
   ReferenceLights Lights;
   glm::dvec3 Bottom{ 0.0 }; // of the background

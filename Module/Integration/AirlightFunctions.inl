@@ -39,6 +39,13 @@
 #undef AIRLIGHT_AMBIENT_HEIGHTS
 #undef AIRLIGHT_AMBIENT_FALL
 #undef AIRLIGHT_AMBIENT_PANELS
+#undef AIRLIGHT_SOURCE_ROWS
+#undef AIRLIGHT_SOURCE_COLUMNS
+#undef AIRLIGHT_SOURCE_LEAST
+#undef AIRLIGHT_SOURCE_MOST
+#undef AIRLIGHT_SOURCE_SMALL_LOBE
+#undef AIRLIGHT_MAX_MULTIPLE_LAMPS
+#undef AIRLIGHT_MULTIPLE_DEPTH
 
 #include "Integrals/AirlightExponentialIntegral.glsl"
 #include "Integrals/AirlightGauss.glsl"
@@ -50,11 +57,13 @@
 #include "Medium/AirlightClosedSurface.glsl"
 #include "Medium/AirlightPath.glsl"
 #include "Medium/AirlightHeightFog.glsl"
+#include "Medium/AirlightSourceFunction.glsl"
 #include "Medium/AirlightMedia.glsl"
 #include "Integrals/AirlightAmbient.glsl"
 #include "Light/AirlightLight.glsl"
 #include "Integrals/AirlightKinks.glsl"
 #include "Integrals/AirlightQuadrature.glsl"
+#include "Integrals/AirlightMultipleScattering.glsl"
 #include "Integrals/AirlightGoniometricRay.glsl"
 #include "Medium/AirlightPieces.glsl"
 #include "Integrals/AirlightScattering.glsl"

@@ -19,6 +19,11 @@ bool HasGrid(const f64::AirlightMedia& media);
 glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::AirlightLight& light,
   const f64::AirlightRay& ray, double from, double to);
 
+// Light that was scattered more than once, of the media's lamps, into [0, to] of a ray of unit
+// direction. Shadows dim it by as much as light that was scattered once, of which `once` is left.
+glm::dvec3 IntegrateMultiple(const f64::AirlightMedia& media, const glm::dvec3& origin,
+  const glm::dvec3& direction, double to, const glm::dvec3& once);
+
 // What the media scatter of their ambient radiance into [0, to] of a ray of unit direction.
 glm::dvec3 IntegrateAmbient(const f64::AirlightMedia& media, const glm::dvec3& origin,
   const glm::dvec3& direction, double to);

@@ -23,6 +23,12 @@
 #define AIRLIGHT_INOUT(T) T&
 #define AIRLIGHT_IN(T) const T&
 #define AIRLIGHT_PRECISE
+// Multiple scattering is a member of the media.
+#define AIRLIGHT_MULTIPLE_MEMBER AirlightMultiple multiple;
+#define AIRLIGHT_MULTIPLE_UNIFORM
+#define AIRLIGHT_MULTIPLE_IN const AirlightMultiple &airlightMultiple,
+#define AIRLIGHT_MULTIPLE_OUT airlightMultiple,
+#define AIRLIGHT_MULTIPLE_NODES 12
 #define AIRLIGHT_ROLLED(count) (count)
 // Surfaces and tables lie in memory.
 #define AIRLIGHT_DATA_MEMBER const real4* data;
@@ -77,6 +83,10 @@ using namespace glm;
 #undef AIRLIGHT_INOUT
 #undef AIRLIGHT_IN
 #undef AIRLIGHT_PRECISE
+#undef AIRLIGHT_MULTIPLE_MEMBER
+#undef AIRLIGHT_MULTIPLE_UNIFORM
+#undef AIRLIGHT_MULTIPLE_IN
+#undef AIRLIGHT_MULTIPLE_OUT
 #undef AIRLIGHT_DATA_MEMBER
 #undef AIRLIGHT_FETCH
 #undef AIRLIGHT_GRID_MEMBER

@@ -99,6 +99,21 @@ void VisitLight(Visitor&& visit, Light&... light)
   visit(Member{ "gridSize" }, light.gridSize...);
 }
 
+template <typename Visitor, typename... Multiple>
+void VisitMultiple(Visitor&& visit, Multiple&... multiple)
+{
+  visit(Member{ "on" }, multiple.on...);
+  visit(Member{ "count" }, multiple.count...);
+  visit(Member{ "kappa" }, multiple.kappa...);
+  visit(Member{ "loss" }, multiple.loss...);
+  visit(Member{ "lobe" }, multiple.lobe...);
+  visit(Member{ "source" }, multiple.source...);
+  visit(Member{ "moment" }, multiple.moment...);
+  visit(Member{ "lamp" }, multiple.lamp...);
+  visit(Member{ "power" }, multiple.power...);
+}
+
+// Without `multiple`, which in shaders is a uniform of its own.
 template <typename Visitor, typename... Media>
 void VisitMedia(Visitor&& visit, Media&... media)
 {

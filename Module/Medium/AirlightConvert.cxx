@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Medium/AirlightConvert.h"
 
+#include "MultipleScattering/AirlightSourceFit.h"
 #include "Phase/AirlightPhaseShape.h"
 #include "Region/AirlightRegionKinds.h"
 
@@ -117,7 +118,34 @@ f64::AirlightMedia ConvertMedia(
   {
     result.item[i] = ConvertMedium(media[i], origin);
   }
+  const std::shared_ptr<const SourceFit> fit =
+    result.count == 1 ? media[0]->GetSourceFit() : nullptr;
+  if (fit)
+  {
+    result.multiple = fit->Coefficients;
+    result.item[0].ambient = glm::dvec3(0.0);
+  }
   return result;
+}
+
+//------------------------------------------------------------------------------
+bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light)
+{
+  f64::AirlightMultiple& multiple = media.multiple;
+  if (multiple.on == 0 || light.intensity == glm::dvec3(0.0))
+  {
+    return true;
+  }
+  if (multiple.count == AIRLIGHT_MAX_MULTIPLE_LAMPS || f64::airlightIsDirectional(light) ||
+    light.cosCone > 0.0 || light.goniometric != 0 || !HasUniformPaths(media, light))
+  {
+    return false;
+  }
+  multiple.lamp[multiple.count] = glm::dvec4(light.position, light.radius);
+  multiple.power[multiple.count] =
+    glm::dvec4(4.0 * vtkMath::Pi() * light.intensity / light.attenuation.z, 0.0);
+  ++multiple.count;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -131,6 +159,16 @@ f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm:
   result.cosCone = -1.0;
   result.kind = PointKind(media, result);
   return result;
+}
+
+//------------------------------------------------------------------------------
+std::string GetScatteredOnceText(int lights)
+{
+  return "Multiple scattering leaves out " + std::to_string(lights) +
+    " of the lights, which are scattered once: it is computed for at most " +
+    std::to_string(AIRLIGHT_MAX_MULTIPLE_LAMPS) +
+    " point lamps inside the medium that shine evenly and fall off by the inverse square. See "
+    "vtkAirlight::SetRadiantIntensity().";
 }
 
 //------------------------------------------------------------------------------

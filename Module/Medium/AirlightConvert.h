@@ -11,6 +11,7 @@
 #include "Integration/AirlightMath.h"
 #include "vtkAirlightModule.h" // for export macro
 
+#include <string>
 #include <vector>
 
 class vtkLight;
@@ -44,6 +45,13 @@ constexpr const char* InvalidLightText =
   "A light is left out of the medium: its position, colour and attenuation must be finite, "
   "its attenuation at least 0 with one term above 0, its exponent at least 0, and the focal "
   "point of a spot or a directional light apart from its position.";
+
+// Adds a lamp to the media's multiple scattering, if they have any. False where it is left out: it
+// is no point lamp inside, or there are AIRLIGHT_MAX_MULTIPLE_LAMPS already.
+VTKAIRLIGHT_EXPORT bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light);
+
+// What is said of so many lights that are left out.
+VTKAIRLIGHT_EXPORT std::string GetScatteredOnceText(int lights);
 
 // A point light of this radiant intensity and inverse-square attenuation, relative to `origin`.
 f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm::dvec3& position,

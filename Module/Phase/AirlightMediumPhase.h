@@ -34,6 +34,9 @@ public:
   vtkTable* GetTable() const { return this->Table; }
   double GetTolerance() const { return this->Tolerance; }
 
+  // Of the function in use, whichever it is.
+  vtkMTimeType GetTime() const { return this->Used->GetMTime(); }
+
   // Of the object and the table.
   vtkMTimeType GetMTime() const;
 

@@ -24,10 +24,12 @@ namespace airlight
 {
 namespace
 {
-bool HasAmbient(const f64::AirlightMedia& media)
+// Ambient light, or in its place what was scattered more than once.
+bool HasDiffuse(const f64::AirlightMedia& media)
 {
-  return std::any_of(media.item, media.item + media.count,
-    [](const f64::AirlightMedium& medium) { return medium.ambient != glm::dvec3(0.0); });
+  return media.multiple.count > 0 ||
+    std::any_of(media.item, media.item + media.count,
+      [](const f64::AirlightMedium& medium) { return medium.ambient != glm::dvec3(0.0); });
 }
 
 // The shader's text. `lights`: those that it integrates.
@@ -45,7 +47,7 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     Define("AIRLIGHT_DEBUG_VIEW", intoTextures ? 0 : options.DebugView) +
     Define("AIRLIGHT_SHADOWING_LIGHT", options.ShadowingLight) +
     Define("AIRLIGHT_BITS", options.LightsPerChannel) +
-    Define("AIRLIGHT_AMBIENT", HasAmbient(scene.Media)) +
+    Define("AIRLIGHT_DIFFUSE", HasDiffuse(scene.Media)) +
     Define("AIRLIGHT_ENCODED_INPUT", options.EncodedInput) +
     Define("AIRLIGHT_PARALLEL", scene.Rays.IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
     GetScatteringSource(scene.Media, kind, false) + AirlightCameraShader + AirlightLightPixel +
@@ -89,7 +91,7 @@ vtkShaderProgram* CompositePass::GetProgram(
   scene.Rays.SetUniforms(program, x, y);
   if (intoTextures && options.Record)
   {
-    program->SetUniformf("error", options.AmbientError);
+    program->SetUniformf("error", options.DiffuseError);
   }
   return program;
 }

@@ -35,7 +35,7 @@ public:
     int LightsPerChannel = 24;
     int DebugView = 0; // vtkAirlightPass::DebugViewType
     bool Record = false;
-    float AmbientError = 0.0f; // of what the media scatter of the ambient light, relative; recorded
+    float DiffuseError = 0.0f; // of what is not scattered once, relative; recorded
     bool EncodedInput = false;
     std::vector<SunDisc> Suns; // that are seen where there is nothing else
     DisplayStage Display;      // into viewports only

@@ -392,7 +392,8 @@ CompositePass::Options Frame::GetCompositeOptions() const
   options.LightsPerChannel = BitsPerChannel;
   options.DebugView = static_cast<int>(this->Plan.View);
   options.Record = this->Plan.Record;
-  options.AmbientError = ClosedFormError;
+  options.DiffuseError =
+    std::max(ClosedFormError, static_cast<float>(this->Plan.MultipleErrorBound));
   options.EncodedInput = this->Plan.EncodedInput;
   options.Suns = this->Current->Suns;
   return options;

@@ -212,6 +212,7 @@ FramePlan MakeFramePlan(
   plan.SurfaceShadows = properties.SurfaceShadows;
   plan.TranslucentShadows = properties.TranslucentShadows;
   plan.ScatteredSurfaceLight = properties.ScatteredSurfaceLight && !scene.DensityImage;
+  plan.MultipleErrorBound = scene.MultipleErrorBound;
   plan.MemoryLimit = properties.MemoryLimit;
   plan.Translucent = properties.View == DebugView::Shaded && scene.DrawsOverMedium;
   plan.TranslucentBoundaries = std::max(scene.TranslucentBoundaries, 0.0);

@@ -76,6 +76,7 @@ struct SceneFacts
   bool Clear = false;           // no medium scatters or absorbs
   bool DensityImage = false;    // the density of a medium comes from an image
   double PhaseErrorBound = 0.0; // the largest of the media, relative
+  double MultipleErrorBound = 0.0;
   std::vector<LightFacts> Lights;
   bool AllShadersInjectable = false; // all opaque props have shaders that the pass can add to
   bool PointGaussians = false;       // there are, and those are left out of account above
@@ -143,6 +144,7 @@ struct FramePlan
   bool SurfaceShadows = false;
   bool TranslucentShadows = false;    // casters dim light by their opacity
   bool ScatteredSurfaceLight = false; // scattered light lights surfaces
+  double MultipleErrorBound = 0.0;    // of what was scattered more than once, relative; 0: none
 
   bool Translucent = false;          // translucent surfaces or volumes are drawn over the medium
   bool NeedsRecords = false;         // their fragments have records, if there are any

@@ -59,6 +59,7 @@ bool PolyDataMapperShader::Prepare(vtkRenderer* renderer, double radius)
   const std::vector<vtkParticipatingMedium*> media = this->Media.GetAll();
   this->Converted = ConvertMedia(media, this->Rays->GetEye());
   this->SceneLights = CollectSceneLights(renderer, this->Converted, *this->Rays, radius, false);
+  this->ScatteredOnce = AddMultipleLamps(this->SceneLights, this->Converted);
   if (!this->Arrays.Upload(window, media, this->Converted, this->SceneLights))
   {
     this->Error = this->Arrays.GetError();
@@ -127,6 +128,11 @@ void PolyDataMapperShader::Check(vtkObject* mapper)
   {
     this->WarnedCameraLights = true;
     vtkWarningWithObjectMacro(mapper, << DescribeLeftOut(this->SceneLights));
+  }
+  if (this->Shades && this->ScatteredOnce > 0 && !this->WarnedScatteredOnce)
+  {
+    this->WarnedScatteredOnce = true;
+    vtkWarningWithObjectMacro(mapper, << GetScatteredOnceText(this->ScatteredOnce));
   }
 }
 }

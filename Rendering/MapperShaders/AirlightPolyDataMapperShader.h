@@ -92,6 +92,8 @@ public:
   std::optional<CameraUniforms> Rays;
   f64::AirlightMedia Converted{};
   std::vector<SceneLight> SceneLights;
+  int ScatteredOnce = 0; // lights that multiple scattering leaves out
+  bool WarnedScatteredOnce = false;
 };
 }
 

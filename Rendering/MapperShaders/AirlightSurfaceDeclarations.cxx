@@ -12,6 +12,7 @@
 #include "AirlightSurfaceIrradiance.h"
 #include "AirlightSurfaceLights.h"
 #include "AirlightSurfaceMedium.h"
+#include "AirlightSurfaceMultiple.h"
 #include "AirlightTransmittanceBuffer.h"
 #include "AirlightVertexMedium.h"
 #include "MapperShaders/AirlightMapperShader.h"
@@ -125,10 +126,10 @@ bool HasRecords(const SurfaceShaderOptions& options)
 //------------------------------------------------------------------------------
 std::string GetSurfaceDeclarations(const SurfaceShaderOptions& options)
 {
-  const std::string scattered = options.ScatteringLightCount > 0
-    ? "#define AIRLIGHT_SCATTERING_LIGHTS " + std::to_string(options.ScatteringLightCount) + "\n" +
-      AirlightSurfaceIrradiance
-    : "";
+  const std::string scattered = options.MultipleScattering ? AirlightSurfaceMultiple
+    : options.ScatteringLightCount > 0                     ? "#define AIRLIGHT_SCATTERING_LIGHTS " +
+      std::to_string(options.ScatteringLightCount) + "\n" + AirlightSurfaceIrradiance
+                                       : "";
   const char* before = HasRecords(options) ? AirlightInscatterToTranslucent
     : HasFroxels(options)                  ? AirlightInscatterFromFroxels
     : options.AtVertices                   ? ""

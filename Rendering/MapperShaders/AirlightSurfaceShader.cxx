@@ -119,7 +119,7 @@ void InjectSurfaceShader(
   std::string lit = split->Body;
   const bool anyLight =
     ReplaceText(lit, MapperText::LightColour, "($& * airlightReceivedLight[$1])");
-  if (options.ScatteringLightCount > 0)
+  if (options.ScatteringLightCount > 0 || options.MultipleScattering)
   {
     AddScatteredIrradiance(lit);
   }
@@ -169,11 +169,12 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
   const int sceneLightCount = static_cast<int>(sceneLights.size());
   const bool lights = scatteredLight ||
     (translucent && !(options.InPass && (options.TranslucentFragments || options.Froxels)));
+  const bool multiple = media.multiple.count > 0;
   const int kind = lights ? CommonKind(sceneLights) : AIRLIGHT_POINT_CLOSED;
   const bool photometry = std::any_of(sceneLights.begin(), sceneLights.end(),
     [](const SceneLight& sceneLight) { return sceneLight.Values.goniometric != 0; });
   const std::string source = GetScatteringSource(media, kind, photometry) +
-    (scatteredLight ? GetScatteredIrradianceSource() : "");
+    (scatteredLight && !multiple ? GetScatteredIrradianceSource() : "");
   // VTK's own text knows the number of lights, too, and is made again if another number
   // shines; a mapper without the pass is to stay as it is.
   const std::vector<LightSpecialization> known =
@@ -193,7 +194,8 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
   // Some more, so that another light does not make other shaders.
   options.SceneLightCount = std::max(options.SceneLightCount, (sceneLightCount + 7) / 8 * 8);
   options.ScatteringLightCount =
-    scatteredLight ? std::min(options.SceneLightCount, MaximumScatteringLights) : 0;
+    scatteredLight && !multiple ? std::min(options.SceneLightCount, MaximumScatteringLights) : 0;
+  options.MultipleScattering = multiple;
   options.Mathematics = source;
   return true;
 }

@@ -48,6 +48,7 @@ struct SurfaceShaderOptions
   int SceneLightCount = 4;                 // at most
   std::vector<LightSpecialization> Lights; // each light; empty where there are many
   int ScatteringLightCount = 0;            // at most; 0: surfaces get no scattered light
+  bool MultipleScattering = false;         // surfaces get light that was scattered, however often
   bool Translucent = false;                // fragments may be put behind the medium before them
   bool TranslucentFragments = false;       // and have records (AirlightTranslucentFragments.h)
   bool Froxels = false;                    // or, as shadows do, read a grid (AirlightFroxels.h)

@@ -32,8 +32,6 @@ void SetScatteringLights(vtkShaderProgram* program, const SurfaceUniforms& value
     }
   }
   program->SetUniformi("airlightScatteringLightCount", count);
-  glm::mat3 normals = values.Rays->GetNormalMatrix();
-  program->SetUniformMatrix3x3("airlightNormalToWorld", &normals[0].x);
 }
 }
 
@@ -127,7 +125,13 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     values.Transmittances->UseInMapper(program);
   }
-  if (values.ScatteredIrradiance)
+  const bool multiple = values.Media->multiple.count > 0;
+  if (values.ScatteredIrradiance || multiple)
+  {
+    glm::mat3 normals = values.Rays->GetNormalMatrix();
+    program->SetUniformMatrix3x3("airlightNormalToWorld", &normals[0].x);
+  }
+  if (values.ScatteredIrradiance && !multiple)
   {
     SetScatteringLights(program, values);
   }

@@ -19,5 +19,6 @@ airlight_sources(
     glsl/AirlightSurfaceIrradiance.glsl
     glsl/AirlightSurfaceLights.glsl
     glsl/AirlightSurfaceMedium.glsl
+    glsl/AirlightSurfaceMultiple.glsl
     glsl/AirlightVertexMedium.glsl
     glsl/AirlightVolume.glsl)

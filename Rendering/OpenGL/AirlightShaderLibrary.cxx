@@ -4,6 +4,7 @@
 
 #include "AirlightAmbient.h"
 #include "AirlightClosedSurface.h"
+#include "AirlightDiffuseLight.h"
 #include "AirlightExponentialIntegral.h"
 #include "AirlightGauss.h"
 #include "AirlightGoniometric.h"
@@ -16,6 +17,7 @@
 #include "AirlightLight.h"
 #include "AirlightMedia.h"
 #include "AirlightMedium.h"
+#include "AirlightMultipleScattering.h"
 #include "AirlightPath.h"
 #include "AirlightPhase.h"
 #include "AirlightPieces.h"
@@ -25,6 +27,7 @@
 #include "AirlightRegion.h"
 #include "AirlightScatteredIrradiance.h"
 #include "AirlightScattering.h"
+#include "AirlightSourceFunction.h"
 #include "Integration/AirlightIntegrate.h"
 #include "OpenGL/AirlightProgram.h"
 
@@ -124,20 +127,24 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
   const bool table =
     std::any_of(media.item, end, [](const auto& medium) { return medium.phase.rows > 0; });
   const bool grid = HasGrid(media);
+  const bool multiple = media.multiple.count > 0;
   return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_GRID", grid) +
     Define("AIRLIGHT_HAS_TABLE", table) + Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
     Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
     Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", media.count) +
-    Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
+    Define("AIRLIGHT_MEDIUM_COUNT", media.count) + Define("AIRLIGHT_MULTIPLE", multiple) +
+    Define("AIRLIGHT_MULTIPLE_NODES", AIRLIGHT_MULTIPLE_NODES) +
     (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
           Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)
                       : "") +
     DefineCommon(media) + (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") +
     AirlightExponentialIntegral + AirlightGauss + AirlightGoniometric + AirlightPhase +
     AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + AirlightMedium +
-    AirlightClosedSurface + AirlightPath + AirlightHeightFog + AirlightMedia + AirlightAmbient +
-    AirlightLight + AirlightKinks + AirlightQuadrature + AirlightGoniometricRay + AirlightPieces +
-    (grid ? AirlightGridRay : "") + AirlightScattering;
+    AirlightClosedSurface + AirlightPath + AirlightHeightFog +
+    (multiple ? AirlightSourceFunction : "") + AirlightMedia + AirlightAmbient + AirlightLight +
+    AirlightKinks + AirlightQuadrature + (multiple ? AirlightMultipleScattering : "") +
+    AirlightGoniometricRay + AirlightPieces + (grid ? AirlightGridRay : "") + AirlightScattering +
+    AirlightDiffuseLight;
 }
 
 //------------------------------------------------------------------------------
@@ -158,6 +165,10 @@ void SetMediaUniforms(
   vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media)
 {
   VisitMediaUniforms(UniformSetter(program, name), media);
+  if (media.multiple.count > 0)
+  {
+    VisitMultiple(UniformSetter(program, "airlightMultiple"), media.multiple);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -12,4 +12,5 @@ airlight_sources(
     AirlightOpenGL.h
   GLSL
     glsl/AirlightDecode.glsl
+    glsl/AirlightDiffuseLight.glsl
     glsl/AirlightFullScreenVS.glsl)

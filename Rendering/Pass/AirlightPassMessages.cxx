@@ -139,6 +139,15 @@ void PassMessages::CheckLights(
 }
 
 //------------------------------------------------------------------------------
+void PassMessages::CheckMultiple(int lightsLeftOut)
+{
+  if (lightsLeftOut > 0)
+  {
+    this->WarnOnce(LightsScatteredOnce, GetScatteredOnceText(lightsLeftOut));
+  }
+}
+
+//------------------------------------------------------------------------------
 void PassMessages::CheckPlan(const FramePlan& plan, const PassProperties& properties,
   const CasterCache& casters, vtkOpenGLRenderWindow* window)
 {

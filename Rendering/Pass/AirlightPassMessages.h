@@ -41,6 +41,9 @@ public:
   void CheckLights(
     const std::vector<SceneLight>& sceneLights, bool scattering, bool scatteredSurfaceLight);
 
+  // Lights whose light is scattered once, where it should be more often.
+  void CheckMultiple(int lightsLeftOut);
+
   // A shadow technique other than the requested one, scattered light that a density image rules
   // out.
   void CheckPlan(const FramePlan& plan, const PassProperties& properties,
@@ -77,6 +80,7 @@ private:
     CostlyTranslucency,
     InvalidLights,
     LevelsOfDetail,
+    LightsScatteredOnce,
     ManyLights,
     ManyScatteredLights,
     Media,

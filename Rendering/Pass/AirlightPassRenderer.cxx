@@ -346,6 +346,7 @@ bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& setting
     CollectSceneLights(s->GetRenderer(), scene.Converted, scene.Rays, settings.LightRadius, true);
   this->Messages.CheckLights(
     scene.Lights, HasScattering(scene.Converted), settings.Properties.ScatteredSurfaceLight);
+  this->Messages.CheckMultiple(AddMultipleLamps(scene.Lights, scene.Converted));
   return true;
 }
 
@@ -370,6 +371,9 @@ SceneFacts PassRenderer::GetFacts(const Scene& scene) const
   for (vtkParticipatingMedium* medium : scene.Media)
   {
     facts.PhaseErrorBound = std::max(facts.PhaseErrorBound, medium->GetPhaseErrorBound());
+    facts.MultipleErrorBound = scene.Converted.multiple.count > 0
+      ? medium->GetMultipleScatteringErrorBound() + MultipleQuadratureError
+      : 0.0;
   }
   for (const SceneLight& light : scene.Lights)
   {

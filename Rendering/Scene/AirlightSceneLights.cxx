@@ -128,6 +128,15 @@ std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::Air
 }
 
 //------------------------------------------------------------------------------
+int AddMultipleLamps(const std::vector<SceneLight>& sceneLights, f64::AirlightMedia& media)
+{
+  return static_cast<int>(
+    std::count_if(sceneLights.begin(), sceneLights.end(), [&](const SceneLight& sceneLight) {
+      return sceneLight.HasPower() && !AddMultipleLamp(media, sceneLight.Values);
+    }));
+}
+
+//------------------------------------------------------------------------------
 std::string DescribeLeftOut(const std::vector<SceneLight>& sceneLights)
 {
   const auto count = std::count_if(sceneLights.begin(), sceneLights.end(), IsLeftOut);

@@ -48,6 +48,12 @@ int CommonKind(const std::vector<SceneLight>& sceneLights);
 std::vector<SceneLight> CollectSceneLights(vtkRenderer* renderer, const f64::AirlightMedia& media,
   const CameraUniforms& view, double radius, bool photometric);
 
+// Relative to all light that is scattered, of that which was scattered more than once.
+constexpr double MultipleQuadratureError = 0.01;
+
+// Adds the lamps whose multiple scattering is computed; returns how many lights are left out of it.
+int AddMultipleLamps(const std::vector<SceneLight>& sceneLights, f64::AirlightMedia& media);
+
 // `up` made perpendicular to the axis; another direction across it where up lies along it.
 glm::dvec3 MakeAcross(glm::dvec3 up, const glm::dvec3& axis);
 

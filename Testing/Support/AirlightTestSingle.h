@@ -33,6 +33,7 @@ inline airlight::f32::AirlightMedia ToSingle(const airlight::f64::AirlightMedia&
 {
   airlight::f32::AirlightMedia result{};
   airlight::VisitMedia(SingleCopy(), result, media);
+  airlight::VisitMultiple(SingleCopy(), result.multiple, media.multiple);
   return result;
 }
 

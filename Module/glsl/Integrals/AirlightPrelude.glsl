@@ -10,6 +10,11 @@
 #define AIRLIGHT_OUT(T) out T
 #define AIRLIGHT_INOUT(T) inout T
 #define AIRLIGHT_IN(T) T
+// Multiple scattering is a uniform of its own.
+#define AIRLIGHT_MULTIPLE_MEMBER
+#define AIRLIGHT_MULTIPLE_UNIFORM uniform AirlightMultiple airlightMultiple;
+#define AIRLIGHT_MULTIPLE_IN
+#define AIRLIGHT_MULTIPLE_OUT
 // The bound of a loop that compilers do not unroll, as they do not know that 0 is added. Each round
 // would have a copy of all that it calls, and a program take some of them half a minute.
 uniform int airlightZero;

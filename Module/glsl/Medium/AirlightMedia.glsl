@@ -4,6 +4,7 @@ struct AirlightMedia
 {
   AirlightMedium item[AIRLIGHT_MAX_MEDIA];
   int count;
+  AIRLIGHT_MULTIPLE_MEMBER
 };
 
 // Where the number of media is known when a shader is compiled, its loops unroll.

@@ -15,7 +15,7 @@ layout(location = 0) out vec4 radiance;
 uniform sampler2D counts;
 #endif
 #ifdef AIRLIGHT_RECORD
-uniform float error; // of what the media scatter of the ambient light, relative
+uniform float error; // of ambient light or of what was scattered more than once, relative
 layout(location = 1) out vec4 airlight; // radiance; error bound
 layout(location = 2) out vec4 surface;
 layout(location = 3) out vec4 transmittance; // and the distance along the unit ray
@@ -49,23 +49,24 @@ void main()
   colour = vec4(colour.rgb + sky.rgb, max(colour.a, sky.a));
 #endif
   vec3 passes = airlightTransmittanceOf(airlightDepth(media, origin, direction, end));
-#if AIRLIGHT_AMBIENT
-  vec3 ambient = airlightAmbient(media, origin, direction, end);
-#else
-  const vec3 ambient = vec3(0.0);
-#endif
 #ifdef AIRLIGHT_UNSHADOWED_LIGHTS
-  vec3 added = airlightUnshadowedRays(p, origin, direction, unit, end) + ambient;
+  vec3 once = airlightUnshadowedRays(p, origin, direction, unit, end);
 #else
   // What a froxel grid takes away is interpolated, and may be more than there is.
-  vec3 added = max(texelFetch(scattered, pixel, 0).rgb, vec3(0.0)) + ambient;
+  vec3 once = max(texelFetch(scattered, pixel, 0).rgb, vec3(0.0));
 #endif
+#if AIRLIGHT_DIFFUSE
+  vec3 diffuse = airlightDiffuse(media, origin, direction, end, once);
+#else
+  const vec3 diffuse = vec3(0.0);
+#endif
+  vec3 added = once + diffuse;
   // A picture with a transparent background becomes as opaque as the medium is.
   float opacity = 1.0 - (1.0 - colour.a) * dot(passes, vec3(1.0 / 3.0));
   radiance = vec4(added + passes * colour.rgb, opacity);
 #ifdef AIRLIGHT_RECORD
   airlight = vec4(added,
-    texelFetch(counts, pixel, 0).g + error * max(ambient.r, max(ambient.g, ambient.b)));
+    texelFetch(counts, pixel, 0).g + error * max(diffuse.r, max(diffuse.g, diffuse.b)));
   surface = vec4(parameter >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
   transmittance = vec4(passes, parameter >= 0.0 ? end : -1.0);
 #endif

@@ -4,5 +4,6 @@ vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
 {
   vec2 p = airlightPixel();
   float place = airlightFroxelPlace(t / airlightRayUnit(p));
-  return airlightAmbient(airlightMedia, origin, direction, t) + airlightFroxel(0, p, place).rgb;
+  vec3 once = airlightFroxel(0, p, place).rgb;
+  return airlightDiffuse(airlightMedia, origin, direction, t, once) + once;
 }

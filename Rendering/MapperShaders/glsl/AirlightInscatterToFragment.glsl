@@ -5,7 +5,7 @@ uniform AirlightLight airlightLights[AIRLIGHT_SCENE_LIGHTS];
 // Scattered into the ray before its fragment, shadows left out of account.
 vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
 {
-  vec3 sum = airlightAmbient(airlightMedia, origin, direction, t);
+  vec3 sum = vec3(0.0);
   for (int k = 0; k < airlightSceneLightCount; k++)
   {
     if (airlightSceneLights[k].w >= 0.0)
@@ -19,5 +19,5 @@ vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
       }
     }
   }
-  return sum;
+  return airlightDiffuse(airlightMedia, origin, direction, t, sum) + sum;
 }

@@ -85,7 +85,8 @@ vec3 airlightInscatterToNode(int i, float t)
   airlightTranslucent = airlightNodeTranslucent[i];
   if (airlightTranslucent == 0u)
   {
-    return airlightAmbient(airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t);
+    return airlightDiffuse(
+      airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t, vec3(0.0));
   }
 #endif
   return airlightInscatterToFragment(airlightVolumeOrigin, airlightVolumeAlong, t);

@@ -1,0 +1,196 @@
+// Light that was scattered more than once, of point lamps in one uniform medium: along a ray, and
+// where it meets a surface. By the source function of the unbounded medium
+// (AirlightSourceFunction.glsl), with a factor for the faces of the medium's region.
+
+// Light that a ray loses beyond so many optical lengths is left out.
+#define AIRLIGHT_MULTIPLE_DEPTH 8.0
+
+// Gauss-Legendre nodes on [-1, 1], the positive half of twelve, as (position, weight).
+AIRLIGHT_FN real2 airlightMultipleNode(int k)
+{
+  if (k == 0)
+    return real2(0.12523340851146892, 0.24914704581340279);
+  if (k == 1)
+    return real2(0.36783149899818019, 0.23349253653835481);
+  if (k == 2)
+    return real2(0.58731795428661745, 0.20316742672306592);
+  if (k == 3)
+    return real2(0.76990267419430469, 0.16007832854334623);
+  if (k == 4)
+    return real2(0.90411725637047486, 0.10693932599531843);
+  return real2(0.98156063424671925, 0.047175336386511827);
+}
+
+// What is left of the source function at a point by one face of the region, behind which is a
+// vacuum: the image of the lamp in the face, as the boundary condition of diffusion asks, as a
+// factor. r, image: optical distances of the point from the lamp and from its image.
+AIRLIGHT_FN real3 airlightFaceFactor(AIRLIGHT_MULTIPLE_IN real3 r, real3 image)
+{
+  real3 kappa = airlightMultiple.kappa;
+  real3 gain = kappa + real3(real(1.0)) / max(image, real3(real(1e-6)));
+  real3 amount = min(
+    (gain - airlightMultiple.loss) / (gain + airlightMultiple.loss), real3(real(0.0)));
+  real3 share = exp(-kappa * (image - r)) * r / max(image, real3(real(1e-6)));
+  return max(real3(real(1.0)) + amount * share, real3(real(0.0)));
+}
+
+// The optical distance from the lamp's image in a face, from which the point and the lamp are so
+// far away.
+AIRLIGHT_FN real3 airlightImageDistance(real3 sigmaT, real r, real point, real lamp)
+{
+  return sigmaT * sqrt(r * r + real(4.0) * max(point, real(0.0)) * max(lamp, real(0.0)));
+}
+
+// Of all faces of the medium's region. A curved face counts as the plane that touches it where the
+// point is nearest.
+AIRLIGHT_FN real3 airlightRegionFactor(
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 lamp, real r)
+{
+  real3 factor = real3(real(1.0));
+  real3 optical = medium.sigmaT * r;
+  if (AIRLIGHT_REGION_KIND(medium.region) == AIRLIGHT_REGION_BOX)
+  {
+    for (int axis = 0; axis < 3; axis++)
+    {
+      factor *= airlightFaceFactor(AIRLIGHT_MULTIPLE_OUT optical,
+        airlightImageDistance(medium.sigmaT, r, point[axis] - medium.region.boxMin[axis],
+          lamp[axis] - medium.region.boxMin[axis]));
+      factor *= airlightFaceFactor(AIRLIGHT_MULTIPLE_OUT optical,
+        airlightImageDistance(medium.sigmaT, r, medium.region.boxMax[axis] - point[axis],
+          medium.region.boxMax[axis] - lamp[axis]));
+    }
+  }
+  else if (AIRLIGHT_REGION_KIND(medium.region) == AIRLIGHT_REGION_SPHERE)
+  {
+    real3 outward = point - medium.region.centre;
+    real away = max(length(outward), real(1e-6) * medium.region.radius);
+    factor = airlightFaceFactor(AIRLIGHT_MULTIPLE_OUT optical,
+      airlightImageDistance(medium.sigmaT, r, medium.region.radius - away,
+        medium.region.radius - dot(lamp - medium.region.centre, outward) / away));
+  }
+  return factor;
+}
+
+// How far from the ray's entry at least the least weakened channel is weakened away: where the depth
+// plus what the source has fallen by exceeds the least of them by AIRLIGHT_MULTIPLE_DEPTH. tL: of
+// the lamp's foot from the entry; h: its distance from the ray.
+AIRLIGHT_FN real airlightMultipleReach(
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium, real tL, real h)
+{
+  real sigma = real(AIRLIGHT_FAR);
+  real fall = real(AIRLIGHT_FAR);
+  for (int channel = 0; channel < 3; channel++)
+  {
+    if (medium.sigmaT[channel] > real(0.0))
+    {
+      sigma = min(sigma, medium.sigmaT[channel]);
+      fall = min(fall, medium.sigmaT[channel] * airlightMultiple.kappa[channel]);
+    }
+  }
+  // t + k r(t) = least + depth, with t, tL and h as optical lengths.
+  real k = fall / sigma;
+  real foot = sigma * tL;
+  real aside = sigma * h;
+  real atEye = k * sqrt(foot * foot + aside * aside);
+  real least = foot > real(0.0) ? min(atEye, foot + k * aside) : atEye;
+  real goal = least + real(AIRLIGHT_MULTIPLE_DEPTH);
+  real a = real(1.0) - k * k;
+  real b = goal - k * k * foot;
+  real c = goal * goal - k * k * (foot * foot + aside * aside);
+  return c / (b + sqrt(max(b * b - a * c, real(0.0)))) / sigma;
+}
+
+// Of one lamp along a ray, per unit of its power: what was scattered more than once, and what would
+// be scattered once if nothing cast shadows.
+struct AirlightMultipleRay
+{
+  real3 several;
+  real3 once;
+};
+
+AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction,
+  real2 range, real4 lamp)
+{
+  AirlightMultipleRay result;
+  result.several = real3(real(0.0));
+  result.once = real3(real(0.0));
+  real3 toLamp = real3(lamp) - origin;
+  real foot = dot(toLamp, direction);
+  real h = max(length(cross(toLamp, direction)), lamp.w);
+  real end = min(range.y,
+    range.x + airlightMultipleReach(AIRLIGHT_MULTIPLE_OUT medium, foot - range.x, h));
+  // With t - foot = h sinh v, dt = r dv.
+  real from = airlightAsinh((range.x - foot) / h);
+  real reach = real(0.5) * (airlightAsinh((end - foot) / h) - from);
+  if (reach <= real(0.0))
+  {
+    return result;
+  }
+  for (int k = 0; k < AIRLIGHT_ROLLED(AIRLIGHT_MULTIPLE_NODES); k++)
+  {
+    real2 node = airlightMultipleNode(k / 2);
+    real e = exp(from + reach * (real(1.0) + (k % 2 == 0 ? node.x : -node.x)));
+    real x = real(0.5) * h * (e - real(1.0) / e);
+    real r = real(0.5) * h * (e + real(1.0) / e);
+    real depth = max(foot + x - range.x, real(0.0));
+    real3 optical = medium.sigmaT * r;
+    real3 logarithm =
+      airlightSourceLogarithm(AIRLIGHT_MULTIPLE_OUT airlightSourceX(optical),
+        airlightSourceY(airlightMultiple.lobe, -x / r)) - airlightMultiple.kappa * optical;
+    real3 factor = airlightRegionFactor(AIRLIGHT_MULTIPLE_OUT medium,
+      origin + (foot + x) * direction, real3(lamp), r);
+    result.several += node.y * factor * exp(logarithm - medium.sigmaT * depth);
+    result.once += node.y * airlightPhase(medium.phase, -x / r) / r *
+      exp(-medium.sigmaT * (depth + r));
+  }
+  result.several *= reach * medium.sigmaT * medium.sigmaT;
+  result.once *= reach * real(0.079577471545947668) * medium.sigmaS;
+  return result;
+}
+
+// Of all lamps on [0, l] of a ray of unit direction.
+AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real l)
+{
+  AirlightMultipleRay sum;
+  sum.several = real3(real(0.0));
+  sum.once = real3(real(0.0));
+  real2 range = airlightRegionRange(media.item[0].region, origin, direction, l);
+  for (int i = 0; i < airlightMultiple.count; i++)
+  {
+    AirlightMultipleRay ray = airlightMultipleOfLamp(
+      AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, airlightMultiple.lamp[i]);
+    sum.several += real3(airlightMultiple.power[i]) * ray.several;
+    sum.once += real3(airlightMultiple.power[i]) * ray.once;
+  }
+  return sum;
+}
+
+// The irradiance that light which was scattered at least once brings to a surface of this unit
+// normal: a quarter of the fluence, and half of the flux against the normal.
+AIRLIGHT_FN real3 airlightMultipleIrradiance(
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedia) media, real3 point, real3 normal)
+{
+  real3 sum = real3(real(0.0));
+  real3 sigmaT = media.item[0].sigmaT;
+  if (!airlightHolds(media.item[0].region, point))
+  {
+    return sum;
+  }
+  for (int i = 0; i < airlightMultiple.count; i++)
+  {
+    real3 away = point - real3(airlightMultiple.lamp[i]);
+    real r = max(length(away), airlightMultiple.lamp[i].w);
+    real3 optical = sigmaT * r;
+    real3 x = airlightSourceX(optical);
+    real3 fall = airlightMultiple.kappa * optical;
+    real3 fluence = exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT 0, x) - fall);
+    real3 flux =
+      exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT AIRLIGHT_SOURCE_ROWS, x) - fall);
+    real3 share = real(0.25) * fluence - real(0.5) * dot(away, normal) / r * flux;
+    // The moments are of optical lengths: a square of them is per area, and 1/r is of them, too.
+    sum += real3(airlightMultiple.power[i]) * max(share, real3(real(0.0))) * sigmaT / r;
+  }
+  return sum;
+}
