@@ -150,6 +150,9 @@ void SceneOptions::AddMediumOptions(CLI::App* command)
   add("--ambient", this->Ambient,
     "r,g,b: ambient radiance in W/(m^2 sr) that the medium scatters (default that of the scene or "
     "the mood)");
+  options.push_back(command->add_flag("--multiple-scattering", this->MultipleScattering,
+    "Compute light that is scattered more than once, too, of point lamps inside a uniform medium, "
+    "instead of the ambient radiance"));
   this->AddRegionOptions(command, options);
   add("--height-fog", this->HeightFog,
     "REFERENCE:SCALE[:ux,uy,uz]: the medium thins out with height and has its coefficients at the "
@@ -267,6 +270,7 @@ void SceneOptions::ChangeMedium(vtkParticipatingMedium* medium) const
   {
     medium->SetAmbientRadiance(ParseColor("--ambient", text).data());
   }
+  medium->SetMultipleScattering(medium->GetMultipleScattering() || this->MultipleScattering);
   this->ChangeRegion(medium);
   for (const std::string& text : this->HeightFog)
   {

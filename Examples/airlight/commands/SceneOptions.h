@@ -76,6 +76,7 @@ private:
   Text HeightFog;
   std::string Technique = "Automatic";
   int Steps = 64;
+  bool MultipleScattering = false;
   bool Glow = false;
   bool NoMedium = false;
 };

@@ -149,7 +149,8 @@ Vector3 ReadSceneDirection(const LocatedJson& json)
 vtkSmartPointer<vtkParticipatingMedium> ReadMedium(
   const LocatedJson& json, const std::string& sceneFile)
 {
-  json.CheckKeys({ "sigma_s", "sigma_a", "phase" }, { "bounds", "density", "ambient_radiance" });
+  json.CheckKeys({ "sigma_s", "sigma_a", "phase" },
+    { "bounds", "density", "ambient_radiance", "multiple_scattering" });
   auto medium = vtkSmartPointer<vtkParticipatingMedium>::New();
   medium->SetScattering(json["sigma_s"].GetVector(0.0, LargestNumber).data());
   medium->SetAbsorption(json["sigma_a"].GetVector(0.0, LargestNumber).data());
@@ -166,6 +167,8 @@ vtkSmartPointer<vtkParticipatingMedium> ReadMedium(
   {
     medium->SetAmbientRadiance(json["ambient_radiance"].GetVector(0.0, LargestNumber).data());
   }
+  medium->SetMultipleScattering(
+    json.Has("multiple_scattering") && json["multiple_scattering"].GetBoolean());
   return medium;
 }
 

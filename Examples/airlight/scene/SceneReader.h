@@ -24,7 +24,8 @@ namespace airlight
  *    {type: cylinder, center, radius, height, axis} (axis may be left out: 0, 1, 0) or
  *    {type: surface, mesh: a file of a closed mesh}, `density`
  *    {type: exponential_height, reference_height, scale_height, up} (up may be left out: 0, 1, 0)
- *    and `ambient_radiance`;
+ *    `ambient_radiance`, and `multiple_scattering`, true or false (false), see
+ *    vtkParticipatingMedium::SetMultipleScattering();
  *  - `lights`, a list of {type: point, position, intensity},
  *    {type: spot, position, direction, cone_half_angle_deg, exponent, intensity} and
  *    {type: directional, direction, irradiance}. Point and spot may have `photometry`, a file of

@@ -70,7 +70,8 @@ class AirlightComponent:
         self.__plotter_close__()
 
     def enable(self, visibility: float | None = None, anisotropy: float | None = None, *,
-               albedo: Any = 1.0, ambient: Any = None, region: Any = None,
+               albedo: Any = 1.0, ambient: Any = None, multiple_scattering: bool = False,
+               region: Any = None,
                density: pv.ImageData | None = None, scale_height: float | None = None,
                reference_height: float | None = None,
                medium: vtkParticipatingMedium | None = None, shadows: bool | str = True,
@@ -100,6 +101,9 @@ class AirlightComponent:
             Radiance that arrives from all sides, as light that is scattered more than once does:
             the colour of the fog at a great distance. In the unit of radiance, at least 0. None:
             0.55 of the background's colour.
+        multiple_scattering : bool, default: False
+            Whether light that is scattered more than once is computed, instead of the ambient
+            radiance: of point lamps, in a uniform medium that is everywhere or in bounds.
         region : sequence[float] | pyvista.PolyData, optional
             Where the medium is: bounds (xmin, xmax, ymin, ymax, zmin, zmax), or a closed surface.
             None: everywhere.
@@ -161,10 +165,13 @@ class AirlightComponent:
             names = [name for name, value in given.items() if value is not None]
             if not (isinstance(albedo, (int, float)) and albedo == 1):
                 names.append("albedo")
+            if multiple_scattering:
+                names.append("multiple_scattering")
             if names:
                 raise ValueError(f"medium and {names[0]} are both given: set {names[0]} in the "
                                  "medium, or give no medium.")
-        settings = Settings(**given, albedo=albedo, shadows=shadows, lamp=lamp, white=white,
+        settings = Settings(**given, albedo=albedo, multiple_scattering=multiple_scattering,
+                            shadows=shadows, lamp=lamp, white=white,
                             anti_aliasing=anti_aliasing, tone_mapping=tone_mapping,
                             color_space=color_space, frames=frames, progressive=progressive)
         subplot.enable(settings, medium)

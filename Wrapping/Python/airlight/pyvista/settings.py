@@ -51,6 +51,7 @@ class Settings:
     anisotropy: float | None = None
     albedo: Any = 1.0
     ambient: Any = None
+    multiple_scattering: bool = False
     region: Any = None
     density: Any = None
     scale_height: float | None = None
@@ -77,6 +78,9 @@ class Settings:
         self.albedo = arguments.rgb("albedo", self.albedo, "the scattered share of extinction", 1)
         if self.ambient is not None:
             self.ambient = arguments.rgb("ambient", self.ambient, "a radiance")
+        if self.multiple_scattering not in (True, False):
+            raise TypeError(f"multiple_scattering is {self.multiple_scattering!r}: give True or "
+                            "False.")
         self.white = arguments.positive("white", self.white, "the radiance that is drawn white")
         for name in ("lamp", "anti_aliasing"):
             if getattr(self, name) not in (None, True, False):
@@ -145,6 +149,7 @@ class Settings:
                 medium.SetVisibility(self.visibility)
             if self.ambient is not None:
                 medium.SetAmbientRadiance(*(x / self.white for x in self.ambient))
+            medium.SetMultipleScattering(self.multiple_scattering)
             self._apply_region(medium)
             self._apply_density(medium)
         messages.raise_if_any(ValueError)

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// vtkParticipatingMedium::SetMultipleScattering() in the pass: in the air before surfaces, on
+// surfaces, before translucent ones and in shadow, beside vtkAirlight, which TestMultipleScattering
+// compares with the exact solution.
+
+#include "AirlightTestErrors.h"
+#include "AirlightTestPixelScene.h"
+#include "AirlightTestTools.h"
+
+#include "vtkAirlight.h"
+#include "vtkAirlightReference.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+using namespace airlight_test;
+
+namespace
+{
+const glm::dvec3 Diffuse(0.9, 0.6, 0.3);
+const double Intensity[3] = { 10.0, 20.0, 5.0 };
+const double Lamp[3] = { 0.5, 0.3, 1.2 };
+
+using Buffer = std::vector<float>;
+
+// A plane z = 0, seen obliquely from z > 0 through fog with a lamp in it.
+class FoggyPlane : public PixelScene
+{
+public:
+  explicit FoggyPlane(int region)
+  {
+    this->AddBroadPlane(Diffuse);
+    this->Medium->SetScattering(0.3, 0.2, 0.4);
+    this->Medium->SetAbsorption(0.1, 0.0, 0.05);
+    this->Medium->SetPhaseFunctionToHenyeyGreenstein();
+    this->Medium->SetAnisotropy(0.4);
+    this->Medium->SetBounds(-2.5, 3.0, -4.0, 3.5, -1.0, 6.0);
+    this->Medium->SetCenter(0.0, 0.0, 1.0);
+    this->Medium->SetRadius(3.0);
+    this->Medium->SetRegion(region);
+    vtkAirlight::SetRadiantIntensity(this->Light, Intensity);
+    this->Light->SetPosition(Lamp);
+    this->Renderer->AddLight(this->Light);
+  }
+
+  void AddBall(double x, double y, double z, double radius)
+  {
+    this->Ball->SetCenter(x, y, z);
+    this->Ball->SetRadius(radius);
+    this->Ball->SetThetaResolution(24);
+    this->Ball->SetPhiResolution(16);
+    this->BallMapper->SetInputConnection(this->Ball->GetOutputPort());
+    this->BallActor->SetMapper(this->BallMapper);
+    this->BallActor->GetProperty()->BackfaceCullingOn(); // translucent, in any order
+    this->Renderer->AddActor(this->BallActor);
+  }
+
+  Buffer Render(const char* buffer, bool multiple)
+  {
+    this->Medium->SetMultipleScattering(multiple);
+    this->RenderFitted();
+    auto* values =
+      vtkFloatArray::SafeDownCast(this->Pass->GetBuffer(buffer)->GetPointData()->GetScalars());
+    return Buffer(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfValues());
+  }
+
+  vtkNew<vtkSphereSource> Ball;
+  vtkNew<vtkPolyDataMapper> BallMapper;
+  vtkNew<vtkActor> BallActor;
+};
+
+template <typename Visitor>
+void ForPixels(Visitor&& visit)
+{
+  for (int j = 2; j < PixelScene::Height; j += 5)
+  {
+    for (int i = 3; i < PixelScene::Width; i += 7)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        visit(i, j, c, 3 * (j * PixelScene::Width + i) + c);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is added to the air and, as rho E/pi, to the plane.
+bool TestPlane()
+{
+  Comparison air("added to the air, relative to all of it");
+  Comparison surface("added to the plane, relative");
+  for (const int region : { vtkParticipatingMedium::UNBOUNDED, vtkParticipatingMedium::BOX,
+         vtkParticipatingMedium::SPHERE })
+  {
+    FoggyPlane scene(region);
+    const Buffer airOff = scene.Render("Airlight", false);
+    const Buffer surfaceOff = scene.Render("Surface", false);
+    const Buffer airOn = scene.Render("Airlight", true);
+    const Buffer surfaceOn = scene.Render("Surface", true);
+    ForPixels([&](int i, int j, int c, int index) {
+      const PixelRay ray = scene.GetRay(i, j);
+      const double end = scene.GetEnd(i, j);
+      double expected[3];
+      vtkAirlight::MultipleScattering(
+        scene.Medium, Lamp, Intensity, &ray.Origin.x, &ray.Direction.x, end, expected);
+      const double added = static_cast<double>(airOn[index]) - airOff[index];
+      air.Add(std::abs(added - expected[c]) / airOn[index], 2e-3, [&] {
+        return Text("region ", region, ", pixel ", i, " ", j, ", channel ", c, ": added ", added,
+          " for ", expected[c], ", once ", airOff[index]);
+      });
+      const glm::dvec3 point = ray.Origin + end * ray.Direction;
+      const double normal[3] = { 0.0, 0.0, 1.0 };
+      vtkAirlight::MultipleIrradiance(scene.Medium, Lamp, Intensity, &point.x, normal, expected);
+      const float* passes = scene.GetPixel("Transmittance", i, j);
+      const double lit =
+        (surfaceOn[index] - surfaceOff[index]) / passes[c] * vtkMath::Pi() / Diffuse[c];
+      surface.Add(std::abs(lit - expected[c]) / std::max(expected[c], 1e-3), 2e-3, [&] {
+        return Text("region ", region, ", pixel ", i, " ", j, ", channel ", c, ": added ", lit,
+          " for ", expected[c]);
+      });
+    });
+  }
+  return AllOk({ &air, &surface });
+}
+
+//------------------------------------------------------------------------------
+// In shadow as much of it is left as of the light that is scattered once; beside the reference.
+bool TestShadow()
+{
+  Comparison shares("in shadow, relative");
+  Comparison reference("in shadow, beside the reference, relative");
+  FoggyPlane scene(vtkParticipatingMedium::UNBOUNDED);
+  scene.AddBall(-0.1, 0.3, 1.2, 0.3);
+  scene.Pass->SetShadowTechnique(vtkAirlightPass::SHADOW_PLANES);
+  const Buffer off = scene.Render("Airlight", false);
+  const Buffer on = scene.Render("Airlight", true);
+  vtkNew<vtkAirlightReference> oracle;
+  oracle->SetRenderer(scene.Renderer);
+  oracle->AddMedium(scene.Medium);
+  oracle->SetSize(PixelScene::Width, PixelScene::Height);
+  oracle->Update();
+  auto* traced = oracle->GetOutput()->GetPointData()->GetArray("Airlight");
+  int shadowed = 0;
+  ForPixels([&](int i, int j, int c, int index) {
+    const PixelRay ray = scene.GetRay(i, j);
+    const double end = scene.GetEnd(i, j);
+    double several[3];
+    double once[3];
+    vtkAirlight::MultipleScattering(
+      scene.Medium, Lamp, Intensity, &ray.Origin.x, &ray.Direction.x, end, several);
+    vtkAirlight::Inscatter(
+      scene.Medium, Lamp, Intensity, &ray.Origin.x, &ray.Direction.x, 0.0, end, once);
+    const double share = std::min(off[index] / once[c], 1.0);
+    shadowed += share < 0.9 ? 1 : 0;
+    const double expected = share * several[c];
+    shares.Add(std::abs(on[index] - off[index] - expected) / on[index], 1e-2, [&] {
+      return Text("pixel ", i, " ", j, ", channel ", c, ": added ", on[index] - off[index], " for ",
+        expected, ", share ", share);
+    });
+    const double found = traced->GetComponent(j * PixelScene::Width + i, c);
+    reference.Add(std::abs(on[index] - found) / found, 2e-3,
+      [&] { return Text("pixel ", i, " ", j, ", channel ", c, ": ", on[index], " for ", found); });
+  });
+  if (shadowed < 20)
+  {
+    std::cerr << "FAILED: only " << shadowed << " values are in shadow\n";
+    return false;
+  }
+  return AllOk({ &shares, &reference });
+}
+
+//------------------------------------------------------------------------------
+// A surface that is nearly opaque looks as one that is.
+bool TestTranslucent()
+{
+  Comparison comparison("a nearly opaque ball beside an opaque one");
+  FoggyPlane scene(vtkParticipatingMedium::UNBOUNDED);
+  scene.AddBall(-0.3, 0.0, 1.0, 0.6);
+  scene.Pass->SetShadowTechniqueToNone();
+  scene.BallActor->GetProperty()->SetDiffuse(0.2);
+  const Buffer opaque = scene.Render("Radiance", true);
+  scene.BallActor->GetProperty()->SetOpacity(0.9999);
+  const Buffer translucent = scene.Render("Radiance", true);
+  const Buffer once = scene.Render("Radiance", false);
+  double more = 0.0;
+  ForPixels([&](int i, int j, int c, int index) {
+    more = std::max<double>(more, translucent[index] / once[index]);
+    comparison.Add(std::abs(translucent[index] / opaque[index] - 1.0), 2e-3, [&] {
+      return Text(
+        "pixel ", i, " ", j, ", channel ", c, ": ", translucent[index], " for ", opaque[index]);
+    });
+  });
+  if (more < 1.3)
+  {
+    std::cerr << "FAILED: multiple scattering adds only " << more << "\n";
+    return false;
+  }
+  return comparison.Report();
+}
+
+//------------------------------------------------------------------------------
+// Off, the picture is as before; a spotlight is scattered once, with a message.
+bool TestLimits()
+{
+  FoggyPlane scene(vtkParticipatingMedium::UNBOUNDED);
+  const Buffer before = scene.Render("Radiance", false);
+  const Buffer on = scene.Render("Radiance", true);
+  const Buffer after = scene.Render("Radiance", false);
+  bool ok = before == after && on != before;
+  if (!ok)
+  {
+    std::cerr << "FAILED: switched off, it leaves no trace\n";
+  }
+  ErrorListener messages(scene.Pass, vtkCommand::WarningEvent);
+  scene.Light->SetConeAngle(30.0);
+  scene.Light->SetFocalPoint(0.0, 0.0, 0.0);
+  const Buffer spot = scene.Render("Radiance", false);
+  scene.Render("Radiance", true);
+  const Buffer same = scene.Render("Radiance", true);
+  if (spot != same || messages.Take() != 1 ||
+    messages.GetText().find("Multiple scattering leaves out 1 of the lights") == std::string::npos)
+  {
+    std::cerr << "FAILED: a spotlight is scattered once, with one message\n";
+    ok = false;
+  }
+  return ok;
+}
+}
+
+//------------------------------------------------------------------------------
+int TestMultipleScatteringPass(int, char*[])
+{
+  const bool ok = TestPlane() & TestShadow() & TestTranslucent() & TestLimits();
+  return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}
