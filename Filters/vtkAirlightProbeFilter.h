@@ -94,7 +94,9 @@ public:
    * ambient radiance. The quadrature and its error (0.3 % to 3 %) are those of
    * vtkAirlightPass::SetScatteredSurfaceLight(), in double precision, with 16 to 1597 rays per
    * point and light. It needs point normals and a medium that is uniform or of exponential height;
-   * otherwise there is a warning and no array. Default: false.
+   * otherwise there is a warning and no array. With
+   * vtkParticipatingMedium::SetMultipleScattering() it is the light of point lamps that was
+   * scattered at least once, however often, and 0 of other lights. Default: false.
    */
   vtkSetMacro(ScatteredIrradiance, bool);
   vtkGetMacro(ScatteredIrradiance, bool);

@@ -84,9 +84,9 @@ public:
     double rgb[3]);
 
   /**
-   * The irradiance [W/m^2] that light of the same lamp which was scattered at least once brings to a
-   * surface at `point` with this unit normal: a quarter of its fluence and half of its flux against
-   * the normal. It replaces what vtkAirlightPass::SetScatteredSurfaceLight() adds.
+   * The irradiance [W/m^2] that light of the same lamp which was scattered at least once brings to
+   * a surface at `point`: a quarter of its fluence and half of its flux against the normal, whose
+   * length does not matter. It replaces what vtkAirlightPass::SetScatteredSurfaceLight() adds.
    */
   static bool MultipleIrradiance(vtkParticipatingMedium* medium, const double lightPosition[3],
     const double radiantIntensity[3], const double point[3], const double normal[3], double rgb[3]);

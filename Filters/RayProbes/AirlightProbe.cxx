@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayProbes/AirlightProbe.h"
 
+#include "Integration/AirlightIntegrate.h"
 #include "RayProbes/AirlightFilterInput.h"
 #include "vtkAirlight.h"
 
@@ -37,6 +38,20 @@ glm::dvec3 IrradianceOf(
   return sceneLight.intensity * (cosine * fall) * glm::exp(-depth);
 }
 
+// The lamps whose light is scattered more than once become the media's.
+void AddMultipleLamps(const Probe& probe, const glm::dvec3& point, f64::AirlightMedia& media)
+{
+  for (vtkLight* light : probe.Lights)
+  {
+    f64::AirlightLight sceneLight;
+    if (ConvertSceneLight(media, light, point, sceneLight) == LightSupport::Scatters)
+    {
+      sceneLight.radius = std::max(1e-12 * glm::length(sceneLight.position), 1e-100);
+      AddMultipleLamp(media, sceneLight);
+    }
+  }
+}
+
 // Calls use(light, sceneLight) for the lights that shine, relative to the point.
 template <typename Use>
 void ForEachSceneLight(
@@ -63,6 +78,8 @@ glm::dvec3 Probe::FindRadiance(const glm::dvec3& eye, const glm::dvec3& point) c
     return sum;
   }
   const glm::dvec3 direction = (point - eye) / length;
+  f64::AirlightMedia media = ConvertMedia({ this->Medium }, eye);
+  AddMultipleLamps(*this, eye, media);
   vtkAirlight::Ambient(this->Medium, &eye.x, &direction.x, length, &sum.x);
   std::vector<Occluders::Shadow> shadows;
   std::vector<Occluders::Interval> lit;
@@ -81,6 +98,10 @@ glm::dvec3 Probe::FindRadiance(const glm::dvec3& eye, const glm::dvec3& point) c
       vtkAirlight::Inscatter(this->Medium, light, &eye.x, &direction.x, part.From, part.To, &rgb.x);
       sum += rgb;
     }
+  }
+  if (media.multiple.count > 0)
+  {
+    sum += IntegrateMultiple(media, glm::dvec3(0.0), direction, length, sum);
   }
   return sum;
 }
@@ -114,7 +135,12 @@ glm::dvec3 Probe::FindDirect(const glm::dvec3& point, const glm::dvec3* normal, 
 glm::dvec3 Probe::FindScattered(const glm::dvec3& point, const glm::dvec3& normal) const
 {
   glm::dvec3 sum(0.0);
-  const f64::AirlightMedia media = ConvertMedia({ this->Medium }, point);
+  f64::AirlightMedia media = ConvertMedia({ this->Medium }, point);
+  AddMultipleLamps(*this, point, media);
+  if (media.multiple.count > 0)
+  {
+    return f64::airlightMultipleIrradiance(media.multiple, media, glm::dvec3(0.0), normal);
+  }
   ForEachSceneLight(*this, media, point, [&](vtkLight*, const f64::AirlightLight& sceneLight) {
     const glm::dvec3 irradiance =
       f64::airlightScatteredIrradiance(media, sceneLight, glm::dvec3(0.0), normal);

@@ -62,7 +62,8 @@ void VisitMediaUniforms(Visitor&& visit, const f64::AirlightMedia& media)
   }
 }
 
-// Sets a uniform AirlightMedia, for which `airlightMultiple` is set, too, AirlightPhotometry or AirlightLight of this name.
+// Sets a uniform AirlightMedia, AirlightPhotometry or AirlightLight of this name; with media,
+// `airlightMultiple`, too.
 void SetMediaUniforms(
   vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media);
 void SetPhotometryUniforms(

@@ -241,6 +241,13 @@ std::vector<SceneRecipe> MakeRecipes()
   std::vector<Way> ways = AllWays({ 32, 64, 256, 1024, 2048 });
   ways.push_back(MakeRayMarchTo(2e-3));
   add("small", FillSmall, ways);
+  add(
+    "multiple scattering",
+    [](FrameScene& scene) {
+      FillSmall(scene);
+      scene.Medium->MultipleScatteringOn();
+    },
+    brief);
   add("heavy", FillHeavy, AllWays({ 64, 256 }));
   add("shafts", FillShafts, AllWays({ 64, 256 }));
   const std::vector<Way> errors = { MakePlain(), MakeUnshadowed(), MakePlanes(), MakeRayMarch(64),

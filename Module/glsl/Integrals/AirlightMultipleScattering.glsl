@@ -71,9 +71,9 @@ AIRLIGHT_FN real3 airlightRegionFactor(
   return factor;
 }
 
-// How far from the ray's entry at least the least weakened channel is weakened away: where the depth
-// plus what the source has fallen by exceeds the least of them by AIRLIGHT_MULTIPLE_DEPTH. tL: of
-// the lamp's foot from the entry; h: its distance from the ray.
+// How far from the ray's entry the channel that is weakened least still counts: up to where the
+// depth plus what the source has fallen by exceeds the least of them by AIRLIGHT_MULTIPLE_DEPTH.
+// tL: of the lamp's foot from the entry; h: its distance from the ray.
 AIRLIGHT_FN real airlightMultipleReach(
   AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium, real tL, real h)
 {
