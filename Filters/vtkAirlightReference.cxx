@@ -296,6 +296,7 @@ int vtkAirlightReference::RequestData(
   settings.Height = extent[3] + 1;
   settings.LightRadius = this->LightRadius;
   settings.LampPoints = this->LampPoints;
+  settings.MultipleScattering = this->ScatteringOrders == 1;
   settings.SurfaceShadows = this->SurfaceShadows;
   std::vector<vtkParticipatingMedium*> media = this->Impl->Media.GetAll();
   if (media.empty())

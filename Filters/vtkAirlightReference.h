@@ -141,6 +141,9 @@ public:
    * lamp to the eye. 1 is single scattering and VTK's shading, as the pass draws it, without noise.
    * n > 1: at most n times. 0: any number of times. Range: at least 0. Default: 1.
    *
+   * With 1, media with vtkParticipatingMedium::SetMultipleScattering() have it as in the pass, of
+   * lamps that are points.
+   *
    * Light that was scattered or reflected once stays what it is with 1. Paths add the rest:
    *
    * - Surfaces reflect as Lambertian ones, of the diffuse colour of VTK's material (times its

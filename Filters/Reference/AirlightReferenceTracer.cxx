@@ -3,6 +3,8 @@
 #include "Reference/AirlightReferenceTracer.h"
 
 #include "Integration/AirlightIntegrate.h"
+#include "Reference/AirlightReferenceSurface.h"
+#include "vtkMath.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -51,6 +53,7 @@ ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
   , Scene(renderer)
   , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius, settings.LampPoints)
 {
+  this->Media.multiple.on = settings.MultipleScattering ? this->Media.multiple.on : 0;
   for (const ReferenceLight& light : this->Lights.GetAll())
   {
     if (light.Support == LightSupport::Scatters && !AddMultipleLamp(this->Media, light.Values))
@@ -178,9 +181,17 @@ glm::dvec4 ReferenceTracer::Shade(const PixelRay& ray, const SurfaceHit& hit) co
     arriving.push_back(share);
   }
   const glm::dvec3& eye = this->Rays.GetEye();
-  const glm::dvec4 shaded = this->Lights.Shade(
-    this->Scene.GetPart(*hit.Triangle), *hit.Triangle, point + eye, ray.Direction, eye, arriving);
-  return { MakeFinite(glm::dvec3(shaded)), shaded.a };
+  const ReferencePart& part = this->Scene.GetPart(*hit.Triangle);
+  const glm::dvec4 shaded =
+    this->Lights.Shade(part, *hit.Triangle, point + eye, ray.Direction, eye, arriving);
+  glm::dvec3 colour(shaded);
+  if (this->Media.multiple.count > 0 && part.Lighting)
+  {
+    const ReferenceSurface surface(part, *hit.Triangle, point + eye, ray.Direction);
+    colour += surface.Material.Diffuse / vtkMath::Pi() *
+      f64::airlightMultipleIrradiance(this->Media.multiple, this->Media, point, surface.Normal);
+  }
+  return { MakeFinite(colour), shaded.a };
 }
 
 //------------------------------------------------------------------------------

@@ -39,6 +39,7 @@ struct ReferenceSettings
   double LightRadius = 0.0;
   int LampPoints = 256;
   bool SurfaceShadows = true;
+  bool MultipleScattering = true; // of media that have it
 };
 
 // What is otherwise on a ray, to find out what rounding does to pictures.
