@@ -193,7 +193,7 @@ bool vtkAirlight::MultipleScattering(vtkParticipatingMedium* medium, const doubl
     return false;
   }
   const double end = std::min(std::max(t1, 0.0), AIRLIGHT_FAR);
-  const glm::dvec3 unshadowed(std::numeric_limits<double>::infinity());
+  const glm::dvec3 unshadowed(std::numeric_limits<double>::max());
   Store(converted, IntegrateMultiple(converted, glm::dvec3(0.0), unit, end, unshadowed), rgb);
   return true;
 }

@@ -32,17 +32,8 @@ glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::Airligh
 glm::dvec3 IntegrateMultiple(const f64::AirlightMedia& media, const glm::dvec3& origin,
   const glm::dvec3& direction, double to, const glm::dvec3& once)
 {
-  const f64::AirlightMultipleRay ray =
-    f64::airlightMultipleAlong(media.multiple, media, origin, direction, to);
-  glm::dvec3 share(1.0);
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    if (ray.once[channel] > 0.0)
-    {
-      share[channel] = std::clamp(once[channel] / ray.once[channel], 0.0, 1.0);
-    }
-  }
-  return ray.several * share;
+  return f64::airlightMultipleShaded(
+    media.multiple, f64::airlightMultipleAlong(media.multiple, media, origin, direction, to), once);
 }
 
 //------------------------------------------------------------------------------

@@ -20,7 +20,7 @@ glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::Airligh
   const f64::AirlightRay& ray, double from, double to);
 
 // Light that was scattered more than once, of the media's lamps, into [0, to] of a ray of unit
-// direction. Shadows dim it by as much as light that was scattered once, of which `once` is left.
+// direction, on which casters leave `once` of the light that was scattered once.
 glm::dvec3 IntegrateMultiple(const f64::AirlightMedia& media, const glm::dvec3& origin,
   const glm::dvec3& direction, double to, const glm::dvec3& once);
 

@@ -167,6 +167,19 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(
   return sum;
 }
 
+// What casters leave of the light that was scattered more than once, on a ray on which they leave
+// `once` of the other: that share, and of the rest some that gets around them. How much is a rule,
+// see Documentation/accuracy.md; media that scatter forward keep light in its beam.
+AIRLIGHT_FN real3 airlightMultipleShaded(
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMultipleRay) ray, real3 once)
+{
+  const real least = real(1e-30);
+  real around = real(0.25) * (real(1.0) - airlightMultiple.lobe);
+  real3 share = clamp(once / max(ray.once, real3(least)), real3(real(0.0)), real3(real(1.0)));
+  share = mix(share, real3(real(1.0)), lessThan(ray.once, real3(least)));
+  return ray.several * mix(real3(around), real3(real(1.0)), share);
+}
+
 // The irradiance that light which was scattered at least once brings to a surface of this unit
 // normal: a quarter of the fluence, and half of the flux against the normal.
 AIRLIGHT_FN real3 airlightMultipleIrradiance(

@@ -132,7 +132,7 @@ bool TestPlane()
 }
 
 //------------------------------------------------------------------------------
-// In shadow as much of it is left as of the light that is scattered once; beside the reference.
+// In shadow a share of it is left, by that of the light that is scattered once; beside the reference.
 bool TestShadow()
 {
   Comparison shares("in shadow, relative");
@@ -160,7 +160,8 @@ bool TestShadow()
       scene.Medium, Lamp, Intensity, &ray.Origin.x, &ray.Direction.x, 0.0, end, once);
     const double share = std::min(off[index] / once[c], 1.0);
     shadowed += share < 0.9 ? 1 : 0;
-    const double expected = share * several[c];
+    const double around = 0.25 * (1.0 - 0.4 * 0.4); // g is 0.4
+    const double expected = (around + (1.0 - around) * share) * several[c];
     shares.Add(std::abs(on[index] - off[index] - expected) / on[index], 1e-2, [&] {
       return Text("pixel ", i, " ", j, ", channel ", c, ": added ", on[index] - off[index], " for ",
         expected, ", share ", share);
