@@ -145,6 +145,9 @@ void vtkPVAirlightRenderView::SetLightRadius(double radius) { this->Pass->SetLig
 void vtkPVAirlightRenderView::SetMemoryLimit(int limit) { this->Pass->SetMemoryLimit(limit); }
 
 //------------------------------------------------------------------------------
+int vtkPVAirlightRenderView::GetAccumulatedFrames() { return this->Pass->GetAccumulatedFrames(); }
+
+//------------------------------------------------------------------------------
 vtkAirlightPass* vtkPVAirlightRenderView::GetAirlightPass() { return this->Pass; }
 
 //------------------------------------------------------------------------------

@@ -100,6 +100,11 @@ public:
   ///@}
 
   /**
+   * How many frames this process's last picture is the mean of.
+   */
+  int GetAccumulatedFrames();
+
+  /**
    * The pass that renders the scene.
    */
   vtkAirlightPass* GetAirlightPass();
