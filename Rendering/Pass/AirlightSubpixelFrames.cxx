@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pass/AirlightSubpixelFrames.h"
 
+#include "Pass/AirlightMovedCamera.h"
 #include "Scene/AirlightLampSamples.h"
 
 #include "vtkCamera.h"
@@ -12,28 +13,6 @@
 
 namespace airlight
 {
-namespace
-{
-// A camera whose picture is moved by parts of the window's half size, until this goes out of scope.
-class MovedCamera
-{
-public:
-  MovedCamera(vtkCamera* camera, const glm::dvec2& offset)
-    : Camera(camera)
-  {
-    this->Camera->GetWindowCenter(this->Center);
-    this->Camera->SetWindowCenter(this->Center[0] + offset.x, this->Center[1] + offset.y);
-  }
-  ~MovedCamera() { this->Camera->SetWindowCenter(this->Center[0], this->Center[1]); }
-  MovedCamera(const MovedCamera&) = delete;
-  void operator=(const MovedCamera&) = delete;
-
-private:
-  vtkCamera* Camera;
-  double Center[2];
-};
-}
-
 //------------------------------------------------------------------------------
 // A renderer that keeps depths of others is drawn among them, by one frame. Cameras with a matrix
 // of their own cannot be moved, and what debug views show are no colours.
@@ -76,10 +55,8 @@ bool SubpixelFrames::AddFrame(vtkRenderer* renderer, const glm::ivec4& picture, 
   FrameRecorder& buffers, const std::function<bool()>& renderFrame)
 {
   const int number = count - 1 - this->Done;
-  // Of a picture in tiles, a camera shows one.
-  const glm::dvec2 size(picture.z, picture.w);
   const MovedCamera camera(
-    renderer->GetActiveCamera(), 2.0 * SubpixelMean::GetOffset(number, count) / size);
+    renderer->GetActiveCamera(), SubpixelMean::GetOffset(number, count), { picture.z, picture.w });
   std::optional<MovedLamps> lamps;
   if (this->MovesLamps)
   {

@@ -5,14 +5,13 @@
 // pictures of cameras that the test moves; it is the same each time; and camera, depths, viewports
 // and annotations are as with one frame.
 
+#include "AirlightTestEdges.h"
 #include "AirlightTestMeans.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 #include "AirlightTestWindowScene.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkWindowToImageFilter.h"
@@ -55,20 +54,10 @@ void CheckEdges(const std::string& name, WindowScene& scene)
 }
 
 //------------------------------------------------------------------------------
-// The mean is of radiance, those by hand are of what the window shows of it: the lamp is where its
-// glow, which is cut off at white, is not seen.
-void Hide(WindowScene& scene)
-{
-  vtkLightCollection* lights = scene.Renderer->GetLights();
-  vtkLight* lamp = vtkLight::SafeDownCast(lights->GetItemAsObject(0));
-  lamp->SetPosition(3.0, 4.5, 7.0);
-  lamp->SetIntensity(4.0);
-}
-
 void TestEdges()
 {
   WindowScene scene(Width, Height, 1);
-  Hide(scene);
+  HideLamp(scene);
   CheckEdges("opaque", scene);
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   CheckEdges("parallel", scene);
@@ -85,7 +74,7 @@ void TestEdges()
 void TestEncoding()
 {
   WindowScene scene(Width, Height, 1);
-  Hide(scene);
+  HideLamp(scene);
   scene.Pass->SetSubpixelFrames(16);
   const Picture linear = Capture(scene.Window);
   scene.Pass->SetEncodedOutput(true);
