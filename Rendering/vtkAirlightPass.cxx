@@ -252,6 +252,7 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   settings.LightRadius = this->LightRadius;
   vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow();
   settings.SubpixelFrames = IsMoving(window) ? 1 : this->SubpixelFrames;
+  settings.Multisampling = this->Multisampling && window->GetMultiSamples() > 1;
   settings.Progressive = this->ProgressiveRefinement;
   vtkRenderWindowInteractor* interactor = window->GetInteractor();
   const bool hasTimers = interactor && interactor->GetInitialized();
@@ -509,6 +510,7 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DebugView: " << views[this->DebugView] << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "SubpixelFrames: " << this->SubpixelFrames << "\n";
+  os << indent << "Multisampling: " << this->Multisampling << "\n";
   os << indent << "ProgressiveRefinement: " << this->ProgressiveRefinement << "\n";
   os << indent << "AccumulatedFrames: " << this->GetAccumulatedFrames() << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";

@@ -44,6 +44,7 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     Define("AIRLIGHT_EQUIANGULAR", equiangular) +
     (intoTextures ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
     (intoTextures && options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
+    Define("AIRLIGHT_MASKED", options.Masked) +
     Define("AIRLIGHT_DEBUG_VIEW", intoTextures ? 0 : options.DebugView) +
     Define("AIRLIGHT_SHADOWING_LIGHT", options.ShadowingLight) +
     Define("AIRLIGHT_BITS", options.LightsPerChannel) +
@@ -127,7 +128,7 @@ bool CompositePass::DrawIntoTextures(
 {
   vtkOpenGLState* state = scene.Window->GetState();
   state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
+  const Quad::MaskedDraw mask(state, options.Masked);
   if (!this->GetProgram(this->TextureQuad, scene, options, true, 0, 0))
   {
     return false;
@@ -140,7 +141,8 @@ bool CompositePass::DrawIntoTextures(
 bool CompositePass::DrawIntoViewport(
   const FrameScene& scene, const Options& options, const Inputs& inputs, int x, int y, bool blend)
 {
-  vtkShaderProgram* program = this->GetProgram(this->ViewportQuad, scene, options, false, x, y);
+  Quad& quad = options.Masked ? this->MaskedQuad : this->ViewportQuad;
+  vtkShaderProgram* program = this->GetProgram(quad, scene, options, false, x, y);
   if (!program)
   {
     return false;
@@ -149,8 +151,8 @@ bool CompositePass::DrawIntoViewport(
   options.Display.SetUniforms(program);
   NamedTextures textures = GetTextures(scene, options, inputs);
   textures.emplace_back("sceneDepth", inputs.Depth);
-  this->ViewportQuad.DrawIntoViewport(
-    scene.Window->GetState(), textures, { x, y, scene.Width, scene.Height }, blend);
+  quad.DrawIntoViewport(
+    scene.Window->GetState(), textures, { x, y, scene.Width, scene.Height }, blend, options.Masked);
   return true;
 }
 
@@ -158,8 +160,10 @@ bool CompositePass::DrawIntoViewport(
 bool CompositePass::CopyIntoViewport(const FrameScene& scene, const Options& options,
   const Inputs& inputs, vtkTextureObject* radiance, int x, int y, bool blend)
 {
-  vtkShaderProgram* program = this->CopyQuad.GetOrCompile(
-    scene.Window, "#version 330\n" + options.Display.GetSource() + AirlightCopyFS);
+  Quad& quad = options.Masked ? this->MaskedCopyQuad : this->CopyQuad;
+  vtkShaderProgram* program = quad.GetOrCompile(scene.Window,
+    "#version 330\n" + Define("AIRLIGHT_MASKED", options.Masked) + Define("AIRLIGHT_MEAN", false) +
+      options.Display.GetSource() + AirlightCopyFS);
   if (!program)
   {
     return this->Fail("the shader of the last step");
@@ -168,15 +172,17 @@ bool CompositePass::CopyIntoViewport(const FrameScene& scene, const Options& opt
   program->SetUniform2i("airlightViewport", corner);
   options.Display.SetUniforms(program);
   program->SetUniformi("blended", blend ? 1 : 0);
-  this->CopyQuad.DrawIntoViewport(scene.Window->GetState(),
+  quad.DrawIntoViewport(scene.Window->GetState(),
     { { "radiances", radiance }, { "sceneDepth", inputs.Depth }, { "scene", inputs.Scene } },
-    { x, y, scene.Width, scene.Height }, blend);
+    { x, y, scene.Width, scene.Height }, blend, options.Masked);
   return true;
 }
 
 //------------------------------------------------------------------------------
 void CompositePass::Release()
 {
+  this->MaskedQuad.Release();
+  this->MaskedCopyQuad.Release();
   this->TextureQuad.Release();
   this->ViewportQuad.Release();
   this->CopyQuad.Release();

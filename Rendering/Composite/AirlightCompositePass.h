@@ -39,6 +39,7 @@ public:
     bool EncodedInput = false;
     std::vector<SunDisc> Suns; // that are seen where there is nothing else
     DisplayStage Display;      // into viewports only
+    bool Masked = false;  // the depth that is bound is a mask (Quad::MaskedDraw) and stays
   };
 
   // What earlier steps drew; null where they drew none.
@@ -81,6 +82,8 @@ private:
   Quad TextureQuad;
   Quad ViewportQuad;
   Quad CopyQuad;
+  Quad MaskedQuad;
+  Quad MaskedCopyQuad;
   std::string Error;
 };
 }

@@ -49,6 +49,13 @@ bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipa
 }
 
 //------------------------------------------------------------------------------
+void Frame::SetMask(vtkTextureObject* mask, bool hides)
+{
+  this->Mask = mask;
+  this->Geometry.SetMask(hides ? mask : nullptr);
+}
+
+//------------------------------------------------------------------------------
 bool Frame::Begin(const Input& input)
 {
   this->Current = input;
@@ -243,6 +250,7 @@ InscatterTargets Frame::GetInscatterTargets()
   }
   targets.Distances = this->Textures.Distances;
   targets.Depth = this->Textures.Depth;
+  targets.Mask = this->Mask;
   return targets;
 }
 
@@ -396,6 +404,7 @@ CompositePass::Options Frame::GetCompositeOptions() const
     std::max(ClosedFormError, static_cast<float>(this->Plan.MultipleErrorBound));
   options.EncodedInput = this->Plan.EncodedInput;
   options.Suns = this->Current->Suns;
+  options.Masked = this->Mask != nullptr;
   return options;
 }
 
@@ -422,7 +431,7 @@ bool Frame::CompositeTranslucent()
     targets.insert(targets.end(),
       { this->Textures.Airlight, this->Textures.Surface, this->Textures.Transmittance });
   }
-  if (!this->Textures.Bind(targets, nullptr))
+  if (!this->Textures.Bind(targets, this->Mask))
   {
     return this->Fail(this->Textures.GetError());
   }

@@ -105,6 +105,11 @@ public:
     std::vector<SunDisc> Suns;
   };
 
+  // Draws frames at the pixels of a mask alone (EdgeMean), until it is null again. The results of
+  // the others are of no use. `hides`: nothing that draws the scene reads the pixels beside its
+  // own, so that the others may be hidden.
+  void SetMask(vtkTextureObject* mask, bool hides);
+
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
   bool Begin(const Input& input);
 
@@ -185,6 +190,8 @@ private:
   CompositePass Composition;
   FrameRecorder Buffers;
   std::string Error;
+
+  vtkTextureObject* Mask = nullptr;
 
   // This frame's.
   std::optional<Input> Current;

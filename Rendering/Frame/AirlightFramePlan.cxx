@@ -101,8 +101,8 @@ bool IsPlain(const FramePlan& plan, const PassProperties& properties, const Scen
 {
   const bool shadows = plan.Shadows != ShadowMethod::None && properties.SurfaceShadows;
   return scene.Clear && !scene.VisibleLamps && properties.View == DebugView::Shaded &&
-    !properties.RecordBuffers && !properties.LinearFrame && properties.Annotations &&
-    IsShownAsDrawn(properties) &&
+    !properties.RecordBuffers && (!properties.LinearFrame || properties.EdgeSample) &&
+    properties.Annotations && IsShownAsDrawn(properties) &&
     std::none_of(scene.Lights.begin(), scene.Lights.end(), [shadows](const LightFacts& light) {
       return light.Photometric || (shadows && light.Shadows());
     });

@@ -54,6 +54,7 @@ struct PassProperties
   DisplayStage Display;
   bool AutomaticExposure = false;
   bool LinearFrame = false; // one of a mean: its radiance is kept, and nothing drawn over it
+  bool EdgeSample = false;  // of one mean at edges alone
   bool Annotations = true;
   bool RecordBuffers = false;
   std::uint64_t MemoryLimit = std::uint64_t(1) << 30; // bytes

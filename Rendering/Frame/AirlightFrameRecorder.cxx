@@ -11,6 +11,11 @@
 
 namespace airlight
 {
+namespace
+{
+bool HasMean(const std::string& buffer) { return buffer != "Depth" && buffer != "BoundaryCount"; }
+}
+
 //------------------------------------------------------------------------------
 bool FrameRecorder::Record(Targets& targets)
 {
@@ -46,11 +51,42 @@ bool FrameRecorder::RecordLight(Targets& targets, int light)
 }
 
 //------------------------------------------------------------------------------
+void FrameRecorder::BeginMean()
+{
+  this->Means.clear();
+  for (const auto& buffer : this->Buffers)
+  {
+    vtkSmartPointer<vtkImageData>& mean = this->Means[buffer.first];
+    mean = vtkSmartPointer<vtkImageData>::New();
+    mean->DeepCopy(buffer.second);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameRecorder::AddToMean(float weight, const std::vector<float>& mask)
+{
+  for (const auto& buffer : this->Buffers)
+  {
+    if (!HasMean(buffer.first))
+    {
+      continue;
+    }
+    const auto* values = static_cast<const float*>(buffer.second->GetScalarPointer());
+    auto* means = static_cast<float*>(this->Means[buffer.first]->GetScalarPointer());
+    const auto components = static_cast<size_t>(buffer.second->GetNumberOfScalarComponents());
+    for (size_t i = 0; i < components * mask.size(); ++i)
+    {
+      means[i] += mask[i / components] > 0.0f ? weight * (values[i] - means[i]) : 0.0f;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void FrameRecorder::AddToMean(float weight)
 {
   for (const auto& buffer : this->Buffers)
   {
-    if (buffer.first == "Depth" || buffer.first == "BoundaryCount")
+    if (!HasMean(buffer.first))
     {
       continue;
     }

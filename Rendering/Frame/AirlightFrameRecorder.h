@@ -11,6 +11,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -32,12 +33,17 @@ public:
   // frame has its weight beside the mean of those before. Of several distances there is no mean
   // that any ray has, nor of counts: those stay the last frame's.
   void ClearMean() { this->Means.clear(); }
+  // Begins it with the last frame, whose distances and counts stay; and adds another frame where a
+  // mask of the pixels is not 0.
+  void BeginMean();
+  void AddToMean(float weight, const std::vector<float>& mask);
   void AddToMean(float weight);
   void TakeMean();
 
   // Null for an unknown name.
   vtkImageData* Get(const std::string& name) const;
   void Clear() { this->Buffers.clear(); }
+  bool IsEmpty() const { return this->Buffers.empty(); }
 
 private:
   using Images = std::map<std::string, vtkSmartPointer<vtkImageData>>;

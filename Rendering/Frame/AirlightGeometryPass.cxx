@@ -4,7 +4,9 @@
 
 #include "AirlightCameraShader.h"
 #include "AirlightDistancesFS.h"
+#include "AirlightMaskFS.h"
 #include "OpenGL/AirlightOpenGL.h"
+#include "ShadowVolumes/AirlightShadowLists.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -55,7 +57,33 @@ bool GeometryPass::BindDistances(const FrameScene& scene, const FramePlan& plan)
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_BLEND);
+  this->HideOthers(scene);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// What lies at the nearest depth hides whatever is drawn at the pixels that the mask leaves out.
+// Without the shader they are drawn for nothing, which is slower. A copy takes a tenth of its time.
+void GeometryPass::HideOthers(const FrameScene& scene)
+{
+  if (!this->Mask)
+  {
+    return;
+  }
+  const auto getFormat = [](vtkTextureObject* depth) {
+    return depth->GetFormat(VTK_FLOAT, 1, false);
+  };
+  if (getFormat(this->Mask) == getFormat(this->Textures.Depth) &&
+    ShadowLists::IsSupported(scene.Window))
+  {
+    glCopyImageSubData(this->Mask->GetHandle(), GL_TEXTURE_2D, 0, 0, 0, 0,
+      this->Textures.Depth->GetHandle(), GL_TEXTURE_2D, 0, 0, 0, 0, scene.Width, scene.Height, 1);
+  }
+  else if (this->MaskQuad.GetOrCompile(
+             scene.Window, std::string("#version 330\n") + AirlightMaskFS))
+  {
+    this->MaskQuad.DrawDepths(scene.Window->GetState(), { { "mask", this->Mask } });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -143,6 +171,7 @@ bool GeometryPass::BindSceneAndDistances(
 // and may round what an opaque fragment writes.
 void GeometryPass::BeginSurfaces(const FrameScene& scene, const FramePlan& plan)
 {
+  this->HideOthers(scene);
   if (plan.SingleGeometryPass)
   {
     this->Textures.DrawInto(plan.ShadowingLight >= 0 ? 3 : 2);
@@ -194,5 +223,12 @@ bool GeometryPass::BindRadiance(const FrameScene& scene)
   BlendColours(scene.Window->GetState());
   scene.Window->GetState()->vtkglDepthFunc(GL_LEQUAL);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void GeometryPass::Release()
+{
+  this->DistancesQuad.Release();
+  this->MaskQuad.Release();
 }
 }

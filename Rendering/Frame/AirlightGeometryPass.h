@@ -24,6 +24,9 @@ class GeometryPass
 public:
   explicit GeometryPass(Targets& targets);
 
+  // Of a mask, whose pixels alone are drawn: null for all.
+  void SetMask(vtkTextureObject* mask) { this->Mask = mask; }
+
   // For the distances and depths of the opaque surfaces. Here and below false with a reason in
   // GetError() where OpenGL refuses.
   bool BindDistances(const FrameScene& scene, const FramePlan& plan);
@@ -46,15 +49,18 @@ public:
   bool BindRadiance(const FrameScene& scene);
 
   const std::string& GetError() const { return this->Error; }
-  void Release() { this->DistancesQuad.Release(); }
+  void Release();
 
 private:
   bool Fail(const std::string& reason);
+  void HideOthers(const FrameScene& scene);
   bool BindScene(const FrameScene& scene);
   bool BindSceneAndDistances(const FrameScene& scene, const FramePlan& plan, vtkRenderer* renderer);
 
   Targets& Textures;
+  vtkTextureObject* Mask = nullptr;
   Quad DistancesQuad;
+  Quad MaskQuad;
   std::string Error;
 };
 }

@@ -87,8 +87,9 @@ bool SubpixelMean::AddFrame(float weight)
 bool SubpixelMean::DrawIntoViewport(
   const glm::ivec4& viewport, const DisplayStage& display, bool blend)
 {
-  vtkShaderProgram* program = this->MeanQuad.GetOrCompile(
-    this->Window, "#version 330\n" + display.GetSource() + AirlightCopyFS);
+  vtkShaderProgram* program = this->MeanQuad.GetOrCompile(this->Window,
+    "#version 330\n" + Define("AIRLIGHT_MASKED", false) + Define("AIRLIGHT_MEAN", true) +
+      display.GetSource() + AirlightCopyFS);
   if (!program)
   {
     return this->Fail(std::string("the shader of the frames' mean") + ProgramMaker::GetReason());
@@ -98,9 +99,8 @@ bool SubpixelMean::DrawIntoViewport(
   display.SetUniforms(program);
   program->SetUniformi("blended", blend ? 1 : 0);
   this->MeanQuad.DrawIntoViewport(this->Window->GetState(),
-    { { "radiances", this->Textures.Scattered }, { "sceneDepth", this->Textures.Depth },
-      { "scene", this->Textures.Scattered } },
-    viewport, blend);
+    { { "radiances", this->Textures.Scattered }, { "sceneDepth", this->Textures.Depth } }, viewport,
+    blend);
   return true;
 }
 

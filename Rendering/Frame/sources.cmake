@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
+    AirlightEdgeMean
     AirlightExposureMeter
     AirlightFrame
     AirlightFramePlan
@@ -14,7 +15,9 @@ airlight_sources(
     AirlightSceneDrawer.h
   GLSL
     glsl/AirlightAddFS.glsl
+    glsl/AirlightEdgesFS.glsl
     glsl/AirlightFroxelFS.glsl
     glsl/AirlightFroxelLossFS.glsl
     glsl/AirlightDistancesFS.glsl
-    glsl/AirlightLuminanceFS.glsl)
+    glsl/AirlightLuminanceFS.glsl
+    glsl/AirlightMaskFS.glsl)

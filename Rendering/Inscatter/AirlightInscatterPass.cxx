@@ -15,11 +15,11 @@ namespace airlight
 {
 namespace
 {
-void DrawAdded(const FrameScene& scene, Quad& quad, const LightShadow::Textures& textures,
-  const std::vector<PixelArea>& areas)
+void DrawAdded(const FrameScene& scene, bool masked, Quad& quad,
+  const LightShadow::Textures& textures, const std::vector<PixelArea>& areas)
 {
   vtkOpenGLState* state = scene.Window->GetState();
-  state->vtkglDisable(GL_DEPTH_TEST);
+  const Quad::MaskedDraw mask(state, masked);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   state->vtkglEnable(GL_SCISSOR_TEST);
@@ -82,7 +82,7 @@ vtkShaderProgram* InscatterPass::Begin(
 {
   vtkShaderProgram* program = quad.GetOrCompile(scene.Window, source);
   const std::string reason = program
-    ? targets.Bind(targets.Scattered, nullptr)
+    ? targets.Bind(targets.Scattered, targets.Mask)
     : std::string("the airlight shader") + ProgramMaker::GetReason();
   if (!reason.empty())
   {
@@ -120,7 +120,7 @@ bool InscatterPass::DrawPixels(const FrameScene& scene, const InscatterTargets& 
   {
     state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   }
-  DrawAdded(scene, quad, textures, areas);
+  DrawAdded(scene, targets.Mask != nullptr, quad, textures, areas);
   return true;
 }
 
@@ -136,7 +136,8 @@ bool InscatterPass::DrawUnshadowed(
     return false;
   }
   InscatterShader::SetUnshadowedUniforms(program, scene, lights);
-  DrawAdded(scene, quad, { { "distances", targets.Distances }, { "airlightData", scene.Data } },
+  DrawAdded(scene, targets.Mask != nullptr, quad,
+    { { "distances", targets.Distances }, { "airlightData", scene.Data } },
     { { 0, 0, scene.Width, scene.Height } });
   return true;
 }

@@ -81,7 +81,9 @@ std::string InscatterShader::GetRaySource(
 std::string InscatterShader::GetHead(bool storage, int kind) const
 {
   const f64::AirlightLight& light = this->Scene.Lights[this->Light].Values;
-  return GetShaderVersion(storage) + BoundaryBuffer::DefineNodes(this->Shadows.TransmitsLight()) +
+  // Pixels that a mask leaves out are not to be shaded, though shaders write to storage.
+  return GetShaderVersion(storage) + (storage ? "layout(early_fragment_tests) in;\n" : "") +
+    BoundaryBuffer::DefineNodes(this->Shadows.TransmitsLight()) +
     (this->Options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
     GetRaySource(this->Scene, kind, light.goniometric != 0, light.cosCone > 0.0);
 }

@@ -39,6 +39,7 @@ struct InscatterTargets
   std::vector<vtkTextureObject*> Scattered; // the airlight of all lights is added up here
   vtkTextureObject* Distances = nullptr;    // of the opaque surfaces
   vtkTextureObject* Depth = nullptr;
+  vtkTextureObject* Mask = nullptr; // as depth: the pixels to be drawn; null for all
 };
 
 // What casts shadows in a frame.

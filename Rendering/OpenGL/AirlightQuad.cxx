@@ -68,16 +68,22 @@ void Quad::Draw(
 }
 
 //------------------------------------------------------------------------------
-void Quad::DrawIntoViewport(
-  vtkOpenGLState* state, const Textures& textures, const glm::ivec4& viewport, bool blend)
+void Quad::DrawIntoViewport(vtkOpenGLState* state, const Textures& textures,
+  const glm::ivec4& viewport, bool blend, bool masked)
 {
   state->vtkglViewport(viewport.x, viewport.y, viewport.z, viewport.w);
   state->vtkglScissor(viewport.x, viewport.y, viewport.z, viewport.w);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_ALWAYS);
-  state->vtkglDepthMask(GL_TRUE);
-  if (blend)
+  state->vtkglDepthFunc(masked ? GL_LESS : GL_ALWAYS);
+  state->vtkglDepthMask(masked ? GL_FALSE : GL_TRUE);
+  if (masked)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA, GL_CONSTANT_ALPHA,
+      GL_ONE_MINUS_CONSTANT_ALPHA);
+  }
+  else if (blend)
   {
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -88,9 +94,49 @@ void Quad::DrawIntoViewport(
   }
   this->Draw(textures);
   state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_TRUE);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+//------------------------------------------------------------------------------
+void Quad::DrawDepths(vtkOpenGLState* state, const Textures& textures)
+{
+  const vtkOpenGLState::ScopedglColorMask colorMask(state);
+  const vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  const vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  this->Draw(textures);
+}
+
+//------------------------------------------------------------------------------
+// A quad's own depth is one half.
+Quad::MaskedDraw::MaskedDraw(vtkOpenGLState* state, bool masked)
+  : State(state)
+  , Masked(masked)
+{
+  if (!masked)
+  {
+    state->vtkglDisable(GL_DEPTH_TEST);
+    return;
+  }
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_FALSE);
+}
+
+Quad::MaskedDraw::~MaskedDraw()
+{
+  if (this->Masked)
+  {
+    this->State->vtkglDepthFunc(GL_LEQUAL);
+    this->State->vtkglDepthMask(GL_TRUE);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -35,9 +35,29 @@ public:
   void Draw(const Textures& textures, const std::vector<PixelArea>& areas, vtkOpenGLState* state);
 
   // Draws a finished picture and its depth into a viewport (x, y, width, height) of the framebuffer
-  // that is bound; `blend`: over what it holds, of colours times their opacity.
-  void DrawIntoViewport(
-    vtkOpenGLState* state, const Textures& textures, const glm::ivec4& viewport, bool blend);
+  // that is bound; `blend`: over what it holds, of colours times their opacity; `masked`: as a
+  // MaskedDraw, without its depth, and into the mean of what it holds and this, whose share is the
+  // alpha of OpenGL's blend colour.
+  void DrawIntoViewport(vtkOpenGLState* state, const Textures& textures, const glm::ivec4& viewport,
+    bool blend, bool masked = false);
+
+  // Draws depths that the shader writes into all of the depth buffer that is bound.
+  void DrawDepths(vtkOpenGLState* state, const Textures& textures);
+
+  // Until this goes out of scope, the depth that is bound is a mask: quads are drawn where it is 1
+  // and not where it is 0. If not `masked`, everywhere.
+  class MaskedDraw
+  {
+  public:
+    MaskedDraw(vtkOpenGLState* state, bool masked);
+    ~MaskedDraw();
+    MaskedDraw(const MaskedDraw&) = delete;
+    void operator=(const MaskedDraw&) = delete;
+
+  private:
+    vtkOpenGLState* State;
+    bool Masked;
+  };
 
   void Release();
 

@@ -80,6 +80,7 @@ PassRenderer::PassRenderer(vtkObject* pass, const SceneStages::RenderHooks& hook
   this->Context->SetRelease([this](vtkWindow* window) {
     this->CurrentFrame.Release(window);
     this->Mean.Release(window);
+    this->Edges.Release(window);
     this->Refined.Forget();
     this->Lamps.Release(window);
     this->Exposure.Release(window);
@@ -129,7 +130,11 @@ void PassRenderer::RenderScene(
   {
     this->Refined.Forget(); // this frame's buffers and depths replace the mean's
   }
-  if (mean ? this->RenderMean(s, settings, viewport) : this->RenderFrame(s, settings, viewport))
+  const bool multisampled = !mean && settings.Multisampling &&
+    SubpixelFrames::MayAverage(s->GetRenderer(), settings.Properties.View);
+  if (mean           ? this->RenderMean(s, settings, viewport)
+      : multisampled ? this->RenderMultisampled(s, settings, viewport)
+                     : this->RenderFrame(s, settings, viewport))
   {
     this->Messages.ForgetFrame();
     return;
@@ -176,6 +181,60 @@ bool PassRenderer::RenderMean(
   if (settings.Properties.Annotations)
   {
     DrawAnnotations(s);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// A plain picture has the window's own samples.
+bool PassRenderer::RenderMultisampled(
+  const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
+{
+  this->FoundPlain = false;
+  const bool ok = this->RenderSamples(s, settings, viewport);
+  this->EdgeMask = nullptr;
+  return this->FoundPlain ? this->RenderFrame(s, settings, viewport) : ok;
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::RenderSamples(
+  const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->Context->SetContext(window);
+  if (!CheckOpenGL(window, this->Error))
+  {
+    return false;
+  }
+  this->Error.clear();
+  StateSaver saver(window, ShadowLists::IsSupported(window));
+  Settings frame = settings;
+  frame.Properties.LinearFrame = true;
+  frame.Properties.EdgeSample = true;
+  const glm::ivec2 size(viewport.Width, viewport.Height);
+  const auto getDisplay = [&](DisplayStage& display) {
+    display = GetDisplay(settings.Properties, this->CurrentFrame.IsClear());
+    this->EffectiveExposure = display.Exposure;
+    return !MeasuresExposure(settings.Properties) ||
+      this->MeasureExposure(renderer, this->Edges.GetRadiance(), { 0, 0, size.x, size.y }, display);
+  };
+  const auto renderFrame = [&](vtkTextureObject* mask) {
+    this->EdgeMask = mask;
+    return this->RenderFrame(s, frame, { 0, 0, size.x, size.y });
+  };
+  bool ok = this->Edges.Render(
+    renderer, size, IsBlended(renderer), this->CurrentFrame.GetBuffers(), getDisplay, renderFrame);
+  saver.PopFramebuffer();
+  ok = ok &&
+    this->Edges.DrawIntoViewport({ viewport.X, viewport.Y, size.x, size.y }, IsBlended(renderer));
+  if (!ok)
+  {
+    return this->Error.empty() ? this->Fail(this->Edges.GetError()) : false;
+  }
+  if (settings.Properties.Annotations)
+  {
+    AirlightScenePass::RenderOverlay(s);
   }
   return true;
 }
@@ -310,6 +369,14 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
   this->CurrentFrame.SetPlan(plan);
   this->EffectiveExposure = plan.Plain ? 1.0 : plan.Display.Exposure;
   this->Messages.CheckPlan(plan, properties, this->Casters, scene.Window);
+  this->CurrentFrame.SetMask(this->EdgeMask,
+    !settings.Delegate && !plan.Froxels && facts.Volumes == 0 && !s->GetRenderer()->GetUseSSAO() &&
+      !s->GetRenderer()->GetUseHiddenLineRemoval());
+  this->FoundPlain = plan.Plain && properties.EdgeSample;
+  if (this->FoundPlain)
+  {
+    return false;
+  }
   if (plan.Plain)
   {
     this->CurrentFrame.ForgetBuffers();
@@ -456,6 +523,7 @@ void PassRenderer::Recover()
     {
       this->CurrentFrame.ReleaseObjects(window);
       this->Mean.Release(window);
+      this->Edges.Release(window);
       this->Refined.Forget();
       this->Exposure.Release(window);
     }

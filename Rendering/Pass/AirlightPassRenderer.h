@@ -12,6 +12,7 @@
 #include "Frame/AirlightFramePlan.h"
 #include "Medium/AirlightMediaList.h"
 #include "Pass/AirlightContext.h"
+#include "Pass/AirlightEdgeSamples.h"
 #include "Pass/AirlightIdleRender.h"
 #include "Pass/AirlightMapperHooks.h"
 #include "Pass/AirlightPassMessages.h"
@@ -43,9 +44,10 @@ public:
   {
     PassProperties Properties;
     double LightRadius = 0.0;
-    int SubpixelFrames = 1;   // the picture is the mean of so many
-    bool Progressive = false; // each picture adds one of them
-    bool Requested = false;   // by the pass, for the next of them
+    int SubpixelFrames = 1;     // the picture is the mean of so many
+    bool Progressive = false;   // each picture adds one of them
+    bool Requested = false;     // by the pass, for the next of them
+    bool Multisampling = false; // one frame has more samples at its edges
     airlight::SubpixelFrames::Progress Progress;
     vtkRenderPass* Delegate = nullptr;
   };
@@ -95,6 +97,9 @@ private:
   static std::array<size_t, 3> RecordsKey(const Scene& scene);
   void RenderScene(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderMean(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
+  bool RenderMultisampled(
+    const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
+  bool RenderSamples(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool AddFrames(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool MeasureExposure(vtkRenderer* renderer, vtkTextureObject* radiances,
     const glm::ivec4& picture, DisplayStage& display);
@@ -112,6 +117,9 @@ private:
   CasterCache Casters;
   Frame CurrentFrame;
   SubpixelFrames Mean;
+  EdgeSamples Edges;
+  vtkTextureObject* EdgeMask = nullptr; // of a frame at edges alone
+  bool FoundPlain = false;              // a frame that VTK draws itself
   Refinement Refined;
   IdleRender Idle; // for the next frame of it
   int AccumulatedFrames = 0;

@@ -5,6 +5,7 @@ airlight_sources(
     AirlightAnnotations
     AirlightContext
     AirlightDelegateProps
+    AirlightEdgeSamples
     AirlightErrorRecovery
     AirlightGaussianFragments
     AirlightIdleRender

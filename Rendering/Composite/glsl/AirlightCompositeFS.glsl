@@ -80,6 +80,8 @@ void main()
   float heat = 3.0 * log2(1.0 + texelFetch(counts, pixel, 0).r) / 8.0;
   radiance = vec4(clamp(vec3(heat, heat - 1.0, heat - 2.0), 0.0, 1.0), 1.0);
 #endif
+#if !AIRLIGHT_MASKED
   gl_FragDepth = texelFetch(sceneDepth, pixel, 0).r;
+#endif
 #endif
 }

@@ -137,18 +137,25 @@ int TestCompositionEdges(int, char*[])
   const double withFxaa = reference.GetError(smooth);
   const double withSsaa = reference.GetError(averaged);
   scene.Window->SetSize(Side, Side);
+  scene.Pass->MultisamplingOn();
+  scene.Window->SetMultiSamples(4);
+  const double with4 = reference.GetError(scene.Show(scene.Pass));
+  scene.Window->SetMultiSamples(0);
+  scene.Pass->MultisamplingOff();
   scene.Pass->SetSubpixelFrames(16);
   const double with16 = reference.GetError(scene.Show(scene.Pass));
   scene.Pass->SetSubpixelFrames(64);
   const double with64 = reference.GetError(scene.Show(scene.Pass));
   scene.Pass->SetSubpixelFrames(1);
   std::cout << "edges' error, steps of 1/255: " << none << ", FXAA " << withFxaa << ", SSAA "
-            << withSsaa << ", 16 frames " << with16 << ", 64 frames " << with64 << "\n";
+            << withSsaa << ", four samples at edges " << with4 << ", 16 frames " << with16
+            << ", 64 frames " << with64 << "\n";
   Check(withFxaa < 0.8 * none, "FXAA brings edges closer to 64 samples a pixel");
   Check(withSsaa < 0.4 * none, "SSAA does more");
+  Check(with4 <= 7.0 && with4 < 0.45 * none, "four samples at edges are SSAA's equal");
   Check(with16 < 0.5 * withSsaa && with64 < 0.25 * withSsaa, "frames moved by parts of a pixel");
 
-  // Multisampling is lost, and nothing else.
+  // The window's own multisampling is lost, and nothing else.
   Composition multisampled(Side, Side);
   multisampled.Window->SetMultiSamples(8);
   multisampled.SetFoggy();

@@ -111,9 +111,10 @@ void TestPass()
   pass->SetShadowMapResolution(512);
   pass->SetNumberOfSteps(33);
   pass->SetMemoryLimit(77);
+  pass->MultisamplingOn();
   CheckPrint(pass,
     { "NumberOfMedia: 1\n", "Radius: 10.5\n", "LightRadius: 0.25\n", "ShadowMapResolution: 512\n",
-      "NumberOfSteps: 33\n", "MemoryLimit: 77 MiB\n" });
+      "NumberOfSteps: 33\n", "MemoryLimit: 77 MiB\n", "Multisampling: 1\n" });
   CheckNames(pass, "ShadowTechnique",
     { "None", "ShadowPlanes", "Automatic", "ShadowMap", "RayMarch" },
     [&](int value) { pass->SetShadowTechnique(value); });
