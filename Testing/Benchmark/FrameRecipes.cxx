@@ -242,12 +242,16 @@ std::vector<SceneRecipe> MakeRecipes()
   ways.push_back(MakeRayMarchTo(2e-3));
   add("small", FillSmall, ways);
   add(
-    "multiple scattering",
+    "multiple",
     [](FrameScene& scene) {
       FillSmall(scene);
       scene.Medium->MultipleScatteringOn();
     },
     brief);
+  add("antialiasing", FillSmall,
+    { MakePlain(), MakeSmooth(MakePlain(), Antialiasing::Window), MakePlanes(),
+      MakeSmooth(MakePlanes(), Antialiasing::Window), MakeSmooth(MakePlanes(), Antialiasing::Edges),
+      MakeSmooth(MakePlanes(), Antialiasing::Larger) });
   add("heavy", FillHeavy, AllWays({ 64, 256 }));
   add("shafts", FillShafts, AllWays({ 64, 256 }));
   const std::vector<Way> errors = { MakePlain(), MakeUnshadowed(), MakePlanes(), MakeRayMarch(64),

@@ -66,6 +66,14 @@ Way MakePlanes(bool moves)
     0, moves };
 }
 
+Way MakeSmooth(Way way, Antialiasing smooth)
+{
+  const char* names[] = { "", " in a multisampled window", ", multisampled", ", SSAA" };
+  way.Name += names[static_cast<int>(smooth)];
+  way.Smooth = smooth;
+  return way;
+}
+
 Way MakeShadowMap(int steps)
 {
   return { "shadow map, " + std::to_string(steps) + " steps", false, vtkAirlightPass::SHADOW_MAP,
@@ -93,6 +101,7 @@ FrameScene::FrameScene(vtkRenderWindow* window)
   this->Medium->SetScattering(0.1, 0.1, 0.1);
   this->Medium->SetAbsorption(0.02, 0.02, 0.02);
   this->Pass->SetMedium(this->Medium);
+  this->Larger->SetDelegatePass(this->Pass);
 }
 
 //------------------------------------------------------------------------------
@@ -199,8 +208,16 @@ void FrameScene::Set(const Way& way)
   {
     renderer->SetDraw(renderer == this->Renderer);
   }
-  this->Renderer->SetPass(way.Plain ? nullptr : this->Pass.Get());
+  vtkRenderPass* pass = this->Pass;
+  if (way.Smooth == Antialiasing::Larger)
+  {
+    pass = this->Larger;
+  }
+  this->Renderer->SetPass(way.Plain ? nullptr : pass);
   this->Pass->SetShadowTechnique(way.Technique);
+  const bool samples = way.Smooth == Antialiasing::Window || way.Smooth == Antialiasing::Edges;
+  this->Window->SetMultiSamples(samples ? 4 : 0);
+  this->Pass->SetMultisampling(way.Smooth == Antialiasing::Edges);
   if (way.Steps > 0)
   {
     this->Pass->SetNumberOfSteps(way.Steps);

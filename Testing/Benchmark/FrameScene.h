@@ -14,6 +14,7 @@
 #include "vtkParticipatingMedium.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSSAAPass.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -27,6 +28,15 @@ class vtkPolyData;
 namespace benchmarks
 {
 //------------------------------------------------------------------------------
+// What smooths the edges of a frame.
+enum class Antialiasing
+{
+  None,
+  Window, // a multisampled window, which smooths those of VTK's own frames alone
+  Edges,  // vtkAirlightPass::SetMultisampling() in one
+  Larger  // vtkSSAAPass around the pass
+};
+
 // How a frame is drawn.
 struct Way
 {
@@ -36,12 +46,17 @@ struct Way
   int Steps = 0;       // where the technique takes any
   bool Moves = false;  // the first light and the first actor move before each frame
   double Target = 0.0; // above 0: with the fewest steps whose error is not above this
+  Antialiasing Smooth = Antialiasing::None;
 };
 
 Way MakePlain();
 Way MakeUnshadowed();
 Way MakeAutomatic();
 Way MakePlanes(bool moves = false);
+
+// One of the others, smoothed.
+Way MakeSmooth(Way way, Antialiasing smooth);
+
 Way MakeShadowMap(int steps);
 Way MakeRayMarch(int steps);
 
@@ -104,6 +119,7 @@ private:
   void Draw();
 
   vtkNew<vtkAirlightPass> Pass;
+  vtkNew<vtkSSAAPass> Larger;
   int Frames = 0;
 };
 
