@@ -527,8 +527,8 @@ public:
    *   vtkParticipatingMedium::GetMultipleScatteringErrorBound() and 1e-2, in an unbounded medium
    *   (boundaries and casters add what no bound covers). With density images, the 1e-3 grow by the
    *   largest error of the light's grid in optical depth at 500 positions between its points,
-   *   measured when the grid is computed. Not included are rays within rounding of a shadow edge, some 1e-6 of its distance, and the errors of
-   *   SHADOW_MAP and RAY_MARCH;
+   *   measured when the grid is computed. Not included are rays within rounding of a shadow edge,
+   *   some 1e-6 of its distance, and the errors of SHADOW_MAP and RAY_MARCH;
    * - "Airlight:0", "Airlight:1", ... (RGB): the airlight of each switched-on light, in the order
    *   of the renderer's lights.
    */
