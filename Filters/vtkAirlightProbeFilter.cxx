@@ -176,7 +176,9 @@ bool vtkAirlightProbeFilter::CheckSettings()
     vtkErrorMacro("There is no medium: call SetMedium().");
     return false;
   }
-  this->Medium->GetPhaseErrorBound(); // prepares it for several threads
+  // They prepare it for several threads.
+  this->Medium->GetPhaseErrorBound();
+  this->Medium->GetMultipleScatteringErrorBound();
   return std::all_of(this->Lights.begin(), this->Lights.end(),
     [this](vtkLight* light) { return CheckSceneLight(this, this->Medium, light); });
 }

@@ -13,7 +13,8 @@
  * channel if lights are in W/sr and lengths in metres.
  *
  * All functions are static. They are thread safe while nobody changes the medium; call its
- * GetPhaseErrorBound() once before, which fits the phase function.
+ * GetPhaseErrorBound() once before, which fits the phase function, and with multiple scattering
+ * GetMultipleScatteringErrorBound().
  *
  * Errors: values that are infinite, NaN or above 1e100, a direction of length 0 and a null medium
  * give an error that names the value, a result of zeros, and the return value false. A reversed or

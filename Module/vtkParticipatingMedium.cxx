@@ -364,7 +364,7 @@ void vtkParticipatingMedium::SetMultipleScattering(bool on)
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const airlight::SourceFit> vtkParticipatingMedium::GetSourceFit()
+std::shared_ptr<const airlight::SourceFit> vtkParticipatingMedium::GetSourceFit(bool alone)
 {
   if (!this->MultipleScattering)
   {
@@ -372,13 +372,14 @@ std::shared_ptr<const airlight::SourceFit> vtkParticipatingMedium::GetSourceFit(
   }
   airlight::Change problem;
   std::shared_ptr<const airlight::SourceFit> fit;
-  if (this->Density != UNIFORM || this->Region == SURFACE)
+  if (!alone || this->Density != UNIFORM || this->Region == SURFACE)
   {
     if (this->MultipleProblemTime != this->GetMTime())
     {
-      problem.Error = "Multiple scattering is left out, as it needs a medium of uniform density "
-                      "that is unbounded or in a box, sphere or cylinder: see SetDensity() and "
-                      "SetRegion(). SetAmbientRadiance() approximates it.";
+      problem.Error =
+        "Multiple scattering is left out, as it needs one medium alone, of uniform "
+        "density, that is unbounded or in a box, sphere or cylinder: see SetDensity() "
+        "and SetRegion(). SetAmbientRadiance() approximates it.";
     }
     this->MultipleProblemTime = this->GetMTime();
   }

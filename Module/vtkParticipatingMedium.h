@@ -430,9 +430,9 @@ public:
   // The phase function as it is used. For the library's own use.
   std::shared_ptr<const airlight::PhaseShape> GetPhaseShape();
 
-  // The source function of multiply scattered light; null where there is none. For the library's
-  // own use.
-  std::shared_ptr<const airlight::SourceFit> GetSourceFit();
+  // The source function of multiply scattered light; null where there is none, as where the medium
+  // is not alone. For the library's own use.
+  std::shared_ptr<const airlight::SourceFit> GetSourceFit(bool alone = true);
 
   // The surface as it is used; null without a region of a surface or where that is no good. For the
   // library's own use.

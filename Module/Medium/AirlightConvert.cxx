@@ -118,9 +118,12 @@ f64::AirlightMedia ConvertMedia(
   {
     result.item[i] = ConvertMedium(media[i], origin);
   }
-  const std::shared_ptr<const SourceFit> fit =
-    result.count == 1 ? media[0]->GetSourceFit() : nullptr;
-  if (fit)
+  std::shared_ptr<const SourceFit> fit;
+  for (int i = 0; i < result.count; ++i)
+  {
+    fit = media[i]->GetSourceFit(result.count == 1);
+  }
+  if (fit && result.item[0].sigmaT != glm::dvec3(0.0))
   {
     result.multiple = fit->Coefficients;
     result.item[0].ambient = glm::dvec3(0.0);

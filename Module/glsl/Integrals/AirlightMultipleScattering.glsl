@@ -89,8 +89,9 @@ AIRLIGHT_FN real airlightMultipleReach(
   }
   // t + k r(t) = least + depth, with t, tL and h as optical lengths.
   real k = fall / sigma;
-  real foot = sigma * tL;
-  real aside = sigma * h;
+  const real far = real(1e8); // squares are finite in single precision
+  real foot = clamp(sigma * tL, -far, far);
+  real aside = min(sigma * h, far);
   real atEye = k * sqrt(foot * foot + aside * aside);
   real least = foot > real(0.0) ? min(atEye, foot + k * aside) : atEye;
   real goal = least + real(AIRLIGHT_MULTIPLE_DEPTH);
@@ -121,8 +122,9 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
   real end = min(range.y,
     range.x + airlightMultipleReach(AIRLIGHT_MULTIPLE_OUT medium, foot - range.x, h));
   // With t - foot = h sinh v, dt = r dv.
-  real from = airlightAsinh((range.x - foot) / h);
-  real reach = real(0.5) * (airlightAsinh((end - foot) / h) - from);
+  const real far = real(1e18); // likewise
+  real from = airlightAsinh(clamp((range.x - foot) / h, -far, far));
+  real reach = real(0.5) * (airlightAsinh(clamp((end - foot) / h, -far, far)) - from);
   if (reach <= real(0.0))
   {
     return result;
@@ -144,7 +146,7 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
     result.once += node.y * airlightPhase(medium.phase, -x / r) / r *
       exp(-medium.sigmaT * (depth + r));
   }
-  result.several *= reach * medium.sigmaT * medium.sigmaT;
+  result.several = result.several * (reach * medium.sigmaT) * medium.sigmaT; // 0 before infinite
   result.once *= reach * real(0.079577471545947668) * medium.sigmaS;
   return result;
 }

@@ -4,6 +4,7 @@
 // simulation and the theory of diffusion; its fit and the quadrature of rays against the solution.
 
 #include "AirlightTestCheck.h"
+#include "AirlightTestErrors.h"
 #include "AirlightTestSingle.h"
 #include "Medium/AirlightConvert.h"
 #include "MultipleScattering/AirlightLegendreMoments.h"
@@ -319,6 +320,25 @@ void CheckLimits()
   Expect(vtkAirlight::MultipleScattering(medium, outside, intensity, origin, direction, 1.0, rgb) &&
       rgb[0] == 0.0,
     "lamps outside");
+  // What it does not know, it says once for each change.
+  ErrorListener errors(medium);
+  medium->SetDensityToExponentialHeight();
+  vtkAirlight::MultipleScattering(medium, lamp, intensity, origin, direction, 1.0, rgb);
+  vtkAirlight::MultipleScattering(medium, lamp, intensity, origin, direction, 1.0, rgb);
+  Expect(rgb[0] == 0.0 && errors.Take() == 1 &&
+      errors.GetText().find("needs one medium alone, of uniform density") != std::string::npos,
+    "a density that varies");
+  medium->SetDensityToUniform();
+  vtkNew<vtkParticipatingMedium> other;
+  Expect(ConvertMedia({ medium, other }, glm::dvec3(0.0)).multiple.on == 0 && errors.Take() == 1,
+    "two media");
+  medium->SetPhaseFunctionToHenyeyGreenstein();
+  medium->SetAnisotropy(0.99);
+  vtkAirlight::MultipleScattering(medium, lamp, intensity, origin, direction, 1.0, rgb);
+  Expect(rgb[0] == 0.0 && errors.Take() == 1 &&
+      errors.GetText().find("too narrow a peak") != std::string::npos,
+    "a narrow peak");
+  medium->SetAnisotropy(0.3);
   // Lamps on the ray, a ray without length, extreme coefficients.
   medium->SetRegionToUnbounded();
   for (const double scale : { 1e-30, 1.0, 1e30 })

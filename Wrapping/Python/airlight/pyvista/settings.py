@@ -97,6 +97,12 @@ class Settings:
         self._check_shadows()
         self._check_region()
         self._check_density()
+        if self.multiple_scattering and (
+                self.density is not None or self.scale_height is not None or
+                isinstance(self.region, pv.DataSet)):
+            raise ValueError("multiple_scattering is True, which needs a uniform medium that is "
+                             "everywhere or in bounds: leave out density, scale_height and a "
+                             "surface as the region.")
 
     def _check_shadows(self) -> None:
         if isinstance(self.shadows, bool):
