@@ -19,7 +19,8 @@
  * Documentation/guide.md.
  *
  * With SetScatteringOrders() it also follows light that is scattered in the media and reflected by
- * surfaces several times, which the pass does not: an unbiased volumetric path tracer adds it.
+ * surfaces several times, which the pass approximates for some lamps: a volumetric path tracer
+ * adds it, unbiased for a given number of paths.
  *
  * The output has the picture's size, spacing 1, the bottom row first, and these point data in
  * double precision, which are the buffers of vtkAirlightPass::GetBuffer():
@@ -142,7 +143,8 @@ public:
    * n > 1: at most n times. 0: any number of times. Range: at least 0. Default: 1.
    *
    * With 1, media with vtkParticipatingMedium::SetMultipleScattering() have it as in the pass, of
-   * lamps that are points.
+   * lamps with an extent as if they were points. With others, paths take its place; such media have
+   * no ambient radiance.
    *
    * Light that was scattered or reflected once stays what it is with 1. Paths add the rest:
    *

@@ -52,7 +52,8 @@ PathLights::PathLights(const ReferenceTracer& tracer)
       least = sigma[c] > 0.0 ? std::min(least, sigma[c]) : least;
     }
   }
-  this->Reach = hasPlaces && std::isfinite(least) ? this->Reach + 4.0 / least : 0.0;
+  const bool fades = hasPlaces && !this->Lights.empty() && std::isfinite(least);
+  this->Reach = fades ? this->Reach + 4.0 / least : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -17,13 +17,15 @@ namespace airlight
 namespace
 {
 constexpr const char* Names[3] = { "Radiance", "Airlight", "Surface" };
-constexpr int FirstRound = 2; // samples: fewer have no standard error
+constexpr int FirstRound = 2;      // samples: fewer have no standard error
+constexpr int LeastForTarget = 16; // and of these few it may be far too small
 }
 
 //------------------------------------------------------------------------------
 PathPicture::PathPicture(
   vtkImageData* image, const ReferenceTracer& tracer, const PathSettings& settings)
-  : Tracer(tracer)
+  : Image(image)
+  , Tracer(tracer)
   , Settings(settings)
   , Paths(tracer, settings.Orders)
   , Width(image->GetDimensions()[0])
@@ -92,6 +94,17 @@ void PathPicture::AddRows(int row, int rows, int samples)
 }
 
 //------------------------------------------------------------------------------
+// The arrays are written through pointers, of which their ranges know nothing.
+void PathPicture::MarkModified()
+{
+  for (int k = 0; k < this->Image->GetPointData()->GetNumberOfArrays(); ++k)
+  {
+    this->Image->GetPointData()->GetArray(k)->Modified();
+  }
+  this->Image->Modified();
+}
+
+//------------------------------------------------------------------------------
 double PathPicture::GetRelativeError() const
 {
   double squares = 0.0;
@@ -128,6 +141,7 @@ void PathPicture::Compute(const std::function<bool(double)>& proceed)
       const double now = done + samples * static_cast<double>(row + rows) / this->Height;
       const double byTime = getTimeShare();
       const double share = std::max({ now / this->Settings.Samples, byTime, byError });
+      this->MarkModified();
       if (!proceed(std::min(share, 1.0)) || (done > 0 && byTime >= 1.0))
       {
         return;
@@ -135,12 +149,12 @@ void PathPicture::Compute(const std::function<bool(double)>& proceed)
     }
     done += samples;
     const double error = this->GetRelativeError();
-    const double ratio = error > 0.0 ? this->Settings.TargetError / error : 1.0;
-    if (getTimeShare() >= 1.0 || (this->Settings.TargetError > 0.0 && ratio >= 1.0))
+    const double target = this->Settings.TargetError;
+    if (getTimeShare() >= 1.0 || (target > 0.0 && error <= target && done >= LeastForTarget))
     {
       break;
     }
-    byError = std::min(ratio * ratio, 1.0);
+    byError = error > 0.0 ? std::min(target * target / (error * error), 1.0) : 0.0;
   }
 }
 }

@@ -50,7 +50,9 @@ private:
 
   void Add(vtkIdType index, int samples);
   void AddRows(int row, int rows, int samples);
+  void MarkModified();
 
+  vtkImageData* Image;
   const ReferenceTracer& Tracer;
   PathSettings Settings;
   PathTracer Paths;

@@ -8,6 +8,7 @@
 #ifndef AirlightRandomNumbers_h
 #define AirlightRandomNumbers_h
 
+#include <algorithm>
 #include <cstdint>
 
 namespace airlight
@@ -24,7 +25,9 @@ public:
   double Next()
   {
     this->Key += 0x9E3779B97F4A7C15u; // 2^64 over the golden ratio: a Weyl sequence
-    return (static_cast<double>(Mix(this->Key) >> 11) + 0.5) * (1.0 / 9007199254740992.0);
+    const double number =
+      (static_cast<double>(Mix(this->Key) >> 11) + 0.5) * (1.0 / 9007199254740992.0);
+    return std::min(number, 1.0 - 1.0 / 9007199254740992.0); // rounding
   }
 
 private:

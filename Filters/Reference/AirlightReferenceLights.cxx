@@ -150,6 +150,7 @@ ReferenceLights::ReferenceLights(vtkRenderer* renderer, const f64::AirlightMedia
     renderer->UpdateLightsGeometryToFollowCamera();
   }
   visit([&](vtkLight* light) {
+    this->Points.push_back(Convert(light, media, eye, radius));
     for (vtkLight* lamp : SplitLamp(light, lampPoints))
     {
       this->Lights.push_back(Convert(lamp, media, eye, radius));

@@ -52,6 +52,9 @@ public:
     double radius, int lampPoints);
 
   const std::vector<ReferenceLight>& GetAll() const { return this->Lights; }
+
+  // The same with lamps of an extent as points in their middles.
+  const std::vector<ReferenceLight>& GetPoints() const { return this->Points; }
   bool HasInvalid() const;
   std::string DescribeLeftOut() const; // GetCameraLightsText(), empty if none was left out
 
@@ -63,6 +66,7 @@ public:
 
 private:
   std::vector<ReferenceLight> Lights;
+  std::vector<ReferenceLight> Points;
   bool IsHeadlight = false; // one headlight alone is shaded in a way of its own
   glm::dvec3 Forward{ 0.0 };
 };

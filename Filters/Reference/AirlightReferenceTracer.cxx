@@ -54,7 +54,7 @@ ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
   , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius, settings.LampPoints)
 {
   this->Media.multiple.on = settings.MultipleScattering ? this->Media.multiple.on : 0;
-  for (const ReferenceLight& light : this->Lights.GetAll())
+  for (const ReferenceLight& light : this->Lights.GetPoints())
   {
     if (light.Support == LightSupport::Scatters && !AddMultipleLamp(this->Media, light.Values))
     {

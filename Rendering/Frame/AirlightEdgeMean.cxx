@@ -64,7 +64,17 @@ bool EdgeMean::Bind(vtkTextureObject* colour, vtkTextureObject* depth)
 }
 
 //------------------------------------------------------------------------------
-bool EdgeMean::BindFirst() { return this->Bind(this->Textures.Scene, this->Textures.Depth); }
+bool EdgeMean::BindFirst()
+{
+  if (!this->Bind(this->Textures.Scene, this->Textures.Depth))
+  {
+    return false;
+  }
+  // In upper layers the frame is blended over what is here.
+  this->Textures.Clear(0.0f);
+  this->Textures.ClearDepth();
+  return true;
+}
 
 bool EdgeMean::BindSample(float weight)
 {

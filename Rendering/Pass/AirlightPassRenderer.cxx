@@ -213,11 +213,13 @@ bool PassRenderer::RenderSamples(
   frame.Properties.LinearFrame = true;
   frame.Properties.EdgeSample = true;
   const glm::ivec2 size(viewport.Width, viewport.Height);
+  double exposure = 1.0;
   const auto getDisplay = [&](DisplayStage& display) {
     display = GetDisplay(settings.Properties, this->CurrentFrame.IsClear());
-    this->EffectiveExposure = display.Exposure;
-    return !MeasuresExposure(settings.Properties) ||
+    const bool measured = !MeasuresExposure(settings.Properties) ||
       this->MeasureExposure(renderer, this->Edges.GetRadiance(), { 0, 0, size.x, size.y }, display);
+    exposure = display.Exposure;
+    return measured;
   };
   const auto renderFrame = [&](vtkTextureObject* mask) {
     this->EdgeMask = mask;
@@ -225,6 +227,7 @@ bool PassRenderer::RenderSamples(
   };
   bool ok = this->Edges.Render(
     renderer, size, IsBlended(renderer), this->CurrentFrame.GetBuffers(), getDisplay, renderFrame);
+  this->EffectiveExposure = exposure; // that of the frames is 1
   saver.PopFramebuffer();
   ok = ok &&
     this->Edges.DrawIntoViewport({ viewport.X, viewport.Y, size.x, size.y }, IsBlended(renderer));

@@ -114,8 +114,7 @@ void LightOptions::AddTo(CLI::App* command)
     this->Command
       ->add_flag(Visible,
         "The lamp before it is seen, as a bright shape of its --lamp-radius or --lamp-size, or as "
-        "a "
-        "disc of its --sun-diameter in the sky, behind all of the medium")
+        "a disc of its --sun-diameter in the sky, behind all of the medium")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll),
   };
 }

@@ -3,6 +3,7 @@
 #include "commands/PathOptions.h"
 
 #include "commands/OptionNumbers.h"
+#include "formats/UserError.h"
 
 #include <limits>
 
@@ -50,9 +51,9 @@ void PathOptions::AddTo(CLI::App* command, CLI::Option* reference)
 }
 
 //------------------------------------------------------------------------------
-PathSettings PathOptions::GetSettings() const
+PathChoices PathOptions::GetSettings() const
 {
-  PathSettings settings = this->Settings;
+  PathChoices settings = this->Settings;
   const auto read = [](const char* option, const std::string& text, double low, double high,
                       const char* expected, double& number) {
     if (!text.empty() && (!GetNumber(text, number) || !IsInRange({ number }, low, high)))
@@ -64,6 +65,13 @@ PathSettings PathOptions::GetSettings() const
     settings.Error);
   read("--time-limit", this->TimeLimit, 1e-3, LongestTime, "seconds from 0.001 to 1e6",
     settings.TimeLimit);
+  const bool noisy =
+    !this->Error.empty() || !this->TimeLimit.empty() || settings.Samples > 0 || settings.Seed != 0;
+  if (settings.Orders == 1 && noisy)
+  {
+    throw UserError("--error, --time-limit, --samples and --seed are of random paths, which "
+                    "--orders 1 has none of: leave them out, or give other orders");
+  }
   if (settings.Samples == 0)
   {
     settings.Samples = settings.Error > 0.0 || settings.TimeLimit > 0.0 ? ManyPaths : 64;

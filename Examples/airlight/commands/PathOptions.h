@@ -26,10 +26,10 @@ public:
   /**
    * Throws UserError.
    */
-  PathSettings GetSettings() const;
+  PathChoices GetSettings() const;
 
 private:
-  PathSettings Settings;
+  PathChoices Settings;
   std::string Error;
   std::string TimeLimit;
 };

@@ -77,7 +77,7 @@ void Render(const RenderOptions& options)
   if (options.Reference)
   {
     Progress progress(100);
-    const PathSettings paths = options.Paths.GetSettings();
+    const PathChoices paths = options.Paths.GetSettings();
     const auto show = [&](double done) { progress.Show(static_cast<int>(100.0 * done)); };
     ComputeToFile(options.Scene.Load(), picture, paths, options.Output,
       paths.Orders == 1 ? std::function<void(double)>() : show);

@@ -23,7 +23,7 @@ namespace
 // Buffers of the pass that the reference does not have: what they say is of the pass's own work.
 constexpr const char* PassBuffers[] = { "BoundaryCount", "ErrorBound" };
 
-void CheckKnown(const Scene& scene, const PictureSettings& settings, const PathSettings& paths)
+void CheckKnown(const Scene& scene, const PictureSettings& settings, const PathChoices& paths)
 {
   if (settings.Buffer == StandardErrorBuffer && paths.Orders == 1)
   {
@@ -46,7 +46,7 @@ void CheckKnown(const Scene& scene, const PictureSettings& settings, const PathS
     if (light.Visible)
     {
       throw UserError(scene.FileName +
-        ": --reference shows no lamps: leave out one of it and --lamp-visible or visible");
+        ": --reference shows no lamps: leave out --reference, or --lamp-visible and visible");
     }
   }
 }
@@ -76,7 +76,7 @@ vtkSmartPointer<vtkImageData> GetFloats(
 }
 
 //------------------------------------------------------------------------------
-void ComputeToFile(const Scene& scene, const PictureSettings& settings, const PathSettings& paths,
+void ComputeToFile(const Scene& scene, const PictureSettings& settings, const PathChoices& paths,
   const std::string& fileName, const std::function<void(double)>& progress)
 {
   CheckImageFile(fileName);

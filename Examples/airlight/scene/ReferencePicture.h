@@ -15,7 +15,7 @@ namespace airlight
 /**
  * How light that is scattered several times is followed: see vtkAirlightReference.
  */
-struct PathSettings
+struct PathChoices
 {
   int Orders = 1;         ///< 0: all
   int Samples = 0;        ///< of each pixel, at most
@@ -35,7 +35,7 @@ constexpr const char* StandardErrorBuffer = "StandardError";
  * the pass knows: some of its buffers and scattered surface light. `progress`,
  * which may be empty, is called with the share that is done.
  */
-void ComputeToFile(const Scene& scene, const PictureSettings& settings, const PathSettings& paths,
+void ComputeToFile(const Scene& scene, const PictureSettings& settings, const PathChoices& paths,
   const std::string& fileName, const std::function<void(double)>& progress);
 
 }
