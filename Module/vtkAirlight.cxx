@@ -253,6 +253,10 @@ bool vtkAirlight::Ambient(vtkParticipatingMedium* medium, const double origin[3]
     return false;
   }
   const f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(origin));
+  if (converted.multiple.on != 0)
+  {
+    return true; // MultipleScattering() is the same light
+  }
   const glm::dvec3 ambient =
     IntegrateAmbient(converted, glm::dvec3(0.0), unit, std::min(std::max(t1, 0.0), AIRLIGHT_FAR));
   Store(converted, ambient, rgb);

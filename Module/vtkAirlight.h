@@ -87,7 +87,8 @@ public:
   /**
    * The irradiance [W/m^2] that light of the same lamp which was scattered at least once brings to
    * a surface at `point`: a quarter of its fluence and half of its flux against the normal, whose
-   * length does not matter. It replaces what vtkAirlightPass::SetScatteredSurfaceLight() adds.
+   * length does not matter. Faces of the medium's region and casters are
+   * left out of account. It replaces what vtkAirlightPass::SetScatteredSurfaceLight() adds.
    */
   static bool MultipleIrradiance(vtkParticipatingMedium* medium, const double lightPosition[3],
     const double radiantIntensity[3], const double point[3], const double normal[3], double rgb[3]);
@@ -101,7 +102,8 @@ public:
 
   /**
    * The ambient light that the medium scatters into the ray on [0, t1]: albedo * L_ambient * (1 -
-   * transmittance). t1 may be infinite.
+   * transmittance). t1 may be infinite. Zeros if the medium has multiple scattering, which takes its
+   * place.
    */
   static bool Ambient(vtkParticipatingMedium* medium, const double origin[3],
     const double direction[3], double t1, double rgb[3]);

@@ -380,14 +380,15 @@ std::shared_ptr<const airlight::SourceFit> vtkParticipatingMedium::GetSourceFit(
         "Multiple scattering is left out, as it needs one medium alone, of uniform "
         "density, that is unbounded or in a box, sphere or cylinder: see SetDensity() "
         "and SetRegion(). SetAmbientRadiance() approximates it.";
+      this->MultipleProblemTime = this->GetMTime();
     }
-    this->MultipleProblemTime = this->GetMTime();
   }
   else
   {
     // Objects and tables change by themselves.
     this->GetPhaseShape();
-    const double* albedo = this->GetAlbedo();
+    double albedo[3]; // without the member that the other getter writes
+    this->GetAlbedo(albedo);
     fit = this->Impl->Source.Update(
       glm::dvec3(albedo[0], albedo[1], albedo[2]), this->Impl->Phase.GetTime(),
       [this](double mu) { return this->EvaluatePhaseFunction(mu); }, problem.Error);
@@ -568,6 +569,7 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   print3("Scattering", this->Scattering);
   print3("Absorption", this->Absorption);
   print3("AmbientRadiance", this->AmbientRadiance);
+  os << indent << "MultipleScattering: " << this->MultipleScattering << "\n";
   this->Impl->Phase.Print(os, indent);
   os << indent << "Region: " << airlight::GetRegionName(this->Region) << "\n";
   os << indent << "Bounds: (" << this->Bounds[0];

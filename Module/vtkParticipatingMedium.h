@@ -244,9 +244,11 @@ public:
    * physics.md). It takes the place of the ambient radiance. Surfaces receive what arrives there.
    * Other lights are scattered once, with a message; other media, too. Default: off.
    *
-   * In an unbounded medium the error is that of the fit and 0.5 % of the quadrature. What no bound
-   * covers: occluders that stop the multiply scattered light, floors and walls that reflect it, and
-   * how boundaries change it: 5 to 30 % where the lamp is within a mean free path or two of them.
+   * In an unbounded medium the error is that of the fit and 0.5 % of all scattered light, where the
+   * lamp is 0.05 to 20 mean free paths away (nearer, 3 %). What no bound covers, see
+   * Documentation/accuracy.md: boundaries, floors and walls that reflect it, and casters. Surfaces
+   * get it also in shadow. Casters dim it in the air as they dim the light of all lights together
+   * that is scattered once.
    */
   void SetMultipleScattering(bool on);
   vtkGetMacro(MultipleScattering, bool);
@@ -254,8 +256,8 @@ public:
   ///@}
 
   /**
-   * The relative error of the fit of the multiply scattered light, 0 while MultipleScattering is
-   * off. In an unbounded medium the multiply scattered light of a ray is in error by this and by
+   * The relative error of the fit of the multiply scattered light; 0 while MultipleScattering is
+   * off, or left out with an error. In an unbounded medium the multiply scattered light of a ray is in error by this and by
    * that of the quadrature.
    */
   double GetMultipleScatteringErrorBound();

@@ -80,7 +80,7 @@ glm::dvec3 Probe::FindRadiance(const glm::dvec3& eye, const glm::dvec3& point) c
   const glm::dvec3 direction = (point - eye) / length;
   f64::AirlightMedia media = ConvertMedia({ this->Medium }, eye);
   AddMultipleLamps(*this, eye, media);
-  vtkAirlight::Ambient(this->Medium, &eye.x, &direction.x, length, &sum.x);
+  sum = IntegrateAmbient(media, glm::dvec3(0.0), direction, length);
   std::vector<Occluders::Shadow> shadows;
   std::vector<Occluders::Interval> lit;
   for (vtkLight* light : this->Lights)

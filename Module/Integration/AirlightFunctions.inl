@@ -46,6 +46,7 @@
 #undef AIRLIGHT_SOURCE_SMALL_LOBE
 #undef AIRLIGHT_MAX_MULTIPLE_LAMPS
 #undef AIRLIGHT_MULTIPLE_DEPTH
+#undef AIRLIGHT_MULTIPLE_APART
 
 #include "Integrals/AirlightExponentialIntegral.glsl"
 #include "Integrals/AirlightGauss.glsl"

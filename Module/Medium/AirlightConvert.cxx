@@ -126,7 +126,6 @@ f64::AirlightMedia ConvertMedia(
   if (fit && result.item[0].sigmaT != glm::dvec3(0.0))
   {
     result.multiple = fit->Coefficients;
-    result.item[0].ambient = glm::dvec3(0.0);
   }
   return result;
 }
@@ -148,6 +147,7 @@ bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light)
   multiple.power[multiple.count] =
     glm::dvec4(4.0 * vtkMath::Pi() * light.intensity / light.attenuation.z, 0.0);
   ++multiple.count;
+  media.item[0].ambient = glm::dvec3(0.0); // which stands for the same light
   return true;
 }
 

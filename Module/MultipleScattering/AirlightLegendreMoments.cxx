@@ -5,6 +5,7 @@
 #include "Integration/AirlightMath.h"
 #include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace airlight
@@ -56,10 +57,8 @@ std::vector<double> GetLegendreMoments(const std::function<double(double)>& phas
     from = to;
     width = std::min({ 2.0 * width, widest, std::max(0.5 * (vtkMath::Pi() - from), finest) });
   }
-  for (double& moment : moments)
-  {
-    moment /= moments[0] > 0.0 && &moment != &moments[0] ? moments[0] : 1.0;
-  }
+  const double norm = moments[0] > 0.0 ? moments[0] : 1.0;
+  std::for_each(moments.begin(), moments.end(), [norm](double& moment) { moment /= norm; });
   moments[0] = 1.0;
   int last = MaximumLegendreDegree;
   while (last > 0 && std::abs(moments[last]) < Negligible)

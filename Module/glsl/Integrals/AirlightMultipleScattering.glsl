@@ -4,6 +4,8 @@
 
 // Light that a ray loses beyond so many optical lengths is left out.
 #define AIRLIGHT_MULTIPLE_DEPTH 8.0
+// Nodes that reach to where a channel ends which fades so much less serve all.
+#define AIRLIGHT_MULTIPLE_APART 5.0
 
 // Gauss-Legendre nodes on [-1, 1], the positive half of twelve, as (position, weight).
 AIRLIGHT_FN real2 airlightMultipleNode(int k)
@@ -71,22 +73,12 @@ AIRLIGHT_FN real3 airlightRegionFactor(
   return factor;
 }
 
-// How far from the ray's entry the channel that is weakened least still counts: up to where the
-// depth plus what the source has fallen by exceeds the least of them by AIRLIGHT_MULTIPLE_DEPTH.
-// tL: of the lamp's foot from the entry; h: its distance from the ray.
-AIRLIGHT_FN real airlightMultipleReach(
-  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium, real tL, real h)
+// How far from the ray's entry a channel still counts: up to where the depth plus what the source
+// has fallen by exceeds the least of them by AIRLIGHT_MULTIPLE_DEPTH. sigma, fall: its extinction
+// and how fast its source falls, per length. tL: of the lamp's foot from the entry; h: its distance
+// from the ray.
+AIRLIGHT_FN real airlightMultipleReach(real sigma, real fall, real tL, real h)
 {
-  real sigma = real(AIRLIGHT_FAR);
-  real fall = real(AIRLIGHT_FAR);
-  for (int channel = 0; channel < 3; channel++)
-  {
-    if (medium.sigmaT[channel] > real(0.0))
-    {
-      sigma = min(sigma, medium.sigmaT[channel]);
-      fall = min(fall, medium.sigmaT[channel] * airlightMultiple.kappa[channel]);
-    }
-  }
   // t + k r(t) = least + depth, with t, tL and h as optical lengths.
   real k = fall / sigma;
   const real far = real(1e8); // squares are finite in single precision
@@ -109,18 +101,14 @@ struct AirlightMultipleRay
   real3 once;
 };
 
-AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
+AIRLIGHT_FN AirlightMultipleRay airlightMultipleUpTo(
   AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction,
-  real2 range, real4 lamp)
+  real2 range, real4 lamp, real foot, real h, real sigma, real fall)
 {
   AirlightMultipleRay result;
   result.several = real3(real(0.0));
   result.once = real3(real(0.0));
-  real3 toLamp = real3(lamp) - origin;
-  real foot = dot(toLamp, direction);
-  real h = max(length(cross(toLamp, direction)), lamp.w);
-  real end = min(range.y,
-    range.x + airlightMultipleReach(AIRLIGHT_MULTIPLE_OUT medium, foot - range.x, h));
+  real end = min(range.y, range.x + airlightMultipleReach(sigma, fall, foot - range.x, h));
   // With t - foot = h sinh v, dt = r dv.
   const real far = real(1e18); // likewise
   real from = airlightAsinh(clamp((range.x - foot) / h, -far, far));
@@ -149,6 +137,47 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
   result.several = result.several * (reach * medium.sigmaT) * medium.sigmaT; // 0 before infinite
   result.once *= reach * real(0.079577471545947668) * medium.sigmaS;
   return result;
+}
+
+// The nodes serve all channels where these fade alike, within AIRLIGHT_MULTIPLE_APART; else each has
+// its own.
+AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction,
+  real2 range, real4 lamp)
+{
+  AirlightMultipleRay sum;
+  sum.several = real3(real(0.0));
+  sum.once = real3(real(0.0));
+  real3 toLamp = real3(lamp) - origin;
+  real foot = dot(toLamp, direction);
+  real h = max(length(cross(toLamp, direction)), lamp.w);
+  real thin = real(AIRLIGHT_FAR);
+  real slow = real(AIRLIGHT_FAR);
+  real dense = real(0.0);
+  for (int channel = 0; channel < 3; channel++)
+  {
+    real sigma = medium.sigmaT[channel];
+    thin = sigma > real(0.0) ? min(thin, sigma) : thin;
+    slow = sigma > real(0.0) ? min(slow, sigma * airlightMultiple.kappa[channel]) : slow;
+    dense = max(dense, sigma);
+  }
+  bool together = dense <= real(AIRLIGHT_MULTIPLE_APART) * thin;
+  for (int channel = 0; channel < (together ? 1 : 3); channel++)
+  {
+    real sigma = together ? thin : medium.sigmaT[channel];
+    if (sigma > real(0.0))
+    {
+      AirlightMultipleRay part = airlightMultipleUpTo(AIRLIGHT_MULTIPLE_OUT medium, origin,
+        direction, range, lamp, foot, h, sigma,
+        together ? slow : sigma * airlightMultiple.kappa[channel]);
+      real3 mask = real3(together || channel == 0 ? real(1.0) : real(0.0),
+        together || channel == 1 ? real(1.0) : real(0.0),
+        together || channel == 2 ? real(1.0) : real(0.0));
+      sum.several += mask * part.several;
+      sum.once += mask * part.once;
+    }
+  }
+  return sum;
 }
 
 // Of all lamps on [0, l] of a ray of unit direction.

@@ -85,8 +85,9 @@ vec3 airlightInscatterToNode(int i, float t)
   airlightTranslucent = airlightNodeTranslucent[i];
   if (airlightTranslucent == 0u)
   {
+    // As if nothing cast shadows there, of which nothing is known.
     return airlightDiffuse(
-      airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t, vec3(0.0));
+      airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t, vec3(1e30));
   }
 #endif
   return airlightInscatterToFragment(airlightVolumeOrigin, airlightVolumeAlong, t);

@@ -253,6 +253,36 @@ void CheckRays(double albedo, double g, int count, double allowed)
     singleOff <= count / 50, "rays that single precision is off by more than 1e-4", g, singleOff);
 }
 
+// Channels that fade differently, each beside a grey medium of its own.
+void CheckColours()
+{
+  const double sigma[3] = { 0.02, 0.4, 2.0 };
+  const double albedo[3] = { 0.95, 0.6, 0.9 };
+  const double lamp[3] = { 3.0, 20.0, 1.0 };
+  const double intensity[3] = { 1.0, 1.0, 1.0 };
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  const double direction[3] = { 1.0, 0.2, 0.0 };
+  const double far = std::numeric_limits<double>::infinity();
+  vtkNew<vtkParticipatingMedium> medium;
+  const auto fill = [&](int r, int g, int b) {
+    medium->SetScattering(albedo[r] * sigma[r], albedo[g] * sigma[g], albedo[b] * sigma[b]);
+    medium->SetAbsorption(
+      (1.0 - albedo[r]) * sigma[r], (1.0 - albedo[g]) * sigma[g], (1.0 - albedo[b]) * sigma[b]);
+  };
+  medium->MultipleScatteringOn();
+  double colours[3];
+  fill(0, 1, 2);
+  vtkAirlight::MultipleScattering(medium, lamp, intensity, origin, direction, far, colours);
+  for (int k = 0; k < 3; ++k)
+  {
+    double grey[3];
+    fill(k, k, k);
+    vtkAirlight::MultipleScattering(medium, lamp, intensity, origin, direction, far, grey);
+    Expect(grey[0] > 0.0 && std::abs(colours[k] / grey[0] - 1.0) < 1e-9,
+      "a channel of a coloured medium", k, colours[k], grey[0]);
+  }
+}
+
 // By the solution's moments, on both sides of a surface.
 void CheckIrradiance()
 {
@@ -369,6 +399,7 @@ int TestMultipleScattering(int, char*[])
     CheckRays(albedo, 0.85, 30, 0.01);
     CheckRays(albedo, 0.95, 8, 0.05);
   }
+  CheckColours();
   CheckIrradiance();
   CheckLimits();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
