@@ -102,8 +102,8 @@ public:
 
   /**
    * The ambient light that the medium scatters into the ray on [0, t1]: albedo * L_ambient * (1 -
-   * transmittance). t1 may be infinite. Zeros if the medium has multiple scattering, which takes its
-   * place.
+   * transmittance). t1 may be infinite. Zeros if the medium has multiple scattering, which takes
+   * its place.
    */
   static bool Ambient(vtkParticipatingMedium* medium, const double origin[3],
     const double direction[3], double t1, double rgb[3]);

@@ -257,8 +257,8 @@ public:
 
   /**
    * The relative error of the fit of the multiply scattered light; 0 while MultipleScattering is
-   * off, or left out with an error. In an unbounded medium the multiply scattered light of a ray is in error by this and by
-   * that of the quadrature.
+   * off, or left out with an error. In an unbounded medium the multiply scattered light of a ray is
+   * in error by this and by that of the quadrature.
    */
   double GetMultipleScatteringErrorBound();
 

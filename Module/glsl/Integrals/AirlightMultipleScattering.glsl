@@ -139,8 +139,8 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleUpTo(
   return result;
 }
 
-// The nodes serve all channels where these fade alike, within AIRLIGHT_MULTIPLE_APART; else each has
-// its own.
+// The nodes serve all channels where these fade alike, within AIRLIGHT_MULTIPLE_APART; else each
+// has its own.
 AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
   AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction,
   real2 range, real4 lamp)

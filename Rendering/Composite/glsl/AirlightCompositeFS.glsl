@@ -68,7 +68,8 @@ void main()
   airlight = vec4(added,
     texelFetch(counts, pixel, 0).g + error * max(diffuse.r, max(diffuse.g, diffuse.b)));
 #if AIRLIGHT_MULTIPLE
-  airlight.a += 0.005 * max(once.r, max(once.g, once.b)); // its nodes' error is of all scattered light
+  // Its nodes' error is relative to all scattered light.
+  airlight.a += 0.005 * max(once.r, max(once.g, once.b));
 #endif
   surface = vec4(parameter >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
   transmittance = vec4(passes, parameter >= 0.0 ? end : -1.0);
