@@ -38,20 +38,6 @@ glm::dvec3 IrradianceOf(
   return sceneLight.intensity * (cosine * fall) * glm::exp(-depth);
 }
 
-// The lamps whose light is scattered more than once become the media's.
-void AddMultipleLamps(const Probe& probe, const glm::dvec3& point, f64::AirlightMedia& media)
-{
-  for (vtkLight* light : probe.Lights)
-  {
-    f64::AirlightLight sceneLight;
-    if (ConvertSceneLight(media, light, point, sceneLight) == LightSupport::Scatters)
-    {
-      sceneLight.radius = std::max(1e-12 * glm::length(sceneLight.position), 1e-100);
-      AddMultipleLamp(media, sceneLight);
-    }
-  }
-}
-
 // Calls use(light, sceneLight) for the lights that shine, relative to the point.
 template <typename Use>
 void ForEachSceneLight(
@@ -65,6 +51,19 @@ void ForEachSceneLight(
       use(light, sceneLight);
     }
   }
+}
+
+// The lamps whose light is scattered more than once become the media's.
+void AddMultipleLamps(const Probe& probe, const glm::dvec3& point, f64::AirlightMedia& media)
+{
+  if (media.multiple.on == 0)
+  {
+    return; // for each ray and point
+  }
+  ForEachSceneLight(probe, media, point, [&](vtkLight*, f64::AirlightLight& sceneLight) {
+    sceneLight.radius = std::max(1e-12 * glm::length(sceneLight.position), 1e-100);
+    AddMultipleLamp(media, sceneLight);
+  });
 }
 }
 
