@@ -70,6 +70,13 @@ std::string DefineCommon(const f64::AirlightMedia& media)
     (isotropic ? Define("AIRLIGHT_ISOTROPIC", 1) : "");
 }
 
+// Whether one channel's multiply scattered light is that of all.
+bool IsMultipleGrey(const f64::AirlightMedium& medium)
+{
+  const glm::dvec3& scattering = medium.sigmaS;
+  return f64::airlightIsGrey(medium) && scattering == glm::dvec3(scattering.x);
+}
+
 // Sets the members of a uniform of this name.
 class UniformSetter
 {
@@ -133,6 +140,7 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
     Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", media.count) +
     Define("AIRLIGHT_MEDIUM_COUNT", media.count) + Define("AIRLIGHT_MULTIPLE", multiple) +
+    Define("AIRLIGHT_MULTIPLE_GREY", multiple && IsMultipleGrey(media.item[0])) +
     Define("AIRLIGHT_MULTIPLE_NODES", AIRLIGHT_MULTIPLE_NODES) +
     (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
           Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)

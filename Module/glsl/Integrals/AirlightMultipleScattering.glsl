@@ -26,39 +26,44 @@ AIRLIGHT_FN real2 airlightMultipleNode(int k)
 // What is left of the source function at a point by one face of the region, behind which is a
 // vacuum: the image of the lamp in the face, as the boundary condition of diffusion asks, as a
 // factor. r, image: optical distances of the point from the lamp and from its image.
-AIRLIGHT_FN real3 airlightFaceFactor(AIRLIGHT_MULTIPLE_IN real3 r, real3 image)
+AIRLIGHT_FN AirlightMultipleSpectrum airlightFaceFactor(
+  AIRLIGHT_MULTIPLE_IN AirlightMultipleSpectrum r, AirlightMultipleSpectrum image)
 {
-  real3 kappa = airlightMultiple.kappa;
-  real3 gain = kappa + real3(real(1.0)) / max(image, real3(real(1e-6)));
-  real3 amount = min(
-    (gain - airlightMultiple.loss) / (gain + airlightMultiple.loss), real3(real(0.0)));
-  real3 share = exp(-kappa * (image - r)) * r / max(image, real3(real(1e-6)));
-  return max(real3(real(1.0)) + amount * share, real3(real(0.0)));
+  AirlightMultipleSpectrum kappa = AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.kappa);
+  image = max(image, AirlightMultipleSpectrum(real(1e-6)));
+  // 1 + (gain - loss)/(gain + loss) exp(-kappa (image - r)) r/image, gain = kappa + 1/image.
+  AirlightMultipleSpectrum gain = kappa * image + AirlightMultipleSpectrum(real(1.0));
+  AirlightMultipleSpectrum loss = AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.loss) * image;
+  AirlightMultipleSpectrum share = min(gain - loss, AirlightMultipleSpectrum(real(0.0))) * r /
+    ((gain + loss) * image) * exp(kappa * (r - image));
+  return max(AirlightMultipleSpectrum(real(1.0)) + share, AirlightMultipleSpectrum(real(0.0)));
 }
 
 // The optical distance from the lamp's image in a face, from which the point and the lamp are so
 // far away.
-AIRLIGHT_FN real3 airlightImageDistance(real3 sigmaT, real r, real point, real lamp)
+AIRLIGHT_FN AirlightMultipleSpectrum airlightImageDistance(
+  AirlightMultipleSpectrum sigmaT, real r, real point, real lamp)
 {
   return sigmaT * sqrt(r * r + real(4.0) * max(point, real(0.0)) * max(lamp, real(0.0)));
 }
 
 // Of all faces of the medium's region. A curved face counts as the plane that touches it where the
 // point is nearest.
-AIRLIGHT_FN real3 airlightRegionFactor(
+AIRLIGHT_FN AirlightMultipleSpectrum airlightRegionFactor(
   AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 lamp, real r)
 {
-  real3 factor = real3(real(1.0));
-  real3 optical = medium.sigmaT * r;
+  AirlightMultipleSpectrum factor = AirlightMultipleSpectrum(real(1.0));
+  AirlightMultipleSpectrum sigmaT = AIRLIGHT_MULTIPLE_SPECTRUM(medium.sigmaT);
+  AirlightMultipleSpectrum optical = sigmaT * r;
   if (AIRLIGHT_REGION_KIND(medium.region) == AIRLIGHT_REGION_BOX)
   {
     for (int axis = 0; axis < 3; axis++)
     {
       factor *= airlightFaceFactor(AIRLIGHT_MULTIPLE_OUT optical,
-        airlightImageDistance(medium.sigmaT, r, point[axis] - medium.region.boxMin[axis],
+        airlightImageDistance(sigmaT, r, point[axis] - medium.region.boxMin[axis],
           lamp[axis] - medium.region.boxMin[axis]));
       factor *= airlightFaceFactor(AIRLIGHT_MULTIPLE_OUT optical,
-        airlightImageDistance(medium.sigmaT, r, medium.region.boxMax[axis] - point[axis],
+        airlightImageDistance(sigmaT, r, medium.region.boxMax[axis] - point[axis],
           medium.region.boxMax[axis] - lamp[axis]));
     }
   }
@@ -67,7 +72,7 @@ AIRLIGHT_FN real3 airlightRegionFactor(
     real3 outward = point - medium.region.centre;
     real away = max(length(outward), real(1e-6) * medium.region.radius);
     factor = airlightFaceFactor(AIRLIGHT_MULTIPLE_OUT optical,
-      airlightImageDistance(medium.sigmaT, r, medium.region.radius - away,
+      airlightImageDistance(sigmaT, r, medium.region.radius - away,
         medium.region.radius - dot(lamp - medium.region.centre, outward) / away));
   }
   return factor;
@@ -101,6 +106,27 @@ struct AirlightMultipleRay
   real3 once;
 };
 
+// A node: where the ray is e = exp(v) and 1/e, with t - foot = h sinh v.
+AIRLIGHT_FN void airlightAddMultiple(AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium,
+  real3 origin, real3 direction, real4 lamp, real2 e, real weight, real foot, real start, real h,
+  AIRLIGHT_INOUT(AirlightMultipleSpectrum) several, AIRLIGHT_INOUT(AirlightMultipleSpectrum) once)
+{
+  real x = real(0.5) * h * (e.x - e.y);
+  real r = real(0.5) * h * (e.x + e.y);
+  real mu = (e.y - e.x) / (e.x + e.y);
+  real depth = max(foot + x - start, real(0.0));
+  AirlightMultipleSpectrum sigmaT = AIRLIGHT_MULTIPLE_SPECTRUM(medium.sigmaT);
+  AirlightMultipleSpectrum optical = sigmaT * r;
+  AirlightMultipleSpectrum logarithm = airlightSourceLogarithm(AIRLIGHT_MULTIPLE_OUT airlightSourceX(optical),
+    airlightSourceY(airlightMultiple.lobe, mu));
+  AirlightMultipleSpectrum source =
+    exp(logarithm - AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.kappa) * optical - sigmaT * depth);
+  source *= airlightRegionFactor(AIRLIGHT_MULTIPLE_OUT medium,
+    origin + (foot + x) * direction, real3(lamp), r);
+  several += weight * source;
+  once += weight * airlightPhase(medium.phase, mu) / r * exp(-sigmaT * (depth + r));
+}
+
 AIRLIGHT_FN AirlightMultipleRay airlightMultipleUpTo(
   AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction,
   real2 range, real4 lamp, real foot, real h, real sigma, real fall)
@@ -117,25 +143,24 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleUpTo(
   {
     return result;
   }
-  for (int k = 0; k < AIRLIGHT_ROLLED(AIRLIGHT_MULTIPLE_NODES); k++)
+  // Of the nodes, two lie as far from the middle.
+  real middle = exp(from + reach);
+  real inverse = real(1.0) / middle;
+  AirlightMultipleSpectrum several = AirlightMultipleSpectrum(real(0.0));
+  AirlightMultipleSpectrum once = AirlightMultipleSpectrum(real(0.0));
+  for (int k = 0; k < AIRLIGHT_ROLLED(AIRLIGHT_MULTIPLE_NODES / 2); k++)
   {
-    real2 node = airlightMultipleNode(k / 2);
-    real e = exp(from + reach * (real(1.0) + (k % 2 == 0 ? node.x : -node.x)));
-    real x = real(0.5) * h * (e - real(1.0) / e);
-    real r = real(0.5) * h * (e + real(1.0) / e);
-    real depth = max(foot + x - range.x, real(0.0));
-    real3 optical = medium.sigmaT * r;
-    real3 logarithm =
-      airlightSourceLogarithm(AIRLIGHT_MULTIPLE_OUT airlightSourceX(optical),
-        airlightSourceY(airlightMultiple.lobe, -x / r)) - airlightMultiple.kappa * optical;
-    real3 factor = airlightRegionFactor(AIRLIGHT_MULTIPLE_OUT medium,
-      origin + (foot + x) * direction, real3(lamp), r);
-    result.several += node.y * factor * exp(logarithm - medium.sigmaT * depth);
-    result.once += node.y * airlightPhase(medium.phase, -x / r) / r *
-      exp(-medium.sigmaT * (depth + r));
+    real2 node = airlightMultipleNode(k);
+    real aside = exp(reach * node.x);
+    real back = real(1.0) / aside;
+    airlightAddMultiple(AIRLIGHT_MULTIPLE_OUT medium, origin, direction, lamp,
+      real2(middle * aside, inverse * back), node.y, foot, range.x, h, several, once);
+    airlightAddMultiple(AIRLIGHT_MULTIPLE_OUT medium, origin, direction, lamp,
+      real2(middle * back, inverse * aside), node.y, foot, range.x, h, several, once);
   }
-  result.several = result.several * (reach * medium.sigmaT) * medium.sigmaT; // 0 before infinite
-  result.once *= reach * real(0.079577471545947668) * medium.sigmaS;
+  // 0 before infinite.
+  result.several = real3(several) * (reach * medium.sigmaT) * medium.sigmaT;
+  result.once = real3(once) * (reach * real(0.079577471545947668)) * medium.sigmaS;
   return result;
 }
 
@@ -154,6 +179,15 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
   real thin = real(AIRLIGHT_FAR);
   real slow = real(AIRLIGHT_FAR);
   real dense = real(0.0);
+#if defined(AIRLIGHT_MULTIPLE_GREY) && AIRLIGHT_MULTIPLE_GREY
+  thin = medium.sigmaT.x;
+  slow = thin * airlightMultiple.kappa.x;
+  if (thin > real(0.0))
+  {
+    sum = airlightMultipleUpTo(
+      AIRLIGHT_MULTIPLE_OUT medium, origin, direction, range, lamp, foot, h, thin, slow);
+  }
+#else
   for (int channel = 0; channel < 3; channel++)
   {
     real sigma = medium.sigmaT[channel];
@@ -177,6 +211,7 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
       sum.once += mask * part.once;
     }
   }
+#endif
   return sum;
 }
 
@@ -217,7 +252,7 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
   AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedia) media, real3 point, real3 normal)
 {
   real3 sum = real3(real(0.0));
-  real3 sigmaT = media.item[0].sigmaT;
+  AirlightMultipleSpectrum sigmaT = AIRLIGHT_MULTIPLE_SPECTRUM(media.item[0].sigmaT);
   if (!airlightHolds(media.item[0].region, point))
   {
     return sum;
@@ -226,15 +261,16 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
   {
     real3 away = point - real3(airlightMultiple.lamp[i]);
     real r = max(length(away), airlightMultiple.lamp[i].w);
-    real3 optical = sigmaT * r;
-    real3 x = airlightSourceX(optical);
-    real3 fall = airlightMultiple.kappa * optical;
-    real3 fluence = exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT 0, x) - fall);
-    real3 flux =
+    AirlightMultipleSpectrum optical = sigmaT * r;
+    AirlightMultipleSpectrum x = airlightSourceX(optical);
+    AirlightMultipleSpectrum fall = AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.kappa) * optical;
+    AirlightMultipleSpectrum fluence = exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT 0, x) - fall);
+    AirlightMultipleSpectrum flux =
       exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT AIRLIGHT_SOURCE_ROWS, x) - fall);
-    real3 share = real(0.25) * fluence - real(0.5) * dot(away, normal) / r * flux;
+    AirlightMultipleSpectrum share = real(0.25) * fluence - real(0.5) * dot(away, normal) / r * flux;
     // The moments are of optical lengths: a square of them is per area, and 1/r is of them, too.
-    sum += real3(airlightMultiple.power[i]) * max(share, real3(real(0.0))) * sigmaT / r;
+    sum += real3(airlightMultiple.power[i]) *
+      (max(share, AirlightMultipleSpectrum(real(0.0))) * sigmaT / r);
   }
   return sum;
 }

@@ -16,6 +16,15 @@
 // More lamps than any scene needs at once.
 #define AIRLIGHT_MAX_MULTIPLE_LAMPS 16
 
+// One number for three in a grey medium, and no angle in an isotropic one: shaders know.
+#if defined(AIRLIGHT_MULTIPLE_GREY) && AIRLIGHT_MULTIPLE_GREY
+#define AirlightMultipleSpectrum real
+#define AIRLIGHT_MULTIPLE_SPECTRUM(colour) (colour).x
+#else
+#define AirlightMultipleSpectrum real3
+#define AIRLIGHT_MULTIPLE_SPECTRUM(colour) real3(colour)
+#endif
+
 struct AirlightMultiple
 {
   int on;      // 1: all but the lamps is set
@@ -31,13 +40,14 @@ struct AirlightMultiple
 AIRLIGHT_MULTIPLE_UNIFORM
 
 // x in [-1, 1].
-AIRLIGHT_FN real3 airlightSourceX(real3 r)
+AIRLIGHT_FN AirlightMultipleSpectrum airlightSourceX(AirlightMultipleSpectrum r)
 {
   const real low = real(0.11111111111111111);   // sqrt(r/(r + 4)) of the least and the greatest r
   const real high = real(0.91287092917527686);
-  real3 within = clamp(r, real3(real(AIRLIGHT_SOURCE_LEAST)), real3(real(AIRLIGHT_SOURCE_MOST)));
-  real3 root = sqrt(within / (within + real3(real(4.0))));
-  return (root - real3(low)) * (real(2.0) / (high - low)) - real3(real(1.0));
+  AirlightMultipleSpectrum within =
+    clamp(r, AirlightMultipleSpectrum(real(AIRLIGHT_SOURCE_LEAST)), AirlightMultipleSpectrum(real(AIRLIGHT_SOURCE_MOST)));
+  AirlightMultipleSpectrum root = sqrt(within / (within + AirlightMultipleSpectrum(real(4.0))));
+  return (root - AirlightMultipleSpectrum(low)) * (real(2.0) / (high - low)) - AirlightMultipleSpectrum(real(1.0));
 }
 
 // y in [-1, 1]: by the shape of a Henyey-Greenstein lobe of this asymmetry parameter.
@@ -48,47 +58,59 @@ AIRLIGHT_FN real airlightSourceY(real lobe, real mu)
     return mu;
   }
   real least = sqrt((real(1.0) - lobe) / (real(1.0) + lobe));
-  real w = (real(1.0) - lobe) / sqrt(real(1.0) + lobe * lobe - real(2.0) * lobe * mu);
+  real w = (real(1.0) - lobe) * inversesqrt(real(1.0) + lobe * lobe - real(2.0) * lobe * mu);
   return (sqrt(w) - least) * (real(2.0) / (real(1.0) - least)) - real(1.0);
 }
 
-// Q of each channel.
-AIRLIGHT_FN real3 airlightSourceLogarithm(AIRLIGHT_MULTIPLE_IN real3 x, real y)
+// The polynomial in y of row i.
+AIRLIGHT_FN AirlightMultipleSpectrum airlightSourceRow(AIRLIGHT_MULTIPLE_IN int i, real y, real y2, real y3,
+  real y4, real y5)
 {
-  real t[AIRLIGHT_SOURCE_COLUMNS];
-  t[0] = real(1.0);
-  t[1] = y;
-  for (int j = 2; j < AIRLIGHT_SOURCE_COLUMNS; j++)
+  AirlightMultipleSpectrum row =
+    AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.source[i * AIRLIGHT_SOURCE_COLUMNS]);
+#ifndef AIRLIGHT_ISOTROPIC
+  row += y * AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.source[i * AIRLIGHT_SOURCE_COLUMNS + 1]) +
+    y2 * AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.source[i * AIRLIGHT_SOURCE_COLUMNS + 2]) +
+    (y3 * AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.source[i * AIRLIGHT_SOURCE_COLUMNS + 3]) +
+      y4 * AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.source[i * AIRLIGHT_SOURCE_COLUMNS + 4])) +
+    y5 * AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.source[i * AIRLIGHT_SOURCE_COLUMNS + 5]);
+#endif
+  return row;
+}
+
+// Q of each channel.
+AIRLIGHT_FN AirlightMultipleSpectrum airlightSourceLogarithm(
+  AIRLIGHT_MULTIPLE_IN AirlightMultipleSpectrum x, real y)
+{
+  // The polynomials of y, and Clenshaw's recurrence over the rows.
+  real y2 = real(2.0) * y * y - real(1.0);
+  real y3 = real(2.0) * y * y2 - y;
+  real y4 = real(2.0) * y2 * y2 - real(1.0);
+  real y5 = real(2.0) * y2 * y3 - y;
+  AirlightMultipleSpectrum twice = x + x;
+  AirlightMultipleSpectrum above = AirlightMultipleSpectrum(real(0.0));
+  AirlightMultipleSpectrum sum = AirlightMultipleSpectrum(real(0.0));
+  for (int i = AIRLIGHT_SOURCE_ROWS - 1; i > 0; i--)
   {
-    t[j] = real(2.0) * y * t[j - 1] - t[j - 2];
-  }
-  // Clenshaw's recurrence over the rows.
-  real3 above = real3(real(0.0));
-  real3 sum = real3(real(0.0));
-  for (int i = AIRLIGHT_SOURCE_ROWS - 1; i >= 0; i--)
-  {
-    real3 row = real3(real(0.0));
-    for (int j = 0; j < AIRLIGHT_SOURCE_COLUMNS; j++)
-    {
-      row += t[j] * real3(airlightMultiple.source[i * AIRLIGHT_SOURCE_COLUMNS + j]);
-    }
-    real3 next = row + (i > 0 ? real(2.0) : real(1.0)) * x * sum - above;
+    AirlightMultipleSpectrum next =
+      airlightSourceRow(AIRLIGHT_MULTIPLE_OUT i, y, y2, y3, y4, y5) - above + twice * sum;
     above = sum;
     sum = next;
   }
-  return sum;
+  return airlightSourceRow(AIRLIGHT_MULTIPLE_OUT 0, y, y2, y3, y4, y5) - above + x * sum;
 }
 
 // The logarithm of r times the fluence (from row 0) or of r times the flux (from row
 // AIRLIGHT_SOURCE_ROWS), plus kappa r.
-AIRLIGHT_FN real3 airlightMomentLogarithm(AIRLIGHT_MULTIPLE_IN int first, real3 x)
+AIRLIGHT_FN AirlightMultipleSpectrum airlightMomentLogarithm(
+  AIRLIGHT_MULTIPLE_IN int first, AirlightMultipleSpectrum x)
 {
-  real3 above = real3(real(0.0));
-  real3 sum = real3(real(0.0));
+  AirlightMultipleSpectrum above = AirlightMultipleSpectrum(real(0.0));
+  AirlightMultipleSpectrum sum = AirlightMultipleSpectrum(real(0.0));
   for (int i = AIRLIGHT_SOURCE_ROWS - 1; i >= 0; i--)
   {
-    real3 next = real3(airlightMultiple.moment[first + i]) +
-      (i > 0 ? real(2.0) : real(1.0)) * x * sum - above;
+    AirlightMultipleSpectrum next = AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + i]) - above +
+      (i > 0 ? real(2.0) : real(1.0)) * x * sum;
     above = sum;
     sum = next;
   }
