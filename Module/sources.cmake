@@ -25,6 +25,7 @@ airlight_sources(
     glsl/Integrals/AirlightGridRay.glsl
     glsl/Integrals/AirlightKinks.glsl
     glsl/Integrals/AirlightPrelude.glsl
+    glsl/Integrals/AirlightLayeredScattering.glsl
     glsl/Integrals/AirlightMultipleScattering.glsl
     glsl/Integrals/AirlightQuadrature.glsl
     glsl/Integrals/AirlightScattering.glsl

@@ -372,14 +372,15 @@ std::shared_ptr<const airlight::SourceFit> vtkParticipatingMedium::GetSourceFit(
   }
   airlight::Change problem;
   std::shared_ptr<const airlight::SourceFit> fit;
-  if (!alone || this->Density != UNIFORM || this->Region == SURFACE)
+  const bool layers = this->Density == EXPONENTIAL_HEIGHT && this->Region == UNBOUNDED;
+  if (!alone || !(layers || (this->Density == UNIFORM && this->Region != SURFACE)))
   {
     if (this->MultipleProblemTime != this->GetMTime())
     {
       problem.Error =
-        "Multiple scattering is left out, as it needs one medium alone, of uniform "
-        "density, that is unbounded or in a box, sphere or cylinder: see SetDensity() "
-        "and SetRegion(). SetAmbientRadiance() approximates it.";
+        "Multiple scattering is left out, as it needs one medium alone: of uniform density, "
+        "unbounded or in a box, sphere or cylinder, or unbounded and falling with height. See "
+        "SetDensity() and SetRegion(). SetAmbientRadiance() approximates it.";
       this->MultipleProblemTime = this->GetMTime();
     }
   }

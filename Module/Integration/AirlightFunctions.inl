@@ -66,6 +66,7 @@
 #include "Light/AirlightLight.glsl"
 #include "Integrals/AirlightKinks.glsl"
 #include "Integrals/AirlightQuadrature.glsl"
+#include "Integrals/AirlightLayeredScattering.glsl"
 #include "Integrals/AirlightMultipleScattering.glsl"
 #include "Integrals/AirlightGoniometricRay.glsl"
 #include "Medium/AirlightPieces.glsl"

@@ -104,6 +104,7 @@ void VisitMultiple(Visitor&& visit, Multiple&... multiple)
 {
   visit(Member{ "on" }, multiple.on...);
   visit(Member{ "count" }, multiple.count...);
+  visit(Member{ "suns" }, multiple.suns...);
   visit(Member{ "kappa" }, multiple.kappa...);
   visit(Member{ "loss" }, multiple.loss...);
   visit(Member{ "lobe" }, multiple.lobe...);
@@ -111,6 +112,12 @@ void VisitMultiple(Visitor&& visit, Multiple&... multiple)
   visit(Member{ "moment" }, multiple.moment...);
   visit(Member{ "lamp" }, multiple.lamp...);
   visit(Member{ "power" }, multiple.power...);
+  visit(Member{ "layerCosine" }, multiple.layerCosine...);
+  visit(Member{ "layerAlbedo" }, multiple.layerAlbedo...);
+  visit(Member{ "layerScale" }, multiple.layerScale...);
+  visit(Member{ "layerRate" }, multiple.layerRate...);
+  visit(Member{ "layerFlux" }, multiple.layerFlux...);
+  visit(Member{ "sun" }, multiple.sun...);
 }
 
 // Without `multiple`, which in shaders is a uniform of its own.

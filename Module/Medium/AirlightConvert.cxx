@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Medium/AirlightConvert.h"
 
+#include "MultipleScattering/AirlightLayeredSolution.h"
 #include "MultipleScattering/AirlightSourceFit.h"
 #include "Phase/AirlightPhaseShape.h"
 #include "Region/AirlightRegionKinds.h"
@@ -138,13 +139,18 @@ bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light)
   {
     return true;
   }
-  if (multiple.count == AIRLIGHT_MAX_MULTIPLE_LAMPS || f64::airlightIsDirectional(light) ||
-    light.cosCone > 0.0 || light.goniometric != 0 || !HasUniformPaths(media, light))
+  if (f64::airlightIsDirectional(light))
+  {
+    return AddMultipleSun(media, light);
+  }
+  const int lamp = multiple.count - multiple.suns;
+  if (lamp == AIRLIGHT_MAX_MULTIPLE_LAMPS || light.cosCone > 0.0 || light.goniometric != 0 ||
+    !HasUniformPaths(media, light))
   {
     return false;
   }
-  multiple.lamp[multiple.count] = glm::dvec4(light.position, light.radius);
-  multiple.power[multiple.count] =
+  multiple.lamp[lamp] = glm::dvec4(light.position, light.radius);
+  multiple.power[lamp] =
     glm::dvec4(4.0 * vtkMath::Pi() * light.intensity / light.attenuation.z, 0.0);
   ++multiple.count;
   media.item[0].ambient = glm::dvec3(0.0); // which stands for the same light
@@ -170,8 +176,10 @@ std::string GetScatteredOnceText(int lights)
   return "Multiple scattering leaves out " + std::to_string(lights) +
     " of the lights, which are scattered once: it is computed for at most " +
     std::to_string(AIRLIGHT_MAX_MULTIPLE_LAMPS) +
-    " point lamps inside the medium that shine evenly and fall off by the inverse square. See "
-    "vtkAirlight::SetRadiantIntensity().";
+    " point lamps inside a uniform medium that shine evenly and fall off by the inverse square, "
+    "see vtkAirlight::SetRadiantIntensity(), and for " +
+    std::to_string(AIRLIGHT_MAX_MULTIPLE_SUNS) +
+    " directional lights in a box or in fog that falls with height.";
 }
 
 //------------------------------------------------------------------------------

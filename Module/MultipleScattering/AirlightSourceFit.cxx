@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MultipleScattering/AirlightSourceFit.h"
 
+#include "MultipleScattering/AirlightLayeredSolution.h"
 #include "MultipleScattering/AirlightUnboundedSolution.h"
 #include "vtkMath.h"
 
@@ -179,6 +180,7 @@ SourceFit FitSource(const glm::dvec3& albedo, const std::vector<double>& legendr
   SourceFit result;
   result.Coefficients.on = 1;
   result.Coefficients.lobe = legendre[1] * legendre[1];
+  MakeLayers(albedo, legendre[1], result.Coefficients);
   for (int channel = 0; channel < 3; ++channel)
   {
     result.Coefficients.loss[channel] = 1.5 * (1.0 - albedo[channel] * legendre[1]);

@@ -14,6 +14,7 @@
 #include "AirlightHeightFog.h"
 #include "AirlightIrradianceRay.h"
 #include "AirlightKinks.h"
+#include "AirlightLayeredScattering.h"
 #include "AirlightLight.h"
 #include "AirlightMedia.h"
 #include "AirlightMedium.h"
@@ -150,7 +151,8 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + AirlightMedium +
     AirlightClosedSurface + AirlightPath + AirlightHeightFog +
     (multiple ? AirlightSourceFunction : "") + AirlightMedia + AirlightAmbient + AirlightLight +
-    AirlightKinks + AirlightQuadrature + (multiple ? AirlightMultipleScattering : "") +
+    AirlightKinks + AirlightQuadrature +
+    (multiple ? std::string(AirlightLayeredScattering) + AirlightMultipleScattering : "") +
     AirlightGoniometricRay + AirlightPieces + (grid ? AirlightGridRay : "") + AirlightScattering +
     AirlightDiffuseLight;
 }

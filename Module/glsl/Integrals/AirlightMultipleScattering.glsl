@@ -98,14 +98,6 @@ AIRLIGHT_FN real airlightMultipleReach(real sigma, real fall, real tL, real h)
   return c / (b + sqrt(max(b * b - a * c, real(0.0)))) / sigma;
 }
 
-// Of one lamp along a ray, per unit of its power: what was scattered more than once, and what would
-// be scattered once if nothing cast shadows.
-struct AirlightMultipleRay
-{
-  real3 several;
-  real3 once;
-};
-
 // A node: where the ray is e = exp(v) and 1/e, with t - foot = h sinh v.
 AIRLIGHT_FN void airlightAddMultiple(AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedium) medium,
   real3 origin, real3 direction, real4 lamp, real2 e, real weight, real foot, real start, real h,
@@ -215,7 +207,7 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
   return sum;
 }
 
-// Of all lamps on [0, l] of a ray of unit direction.
+// Of all lamps and suns on [0, l] of a ray of unit direction.
 AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(
   AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real l)
 {
@@ -223,12 +215,19 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(
   sum.several = real3(real(0.0));
   sum.once = real3(real(0.0));
   real2 range = airlightRegionRange(media.item[0].region, origin, direction, l);
-  for (int i = 0; i < airlightMultiple.count; i++)
+  for (int i = 0; i < airlightMultiple.count - airlightMultiple.suns; i++)
   {
     AirlightMultipleRay ray = airlightMultipleOfLamp(
       AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, airlightMultiple.lamp[i]);
     sum.several += real3(airlightMultiple.power[i]) * ray.several;
     sum.once += real3(airlightMultiple.power[i]) * ray.once;
+  }
+  for (int i = 0; i < airlightMultiple.suns && range.y > range.x; i++)
+  {
+    AirlightMultipleRay ray =
+      airlightMultipleOfSun(AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, i);
+    sum.several += ray.several;
+    sum.once += ray.once;
   }
   return sum;
 }
@@ -257,7 +256,11 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
   {
     return sum;
   }
-  for (int i = 0; i < airlightMultiple.count; i++)
+  for (int i = 0; i < airlightMultiple.suns; i++)
+  {
+    sum += airlightSunIrradiance(AIRLIGHT_MULTIPLE_OUT media.item[0], point, normal, i);
+  }
+  for (int i = 0; i < airlightMultiple.count - airlightMultiple.suns; i++)
   {
     real3 away = point - real3(airlightMultiple.lamp[i]);
     real r = max(length(away), airlightMultiple.lamp[i].w);

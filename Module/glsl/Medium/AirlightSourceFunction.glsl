@@ -15,6 +15,8 @@
 #define AIRLIGHT_SOURCE_SMALL_LOBE 1e-3
 // More lamps than any scene needs at once.
 #define AIRLIGHT_MAX_MULTIPLE_LAMPS 16
+#define AIRLIGHT_MAX_MULTIPLE_SUNS 4
+#define AIRLIGHT_SUN_ROWS 9
 
 // One number for three in a grey medium, and no angle in an isotropic one: shaders know.
 #if defined(AIRLIGHT_MULTIPLE_GREY) && AIRLIGHT_MULTIPLE_GREY
@@ -28,7 +30,8 @@
 struct AirlightMultiple
 {
   int on;      // 1: all but the lamps is set
-  int count;   // of lamps; 0: no multiple scattering
+  int count;   // of lamps and suns; 0: no multiple scattering
+  int suns;
   real3 kappa; // how fast the light falls far away, per optical length
   real3 loss;  // (3/2) (1 - c g_1): of light that meets a face of the region
   real lobe;   // the square of the phase function's mean cosine
@@ -36,6 +39,14 @@ struct AirlightMultiple
   real4 moment[2 * AIRLIGHT_SOURCE_ROWS]; // of the fluence, then of the flux
   real4 lamp[AIRLIGHT_MAX_MULTIPLE_LAMPS];  // position; least distance from it
   real4 power[AIRLIGHT_MAX_MULTIPLE_LAMPS]; // 4 pi times the radiant intensity
+  // Of suns, see AirlightLayeredScattering.glsl.
+  real meanCosine;   // of scattering
+  real layerCosine;  // of scattering without its forward peak
+  real3 layerAlbedo; // likewise
+  real3 layerScale;  // its extinction by that of the medium
+  real3 layerRate;   // how fast the light falls far from the sides, per depth
+  real3 layerFlux;   // there the light's i1 by its i0
+  real4 sun[AIRLIGHT_MAX_MULTIPLE_SUNS * AIRLIGHT_SUN_ROWS];
 };
 AIRLIGHT_MULTIPLE_UNIFORM
 

@@ -356,7 +356,7 @@ void CheckLimits()
   vtkAirlight::MultipleScattering(medium, lamp, intensity, origin, direction, 1.0, rgb);
   vtkAirlight::MultipleScattering(medium, lamp, intensity, origin, direction, 1.0, rgb);
   Expect(rgb[0] == 0.0 && errors.Take() == 1 &&
-      errors.GetText().find("needs one medium alone, of uniform density") != std::string::npos,
+      errors.GetText().find("needs one medium alone: of uniform density") != std::string::npos,
     "a density that varies");
   medium->SetDensityToUniform();
   vtkNew<vtkParticipatingMedium> other;
