@@ -526,6 +526,40 @@ void vtkParticipatingMedium::SetReferenceHeight(double height)
   this->SetNumber("ReferenceHeight", this->ReferenceHeight, height, true, "finite");
 }
 
+void vtkParticipatingMedium::SetGround(bool on)
+{
+  if (this->Ground != on)
+  {
+    this->Ground = on;
+    this->Modified();
+  }
+}
+
+void vtkParticipatingMedium::SetGroundHeight(double height)
+{
+  this->SetNumber("GroundHeight", this->GroundHeight, height, true, "finite");
+}
+
+void vtkParticipatingMedium::SetGroundAlbedo(double r, double g, double b)
+{
+  for (const double share : { r, g, b })
+  {
+    if (!(share >= 0.0 && share <= 1.0))
+    {
+      vtkErrorMacro(<< "GroundAlbedo (" << r << ", " << g << ", " << b
+                    << ") must be from 0 to 1; it stays (" << this->GroundAlbedo[0] << ", "
+                    << this->GroundAlbedo[1] << ", " << this->GroundAlbedo[2] << ").");
+      return;
+    }
+  }
+  this->SetVector("GroundAlbedo", this->GroundAlbedo, r, g, b);
+}
+
+void vtkParticipatingMedium::SetGroundAlbedo(const double rgb[3])
+{
+  this->SetGroundAlbedo(rgb[0], rgb[1], rgb[2]);
+}
+
 void vtkParticipatingMedium::SetUp(double x, double y, double z)
 {
   this->SetDirection("Up", this->Up, x, y, z);
@@ -589,5 +623,9 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DensityImage: " << this->GetDensityImage() << "\n";
   os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
   os << indent << "ReferenceHeight: " << this->ReferenceHeight << "\n";
+  os << indent << "Ground: " << (this->Ground ? "on" : "off") << "\n";
+  os << indent << "GroundHeight: " << this->GroundHeight << "\n";
+  os << indent << "GroundAlbedo: " << this->GroundAlbedo[0] << ", " << this->GroundAlbedo[1] << ", "
+     << this->GroundAlbedo[2] << "\n";
   print3("Up", this->Up);
 }

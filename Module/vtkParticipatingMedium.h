@@ -237,12 +237,18 @@ public:
 
   ///@{
   /**
-   * Whether light that was scattered more than once is computed, too: of point lamps with
-   * inverse-square attenuation inside one medium of uniform density that is unbounded or a box,
-   * sphere or cylinder. By the exact solution of the transport equation round such a lamp in an
-   * unbounded medium, fitted, with a factor for the faces of boxes and spheres (Documentation/
-   * physics.md). It takes the place of the ambient radiance. Surfaces receive what arrives there.
-   * Other lights are scattered once, with a message; other media, too. Default: off.
+   * Whether light that was scattered more than once is computed, too, where there is one medium:
+   *
+   * - of lamps with inverse-square attenuation, in a medium of uniform density that is unbounded or
+   *   a box, sphere or cylinder, by the exact solution of the transport equation round a lamp in an
+   *   unbounded medium, fitted, with a factor for the faces of boxes and spheres; spotlights, lamps
+   *   with photometric files and lamps outside as two lamps where their light first changes
+   *   direction, for phase functions of mean cosines up to 0.65;
+   * - of directional lights in a box, or in an unbounded medium that falls with height, by the
+   *   delta-Eddington approximation.
+   *
+   * See Documentation/physics.md. It takes the place of the ambient radiance. Surfaces receive what
+   * arrives there. Other lights are scattered once, with a message; other media, too. Default: off.
    *
    * In an unbounded medium the error is that of the fit and 0.5 % of all scattered light, where the
    * lamp is 0.05 to 20 mean free paths away (nearer, 3 %). What no bound covers, see
@@ -393,6 +399,23 @@ public:
 
   ///@{
   /**
+   * Whether there is level ground at GroundHeight, world units, of the albedo GroundAlbedo. It ends
+   * what SetMultipleScattering() computes of directional lights in SetDensityToExponentialHeight(),
+   * where fog that went on below would scatter light back from there; nothing else knows of it.
+   * Ranges: height finite, albedo 0 to 1. Defaults: off, 0, (0.2, 0.2, 0.2), that of soil.
+   */
+  void SetGround(bool on);
+  vtkGetMacro(Ground, bool);
+  vtkBooleanMacro(Ground, bool);
+  void SetGroundHeight(double height);
+  vtkGetMacro(GroundHeight, double);
+  void SetGroundAlbedo(double r, double g, double b);
+  void SetGroundAlbedo(const double rgb[3]);
+  vtkGetVector3Macro(GroundAlbedo, double);
+  ///@}
+
+  ///@{
+  /**
    * The direction in which heights are measured; it is normalised. Range: finite, not 0. Default:
    * (0, 1, 0).
    */
@@ -480,6 +503,9 @@ private:
   int Density = UNIFORM;
   double ScaleHeight = 1.0;
   double ReferenceHeight = 0.0;
+  bool Ground = false;
+  double GroundHeight = 0.0;
+  double GroundAlbedo[3] = { 0.2, 0.2, 0.2 };
   double Up[3] = { 0.0, 1.0, 0.0 };
 
   std::unique_ptr<Internals> Impl; // phase function, surface and image

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Medium/AirlightConvert.h"
 
+#include "MultipleScattering/AirlightFirstCollisions.h"
 #include "MultipleScattering/AirlightLayeredSolution.h"
 #include "MultipleScattering/AirlightSourceFit.h"
 #include "Phase/AirlightPhaseShape.h"
@@ -107,6 +108,23 @@ int DirectionalKind(const f64::AirlightMedia& media)
     ? AIRLIGHT_DIRECTIONAL_CLOSED
     : AIRLIGHT_DIRECTIONAL_QUADRATURE;
 }
+
+// collisions: of light that was not scattered before, whose single scattering is the light's second.
+bool AddEvenLamp(f64::AirlightMedia& media, const glm::dvec3& position, double radius,
+  const glm::dvec3& power, bool collisions)
+{
+  f64::AirlightMultiple& multiple = media.multiple;
+  const int lamp = multiple.count - multiple.suns;
+  if (lamp == AIRLIGHT_MAX_MULTIPLE_LAMPS)
+  {
+    return false;
+  }
+  multiple.lamp[lamp] = glm::dvec4(position, radius);
+  multiple.power[lamp] = glm::dvec4(power, collisions ? 1.0 : 0.0);
+  ++multiple.count;
+  media.item[0].ambient = glm::dvec3(0.0); // which stands for the same light
+  return true;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -127,6 +145,14 @@ f64::AirlightMedia ConvertMedia(
   if (fit && result.item[0].sigmaT != glm::dvec3(0.0))
   {
     result.multiple = fit->Coefficients;
+    vtkParticipatingMedium* medium = media[0];
+    if (medium->GetGround() && medium->GetDensity() == vtkParticipatingMedium::EXPONENTIAL_HEIGHT)
+    {
+      const double height =
+        (medium->GetGroundHeight() - medium->GetReferenceHeight()) / medium->GetScaleHeight();
+      result.multiple.groundDepth = medium->GetScaleHeight() * std::exp(-std::max(height, -60.0));
+      medium->GetGroundAlbedo(&result.multiple.groundAlbedo.x);
+    }
   }
   return result;
 }
@@ -143,17 +169,26 @@ bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light)
   {
     return AddMultipleSun(media, light);
   }
-  const int lamp = multiple.count - multiple.suns;
-  if (lamp == AIRLIGHT_MAX_MULTIPLE_LAMPS || light.cosCone > 0.0 || light.goniometric != 0 ||
-    !HasUniformPaths(media, light))
+  if (light.cosCone < 0.0 && light.goniometric == 0 && HasUniformPaths(media, light))
+  {
+    return AddEvenLamp(media, light.position, light.radius,
+      4.0 * vtkMath::Pi() * light.intensity / light.attenuation.z, false);
+  }
+  const f64::AirlightMedium& medium = media.item[0];
+  if (medium.density != AIRLIGHT_DENSITY_UNIFORM || multiple.meanCosine > MaximumBeamCosine ||
+    light.attenuation.x != 0.0 || light.attenuation.y != 0.0 ||
+    multiple.count - multiple.suns + 2 > AIRLIGHT_MAX_MULTIPLE_LAMPS)
   {
     return false;
   }
-  multiple.lamp[lamp] = glm::dvec4(light.position, light.radius);
-  multiple.power[lamp] =
-    glm::dvec4(4.0 * vtkMath::Pi() * light.intensity / light.attenuation.z, 0.0);
-  ++multiple.count;
-  media.item[0].ambient = glm::dvec3(0.0); // which stands for the same light
+  for (const CollisionGroup& group : FindFirstCollisions(medium, light, multiple.meanCosine))
+  {
+    if (group.Power != glm::dvec3(0.0))
+    {
+      AddEvenLamp(media, group.Position, std::max(group.Radius, light.radius),
+        group.Power / light.attenuation.z, true);
+    }
+  }
   return true;
 }
 
@@ -176,10 +211,12 @@ std::string GetScatteredOnceText(int lights)
   return "Multiple scattering leaves out " + std::to_string(lights) +
     " of the lights, which are scattered once: it is computed for at most " +
     std::to_string(AIRLIGHT_MAX_MULTIPLE_LAMPS) +
-    " point lamps inside a uniform medium that shine evenly and fall off by the inverse square, "
-    "see vtkAirlight::SetRadiantIntensity(), and for " +
+    " lamps that fall off by the inverse square in uniform media, where a spotlight, a photometric "
+    "file or a lamp outside counts twice and needs a phase function whose mean cosine is at most "
+    "0.65; and for " +
     std::to_string(AIRLIGHT_MAX_MULTIPLE_SUNS) +
-    " directional lights in a box or in fog that falls with height.";
+    " directional lights in a box or in fog that falls with height. See "
+    "vtkAirlight::SetRadiantIntensity().";
 }
 
 //------------------------------------------------------------------------------

@@ -88,7 +88,7 @@ void MakeLayers(const glm::dvec3& albedo, double meanCosine, f64::AirlightMultip
 }
 
 //------------------------------------------------------------------------------
-LayerTerms SolveLayers(double albedo, double meanCosine, double cosine, double end)
+LayerTerms SolveLayers(double albedo, double meanCosine, double cosine, double end, double ground)
 {
   // i1' = -3 (1 - albedo) i0 + even e^(-depth/cosine), i0' = -(1 - albedo meanCosine) i1 + ahead
   // e^(-depth/cosine), for unit irradiance.
@@ -100,8 +100,8 @@ LayerTerms SolveLayers(double albedo, double meanCosine, double cosine, double e
   LayerTerms terms;
   terms.Beam = cosine * (cosine * transport * even + ahead) / (1.0 - rate * rate * cosine * cosine);
   terms.BeamFlux = cosine * (3.0 * (1.0 - albedo) * terms.Beam + even);
-  // No diffuse light enters: i0 + Extrapolation i1 = 0 at the lit side, i0 - Extrapolation i1 = 0 at
-  // the other.
+  // No diffuse light enters: i0 + Extrapolation i1 = 0 at the lit side; at the other i0 -
+  // Extrapolation i1 is what the ground reflects.
   const double with = 1.0 + Extrapolation * flux;
   const double against = 1.0 - Extrapolation * flux;
   const double lit = terms.Beam + Extrapolation * terms.BeamFlux;
@@ -111,10 +111,14 @@ LayerTerms SolveLayers(double albedo, double meanCosine, double cosine, double e
     return terms;
   }
   const double across = std::exp(-rate * end);
-  const double unlit = (terms.Beam - Extrapolation * terms.BeamFlux) * std::exp(-end / cosine);
-  const double determinant = with * with - across * across * against * against;
-  terms.Fall = (lit * with - unlit * across * against) / determinant;
-  terms.Climb = (unlit * with - lit * across * against) / determinant;
+  const double arrives = std::exp(-end / cosine);
+  const double unlit = arrives *
+    (terms.Beam - Extrapolation * terms.BeamFlux + ground * (cosine / vtkMath::Pi() - lit));
+  const double falls = across * (against - ground * with);
+  const double climbs = with - ground * against;
+  const double determinant = with * climbs - across * against * falls;
+  terms.Fall = (lit * climbs - unlit * across * against) / determinant;
+  terms.Climb = (unlit * with - lit * falls) / determinant;
   return terms;
 }
 
@@ -153,10 +157,11 @@ bool AddMultipleSun(f64::AirlightMedia& media, const f64::AirlightLight& light)
   for (int channel = 0; channel < 3; ++channel)
   {
     const double sigma = medium.sigmaT[channel];
-    const double end = box ? sigma * extent[axis] * multiple.layerScale[channel]
-                           : std::numeric_limits<double>::infinity();
-    const LayerTerms terms =
-      SolveLayers(multiple.layerAlbedo[channel], multiple.layerCosine, cosine, end);
+    const double thickness = box ? extent[axis] : multiple.groundDepth;
+    const double end = box || thickness > 0.0 ? sigma * thickness * multiple.layerScale[channel]
+                                              : std::numeric_limits<double>::infinity();
+    const LayerTerms terms = SolveLayers(multiple.layerAlbedo[channel], multiple.layerCosine,
+      cosine, end, box ? 0.0 : multiple.groundAlbedo[channel]);
     Row(multiple, sun, AIRLIGHT_SUN_SHARE)[channel] = !box
       ? 1.0
       : GetSideShare(sigma > 0.0 ? medium.sigmaS[channel] / sigma : 0.0, multiple.meanCosine,

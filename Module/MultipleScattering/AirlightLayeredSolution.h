@@ -27,11 +27,11 @@ struct LayerTerms
   double BeamFlux = 0.0;
 };
 
-// Of layers of the depth `end`, which is infinite for a half-space, whose scattering has this
-// albedo, at most MaximumLayerAlbedo, and mean cosine. The cosine is that between the way to the sun
+// Of layers of the depth `end`, which is infinite for a half-space, above ground of the albedo
+// `ground`, whose scattering has this albedo, at most MaximumLayerAlbedo, and mean cosine. The cosine is that between the way to the sun
 // and the layers' normal; 1/cosine must differ from sqrt(3 (1 - albedo)(1 - albedo meanCosine)).
 VTKAIRLIGHT_EXPORT LayerTerms SolveLayers(
-  double albedo, double meanCosine, double cosine, double end);
+  double albedo, double meanCosine, double cosine, double end, double ground = 0.0);
 
 // Layers without absorption have no falling terms.
 constexpr double MaximumLayerAlbedo = 1.0 - 1e-5;

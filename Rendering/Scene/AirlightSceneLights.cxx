@@ -132,7 +132,13 @@ int AddMultipleLamps(const std::vector<SceneLight>& sceneLights, f64::AirlightMe
 {
   return static_cast<int>(
     std::count_if(sceneLights.begin(), sceneLights.end(), [&](const SceneLight& sceneLight) {
-      return sceneLight.HasPower() && !AddMultipleLamp(media, sceneLight.Values);
+      f64::AirlightLight light = sceneLight.Values;
+      if (sceneLight.Table)
+      {
+        light.photometry.data = sceneLight.Table->data();
+        light.photometry.first = 0;
+      }
+      return sceneLight.HasPower() && !AddMultipleLamp(media, light);
     }));
 }
 

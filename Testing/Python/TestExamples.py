@@ -109,6 +109,20 @@ class TestExamples(ExampleTest):
         # The caps' own colour under two planes that let 94 % through.
         np.testing.assert_allclose(shade, (0.25, 0.25, 0.3), atol=0.08)
 
+    def test_scattering_orders(self):
+        """Multiple scattering is nearer to all light than one scattering, and the rows are drawn."""
+        with tempfile.TemporaryDirectory() as folder:
+            text = self.run_example("scattering_orders.py", "-o", folder + "/orders.png", "--size",
+                                    "24x18", "--seconds", "2", "--frames", "1")
+            self.assertEqual(read_png(folder + "/orders.png").shape[:2], (54, 72))
+        rows = re.findall(r"(\w+): of all light, scattered once (\S+), multiple scattering (\S+)",
+                          text)
+        self.assertEqual([row[0] for row in rows], ["fog", "smoke", "milk"])
+        for name, once, multiple in rows:
+            self.assertLess(abs(float(multiple) - 1), 0.4, name)
+            self.assertLess(float(once), 0.9, name)
+            self.assertGreater(float(multiple), float(once), name)
+
     def test_lit_intervals(self):
         with tempfile.TemporaryDirectory() as folder:
             text = self.run_example("lit_intervals_to_numpy.py", folder + "/lit.npz")

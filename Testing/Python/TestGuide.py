@@ -85,6 +85,13 @@ class TestGuide(unittest.TestCase):
         seen = self.names["seen"]
         self.assertTrue(contrasts[seen] > 0.02 > contrasts[seen + 1])
 
+    def test_visibility_with_multiple_scattering(self):
+        """Albedo 0.25: each order has at most a quarter of the one before, near lamps far less."""
+        multiple = self.names["multiple"]
+        for z in (5, 15):
+            self.assertGreater(multiple[z], 0.01)
+            self.assertLess(multiple[z], 0.25 / (1 - 0.25))
+
     def test_headlights(self):
         """Below the cut-off of the low beam there is light, above it hardly any; see the file."""
         veil = pixels(self.names["veil"])[..., 1]
@@ -110,6 +117,7 @@ class TestGuide(unittest.TestCase):
             bound = self.names["water"].GetPhaseErrorBound()
             self.assertAlmostEqual(value, expected, delta=(bound + 1e-6) * expected)
         self.assertLess(self.names["backscatter"][1.0], 0.5 * self.names["backscatter"][0.1])
+        self.assertGreater(self.names["turbid"], 0.05)
 
     def test_daylight(self):
         self.assertLess(self.names["median"], 1e-5)

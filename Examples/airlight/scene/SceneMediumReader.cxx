@@ -112,7 +112,8 @@ void ReadBounds(const LocatedJson& json, vtkParticipatingMedium* medium)
 
 void ReadDensity(const LocatedJson& json, vtkParticipatingMedium* medium)
 {
-  json.CheckKeys({ "type", "reference_height", "scale_height" }, { "up" });
+  json.CheckKeys(
+    { "type", "reference_height", "scale_height" }, { "up", "ground_height", "ground_albedo" });
   const std::string type = json["type"].GetString();
   if (type != "exponential_height")
   {
@@ -124,6 +125,15 @@ void ReadDensity(const LocatedJson& json, vtkParticipatingMedium* medium)
   if (json.Has("up"))
   {
     medium->SetUp(ReadSceneDirection(json["up"]).data());
+  }
+  if (json.Has("ground_height"))
+  {
+    medium->GroundOn();
+    medium->SetGroundHeight(json["ground_height"].GetNumber(-LargestNumber, LargestNumber));
+  }
+  if (json.Has("ground_albedo"))
+  {
+    medium->SetGroundAlbedo(json["ground_albedo"].GetVector(0.0, 1.0).data());
   }
 }
 

@@ -23,7 +23,9 @@ namespace airlight
  *    optional in `medium`: `bounds` {type: box, min, max}, {type: sphere, center, radius},
  *    {type: cylinder, center, radius, height, axis} (axis may be left out: 0, 1, 0) or
  *    {type: surface, mesh: a file of a closed mesh}, `density`
- *    {type: exponential_height, reference_height, scale_height, up} (up may be left out: 0, 1, 0)
+ *    {type: exponential_height, reference_height, scale_height, up} (up may be left out: 0, 1, 0;
+ *    and with multiple scattering of suns may go `ground_height` and `ground_albedo`, r, g, b, see
+ *    vtkParticipatingMedium::SetGround()),
  *    `ambient_radiance`, and `multiple_scattering`, true or false (false), see
  *    vtkParticipatingMedium::SetMultipleScattering();
  *  - `lights`, a list of {type: point, position, intensity},

@@ -75,11 +75,14 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfSun(
   real4 layers = airlightMultiple.sun[sun * AIRLIGHT_SUN_ROWS + AIRLIGHT_SUN_LAYERS];
   real4 towards = airlightMultiple.sun[sun * AIRLIGHT_SUN_ROWS + AIRLIGHT_SUN_DIRECTION];
   const real far = real(1e4); // nothing is left beyond, and products stay finite
+  real3 end = airlightSun(AIRLIGHT_MULTIPLE_OUT sun, AIRLIGHT_SUN_END) / peak;
   real3 start = min(medium.sigmaT *
-    airlightLayerDepth(medium, layers, origin + range.x * direction), real3(far));
+    airlightLayerDepth(medium, layers, origin + range.x * direction), min(real3(far), end));
   real3 depth = min(medium.sigmaT *
     airlightInsideDepth(medium, origin, direction, range.x, range.y), real3(far));
   real slope = -dot(real3(layers), direction);
+  // No light below the other side.
+  depth = slope > real(1e-6) ? min(depth, (end - start) / slope) : depth;
   real3 beam = real3(real(1.0) / towards.w);
   real3 first = airlightLayerIntegral(beam, start, slope, depth);
   real3 straight = airlightLayerIntegral(beam, peak * start, slope, peak * depth);
@@ -115,7 +118,8 @@ AIRLIGHT_FN real3 airlightSunIrradiance(
 {
   real4 layers = airlightMultiple.sun[sun * AIRLIGHT_SUN_ROWS + AIRLIGHT_SUN_LAYERS];
   real4 towards = airlightMultiple.sun[sun * AIRLIGHT_SUN_ROWS + AIRLIGHT_SUN_DIRECTION];
-  real3 depth = min(medium.sigmaT * airlightLayerDepth(medium, layers, point), real3(real(1e4)));
+  real3 depth = min(medium.sigmaT * airlightLayerDepth(medium, layers, point),
+    airlightSun(AIRLIGHT_MULTIPLE_OUT sun, AIRLIGHT_SUN_END) / airlightMultiple.layerScale);
   real3 thinner = airlightMultiple.layerScale * depth;
   real3 fall = airlightSun(AIRLIGHT_MULTIPLE_OUT sun, AIRLIGHT_SUN_FALL) *
     exp(-airlightMultiple.layerRate * thinner);

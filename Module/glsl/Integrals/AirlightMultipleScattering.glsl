@@ -219,8 +219,10 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(
   {
     AirlightMultipleRay ray = airlightMultipleOfLamp(
       AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, airlightMultiple.lamp[i]);
-    sum.several += real3(airlightMultiple.power[i]) * ray.several;
-    sum.once += real3(airlightMultiple.power[i]) * ray.once;
+    // Of light that collided once before, what is scattered once is the second time.
+    real4 power = airlightMultiple.power[i];
+    sum.several += real3(power) * (ray.several + power.w * ray.once);
+    sum.once += real3(power) * ((real(1.0) - power.w) * ray.once);
   }
   for (int i = 0; i < airlightMultiple.suns && range.y > range.x; i++)
   {
@@ -252,7 +254,9 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
 {
   real3 sum = real3(real(0.0));
   AirlightMultipleSpectrum sigmaT = AIRLIGHT_MULTIPLE_SPECTRUM(media.item[0].sigmaT);
-  if (!airlightHolds(media.item[0].region, point))
+  // Surfaces that lie in a face of the region are inside.
+  real3 inward = real(1e-4) * (airlightRegionMiddle(media.item[0].region) - point);
+  if (!airlightHolds(media.item[0].region, point + inward))
   {
     return sum;
   }
@@ -270,7 +274,14 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
     AirlightMultipleSpectrum fluence = exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT 0, x) - fall);
     AirlightMultipleSpectrum flux =
       exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT AIRLIGHT_SOURCE_ROWS, x) - fall);
-    AirlightMultipleSpectrum share = real(0.25) * fluence - real(0.5) * dot(away, normal) / r * flux;
+    AirlightMultipleSpectrum share =
+      real(0.25) * fluence - real(0.5) * dot(away, normal) / r * flux;
+    if (airlightMultiple.power[i].w > real(0.5))
+    {
+      // And of light that collided once before, what comes directly.
+      real direct = real(0.079577471545947668) * max(-dot(away, normal), real(0.0)) / (r * r * r);
+      sum += real3(airlightMultiple.power[i]) * (direct * exp(-optical));
+    }
     // The moments are of optical lengths: a square of them is per area, and 1/r is of them, too.
     sum += real3(airlightMultiple.power[i]) *
       (max(share, AirlightMultipleSpectrum(real(0.0))) * sigmaT / r);

@@ -38,9 +38,11 @@ struct AirlightMultiple
   real4 source[AIRLIGHT_SOURCE_ROWS * AIRLIGHT_SOURCE_COLUMNS]; // q_ij, a channel each
   real4 moment[2 * AIRLIGHT_SOURCE_ROWS]; // of the fluence, then of the flux
   real4 lamp[AIRLIGHT_MAX_MULTIPLE_LAMPS];  // position; least distance from it
-  real4 power[AIRLIGHT_MAX_MULTIPLE_LAMPS]; // 4 pi times the radiant intensity
+  real4 power[AIRLIGHT_MAX_MULTIPLE_LAMPS]; // 4 pi times the radiant intensity; 1: of collisions
   // Of suns, see AirlightLayeredScattering.glsl.
   real meanCosine;   // of scattering
+  real groundDepth;  // where level ground ends the layers, as airlightLayerDepth(); 0: none
+  real3 groundAlbedo;
   real layerCosine;  // of scattering without its forward peak
   real3 layerAlbedo; // likewise
   real3 layerScale;  // its extinction by that of the medium

@@ -44,7 +44,8 @@ struct Layers
   double Cosine;
   double Sun;
   double End;
-  LayerTerms Terms = SolveLayers(Albedo, Cosine, Sun, End);
+  double Ground = 0.0;
+  LayerTerms Terms = SolveLayers(Albedo, Cosine, Sun, End, Ground);
 
   double Sum(double depth, double fall, double climb, double beam) const
   {
@@ -63,6 +64,22 @@ struct Layers
 
 // The flux changes by what is absorbed and what the beam feeds; the mean by the flux; nothing
 // enters.
+void CheckGround()
+{
+  for (const double albedo : { 0.5, 0.95, MaximumLayerAlbedo })
+  {
+    for (const double ground : { 0.0, 0.3, 1.0 })
+    {
+      const Layers layers{ albedo, 0.3, 0.7, 1.4, ground };
+      const double arrives =
+        layers.Even(1.4) + 0.7104 * layers.Down(1.4) + 0.7 / vtkMath::Pi() * std::exp(-1.4 / 0.7);
+      const double leaves = layers.Even(1.4) - 0.7104 * layers.Down(1.4);
+      Expect(std::abs(leaves - ground * arrives) < 1e-9, "the ground reflects", albedo, ground,
+        leaves, arrives);
+    }
+  }
+}
+
 void CheckEquations()
 {
   for (const double albedo : { 0.0, 0.3, 0.9, 0.99, MaximumLayerAlbedo })
@@ -129,6 +146,20 @@ struct Scene
     this->Light->SetPosition(towards.x, towards.y, towards.z);
     this->Light->SetFocalPoint(0.0, 0.0, 0.0);
     this->Media = ConvertMedia({ this->Medium }, glm::dvec3(0.0));
+    this->Add();
+  }
+
+  // Ground 2 below the origin.
+  void SetGround(bool on)
+  {
+    this->Medium->SetGround(on);
+    this->Medium->SetGroundHeight(-2.0);
+    this->Media = ConvertMedia({ this->Medium }, glm::dvec3(0.0));
+    this->Add();
+  }
+
+  void Add()
+  {
     f64::AirlightLight light;
     Check(ConvertLight(this->Media, this->Light, glm::dvec3(0.0), light) == LightSupport::Scatters,
       "the sun scatters");
@@ -252,7 +283,8 @@ void CheckLimits()
       {
         continue; // the sun has set
       }
-      const Scene scene(box, 0.85, towards);
+      Scene scene(box, 0.85, towards);
+      scene.SetGround(height > 0.5);
       for (const double up : { 1.0, 1e-12, 0.0, -1e-12, -1.0 })
       {
         for (const double level : { -80.0, -2.0, 0.0, 50.0 })
@@ -317,6 +349,7 @@ void CheckIrradiance()
 int TestLayeredScattering(int, char*[])
 {
   CheckEquations();
+  CheckGround();
   CheckRays();
   CheckLimits();
   CheckIrradiance();

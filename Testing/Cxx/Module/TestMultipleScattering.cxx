@@ -336,7 +336,7 @@ void CheckLimits()
   double ambient[3];
   vtkAirlight::Ambient(medium, origin, direction, 5.0, ambient);
   Expect(ambient[0] == 0.0, "it takes the ambient radiance's place");
-  // The box takes light away, and a lamp outside it has none.
+  // The box takes light away, and a lamp outside it sends it less.
   double boxed[3];
   medium->SetRegionToBox();
   medium->SetBounds(-2.0, 2.0, -2.0, 2.0, -2.0, 2.0);
@@ -348,8 +348,8 @@ void CheckLimits()
   medium->SetRegionToBox();
   const double outside[3] = { 5.0, 0.0, 0.0 };
   Expect(vtkAirlight::MultipleScattering(medium, outside, intensity, origin, direction, 1.0, rgb) &&
-      rgb[0] == 0.0,
-    "lamps outside");
+      rgb[0] > 0.0 && rgb[0] < boxed[0],
+    "a lamp outside gives less light");
   // What it does not know, it says once for each change.
   ErrorListener errors(medium);
   medium->SetDensityToExponentialHeight();

@@ -103,7 +103,8 @@ class AirlightComponent:
             0.55 of the background's colour.
         multiple_scattering : bool, default: False
             Whether light that is scattered more than once is computed, instead of the ambient
-            radiance: of point lamps, in a uniform medium that is everywhere or in bounds.
+            radiance: of lamps, in a uniform medium that is everywhere or in bounds, and of suns,
+            in bounds or with a scale_height above the ground, which is the scene's lowest point.
         region : sequence[float] | pyvista.PolyData, optional
             Where the medium is: bounds (xmin, xmax, ymin, ymax, zmin, zmax), or a closed surface.
             None: everywhere.

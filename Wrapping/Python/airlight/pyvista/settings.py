@@ -98,11 +98,11 @@ class Settings:
         self._check_region()
         self._check_density()
         if self.multiple_scattering and (
-                self.density is not None or self.scale_height is not None or
-                isinstance(self.region, pv.DataSet)):
+                self.density is not None or isinstance(self.region, pv.DataSet) or
+                (self.scale_height is not None and self.region is not None)):
             raise ValueError("multiple_scattering is True, which needs a uniform medium that is "
-                             "everywhere or in bounds: leave out density, scale_height and a "
-                             "surface as the region.")
+                             "everywhere or in bounds, or one with a scale_height that is "
+                             "everywhere: leave out density, and a surface as the region.")
 
     def _check_shadows(self) -> None:
         if isinstance(self.shadows, bool):
@@ -188,6 +188,9 @@ class Settings:
             medium.SetVisibility(scene.visibility)
         if self.scale_height is not None and self.reference_height is None:
             medium.SetReferenceHeight(float(scene.low[2]))
+        if self.scale_height is not None:
+            medium.SetGround(True)
+            medium.SetGroundHeight(float(scene.low[2]))
 
     def derive_ambient(self, medium: vtkParticipatingMedium, background: Any) -> None:
         """Set the ambient radiance, if it is None, from the colour of the background."""
