@@ -35,14 +35,15 @@ def main():
     pl.add_mesh(wall, color="linen")
     pl.add_mesh(slats, color="sienna")
     pl.add_mesh(pv.Plane(center=(3, 0, 0), i_size=6, j_size=6), color="burlywood")
-    pl.add_mesh(pv.Plane(center=(3, 3, 1.5), direction=(0, 1, 0), i_size=3, j_size=6),
-                color="linen")
+    for y in (-3, 3):
+        pl.add_mesh(pv.Plane(center=(3, y, 1.5), direction=(0, 1, 0), i_size=3, j_size=6),
+                    color="linen")
     pl.add_mesh(pv.Plane(center=(3, 0, 3), i_size=6, j_size=6), color="linen")
-    pl.add_mesh(pv.Sphere(center=(2.5, 0.4, 0.5), radius=0.5), color="steelblue",
-                smooth_shading=True)
+    pl.add_mesh(pv.Sphere(radius=0.5, center=(2.5, 0.4, 0.5), theta_resolution=120,
+                          phi_resolution=120), color="steelblue", smooth_shading=True)
 
-    pl.airlight.enable(visibility=22, anisotropy=0.4, region=ROOM, ambient=0.06)
-    pl.airlight.render_pass.EncodedOutputOn()  # for the eye
+    pl.airlight.enable(visibility=22, anisotropy=0.4, region=ROOM, ambient=0.06,
+                       color_space="srgb", tone_mapping="clamp", frames=4)
     sun = pl.airlight.add_sun((1, 0.12, -0.55), IRRADIANCE, color=(1, 0.93, 0.8))
 
     shadow = slats.airlight.shadow_volume(sun, bounds=ROOM)

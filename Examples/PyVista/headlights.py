@@ -58,8 +58,8 @@ def main():
         pl.add_mesh(pv.Cylinder(center=(x, 3.6, 0.5), direction=(0, 0, 1), radius=0.06, height=1),
                     color="white")
 
-    pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.7, white=WHITE, ambient=1.2)
-    pl.airlight.render_pass.EncodedOutputOn()  # for the eye
+    pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.7, white=WHITE, ambient=1.2,
+                       color_space="srgb")
     for y in (-0.65, 0.65):
         pl.airlight.add_lamp((0.06, y, 0.65), CANDELA, unit="cd", color=(1, 0.95, 0.85),
                              target=(30, y, 0.45), cone_angle=11)

@@ -47,8 +47,8 @@ def main():
                     color=(SIGN, SIGN, 0.1), lighting=False)
 
     pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.5, albedo=0.4, ambient=0,
-                       region=(-2, 40, -4, 4, 0, 4))
-    pl.airlight.render_pass.EncodedOutputOn()  # for the eye
+                       region=(-2, 40, -4, 4, 0, 4), color_space="srgb",
+                       tone_mapping="clamp")
     lamps = [pl.airlight.add_lamp((x, 0, 3.9), 16, color=(1, 0.9, 0.7)) for x in range(4, 40, 8)]
 
     lines = pv.line_segments_from_points([p for sign in SIGNS for p in (EYE, sign)])

@@ -40,8 +40,8 @@ def main():
     pl.add_mesh(pv.Cube(center=(0, 0, 0.4), x_length=0.9, y_length=0.5, z_length=0.8), color="tan")
     pl.add_mesh(make_sculpture(), color="saddlebrown", smooth_shading=True)
 
-    pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.6, ambient=0.03)
-    pl.airlight.render_pass.EncodedOutputOn()  # for the eye
+    pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.6, ambient=0.03,
+                       color_space="srgb")
     pl.airlight.add_lamp(LAMP, INTENSITY, color=(1.0, 0.9, 0.75))
 
     pl.camera_position = [(0.9, -3.4, 1.35), (0, 0, 1.2), (0, 0, 1)]

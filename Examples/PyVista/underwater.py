@@ -65,8 +65,7 @@ def main():
                                 height=1.5), color="orangered")
     bow = add_vehicle(pl, (-0.8, -0.2, 1.35))
 
-    pl.airlight.enable(medium=make_water())
-    pl.airlight.render_pass.EncodedOutputOn()  # for the eye
+    pl.airlight.enable(medium=make_water(), color_space="srgb")
     pl.airlight.add_lamp(bow, INTENSITY, target=(4.5, 0.2, 0.2), cone_angle=32)
     pl.airlight.add_lamp((-0.6, -3.0, 3.2), 8)  # of the diver who takes the picture
     pl.camera_position = [(0.6, -5.0, 1.9), (1.2, 0, 0.8), (0, 0, 1)]
