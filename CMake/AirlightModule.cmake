@@ -21,6 +21,7 @@ foreach (file IN LISTS glsl)
     SOURCE_OUTPUT source)
   list(APPEND private_headers "${header}")
   list(APPEND private_sources "${source}")
+  list(APPEND glsl_sources "${source}")
 endforeach ()
 
 # The list of phase functions for vtkPhaseFunction::NewByName(), from the CLASSES of the rooms.
@@ -43,6 +44,10 @@ vtk_module_add_module("${_vtk_build_module}"
   PRIVATE_CLASSES ${private_classes}
   SOURCES         ${private_sources}
   PRIVATE_HEADERS ${private_headers})
+
+if (AIRLIGHT_PRECOMPILED_HEADER)
+  include("${CMAKE_CURRENT_LIST_DIR}/AirlightPrecompiledHeader.cmake")
+endif ()
 
 foreach (folder IN ITEMS Module Filters Rendering)
   vtk_module_include("${_vtk_build_module}"

@@ -1,7 +1,10 @@
 # A wheel: the library and its Python modules in one folder, airlight/, beside the folder vtkmodules of
 # the package vtk. pyproject.toml is the recipe; scikit-build-core sets SKBUILD.
 
-set(AIRLIGHT_BUILD_TESTING OFF)
+# Some C++ tests, beside the wheel: Utilities/wheel.sh runs them. An sdist has none.
+option(AIRLIGHT_WHEEL_TESTING "Build C++ tests with the wheel's library" OFF)
+mark_as_advanced(AIRLIGHT_WHEEL_TESTING)
+set(AIRLIGHT_BUILD_TESTING "${AIRLIGHT_WHEEL_TESTING}")
 set(AIRLIGHT_BUILD_EXAMPLES OFF)
 set(AIRLIGHT_WRAP_PYTHON ON)
 set(CMAKE_INSTALL_LIBDIR "airlight")

@@ -18,7 +18,7 @@ die()
 step()
 {
   step_number=$((step_number + 1))
-  echo "[$step_number/$step_count] $*"
+  echo "[$step_number/$step_count] $* (after $SECONDS s)"
 }
 
 # install_missing PROGRAM...: installs missing packages if there is apt-get, and stops unless every

@@ -2,6 +2,7 @@
 # Fetches ParaView without installing it, builds Airlight and its plugin for it, and runs their tests.
 #
 # Usage: Utilities/paraview-test.sh [CTEST OPTION...]        all of it
+#        Utilities/paraview-test.sh --fetch                  only fetches
 #        Utilities/paraview-test.sh --build                  only fetches and builds
 #        Utilities/paraview-test.sh --run [-n RANKS] SCRIPT [ARGUMENT...]
 #                                                            runs a script in pvpython, or on this
@@ -118,7 +119,8 @@ build_plugin()
   [[ ! -x /usr/bin/python3 ]] || python=(-DPython3_EXECUTABLE=/usr/bin/python3)
   # Compiles fast rather than runs fast, for the tests.
   cmake -S "$root/ParaView" -B "$plugin" "${generator[@]}" "${python[@]}" \
-    -DParaView_DIR="$package" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" ||
+    -DParaView_DIR="$package" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
+    -DAIRLIGHT_PRECOMPILED_HEADER=ON ||
     die "CMake could not configure the plugin; see its message above."
   cmake --build "$plugin" --parallel "$jobs" ||
     die "the plugin does not build; see the compiler's message above."
@@ -177,6 +179,7 @@ open_window()
 
 case ${1-} in
   -h | --help) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  --fetch) fetch ;;
   --build)
     fetch
     build_plugin

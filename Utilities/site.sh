@@ -2,12 +2,13 @@
 # Builds the documentation site: the pages of Documentation/, a gallery made by running the examples,
 # the Python package from its stubs, and the C++ reference. Then checks its links.
 #
-# Usage: Utilities/site.sh [--output DIR] [--python PYTHON] [--external] [--test]
+# Usage: Utilities/site.sh [--output DIR] [--python PYTHON] [--external] [--quick] [--test]
 #
 #   --output     the folder of the site, which is replaced. Default: build/site/html
 #   --python     a Python that has Airlight: its Airlight is used. Default: the newest wheel in dist/,
 #                or else the wheel that is installed for python3
 #   --external   also fetches links to other sites; otherwise they are listed
+#   --quick      runs no examples: a site without their pictures, to find broken links and warnings
 #   --test       also runs Testing/Site on the result, which needs Chromium and its driver
 #
 # Needs CMake and Doxygen, and the packages of Documentation/site/requirements.txt, which it installs
@@ -23,6 +24,7 @@ output=$work/html
 python=
 external=()
 with_test=0
+pictures=(--pictures "$work/examples")
 while (($#)); do
   case $1 in
     --output | --python)
@@ -34,6 +36,7 @@ while (($#)); do
       shift
       ;;
     --external) external=(--external) ;;
+    --quick) pictures=() ;;
     --test) with_test=1 ;;
     -h | --help)
       sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
@@ -100,9 +103,9 @@ step "Making the C++ reference"
 cmake -DAirlight_VERSION="$version" -DAIRLIGHT_REFERENCE_DIR="$work/reference" \
   -P "$root/CMake/AirlightReference.cmake" || die "Doxygen has findings; see above."
 
-step "Running the examples and preparing the pages"
+step "Preparing the pages${pictures:+, with what the examples draw}"
 (cd / && "$venv/bin/python" "$root/Documentation/site/prepare.py" "$work/source" \
-  --pictures "$work/examples" --doxygen "$work/reference/html") ||
+  "${pictures[@]}" --doxygen "$work/reference/html") ||
   die "the pages could not be prepared; see the message above."
 
 step "Building the site"

@@ -32,8 +32,14 @@ command -v apt-get > /dev/null || {
 step "Configuring"
 configure -DAIRLIGHT_BUILD_TESTING=ON
 
-step "Building"
+step "Building, and fetching what later steps need"
+# What cannot be fetched is fetched again there, with a message.
+{
+  "$root/Utilities/paraview-test.sh" --fetch || true
+  ((!installs)) || "$root/Utilities/wheel.sh" --fetch || true
+} > "$build/fetch.log" 2>&1 &
 compile all
+wait
 
 step "Building for ParaView, if it can be fetched"
 "$root/Utilities/paraview-test.sh" --build || {

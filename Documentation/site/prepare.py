@@ -21,8 +21,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("source", type=pathlib.Path, help="folder for Sphinx's sources, emptied")
-    parser.add_argument("--pictures", type=pathlib.Path, required=True,
-                        help="folder in which the examples run; results are kept")
+    parser.add_argument("--pictures", type=pathlib.Path,
+                        help="folder in which the examples run; results are kept. None: they do not")
     parser.add_argument("--doxygen", type=pathlib.Path, required=True,
                         help="folder with the C++ reference")
     options = parser.parse_args()
