@@ -93,6 +93,7 @@ else
     die "$python has no Airlight, and dist/ no wheel: make one with Utilities/wheel.sh."
   }
 fi
+unset PYTHONPATH # it comes before the environment's packages
 version=$(sed -n 's/^  VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")
 installed=$(cd / && "$venv/bin/python" -c 'import airlight; print(airlight.__version__)') ||
   die "the package airlight does not load; see Python's message above."
