@@ -189,6 +189,10 @@ Promise.all(wait).then(() => done({
   width: document.documentElement.clientWidth,
   height: document.documentElement.scrollHeight,
   text: document.body.innerText.length,
+  cut: [...document.querySelectorAll("article p code, article li code")].filter(
+    code => !code.closest("pre, table") &&
+      code.getBoundingClientRect().right > document.documentElement.clientWidth
+  ).map(code => code.innerText),
 }));
 """
 
@@ -208,6 +212,8 @@ def test_pages_in_browser(browser, address):
             wrong.append(f"{name}: broken pictures: {found['broken']}")
         if found["page"] > max(found["width"], browser.width):
             wrong.append(f"{name}: {found['page']} pixels wide in a window of {browser.width}")
+        if found["cut"]:
+            wrong.append(f"{name}: cut off: {found['cut']}")
         if found["text"] < 20:
             wrong.append(f"{name}: is empty")
     assert not wrong, "\n".join(wrong)
