@@ -8,6 +8,7 @@
 #                                                            runs a script in pvpython, or on this
 #                                                            number of pvbatch ranks, with the plugin
 #        Utilities/paraview-test.sh --window [ARGUMENT...]   opens ParaView's window with the plugin
+#        Utilities/paraview-test.sh --empty-window [...]     the same, before the plugin is loaded
 #
 # ParaView's Debian packages conflict with VTK's Python package. They are therefore unpacked below
 # build/paraview-test, and reused. AIRLIGHT_PARAVIEW_PREFIX selects another prefix with a ParaView.
@@ -22,7 +23,8 @@ paraview=$build/paraview-test
 prefix=${AIRLIGHT_PARAVIEW_PREFIX:-$paraview/prefix/usr}
 plugin=$paraview/plugin
 packages=(paraview python3-paraview paraview-dev)
-window_packages=(libqt5help5 libqt5opengl5 libqt5sql5 libqt5sql5-sqlite) # for its window only
+# For its window only; the last has its icons.
+window_packages=(libqt5help5 libqt5opengl5 libqt5sql5 libqt5sql5-sqlite libqt5svg5)
 
 skip()
 {
@@ -158,18 +160,23 @@ run()
   fi
 }
 
-# open_window [ARGUMENT...]: of ParaView.
+# open_window [ARGUMENT...]: of ParaView. The plugin is loaded if load is 1.
 open_window()
 {
   [[ -e $plugin/built ]] ||
     skip "there is no plugin; Utilities/paraview-test.sh --build makes it where ParaView can be had."
   use_paraview
   [[ -x $prefix/bin/paraview ]] || skip "no ParaView with a window."
-  local missing folder command
+  local missing icons command=("$prefix/bin/paraview")
   missing=$(ldd "$prefix/bin/paraview" | awk '/not found/ { print $1 }' | paste -sd ' ')
   [[ -z $missing ]] || skip "ParaView's window lacks libraries: $missing."
-  folder=$(find_in "$plugin" AirlightParaView.so)
-  command=("$prefix/bin/paraview" --plugin-search-paths "$folder" --plugins AirlightParaView "$@")
+  icons=$(find_in "$prefix" iconengines/libqsvgicon.so)
+  [[ -z $icons ]] || export QT_PLUGIN_PATH=${icons%/*}${QT_PLUGIN_PATH:+:$QT_PLUGIN_PATH}
+  if ((load)); then
+    command+=(--plugin-search-paths "$(find_in "$plugin" AirlightParaView.so)"
+      --plugins AirlightParaView)
+  fi
+  command+=("$@")
   if [[ -n ${DISPLAY-} ]]; then
     "${command[@]}"
   else
@@ -191,6 +198,12 @@ case ${1-} in
     ;;
   --window)
     shift
+    load=1
+    open_window "$@"
+    ;;
+  --empty-window)
+    shift
+    load=0
     open_window "$@"
     ;;
   *)

@@ -1,0 +1,176 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView's window on a screen of its own, driven by ParaView's test playback.
+
+    with windowtest.Screen(folder) as screen:
+        played = screen.play(windowtest.load_plugin(plugin) + [windowtest.CHECK_MESSAGES])
+
+An event is (object, command, argument): what a widget is made to do, by its path of names below the
+main window. One that finds no widget makes the playback fail and lists the names that there are.
+"""
+
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import time
+from typing import NamedTuple
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+
+RUN = pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "paraview-test.sh"
+SKIPPED = 125  # by the script
+
+PANEL = "propertiesDock/propertiesPanel"
+FRAME = ("centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/"
+         "Container/Frame.0")
+NEW_VIEWS = (f"{FRAME}/CentralWidgetFrame/EmptyView/scrollArea/qt_scrollarea_viewport/widgetFoo/"
+             "ConvertActionsFrame")
+PROPERTIES = f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents"
+MESSAGES = "outputWidgetDock/outputWidget/stackedWidget/page_2/consoleWidget/0QTextEdit0"
+
+APPLY = (f"{PANEL}/Accept", "activate", "")
+CHECK_MESSAGES = (MESSAGES, "check plainText", "")  # that the output window is empty
+
+
+class Played(NamedTuple):
+    """What a playback left: exit status, text of all outputs, and the screen at each grab."""
+
+    status: int
+    text: str
+    grabs: dict
+
+
+def load_plugin(plugin):
+    """As users do: Tools, Manage Plugins, Load New."""
+    dialog = "PluginManagerDialog"
+    return [("menubar/menuTools", "activate", "actionManage_Plugins"),
+            (f"{dialog}/splitter/localGroup/loadLocal", "activate", ""),
+            (f"{dialog}/pqFileDialog", "filesSelected", str(plugin)),
+            (f"{dialog}/buttonBox/1QPushButton0", "activate", "")]
+
+
+def make_view(name="AirlightRenderView"):
+    """Close the layout's view, and choose another from the list that is then shown."""
+    return [(f"{FRAME}/Close", "activate", ""), (f"{NEW_VIEWS}/{name}", "activate", "")]
+
+
+def make_source(name):
+    return [("menubar/menuSources/Alphabetical", "activate", name), APPLY]
+
+
+def make_filter(name):
+    return [("menubar/menuFilters/Alphabetical", "activate", name), APPLY]
+
+
+def save_view(path):
+    """File, Save Screenshot."""
+    return [("menubar/menu_File", "activate", "actionFileSaveScreenshot"),
+            ("SaveScreenshotFileDialog", "filesSelected", str(path)),
+            ("SaveScreenshotDialog/widget/OKButton", "activate", "")]
+
+
+def run_script(path):
+    """File, Load State, of a Python script."""
+    return [("menubar/menu_File", "activate", "actionFileLoadServerState"),
+            ("FileLoadServerStateDialog", "filesSelected", str(path))]
+
+
+def to_xml(events):
+    lines = ['<?xml version="1.0" ?>', "<pqevents>"]
+    for name, command, argument in events:
+        target = quoteattr("/".join(filter(None, ("pqClientMainWindow", name))))
+        if command.startswith("check "):
+            lines.append(f"  <pqcheck object={target} property={quoteattr(command[6:])} "
+                         f"arguments={quoteattr(argument)} />")
+        else:
+            lines.append(f"  <pqevent object={target} command={quoteattr(command)} "
+                         f"arguments={quoteattr(argument)} />")
+    return "\n".join([*lines, "</pqevents>", ""])
+
+
+def read_xwd(path):
+    """The picture of a screen, [height, width, 3] of bytes: 32 bits a pixel, blue first."""
+    data = pathlib.Path(path).read_bytes()
+    header = struct.unpack(">25I", data[:100])
+    width, height, stride, colours = header[4], header[5], header[12], header[19]
+    start = header[0] + 12 * colours
+    pixels = np.frombuffer(data, np.uint8, stride * height, start).reshape(height, stride)
+    return pixels[:, :4 * width].reshape(height, width, 4)[..., 2::-1].copy()
+
+
+class Screen:
+    """A virtual screen that ParaView's window fills, and whose picture can be read at any time."""
+
+    def __init__(self, folder, size=(1152, 762)):
+        self.folder = pathlib.Path(folder)
+        self.size = size
+        self.server = None
+        self.display = None
+
+    def __enter__(self):
+        if not shutil.which("Xvfb"):
+            raise FileNotFoundError("Xvfb")
+        reading, writing = os.pipe()
+        width, height = self.size
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{width}x{height}x24",
+             "-fbdir", str(self.folder), "-noreset", "-nolisten", "tcp"],
+            pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as stream:
+            self.display = ":" + stream.readline().strip()
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait(20)
+
+    def grab(self):
+        return read_xwd(self.folder / "Xvfb_screen0")
+
+    def play(self, events, arguments=(), timeout=80):
+        """Start ParaView without the user's settings, play the events, and end it.
+
+        An event ("", "grab", NAME) keeps the screen's picture by this name.
+        """
+        script = self.folder / "events.xml"
+        names = [argument for _, command, argument in events if command == "grab"]
+        script.write_text(to_xml(list(self._expand(events))), encoding="utf-8")
+        log = self.folder / "output.txt"
+        environment = dict(os.environ, DISPLAY=self.display, HOME=str(self.folder),
+                           XDG_CONFIG_HOME=str(self.folder), XDG_RUNTIME_DIR=str(self.folder),
+                           QT_QPA_PLATFORM="xcb", PQOBJECTNAMING_MATCH_LIMIT="20")
+        with open(log, "w", encoding="utf-8") as stream:
+            process = subprocess.Popen(
+                [str(RUN), "--empty-window", "--dr", "--test-directory", str(self.folder),
+                 "--test-script", str(script), "--exit", *arguments],
+                env=environment, stdout=stream, stderr=subprocess.STDOUT, start_new_session=True)
+            try:
+                grabs = self._wait(process, names, time.monotonic() + timeout)
+            finally:
+                if process.poll() is None:
+                    os.killpg(process.pid, 9)
+        return Played(process.wait(), log.read_text(encoding="utf-8", errors="replace"), grabs)
+
+    def _expand(self, events):
+        """A grab is a file that ParaView writes, and a pause in which the screen is read."""
+        for event in events:
+            if event[1] == "grab":
+                yield from [("", "pause", "700")]
+                yield from save_view(self.folder / f"grab-{event[2]}.png")
+                yield ("", "pause", "2500")
+            else:
+                yield event
+
+    def _wait(self, process, names, end):
+        grabs = {}
+        while process.poll() is None and time.monotonic() < end:
+            for name in names:
+                if name not in grabs and (self.folder / f"grab-{name}.png").exists():
+                    time.sleep(1.5)  # the frame of the view comes back
+                    grabs[name] = self.grab()
+            time.sleep(0.1)
+        return grabs
