@@ -127,6 +127,7 @@ class Filters(unittest.TestCase):
         array = vtk_to_numpy(data.GetPointData().GetArray("Transmittance"))
         np.testing.assert_allclose(array[:, 2], np.exp(-0.2 * way), rtol=1e-9)
         # The anisotropy waits until the phase function has one.
+        probe.PhaseFunction = "Isotropic"
         probe.Anisotropy = 0.5
         isotropic = vtk_to_numpy(fetch(probe).GetPointData().GetArray("Radiance")).copy()
         probe.PhaseFunction = "Henyey-Greenstein"

@@ -23,8 +23,11 @@ def load_plugin():
 
 
 def make_view(kind="AirlightRenderView", size=SIZE):
-    """A view without ParaView's own lights and axes, before a black background."""
+    """A view without ParaView's own lights and axes, before a black background, whose colours are
+    radiances."""
     view = simple.CreateView(kind)
+    if kind == "AirlightRenderView":
+        view.ToneMapping = "Clamp"
     view.ViewSize = list(size)
     view.OrientationAxesVisibility = 0
     view.CenterAxesVisibility = 0

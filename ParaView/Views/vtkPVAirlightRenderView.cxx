@@ -4,6 +4,7 @@
 
 #include "AirlightFarPass.h"
 #include "AirlightRemoteSilhouettes.h"
+#include "AirlightViewLamp.h"
 #include "vtkAirlightPass.h"
 #include "vtkCallbackCommand.h"
 #include "vtkImageProcessingPass.h"
@@ -19,7 +20,11 @@
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkParticipatingMedium.h"
 #include "vtkRenderer.h"
+#include "vtkSMViewProxy.h"
 #include "vtkToneMappingPass.h"
+
+#include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkPVAirlightRenderView);
 
@@ -46,6 +51,7 @@ void KeepFromCasting(vtkProp* prop)
 vtkPVAirlightRenderView::vtkPVAirlightRenderView()
   : FarPass(vtkSmartPointer<AirlightFarPass>::New())
   , Remote(new airlight::RemoteSilhouettes)
+  , Lamp(new airlight::ViewLamp)
 {
   this->FarPass->SetDelegate(this->Pass);
   KeepFromCasting(this->CenterAxes);
@@ -68,6 +74,7 @@ void vtkPVAirlightRenderView::SetMedium(vtkParticipatingMedium* medium)
 {
   this->Pass->RemoveAllMedia();
   this->Pass->SetMedium(medium);
+  this->Medium = medium;
   this->OwnMedium = vtkPVParticipatingMedium::SafeDownCast(medium);
   this->Modified();
 }
@@ -124,7 +131,67 @@ void vtkPVAirlightRenderView::SetAutomaticExposure(bool on)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVAirlightRenderView::SetToneMapping(int curve) { this->Pass->SetToneMapping(curve); }
+void vtkPVAirlightRenderView::SetOutputColorSpace(int space)
+{
+  this->Pass->SetOutputColorSpace(space);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetMultisampling(bool on) { this->Pass->SetMultisampling(on); }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetToneMapping(int curve)
+{
+  if (curve != -1)
+  {
+    this->Pass->SetToneMapping(curve); // which refuses others
+    curve = this->Pass->GetToneMapping();
+  }
+  this->ToneMapping = curve;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLamp(bool on) { this->Lamp->On = on; }
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLampColor(double r, double g, double b)
+{
+  const double color[3] = { r, g, b };
+  if (!std::all_of(color, color + 3, [](double c) { return c >= 0.0 && c <= 1.0; }))
+  {
+    vtkErrorMacro(<< "LampColor (" << r << ", " << g << ", " << b
+                  << ") must be from 0 to 1 in each channel; the old one stays.");
+    return;
+  }
+  std::copy(color, color + 3, this->Lamp->Color);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLampBrightness(double brightness)
+{
+  if (!std::isfinite(brightness) || brightness < 0.0)
+  {
+    vtkErrorMacro(<< "LampBrightness " << brightness << " must be finite and at least 0; it stays "
+                  << this->Lamp->Brightness << ".");
+    return;
+  }
+  this->Lamp->Brightness = brightness;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLampRadius(double radius)
+{
+  if (!std::isfinite(radius) || radius < 0.0)
+  {
+    vtkErrorMacro(<< "LampRadius " << radius << " must be finite and at least 0; it stays "
+                  << this->Lamp->Radius << ".");
+    return;
+  }
+  this->Lamp->Radius = radius;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLampVisible(bool visible) { this->Lamp->Visible = visible; }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetDithering(bool on) { this->Pass->SetDithering(on); }
@@ -201,11 +268,53 @@ void vtkPVAirlightRenderView::SwitchCameraLights()
 // ParaView keeps the bounds of the visible data the same on all ranks.
 void vtkPVAirlightRenderView::MeasureScene()
 {
+  this->Lamp->Update(this->GetRenderer(), this->GeometryBounds);
   if (this->OwnMedium)
   {
     this->OwnMedium->SetSceneSize(
       this->GeometryBounds.IsValid() ? this->GeometryBounds.GetDiagonalLength() : 0.0);
   }
+}
+
+//------------------------------------------------------------------------------
+// For transparent screenshots, ParaView draws before white and before black, which do not count. A
+// server does not know of them.
+void vtkPVAirlightRenderView::UpdateBackground(vtkRenderer* other)
+{
+  this->Superclass::UpdateBackground(other);
+  vtkRenderer* renderer = this->GetRenderer();
+  if (!this->OwnMedium || (other && other != renderer) ||
+    vtkSMViewProxy::GetTransparentBackground())
+  {
+    return;
+  }
+  double background[3];
+  renderer->GetBackground(background);
+  if (renderer->GetGradientBackground())
+  {
+    double top[3];
+    renderer->GetBackground2(top);
+    std::transform(background, background + 3, top, background,
+      [](double low, double high) { return 0.5 * (low + high); });
+  }
+  this->OwnMedium->SetBackground(background);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::ChooseToneMapping()
+{
+  if (this->ToneMapping >= 0)
+  {
+    this->Pass->SetToneMapping(this->ToneMapping);
+    return;
+  }
+  double extinction[3] = {};
+  if (this->Medium)
+  {
+    this->Medium->GetExtinction(extinction);
+  }
+  const bool isClear = std::all_of(extinction, extinction + 3, [](double c) { return c == 0.0; });
+  this->Pass->SetToneMapping(isClear ? vtkAirlightPass::CLAMP : vtkAirlightPass::NEUTRAL_PBR);
 }
 
 //------------------------------------------------------------------------------
@@ -234,6 +343,7 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
   this->SwitchCameraLights();
   this->MeasureScene();
+  this->ChooseToneMapping();
   this->Parallel = this->Airlight && this->IsParallel();
   this->FarPass->SetMoves(this->Parallel);
   if (!this->Parallel)
@@ -260,6 +370,8 @@ void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Airlight: " << this->Airlight << "\n";
   os << indent << "CameraLightsScatter: " << this->CameraLightsScatter << "\n";
+  os << indent << "ToneMapping: " << this->ToneMapping << "\n";
+  os << indent << "Lamp: " << this->Lamp->On << "\n";
   os << indent << "ProgressiveRefinement: " << this->ProgressiveRefinement << "\n";
   os << indent << "AirlightPass:\n";
   this->Pass->PrintSelf(os, indent.GetNextIndent());

@@ -6,8 +6,9 @@
  *
  * The view renders with a vtkAirlightPass instead of ParaView's default pass; everything else works
  * as before. ParaView's lights that are added to the scene illuminate the medium, too. Lights fixed
- * to the camera, such as the light kit, illuminate surfaces only, see SetCameraLightsScatter(). All
- * properties of the pass have the same meaning, range and default here.
+ * to the camera, such as the light kit, illuminate surfaces only, see SetCameraLightsScatter().
+ * SetLamp() adds a light that suits the data. All properties of the pass have the same meaning,
+ * range and default here, except that the tone mapping may be automatic.
  *
  * Titles and legends in the layer above are neither fogged nor do they cast shadows. The axes at
  * the centre and the axes grid are in the scene and are fogged, but cast no shadows. With ray
@@ -35,6 +36,7 @@ class vtkPVParticipatingMedium;
 namespace airlight
 {
 class RemoteSilhouettes;
+class ViewLamp;
 }
 
 class VTKAIRLIGHTPARAVIEWVIEWS_EXPORT vtkPVAirlightRenderView : public vtkPVRenderView
@@ -61,6 +63,21 @@ public:
   vtkGetMacro(CameraLightsScatter, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether there is a lamp above the visible data, to the left and slightly behind as ParaView
+   * first shows them, and what it is like: the colour per RGB channel, 0 to 1; the brightness, the
+   * radiance of a white surface at the data's centre over 1.1, at least 0; the radius for soft
+   * shadows (vtkAirlightLight::SetRadius()), world units, at least 0; whether it is seen as a ball
+   * of that radius. It follows the data's bounds. Default: false, (1, 1, 1), 1, 0, false.
+   */
+  void SetLamp(bool on);
+  void SetLampColor(double r, double g, double b);
+  void SetLampBrightness(double brightness);
+  void SetLampRadius(double radius);
+  void SetLampVisible(bool visible);
+  ///@}
+
   /**
    * The medium. The view passes the size of the visible data to a vtkPVParticipatingMedium.
    * Default: none, which leaves shadows on surfaces only.
@@ -81,13 +98,20 @@ public:
   void SetLinearInput(bool on);
   void SetRadianceExposure(double exposure); // SetExposure() is that of ParaView's tone mapping
   void SetAutomaticExposure(bool on);
-  void SetToneMapping(int curve);
+  void SetOutputColorSpace(int space);
+  void SetMultisampling(bool on);
   void SetDithering(bool on);
   void SetSubpixelFrames(int frames);
   void SetDebugView(int view);
   void SetLightRadius(double radius);
   void SetMemoryLimit(int limit);
   ///@}
+
+  /**
+   * As in vtkAirlightPass, or -1, automatic: NEUTRAL_PBR in a medium, and CLAMP without one or in
+   * clear air, which looks as in ParaView's own view. Default: -1.
+   */
+  void SetToneMapping(int curve);
 
   ///@{
   /**
@@ -123,6 +147,7 @@ protected:
 
   void Render(bool interactive, bool skip_rendering) override;
   void AboutToRenderOnLocalProcess(bool interactive) override;
+  void UpdateBackground(vtkRenderer* renderer = nullptr) override;
 
 private:
   vtkPVAirlightRenderView(const vtkPVAirlightRenderView&) = delete;
@@ -130,6 +155,7 @@ private:
 
   void SwitchCameraLights();
   void MeasureScene();
+  void ChooseToneMapping();
   bool IsParallel();
   void StartFrame();
 
@@ -137,10 +163,13 @@ private:
   bool CameraLightsScatter = false;
   bool ProgressiveRefinement = false;
   bool WarnedOrdered = false;
+  int ToneMapping = -1;
   vtkNew<vtkAirlightPass> Pass;
+  vtkSmartPointer<vtkParticipatingMedium> Medium;
   vtkSmartPointer<vtkPVParticipatingMedium> OwnMedium; // null if it is of another class
   vtkSmartPointer<AirlightFarPass> FarPass;            // around it
   std::unique_ptr<airlight::RemoteSilhouettes> Remote;
+  std::unique_ptr<airlight::ViewLamp> Lamp;
   bool Parallel = false; // the current frame
   unsigned long StartTag = 0;
 };

@@ -14,10 +14,17 @@ namespace
 // Koschmieder 1924, as in vtkParticipatingMedium::SetVisibility().
 constexpr double ContrastThreshold = 3.912;
 
-// Automatic visibility, in diagonals of the scene: ParaView's first camera is two of them away, and
-// two thirds of an object's contrast are left there. And without a scene, in world units.
-constexpr double DiagonalsSeen = 20.0;
-constexpr double UnknownVisibility = 10.0;
+// What is left of the light of the scene's far end, seen from where ParaView first places the camera:
+// half a diagonal over the sine of half of the view angle of 30 degrees from the centre. PyVista's
+// component leaves less, 0.3, since it also adds a lamp.
+constexpr double FarTransmittance = 0.5;
+constexpr double FarEnd = 0.5 / 0.25881904510252074 + 0.5; // in diagonals
+
+constexpr double UnknownVisibility = 10.0; // without a scene, in world units
+
+// Of the colour of the background: the sky over fog is brighter than the fog.
+constexpr double AmbientShare = 0.55;
+constexpr double MaximumRadiance = 1e100;
 
 bool HasAnisotropy(int function)
 {
@@ -28,7 +35,11 @@ bool HasAnisotropy(int function)
 }
 
 //------------------------------------------------------------------------------
-vtkPVParticipatingMedium::vtkPVParticipatingMedium() { this->UpdateThickness(); }
+vtkPVParticipatingMedium::vtkPVParticipatingMedium()
+{
+  this->UpdateThickness();
+  this->UpdatePhase();
+}
 
 vtkPVParticipatingMedium::~vtkPVParticipatingMedium() = default;
 
@@ -76,7 +87,9 @@ double vtkPVParticipatingMedium::GetEffectiveVisibility()
   {
     return this->VisibilityDistance;
   }
-  return this->SceneSize > 0.0 ? DiagonalsSeen * this->SceneSize : UnknownVisibility;
+  return this->SceneSize > 0.0
+    ? ContrastThreshold / -std::log(FarTransmittance) * FarEnd * this->SceneSize
+    : UnknownVisibility;
 }
 
 //------------------------------------------------------------------------------
@@ -132,6 +145,43 @@ void vtkPVParticipatingMedium::UpdateThickness()
   this->SetScattering(albedo[0] * extinction, albedo[1] * extinction, albedo[2] * extinction);
   this->SetAbsorption(
     (1.0 - albedo[0]) * extinction, (1.0 - albedo[1]) * extinction, (1.0 - albedo[2]) * extinction);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetAmbient(double r, double g, double b)
+{
+  const double values[3] = { r, g, b };
+  this->SetRange("AmbientRadiance", values, MaximumRadiance, this->Ambient);
+  this->UpdateAmbient();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetAmbientFromBackground(bool on)
+{
+  this->AmbientFromBackground = on;
+  this->UpdateAmbient();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetBackground(const double rgb[3])
+{
+  std::copy(rgb, rgb + 3, this->Background);
+  this->UpdateAmbient();
+}
+
+//------------------------------------------------------------------------------
+// Setters of a medium do nothing if the value is as before.
+void vtkPVParticipatingMedium::UpdateAmbient()
+{
+  const bool isGiven =
+    std::any_of(this->Ambient, this->Ambient + 3, [](double value) { return value > 0.0; });
+  const double share = this->AmbientFromBackground ? AmbientShare : 0.0;
+  double radiance[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    radiance[i] = isGiven ? this->Ambient[i] : share * this->Background[i];
+  }
+  this->SetAmbientRadiance(radiance);
 }
 
 //------------------------------------------------------------------------------
@@ -209,6 +259,9 @@ void vtkPVParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   print("Color", this->Color);
   print("ScatteringCoefficient", this->ScatteringCoefficient);
   print("AbsorptionCoefficient", this->AbsorptionCoefficient);
+  print("Ambient", this->Ambient);
+  os << indent << "AmbientFromBackground: " << this->AmbientFromBackground << "\n";
+  print("Background", this->Background);
   os << indent << "Phase: " << this->Phase << "\n";
   os << indent << "PhaseAnisotropy: " << this->PhaseAnisotropy << "\n";
   os << indent << "PhaseAlpha: " << this->PhaseAlpha << "\n";

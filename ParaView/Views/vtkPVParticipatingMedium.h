@@ -54,8 +54,9 @@ public:
 
   ///@{
   /**
-   * The diagonal of the visible data in the medium, world units. An automatic visibility is 20
-   * times this, or 10 if the size is unknown (0, infinite or NaN). Default: 0.
+   * The diagonal of the visible data in the medium, world units. An automatic visibility is
+   * 13.7 times this, or 10 if the size is unknown (0, infinite or NaN): half of the light of the
+   * data's far end is left at the camera's first place. Default: 0.
    */
   void SetSceneSize(double diagonal);
   vtkGetMacro(SceneSize, double);
@@ -85,9 +86,30 @@ public:
 
   ///@{
   /**
+   * Light that arrives evenly from all directions, see
+   * vtkParticipatingMedium::SetAmbientRadiance(). (0, 0, 0): automatic, see SetBackground(). Range:
+   * 0 to 1e100. Default: (0, 0, 0).
+   */
+  void SetAmbient(double r, double g, double b);
+  vtkGetVector3Macro(Ambient, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether an ambient radiance of (0, 0, 0) is replaced by 0.55 of the background's colour, which
+   * a view sets: the sky over fog is brighter than the fog. Default: true, black.
+   */
+  void SetAmbientFromBackground(bool on);
+  vtkGetMacro(AmbientFromBackground, bool);
+  void SetBackground(const double rgb[3]);
+  vtkGetVector3Macro(Background, double);
+  ///@}
+
+  ///@{
+  /**
    * The phase function, a vtkParticipatingMedium::PhaseFunctionType except TABULATED, or OBJECT for
    * Draine's; and its parameters, which only some of them have: see SetAnisotropy() and
-   * vtkDrainePhaseFunction::SetAlpha(). Defaults: ISOTROPIC, 0, 1.
+   * vtkDrainePhaseFunction::SetAlpha(). Defaults: HENYEY_GREENSTEIN, 0.5, 1.
    */
   void SetPhase(int function);
   vtkGetMacro(Phase, int);
@@ -108,6 +130,7 @@ private:
   bool SetRange(const char* name, const double values[3], double most, double target[3]);
   double GetEffectiveVisibility();
   void UpdateThickness();
+  void UpdateAmbient();
   void UpdatePhase();
 
   int Thickness = VISIBILITY;
@@ -116,8 +139,11 @@ private:
   double Color[3] = { 1.0, 1.0, 1.0 };
   double ScatteringCoefficient[3] = { 0.1, 0.1, 0.1 };
   double AbsorptionCoefficient[3] = { 0.0, 0.0, 0.0 };
-  int Phase = ISOTROPIC;
-  double PhaseAnisotropy = 0.0;
+  double Ambient[3] = { 0.0, 0.0, 0.0 };
+  bool AmbientFromBackground = true;
+  double Background[3] = { 0.0, 0.0, 0.0 };
+  int Phase = HENYEY_GREENSTEIN;
+  double PhaseAnisotropy = 0.5;
   double PhaseAlpha = 1.0;
   vtkNew<vtkDrainePhaseFunction> Draine;
 };

@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python state of the view: run again, it gives the same picture."""
+
+import sys
+import unittest
+
+import numpy as np
+from paraview import simple, smstate
+
+import paraviewtest as test
+
+# Not the defaults.
+CHANGES = (
+    ("Thickness", "Visibility"), ("VisibilityDistance", 30.0), ("MediumColor", [0.9, 0.8, 0.7]),
+    ("PhaseFunction", "Draine"), ("Anisotropy", 0.3), ("Alpha", 5.0),
+    ("AmbientRadiance", [0.05, 0.1, 0.2]), ("Region", "Sphere"), ("RegionRadius", 4.0),
+    ("Lamp", 1), ("LampColor", [1.0, 0.8, 0.5]), ("LampBrightness", 1.5), ("LampRadius", 0.2),
+    ("LampVisible", 1), ("RadianceExposure", 1.2), ("ToneMapping", "Reinhard"),
+    ("SubpixelFrames", 2), ("OutputColorSpace", "sRGB"), ("SurfaceShadows", 0),
+)
+
+
+class PythonState(unittest.TestCase):
+    def setUp(self):
+        simple.ResetSession()
+        test.load_plugin()
+
+    @staticmethod
+    def make_scene():
+        view = simple.CreateView("AirlightRenderView")
+        view.ViewSize = list(test.SIZE)
+        view.OrientationAxesVisibility = 0
+        simple.SetActiveView(view)
+        for source in test.make_sources():
+            simple.Show(source, view)
+        test.place_camera(view)
+        simple.Render(view)
+        return view
+
+    def draw_again(self, script, name):
+        """The picture of the view that a script makes in a session of its own."""
+        simple.ResetSession()
+        test.load_plugin()
+        exec(compile(script, name, "exec"), {})  # a script of ParaView's own making
+        view = [each for each in simple.GetViews() if each.GetXMLName() == "AirlightRenderView"][0]
+        view.ViewSize = list(test.SIZE)
+        return view, test.picture(view, name)
+
+    def check(self, script, before, name):
+        view, after = self.draw_again(script, name)
+        for key, value in CHANGES:
+            found = getattr(view, key)
+            found = list(found) if isinstance(value, list) else found
+            self.assertEqual(found, value, key)
+        difference = np.abs(after - before)
+        print(f"{name}: largest difference {difference.max()}")
+        self.assertGreater(before.std(), 10)
+        self.assertLessEqual(difference.max(), 1)
+
+    def test_same_picture(self):
+        view = self.make_scene()
+        for name, value in CHANGES:
+            setattr(view, name, value)
+        simple.Render(view)
+        before = test.picture(view, "before-python-state")
+        self.check(smstate.get_state(), before, "python-state")
+
+
+if __name__ == "__main__":
+    # pvpython loses its window where a script calls sys.exit() with a view open.
+    if not unittest.main(argv=[__file__] + sys.argv[1:], exit=False).result.wasSuccessful():
+        sys.exit(1)
