@@ -3,7 +3,7 @@
 """ParaView's window on a screen of its own, driven by ParaView's test playback.
 
     with windowtest.Screen(folder) as screen:
-        played = screen.play(windowtest.load_plugin(plugin) + [windowtest.CHECK_MESSAGES])
+        played = screen.play(windowtest.load_plugin() + [windowtest.CHECK_MESSAGES])
 
 An event is (object, command, argument): what a widget is made to do, by its path of names below the
 main window. One that finds no widget makes the playback fail and lists the names that there are.
@@ -14,12 +14,21 @@ import pathlib
 import shutil
 import struct
 import subprocess
+import sys
+import tempfile
 import time
 from typing import NamedTuple
+import unittest
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
 
+import paraviewtest as test
+
+PLUGIN = os.environ.get("AIRLIGHT_PLUGIN", "")
 RUN = pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "paraview-test.sh"
 SKIPPED = 125  # by the script
 
@@ -31,19 +40,26 @@ NEW_VIEWS = (f"{FRAME}/CentralWidgetFrame/EmptyView/scrollArea/qt_scrollarea_vie
 PROPERTIES = f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents"
 MESSAGES = "outputWidgetDock/outputWidget/stackedWidget/page_2/consoleWidget/0QTextEdit0"
 
+VIEW = f"{PROPERTIES}/ViewFrame/ProxyPanel"
+INSPECTOR = "lightInspectorDock/lightInspectorPanel"
+
 APPLY = (f"{PANEL}/Accept", "activate", "")
+UNDO = ("menubar/menu_Edit", "activate", "actionEditUndo")
+REDO = ("menubar/menu_Edit", "activate", "actionEditRedo")
 CHECK_MESSAGES = (MESSAGES, "check plainText", "")  # that the output window is empty
 
 
 class Played(NamedTuple):
-    """What a playback left: exit status, text of all outputs, and the screen at each grab."""
+    """What a playback left: exit status, text of all outputs, and the screen and the state file's text
+    at each grab."""
 
     status: int
     text: str
     grabs: dict
+    states: dict
 
 
-def load_plugin(plugin):
+def load_plugin(plugin=PLUGIN):
     """As users do: Tools, Manage Plugins, Load New."""
     dialog = "PluginManagerDialog"
     return [("menubar/menuTools", "activate", "actionManage_Plugins"),
@@ -55,6 +71,22 @@ def load_plugin(plugin):
 def make_view(name="AirlightRenderView"):
     """Close the layout's view, and choose another from the list that is then shown."""
     return [(f"{FRAME}/Close", "activate", ""), (f"{NEW_VIEWS}/{name}", "activate", "")]
+
+
+def set_view(name, value):
+    """A check box of the view's properties, or the entry of a list."""
+    if isinstance(value, bool):
+        return (f"{VIEW}/{name}/CheckBox", "set_boolean", "true" if value else "false")
+    return (f"{VIEW}/{name}/ComboBox", "activated", value)
+
+
+def drag(start, end):
+    """The mouse in the view, from a place to another: shares of its width and height."""
+    widget = f"{FRAME}/CentralWidgetFrame/Viewport"
+    return [(widget, "mouseMove", "({},{},0,0,0)".format(*start)),
+            (widget, "mousePress", "({},{},1,1,0)".format(*start)),
+            (widget, "mouseMove", "({},{},1,0,0)".format(*end)),
+            (widget, "mouseRelease", "({},{},1,0,0)".format(*end))]
 
 
 def make_source(name):
@@ -72,10 +104,10 @@ def save_view(path):
             ("SaveScreenshotDialog/widget/OKButton", "activate", "")]
 
 
-def run_script(path):
-    """File, Load State, of a Python script."""
-    return [("menubar/menu_File", "activate", "actionFileLoadServerState"),
-            ("FileLoadServerStateDialog", "filesSelected", str(path))]
+def save_state(path):
+    """File, Save State."""
+    return [("menubar/menu_File", "activate", "actionFileSaveServerState"),
+            ("FileSaveServerStateDialog", "filesSelected", str(path))]
 
 
 def to_xml(events):
@@ -134,7 +166,7 @@ class Screen:
     def play(self, events, arguments=(), timeout=80):
         """Start ParaView without the user's settings, play the events, and end it.
 
-        An event ("", "grab", NAME) keeps the screen's picture by this name.
+        An event ("", "grab", NAME) keeps the screen's picture and the state by this name.
         """
         script = self.folder / "events.xml"
         names = [argument for _, command, argument in events if command == "grab"]
@@ -149,28 +181,72 @@ class Screen:
                  "--test-script", str(script), "--exit", *arguments],
                 env=environment, stdout=stream, stderr=subprocess.STDOUT, start_new_session=True)
             try:
-                grabs = self._wait(process, names, time.monotonic() + timeout)
+                grabs, states = self._wait(process, names, time.monotonic() + timeout)
             finally:
                 if process.poll() is None:
                     os.killpg(process.pid, 9)
-        return Played(process.wait(), log.read_text(encoding="utf-8", errors="replace"), grabs)
+        return Played(process.wait(), log.read_text(encoding="utf-8", errors="replace"), grabs,
+                      states)
 
     def _expand(self, events):
-        """A grab is a file that ParaView writes, and a pause in which the screen is read."""
+        """For a grab, ParaView writes its state, waits until the screen is read, and saves its view,
+        which would hide the frame of the view for a while."""
         for event in events:
             if event[1] == "grab":
-                yield from [("", "pause", "700")]
+                yield ("", "pause", "500")
+                yield from save_state(self.folder / f"grab-{event[2]}.pvsm")
+                yield ("", "pause", "1500")
                 yield from save_view(self.folder / f"grab-{event[2]}.png")
-                yield ("", "pause", "2500")
             else:
                 yield event
 
     def _wait(self, process, names, end):
-        grabs = {}
+        grabs, states = {}, {}
         while process.poll() is None and time.monotonic() < end:
             for name in names:
-                if name not in grabs and (self.folder / f"grab-{name}.png").exists():
-                    time.sleep(1.5)  # the frame of the view comes back
+                state = self.folder / f"grab-{name}.pvsm"
+                if name not in grabs and state.exists():
+                    time.sleep(0.7)
                     grabs[name] = self.grab()
+                    states[name] = state.read_text(encoding="utf-8")
             time.sleep(0.1)
-        return grabs
+        return grabs, states
+
+
+def keep(name, pixels):
+    """A picture of the screen, to be looked at."""
+    image = vtkImageData()
+    image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
+    image.GetPointData().SetScalars(
+        numpy_to_vtk(np.ascontiguousarray(pixels[::-1]).reshape(-1, 3), deep=True))
+    writer = vtkPNGWriter()
+    writer.SetFileName(str(test.OUTPUT / f"{name}.png"))
+    writer.SetInputData(image)
+    writer.Write()
+
+
+class TestCase(unittest.TestCase):
+    """A test that plays events in a window; skipped where there is none."""
+
+    def setUp(self):
+        if not shutil.which("Xvfb"):
+            self.skipTest("no Xvfb")
+
+    def play(self, events, **options):
+        with tempfile.TemporaryDirectory() as folder, Screen(folder) as screen:
+            played = screen.play(events, **options)
+            views = {name: test.read_png(pathlib.Path(folder, f"grab-{name}.png"))
+                     for name in played.grabs}
+        if played.status == SKIPPED:
+            self.skipTest(played.text)
+        for name, pixels in played.grabs.items():
+            keep(f"window-{name}", pixels)
+        return played, views
+
+
+def main():
+    """Run a file's tests; exit as ctest expects."""
+    result = unittest.main(module="__main__", argv=sys.argv, exit=False).result
+    if result.skipped and result.wasSuccessful():
+        sys.exit(SKIPPED)
+    sys.exit(0 if result.wasSuccessful() else 1)
