@@ -166,10 +166,11 @@ class Screen:
     def play(self, events, arguments=(), timeout=80):
         """Start ParaView without the user's settings, play the events, and end it.
 
-        An event ("", "grab", NAME) keeps the screen's picture and the state by this name.
+        An event ("", "grab", NAME) keeps the screen's picture, the state and a screenshot of the view
+        by this name; "grab screen" leaves out the latter.
         """
         script = self.folder / "events.xml"
-        names = [argument for _, command, argument in events if command == "grab"]
+        names = [argument for _, command, argument in events if command in ("grab", "grab screen")]
         script.write_text(to_xml(list(self._expand(events))), encoding="utf-8")
         log = self.folder / "output.txt"
         environment = dict(os.environ, DISPLAY=self.display, HOME=str(self.folder),
@@ -192,11 +193,12 @@ class Screen:
         """For a grab, ParaView writes its state, waits until the screen is read, and saves its view,
         which would hide the frame of the view for a while."""
         for event in events:
-            if event[1] == "grab":
+            if event[1] in ("grab", "grab screen"):
                 yield ("", "pause", "500")
                 yield from save_state(self.folder / f"grab-{event[2]}.pvsm")
                 yield ("", "pause", "1500")
-                yield from save_view(self.folder / f"grab-{event[2]}.png")
+                if event[1] == "grab":
+                    yield from save_view(self.folder / f"grab-{event[2]}.png")
             else:
                 yield event
 

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A macro of ParaView: a lamp above the data of the active view.
 
-In Macros, Import new macro, this file becomes a button. The lamp is a point light of ParaView: drag
-its ball in the view while the Light Inspector (menu View) shows it. It is above the data, to the left
-and slightly behind, seen along -z, and shows a white surface at their centre slightly brighter than
-white, without a medium.
+In Macros, Import new macro, this file becomes a button. The lamp is a wide spotlight of ParaView,
+which the Light Inspector (menu View) shows. It is above the data, to the left and slightly behind,
+seen along -z, and shows a white surface at their centre slightly brighter than white, without a
+medium.
 """
 
 import math
@@ -13,6 +13,7 @@ import math
 from paraview import simple
 
 PLACE = (-0.45, 0.82, -0.1)  # in diagonals of the data from their centre
+CONE_ANGLE = 80  # ParaView draws the cone of the light that is edited; of 90 on, it has no end
 RADIANCE = 1.1  # of a white surface at the centre
 
 
@@ -40,7 +41,7 @@ def add_lamp(view=None):
     lamp.Type = "Positional"
     lamp.Position = [c + diagonal * p for c, p in zip(center, PLACE)]
     lamp.FocalPoint = center
-    lamp.ConeAngle = 180
+    lamp.ConeAngle = CONE_ANGLE
     lamp.DiffuseColor = [1, 1, 1]
     lamp.Intensity = RADIANCE * (diagonal * math.hypot(*PLACE)) ** 2
     lamp.Attenuation = [0, 0, 1]
