@@ -22,8 +22,8 @@
 #define AIRLIGHT_SUN_BEAM 7       // of i0
 #define AIRLIGHT_SUN_BEAM_FLUX 8  // of i1
 
-// Of one light along a ray, per unit of its power: what was scattered more than once, and what would
-// be scattered once if nothing cast shadows.
+// Of one light along a ray, per unit of its power: what was scattered more than once, and what
+// would be scattered once if nothing cast shadows.
 struct AirlightMultipleRay
 {
   real3 several;
@@ -60,7 +60,8 @@ AIRLIGHT_FN real3 airlightLayerIntegral(real3 rate, real3 start, real slope, rea
   real3 result;
   for (int channel = 0; channel < 3; channel++)
   {
-    result[channel] = abs(way[channel]) < real(0.05) ? series[channel] : differs[channel] / x[channel];
+    result[channel] =
+      abs(way[channel]) < real(0.05) ? series[channel] : differs[channel] / x[channel];
   }
   return result;
 }
@@ -93,8 +94,10 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfSun(
   // Light that is scattered towards the eye travels against the ray.
   real3 turned = slope * airlightMultiple.layerCosine * airlightMultiple.layerFlux;
   real3 diffuse =
-    airlightSun(AIRLIGHT_MULTIPLE_OUT sun, AIRLIGHT_SUN_FALL) * (real3(real(1.0)) - turned) * fall +
-    airlightSun(AIRLIGHT_MULTIPLE_OUT sun, AIRLIGHT_SUN_CLIMB) * (real3(real(1.0)) + turned) * climb -
+    (real3(real(1.0)) - turned) * fall *
+      airlightSun(AIRLIGHT_MULTIPLE_OUT sun, AIRLIGHT_SUN_FALL) +
+    (real3(real(1.0)) + turned) * climb *
+      airlightSun(AIRLIGHT_MULTIPLE_OUT sun, AIRLIGHT_SUN_CLIMB) -
     (airlightSun(AIRLIGHT_MULTIPLE_OUT sun, AIRLIGHT_SUN_BEAM) -
       slope * airlightMultiple.layerCosine *
         airlightSun(AIRLIGHT_MULTIPLE_OUT sun, AIRLIGHT_SUN_BEAM_FLUX)) * straight;

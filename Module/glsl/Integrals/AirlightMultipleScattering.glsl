@@ -109,8 +109,8 @@ AIRLIGHT_FN void airlightAddMultiple(AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMe
   real depth = max(foot + x - start, real(0.0));
   AirlightMultipleSpectrum sigmaT = AIRLIGHT_MULTIPLE_SPECTRUM(medium.sigmaT);
   AirlightMultipleSpectrum optical = sigmaT * r;
-  AirlightMultipleSpectrum logarithm = airlightSourceLogarithm(AIRLIGHT_MULTIPLE_OUT airlightSourceX(optical),
-    airlightSourceY(airlightMultiple.lobe, mu));
+  AirlightMultipleSpectrum logarithm = airlightSourceLogarithm(AIRLIGHT_MULTIPLE_OUT
+    airlightSourceX(optical), airlightSourceY(airlightMultiple.lobe, mu));
   AirlightMultipleSpectrum source =
     exp(logarithm - AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.kappa) * optical - sigmaT * depth);
   source *= airlightRegionFactor(AIRLIGHT_MULTIPLE_OUT medium,
@@ -271,7 +271,8 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
     AirlightMultipleSpectrum optical = sigmaT * r;
     AirlightMultipleSpectrum x = airlightSourceX(optical);
     AirlightMultipleSpectrum fall = AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.kappa) * optical;
-    AirlightMultipleSpectrum fluence = exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT 0, x) - fall);
+    AirlightMultipleSpectrum fluence =
+      exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT 0, x) - fall);
     AirlightMultipleSpectrum flux =
       exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT AIRLIGHT_SOURCE_ROWS, x) - fall);
     AirlightMultipleSpectrum share =

@@ -58,9 +58,11 @@ AIRLIGHT_FN AirlightMultipleSpectrum airlightSourceX(AirlightMultipleSpectrum r)
   const real low = real(0.11111111111111111);   // sqrt(r/(r + 4)) of the least and the greatest r
   const real high = real(0.91287092917527686);
   AirlightMultipleSpectrum within =
-    clamp(r, AirlightMultipleSpectrum(real(AIRLIGHT_SOURCE_LEAST)), AirlightMultipleSpectrum(real(AIRLIGHT_SOURCE_MOST)));
+    clamp(r, AirlightMultipleSpectrum(real(AIRLIGHT_SOURCE_LEAST)),
+      AirlightMultipleSpectrum(real(AIRLIGHT_SOURCE_MOST)));
   AirlightMultipleSpectrum root = sqrt(within / (within + AirlightMultipleSpectrum(real(4.0))));
-  return (root - AirlightMultipleSpectrum(low)) * (real(2.0) / (high - low)) - AirlightMultipleSpectrum(real(1.0));
+  return (root - AirlightMultipleSpectrum(low)) * (real(2.0) / (high - low)) -
+    AirlightMultipleSpectrum(real(1.0));
 }
 
 // y in [-1, 1]: by the shape of a Henyey-Greenstein lobe of this asymmetry parameter.
@@ -76,8 +78,8 @@ AIRLIGHT_FN real airlightSourceY(real lobe, real mu)
 }
 
 // The polynomial in y of row i.
-AIRLIGHT_FN AirlightMultipleSpectrum airlightSourceRow(AIRLIGHT_MULTIPLE_IN int i, real y, real y2, real y3,
-  real y4, real y5)
+AIRLIGHT_FN AirlightMultipleSpectrum airlightSourceRow(
+  AIRLIGHT_MULTIPLE_IN int i, real y, real y2, real y3, real y4, real y5)
 {
   AirlightMultipleSpectrum row =
     AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.source[i * AIRLIGHT_SOURCE_COLUMNS]);
@@ -122,7 +124,8 @@ AIRLIGHT_FN AirlightMultipleSpectrum airlightMomentLogarithm(
   AirlightMultipleSpectrum sum = AirlightMultipleSpectrum(real(0.0));
   for (int i = AIRLIGHT_SOURCE_ROWS - 1; i >= 0; i--)
   {
-    AirlightMultipleSpectrum next = AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + i]) - above +
+    AirlightMultipleSpectrum next =
+      AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + i]) - above +
       (i > 0 ? real(2.0) : real(1.0)) * x * sum;
     above = sum;
     sum = next;
