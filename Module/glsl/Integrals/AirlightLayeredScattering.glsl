@@ -82,8 +82,9 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfSun(
   real3 depth = min(medium.sigmaT *
     airlightInsideDepth(medium, origin, direction, range.x, range.y), real3(far));
   real slope = -dot(real3(layers), direction);
-  // No light below the other side.
+  // No light beyond the sides.
   depth = slope > real(1e-6) ? min(depth, (end - start) / slope) : depth;
+  depth = slope < real(-1e-6) ? min(depth, start / -slope) : depth;
   real3 beam = real3(real(1.0) / towards.w);
   real3 first = airlightLayerIntegral(beam, start, slope, depth);
   real3 straight = airlightLayerIntegral(beam, peak * start, slope, peak * depth);
