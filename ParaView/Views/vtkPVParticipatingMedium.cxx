@@ -14,9 +14,9 @@ namespace
 // Koschmieder 1924, as in vtkParticipatingMedium::SetVisibility().
 constexpr double ContrastThreshold = 3.912;
 
-// What is left of the light of the scene's far end, seen from where ParaView first places the camera:
-// half a diagonal over the sine of half of the view angle of 30 degrees from the centre. PyVista's
-// component leaves less, 0.3, since it also adds a lamp.
+// What is left of the light of the scene's far end, seen from where ParaView first places the
+// camera: half a diagonal over the sine of half of the view angle of 30 degrees from the centre.
+// PyVista's component leaves less, 0.3, since it also adds a lamp.
 constexpr double FarTransmittance = 0.5;
 constexpr double FarEnd = 0.5 / 0.25881904510252074 + 0.5; // in diagonals
 
