@@ -20,7 +20,7 @@ class WindowLamp(window.TestCase):
                ("menubar/menu_View", "activate", "Light Inspector"),
                (f"{window.INSPECTOR}/addLight", "activate", ""), ("", "grab", "light"),
                *window.drag((0.5, 0.5), (0.3, 0.3)), ("", "grab", "dragged"),
-               window.CHECK_MESSAGES], timeout=150)
+               window.CHECK_MESSAGES], timeout=280)
         self.assertEqual(played.status, 0, played.text)
         self.assertNotIn("ERR|", played.text)
         self.assertEqual(len(views), 6, played.text)

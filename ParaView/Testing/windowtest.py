@@ -163,7 +163,7 @@ class Screen:
     def grab(self):
         return read_xwd(self.folder / "Xvfb_screen0")
 
-    def play(self, events, arguments=(), timeout=80):
+    def play(self, events, arguments=(), timeout=140):
         """Start ParaView without the user's settings, play the events, and end it.
 
         An event ("", "grab", NAME) keeps the screen's picture, the state and a screenshot of the view
