@@ -109,7 +109,8 @@ int DirectionalKind(const f64::AirlightMedia& media)
     : AIRLIGHT_DIRECTIONAL_QUADRATURE;
 }
 
-// collisions: of light that was not scattered before, whose single scattering is the light's second.
+// collisions: of light that was not scattered before, whose single scattering is the light's
+// second.
 bool AddEvenLamp(f64::AirlightMedia& media, const glm::dvec3& position, double radius,
   const glm::dvec3& power, bool collisions)
 {
@@ -160,7 +161,7 @@ f64::AirlightMedia ConvertMedia(
 //------------------------------------------------------------------------------
 bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light)
 {
-  f64::AirlightMultiple& multiple = media.multiple;
+  const f64::AirlightMultiple& multiple = media.multiple;
   if (multiple.on == 0 || light.intensity == glm::dvec3(0.0))
   {
     return true;

@@ -76,8 +76,8 @@ double GetShare(const f64::AirlightLight& light, const glm::dvec3& direction)
   return spot * f64::airlightPhotometricShare(light, light.position + direction);
 }
 
-// Where light on [0, depth] of its way changes direction, which is as likely everywhere: of the part
-// from `from` to `to`, the share of all light and its mean place.
+// Where light on [0, depth] of its way changes direction, which is as likely everywhere: of the
+// part from `from` to `to`, the share of all light and its mean place.
 struct Part
 {
   double Share;

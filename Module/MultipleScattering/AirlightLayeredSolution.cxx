@@ -12,15 +12,10 @@ namespace airlight
 {
 namespace
 {
-// How far beyond a free side light that is scattered often would be 0, in transport mean free paths:
-// Milne's problem. A side takes what diffusion brings it as if that were the way from it to there.
+// How far beyond a free side light that is scattered often would be 0, in transport mean free
+// paths: Milne's problem. A side takes what diffusion brings it as if that were the way from it to
+// there.
 constexpr double Extrapolation = 0.7104;
-
-// Of a sun, the row for all channels.
-glm::dvec4& Row(f64::AirlightMultiple& multiple, int sun, int row)
-{
-  return multiple.sun[sun * AIRLIGHT_SUN_ROWS + row];
-}
 
 // The axis along which the sun's way through a box is shortest.
 int FindThinnest(const glm::dvec3& extent, const glm::dvec3& towards)
@@ -36,8 +31,9 @@ int FindThinnest(const glm::dvec3& extent, const glm::dvec3& towards)
   return thinnest;
 }
 
-// Layers end nowhere; of what a box would scatter without its other sides this is left. By diffusion
-// in a box whose sides are `extent` optical lengths apart: the light's form falls to 0 beyond them.
+// Layers end nowhere; of what a box would scatter without its other sides this is left. By
+// diffusion in a box whose sides are `extent` optical lengths apart: the light's form falls to 0
+// beyond them.
 double GetSideShare(double albedo, double meanCosine, const glm::dvec3& extent, int axis)
 {
   const double transport = 1.0 - albedo * meanCosine;
@@ -150,10 +146,10 @@ bool AddMultipleSun(f64::AirlightMedia& media, const f64::AirlightLight& light)
   {
     return true; // the sun has set
   }
-  const int sun = multiple.suns;
-  Row(multiple, sun, AIRLIGHT_SUN_DIRECTION) = glm::dvec4(light.position, cosine);
-  Row(multiple, sun, AIRLIGHT_SUN_LAYERS) = layers;
-  Row(multiple, sun, AIRLIGHT_SUN_IRRADIANCE) = glm::dvec4(light.intensity, 0.0);
+  glm::dvec4* rows = multiple.sun + multiple.suns * AIRLIGHT_SUN_ROWS; // for all channels
+  rows[AIRLIGHT_SUN_DIRECTION] = glm::dvec4(light.position, cosine);
+  rows[AIRLIGHT_SUN_LAYERS] = layers;
+  rows[AIRLIGHT_SUN_IRRADIANCE] = glm::dvec4(light.intensity, 0.0);
   for (int channel = 0; channel < 3; ++channel)
   {
     const double sigma = medium.sigmaT[channel];
@@ -162,16 +158,16 @@ bool AddMultipleSun(f64::AirlightMedia& media, const f64::AirlightLight& light)
                                               : std::numeric_limits<double>::infinity();
     const LayerTerms terms = SolveLayers(multiple.layerAlbedo[channel], multiple.layerCosine,
       cosine, end, box ? 0.0 : multiple.groundAlbedo[channel]);
-    Row(multiple, sun, AIRLIGHT_SUN_SHARE)[channel] = !box
+    rows[AIRLIGHT_SUN_SHARE][channel] = !box
       ? 1.0
       : GetSideShare(sigma > 0.0 ? medium.sigmaS[channel] / sigma : 0.0, multiple.meanCosine,
           sigma * extent, axis);
     constexpr double far = 2e4; // a finite number in shaders
-    Row(multiple, sun, AIRLIGHT_SUN_END)[channel] = std::min(end, far);
-    Row(multiple, sun, AIRLIGHT_SUN_FALL)[channel] = terms.Fall;
-    Row(multiple, sun, AIRLIGHT_SUN_CLIMB)[channel] = terms.Climb;
-    Row(multiple, sun, AIRLIGHT_SUN_BEAM)[channel] = terms.Beam;
-    Row(multiple, sun, AIRLIGHT_SUN_BEAM_FLUX)[channel] = terms.BeamFlux;
+    rows[AIRLIGHT_SUN_END][channel] = std::min(end, far);
+    rows[AIRLIGHT_SUN_FALL][channel] = terms.Fall;
+    rows[AIRLIGHT_SUN_CLIMB][channel] = terms.Climb;
+    rows[AIRLIGHT_SUN_BEAM][channel] = terms.Beam;
+    rows[AIRLIGHT_SUN_BEAM_FLUX][channel] = terms.BeamFlux;
   }
   ++multiple.suns;
   ++multiple.count;
