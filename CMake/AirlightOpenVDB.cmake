@@ -28,5 +28,7 @@ endif ()
 # which stays empty.
 function (airlight_includes_openvdb)
   set_source_files_properties(${ARGN} PROPERTIES
-    COMPILE_OPTIONS "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fvisibility=default;-fno-visibility-inlines-hidden>")
+    COMPILE_OPTIONS "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fvisibility=default;-fno-visibility-inlines-hidden>"
+    # Clang refuses one of another visibility.
+    SKIP_PRECOMPILE_HEADERS ON)
 endfunction ()
