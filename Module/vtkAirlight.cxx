@@ -194,7 +194,12 @@ bool vtkAirlight::MultipleScattering(vtkParticipatingMedium* medium, const doubl
   }
   const double end = std::min(std::max(t1, 0.0), AIRLIGHT_FAR);
   const glm::dvec3 unshadowed(std::numeric_limits<double>::max());
-  Store(converted, IntegrateMultiple(converted, glm::dvec3(0.0), unit, end, unshadowed), rgb);
+  glm::dvec3 sum(0.0);
+  for (int lamp = 0; lamp < converted.multiple.count; ++lamp)
+  {
+    sum += IntegrateMultiple(converted, lamp, glm::dvec3(0.0), unit, end, unshadowed);
+  }
+  Store(converted, sum, rgb);
   return true;
 }
 

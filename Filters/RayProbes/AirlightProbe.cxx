@@ -53,6 +53,25 @@ void ForEachSceneLight(
   }
 }
 
+// Its light is scattered more than once on rays through it, too.
+void SetLeastRadius(f64::AirlightLight& light)
+{
+  light.radius = std::max(1e-12 * glm::length(light.position), 1e-100);
+}
+
+// The number of a light among the media's lamps, -1 where it is none.
+int FindLamp(const f64::AirlightMedia& media, const glm::dvec3& point, vtkLight* light)
+{
+  f64::AirlightLight sceneLight;
+  if (media.multiple.count == 0 ||
+    ConvertSceneLight(media, light, point, sceneLight) != LightSupport::Scatters)
+  {
+    return -1;
+  }
+  SetLeastRadius(sceneLight);
+  return FindMultipleLamp(media, sceneLight);
+}
+
 // The lamps whose light is scattered more than once become the media's.
 void AddMultipleLamps(const Probe& probe, const glm::dvec3& point, f64::AirlightMedia& media)
 {
@@ -61,7 +80,7 @@ void AddMultipleLamps(const Probe& probe, const glm::dvec3& point, f64::Airlight
     return; // for each ray and point
   }
   ForEachSceneLight(probe, media, point, [&](vtkLight*, f64::AirlightLight& sceneLight) {
-    sceneLight.radius = std::max(1e-12 * glm::length(sceneLight.position), 1e-100);
+    SetLeastRadius(sceneLight);
     AddMultipleLamp(media, sceneLight);
   });
 }
@@ -91,18 +110,21 @@ glm::dvec3 Probe::FindRadiance(const glm::dvec3& eye, const glm::dvec3& point) c
     const HomogeneousPoint position = GetHomogeneousPosition(light);
     this->Shades->FindShadows(position, eye, direction, 0.0, length, shadows);
     Occluders::LitIntervals(shadows, 0.0, length, lit, this->Shades->GetGap(position, eye));
+    glm::dvec3 own(0.0);
     for (const Occluders::Interval& part : lit)
     {
       glm::dvec3 rgb;
       vtkAirlight::Inscatter(this->Medium, light, &eye.x, &direction.x, part.From, part.To, &rgb.x);
-      sum += rgb;
+      own += rgb;
+    }
+    sum += own;
+    const int lamp = FindLamp(media, eye, light);
+    if (lamp >= 0)
+    {
+      sum += IntegrateMultiple(media, lamp, glm::dvec3(0.0), direction, length, own);
     }
   }
-  if (media.multiple.count > 0)
-  {
-    sum += IntegrateMultiple(media, glm::dvec3(0.0), direction, length, sum);
-  }
-  return sum;
+  return sum + IntegrateCollisions(media, glm::dvec3(0.0), direction, length);
 }
 
 //------------------------------------------------------------------------------

@@ -127,6 +127,7 @@ glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* lit
     {
       continue;
     }
+    glm::dvec3 own(0.0);
     const f64::AirlightRay part =
       f64::airlightRay(this->Media, light.Values, ray.Origin, ray.Direction, end);
     for (const Occluders::Interval& lit : ray.Lit[k])
@@ -139,17 +140,22 @@ glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* lit
       }
       if (light.Values.intensity != glm::dvec3(0.0))
       {
-        sum += IntegrateAirlight(this->Media, light.Values, part, from, to);
+        own += IntegrateAirlight(this->Media, light.Values, part, from, to);
       }
       if (litLength)
       {
         *litLength += f64::airlightLengthInside(this->Media, ray.Origin, ray.Direction, from, to);
       }
     }
+    const int lamp = FindMultipleLamp(this->Media, light.Values);
+    sum += own;
+    if (lamp >= 0)
+    {
+      sum += IntegrateMultiple(this->Media, lamp, ray.Origin, ray.Direction, end, own);
+    }
   }
-  sum += this->Media.multiple.count > 0
-    ? IntegrateMultiple(this->Media, ray.Origin, ray.Direction, end, sum)
-    : IntegrateAmbient(this->Media, ray.Origin, ray.Direction, end);
+  sum += IntegrateAmbient(this->Media, ray.Origin, ray.Direction, end) +
+    IntegrateCollisions(this->Media, ray.Origin, ray.Direction, end);
   // A channel that does not scatter is dark, whatever the limit of its integral.
   for (int c = 0; c < 3; ++c)
   {

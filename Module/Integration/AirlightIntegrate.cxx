@@ -29,11 +29,18 @@ glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::Airligh
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 IntegrateMultiple(const f64::AirlightMedia& media, const glm::dvec3& origin,
+glm::dvec3 IntegrateMultiple(const f64::AirlightMedia& media, int lamp, const glm::dvec3& origin,
   const glm::dvec3& direction, double to, const glm::dvec3& once)
 {
-  return f64::airlightMultipleShaded(
-    media.multiple, f64::airlightMultipleAlong(media.multiple, media, origin, direction, to), once);
+  return f64::airlightMultipleShaded(media.multiple,
+    f64::airlightMultipleAlong(media.multiple, media, lamp, origin, direction, to), once, true);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 IntegrateCollisions(
+  const f64::AirlightMedia& media, const glm::dvec3& origin, const glm::dvec3& direction, double to)
+{
+  return f64::airlightMultipleOfCollisions(media.multiple, media, origin, direction, to);
 }
 
 //------------------------------------------------------------------------------

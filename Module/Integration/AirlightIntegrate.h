@@ -19,10 +19,14 @@ bool HasGrid(const f64::AirlightMedia& media);
 glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::AirlightLight& light,
   const f64::AirlightRay& ray, double from, double to);
 
-// Light that was scattered more than once, of the media's lamps, into [0, to] of a ray of unit
-// direction, on which casters leave `once` of the light that was scattered once.
-glm::dvec3 IntegrateMultiple(const f64::AirlightMedia& media, const glm::dvec3& origin,
+// Light that was scattered more than once, of one of the media's lamps, into [0, to] of a ray of
+// unit direction, on which casters leave `once` of its light that was scattered once.
+glm::dvec3 IntegrateMultiple(const f64::AirlightMedia& media, int lamp, const glm::dvec3& origin,
   const glm::dvec3& direction, double to, const glm::dvec3& once);
+
+// The same of lights that are none of the lamps, whose light collides first elsewhere.
+glm::dvec3 IntegrateCollisions(const f64::AirlightMedia& media, const glm::dvec3& origin,
+  const glm::dvec3& direction, double to);
 
 // What the media scatter of their ambient radiance into [0, to] of a ray of unit direction.
 glm::dvec3 IntegrateAmbient(const f64::AirlightMedia& media, const glm::dvec3& origin,

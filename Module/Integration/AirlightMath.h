@@ -29,6 +29,7 @@
 #define AIRLIGHT_MULTIPLE_IN const AirlightMultiple &airlightMultiple,
 #define AIRLIGHT_MULTIPLE_OUT airlightMultiple,
 #define AIRLIGHT_MULTIPLE_NODES 12
+#define AIRLIGHT_MULTIPLE_LIGHTS airlightMultiple.count
 #define AIRLIGHT_ROLLED(count) (count)
 // Surfaces and tables lie in memory.
 #define AIRLIGHT_DATA_MEMBER const real4* data;

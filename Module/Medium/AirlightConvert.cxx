@@ -109,10 +109,9 @@ int DirectionalKind(const f64::AirlightMedia& media)
     : AIRLIGHT_DIRECTIONAL_QUADRATURE;
 }
 
-// collisions: of light that was not scattered before, whose single scattering is the light's
-// second.
-bool AddEvenLamp(f64::AirlightMedia& media, const glm::dvec3& position, double radius,
-  const glm::dvec3& power, bool collisions)
+// power: see AirlightMultiple.
+bool AddEvenLamp(
+  f64::AirlightMedia& media, const glm::dvec3& position, double radius, const glm::dvec4& power)
 {
   f64::AirlightMultiple& multiple = media.multiple;
   const int lamp = multiple.count - multiple.suns;
@@ -121,10 +120,15 @@ bool AddEvenLamp(f64::AirlightMedia& media, const glm::dvec3& position, double r
     return false;
   }
   multiple.lamp[lamp] = glm::dvec4(position, radius);
-  multiple.power[lamp] = glm::dvec4(power, collisions ? 1.0 : 0.0);
+  multiple.power[lamp] = power;
   ++multiple.count;
   media.item[0].ambient = glm::dvec3(0.0); // which stands for the same light
   return true;
+}
+
+glm::dvec4 GetLampPower(const f64::AirlightLight& light)
+{
+  return { 4.0 * vtkMath::Pi() * light.intensity / light.attenuation.z, 0.0 };
 }
 }
 
@@ -172,8 +176,7 @@ bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light)
   }
   if (light.cosCone < 0.0 && light.goniometric == 0 && HasUniformPaths(media, light))
   {
-    return AddEvenLamp(media, light.position, light.radius,
-      4.0 * vtkMath::Pi() * light.intensity / light.attenuation.z, false);
+    return AddEvenLamp(media, light.position, light.radius, GetLampPower(light));
   }
   const f64::AirlightMedium& medium = media.item[0];
   if (medium.density != AIRLIGHT_DENSITY_UNIFORM || multiple.meanCosine > MaximumBeamCosine ||
@@ -187,10 +190,51 @@ bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light)
     if (group.Power != glm::dvec3(0.0))
     {
       AddEvenLamp(media, group.Position, std::max(group.Radius, light.radius),
-        group.Power / light.attenuation.z, true);
+        glm::dvec4(group.Power / light.attenuation.z, 1.0));
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool HasCollisions(const f64::AirlightMedia& media)
+{
+  const f64::AirlightMultiple& multiple = media.multiple;
+  return std::any_of(multiple.power, multiple.power + multiple.count - multiple.suns,
+    [](const glm::dvec4& power) { return power.w > 0.0; });
+}
+
+//------------------------------------------------------------------------------
+int FindMultipleLamp(const f64::AirlightMedia& media, const f64::AirlightLight& light)
+{
+  const f64::AirlightMultiple& multiple = media.multiple;
+  const int lamps = multiple.count - multiple.suns;
+  if (light.intensity == glm::dvec3(0.0))
+  {
+    return -1;
+  }
+  if (f64::airlightIsDirectional(light))
+  {
+    for (int sun = 0; sun < multiple.suns; ++sun)
+    {
+      const glm::dvec4* rows = multiple.sun + sun * AIRLIGHT_SUN_ROWS;
+      if (glm::dvec3(rows[AIRLIGHT_SUN_DIRECTION]) == light.position &&
+        glm::dvec3(rows[AIRLIGHT_SUN_IRRADIANCE]) == light.intensity)
+      {
+        return lamps + sun;
+      }
+    }
+    return -1;
+  }
+  for (int lamp = 0; lamp < lamps; ++lamp)
+  {
+    if (multiple.lamp[lamp] == glm::dvec4(light.position, light.radius) &&
+      multiple.power[lamp] == GetLampPower(light))
+    {
+      return lamp;
+    }
+  }
+  return -1;
 }
 
 //------------------------------------------------------------------------------

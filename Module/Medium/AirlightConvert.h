@@ -50,6 +50,12 @@ constexpr const char* InvalidLightText =
 // is no point lamp inside, or there are AIRLIGHT_MAX_MULTIPLE_LAMPS already.
 VTKAIRLIGHT_EXPORT bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light);
 
+// Whether lights became lamps where they collide first: none of those is a light itself.
+VTKAIRLIGHT_EXPORT bool HasCollisions(const f64::AirlightMedia& media);
+
+// The number of the media's lamp or sun that this light is, -1 where it is none.
+int FindMultipleLamp(const f64::AirlightMedia& media, const f64::AirlightLight& light);
+
 // What is said of so many lights that are left out.
 VTKAIRLIGHT_EXPORT std::string GetScatteredOnceText(int lights);
 

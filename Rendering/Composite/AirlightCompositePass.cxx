@@ -8,6 +8,7 @@
 #include "AirlightDecode.h"
 #include "AirlightLightPixel.h"
 #include "AirlightShadowingLight.h"
+#include "Medium/AirlightConvert.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightShaderLibrary.h"
 #include "Scene/AirlightEquiangularLights.h"
@@ -24,12 +25,14 @@ namespace airlight
 {
 namespace
 {
-// Ambient light, or in its place what was scattered more than once.
+// Ambient light. In its place, what was scattered more than once is a part of the lights' own, but
+// for that of collisions.
 bool HasDiffuse(const f64::AirlightMedia& media)
 {
-  return media.multiple.count > 0 ||
-    std::any_of(media.item, media.item + media.count,
-      [](const f64::AirlightMedium& medium) { return medium.ambient != glm::dvec3(0.0); });
+  return media.multiple.count > 0
+    ? HasCollisions(media)
+    : std::any_of(media.item, media.item + media.count,
+        [](const f64::AirlightMedium& medium) { return medium.ambient != glm::dvec3(0.0); });
 }
 
 // The shader's text. `lights`: those that it integrates.
@@ -53,7 +56,7 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     Define("AIRLIGHT_PARALLEL", scene.Rays.IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
     GetScatteringSource(scene.Media, kind, false) + AirlightCameraShader + AirlightLightPixel +
     (equiangular ? GetEquiangularSource() : "uniform AirlightMedia media;\n") +
-    (options.Unshadowed ? GetUnshadowedSource(lights) : "") +
+    (options.Unshadowed ? GetUnshadowedSource(scene, lights) : "") +
     (options.ShadowingLight >= 0 ? AirlightShadowingLight : "") + AirlightDecode +
     GetSunSource(options.Suns) + (intoTextures ? "" : options.Display.GetSource()) +
     AirlightCompositeFS;
@@ -87,7 +90,8 @@ vtkShaderProgram* CompositePass::GetProgram(
   }
   SetUnshadowedUniforms(program, scene, lights);
   SetSunUniforms(program, options.Suns);
-  SetMediaUniforms(program, equiangular ? "givenMedia" : "media", scene.Media);
+  SetMediaUniforms(program, equiangular ? "givenMedia" : "media", scene.Media,
+    options.Unshadowed || HasDiffuse(scene.Media));
   // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
   scene.Rays.SetUniforms(program, x, y);
   if (intoTextures && options.Record)

@@ -336,6 +336,7 @@ bool Frame::ScatterLight(const InscatterTargets& targets, int light)
   InscatterOptions options;
   options.Record = this->Plan.Record;
   options.PhaseErrorBound = this->Plan.PhaseErrorBound;
+  options.MultipleErrorBound = this->Plan.MultipleErrorBound;
   options.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
   if (this->Current->SceneLights[light].Scatters() &&
     !this->Inscatter.Draw(this->GetScene(), options, targets, this->Shadows, light))

@@ -16,6 +16,7 @@
 #include "Inscatter/AirlightLightShadows.h"
 #include "Integration/AirlightIntegrate.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
+#include "Medium/AirlightConvert.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightShaderLibrary.h"
 #include "Scene/AirlightEquiangularLights.h"
@@ -85,6 +86,7 @@ std::string InscatterShader::GetHead(bool storage, int kind) const
   return GetShaderVersion(storage) + (storage ? "layout(early_fragment_tests) in;\n" : "") +
     BoundaryBuffer::DefineNodes(this->Shadows.TransmitsLight()) +
     (this->Options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
+    Define("AIRLIGHT_MULTIPLE_LAMP", FindMultipleLamp(this->Scene.Media, light)) +
     GetRaySource(this->Scene, kind, light.goniometric != 0, light.cosCone > 0.0);
 }
 
@@ -134,7 +136,8 @@ double InscatterShader::GetIntegralError() const
 void InscatterShader::SetLight(vtkShaderProgram* program, bool equiangular) const
 {
   const f64::AirlightLight& light = this->Scene.Lights[this->Light].Values;
-  SetMediaUniforms(program, equiangular ? "givenMedia" : "media", this->Scene.Media);
+  SetMediaUniforms(program, equiangular ? "givenMedia" : "media", this->Scene.Media,
+    FindMultipleLamp(this->Scene.Media, light) >= 0);
   SetLightUniforms(program, equiangular ? "givenLight" : "light", light);
   if (equiangular)
   {
@@ -157,6 +160,7 @@ void InscatterShader::SetUniforms(
   {
     program->SetUniformf("phaseError", static_cast<float>(this->Options.PhaseErrorBound));
     program->SetUniformf("error", static_cast<float>(this->GetIntegralError()));
+    program->SetUniformf("multipleError", static_cast<float>(this->Options.MultipleErrorBound));
   }
   if (part != RayPart::Surface)
   {
@@ -176,7 +180,7 @@ std::string InscatterShader::GetUnshadowedSource(
     lights.begin(), lights.end(), [&](int k) { return scene.Lights[k].Values.cosCone > 0.0; });
   return GetShaderVersion(false) + "#define AIRLIGHT_EQUIANGULAR 1\n" +
     GetRaySource(scene, AIRLIGHT_POINT_CLOSED, false, cones) + airlight::GetEquiangularSource() +
-    airlight::GetUnshadowedSource(lights) + AirlightResolveOutputs + AirlightUnshadowedFS;
+    airlight::GetUnshadowedSource(scene, lights) + AirlightResolveOutputs + AirlightUnshadowedFS;
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,7 @@ struct InscatterOptions
 {
   bool Record = false;                     // of what GetBuffer() gives
   double PhaseErrorBound = 0.0;            // relative; recorded
+  double MultipleErrorBound = 0.0;         // of what is scattered more than once; likewise
   TranslucentFragments* Records = nullptr; // null: translucent fragments have no records
 };
 

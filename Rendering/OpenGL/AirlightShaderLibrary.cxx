@@ -142,6 +142,7 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", media.count) +
     Define("AIRLIGHT_MEDIUM_COUNT", media.count) + Define("AIRLIGHT_MULTIPLE", multiple) +
     Define("AIRLIGHT_MULTIPLE_GREY", multiple && IsMultipleGrey(media.item[0])) +
+    Define("AIRLIGHT_MULTIPLE_LIGHTS", media.multiple.count) +
     Define("AIRLIGHT_MULTIPLE_NODES", AIRLIGHT_MULTIPLE_NODES) +
     (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
           Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)
@@ -171,11 +172,11 @@ GridUniforms GetGridUniforms(const f64::AirlightMedium& medium)
 }
 
 //------------------------------------------------------------------------------
-void SetMediaUniforms(
-  vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media)
+void SetMediaUniforms(vtkShaderProgram* program, const std::string& name,
+  const f64::AirlightMedia& media, bool multiple)
 {
   VisitMediaUniforms(UniformSetter(program, name), media);
-  if (media.multiple.count > 0)
+  if (multiple && media.multiple.count > 0)
   {
     VisitMultiple(UniformSetter(program, "airlightMultiple"), media.multiple);
   }

@@ -63,9 +63,9 @@ void VisitMediaUniforms(Visitor&& visit, const f64::AirlightMedia& media)
 }
 
 // Sets a uniform AirlightMedia, AirlightPhotometry or AirlightLight of this name; with media,
-// `airlightMultiple`, too.
-void SetMediaUniforms(
-  vtkShaderProgram* program, const std::string& name, const f64::AirlightMedia& media);
+// `airlightMultiple`, too, unless the program does not use it.
+void SetMediaUniforms(vtkShaderProgram* program, const std::string& name,
+  const f64::AirlightMedia& media, bool multiple = true);
 void SetPhotometryUniforms(
   vtkShaderProgram* program, const std::string& name, const f64::AirlightPhotometry& photometry);
 void SetLightUniforms(

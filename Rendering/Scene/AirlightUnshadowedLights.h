@@ -22,7 +22,7 @@ namespace airlight
 constexpr size_t MaximumUnshadowedLights = 4;
 
 // The shaders' text for these lights, which are of one kind.
-std::string GetUnshadowedSource(const std::vector<int>& lights);
+std::string GetUnshadowedSource(const FrameScene& scene, const std::vector<int>& lights);
 
 void SetUnshadowedUniforms(
   vtkShaderProgram* program, const FrameScene& scene, const std::vector<int>& lights);

@@ -207,44 +207,54 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
   return sum;
 }
 
-// Of all lamps and suns on [0, l] of a ray of unit direction.
-AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(
+// Of light i on [0, l] of a ray of unit direction: the lamps come first, then the suns.
+AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(AIRLIGHT_MULTIPLE_IN
+  AIRLIGHT_IN(AirlightMedia) media, int i, real3 origin, real3 direction, real l)
+{
+  real2 range = airlightRegionRange(media.item[0].region, origin, direction, l);
+  int lamps = AIRLIGHT_MULTIPLE_LIGHTS - airlightMultiple.suns;
+  if (i >= lamps)
+  {
+    return airlightMultipleOfSun(
+      AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, i - lamps);
+  }
+  AirlightMultipleRay ray = airlightMultipleOfLamp(
+    AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, airlightMultiple.lamp[i]);
+  // Of light that collided once before, what is scattered once is the second time.
+  real4 power = airlightMultiple.power[i];
+  ray.several = real3(power) * (ray.several + power.w * ray.once);
+  ray.once *= (real(1.0) - power.w) * real3(power);
+  return ray;
+}
+
+// Of all light that collided once before, which is no single light's, as if nothing cast shadows.
+AIRLIGHT_FN real3 airlightMultipleOfCollisions(
   AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real l)
 {
-  AirlightMultipleRay sum;
-  sum.several = real3(real(0.0));
-  sum.once = real3(real(0.0));
-  real2 range = airlightRegionRange(media.item[0].region, origin, direction, l);
-  for (int i = 0; i < airlightMultiple.count - airlightMultiple.suns; i++)
+  real3 sum = real3(real(0.0));
+  for (int i = 0; i < AIRLIGHT_MULTIPLE_LIGHTS - airlightMultiple.suns; i++)
   {
-    AirlightMultipleRay ray = airlightMultipleOfLamp(
-      AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, airlightMultiple.lamp[i]);
-    // Of light that collided once before, what is scattered once is the second time.
-    real4 power = airlightMultiple.power[i];
-    sum.several += real3(power) * (ray.several + power.w * ray.once);
-    sum.once += real3(power) * ((real(1.0) - power.w) * ray.once);
-  }
-  for (int i = 0; i < airlightMultiple.suns && range.y > range.x; i++)
-  {
-    AirlightMultipleRay ray =
-      airlightMultipleOfSun(AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, i);
-    sum.several += ray.several;
-    sum.once += ray.once;
+    if (airlightMultiple.power[i].w > real(0.5))
+    {
+      sum += airlightMultipleAlong(AIRLIGHT_MULTIPLE_OUT media, i, origin, direction, l).several;
+    }
   }
   return sum;
 }
 
-// What casters leave of the light that was scattered more than once, on a ray on which they leave
-// `once` of the other: that share, and of the rest some that gets around them. How much is a rule,
-// see Documentation/accuracy.md; media that scatter forward keep light in its beam.
+// What casters leave of the light of a lamp that was scattered more than once, on a ray on which
+// they leave `once` of the other: that share, and of the rest some that gets around them. How much
+// is a rule, see Documentation/accuracy.md; media that scatter forward keep light in its beam. A ray
+// that several draws share has the latter in one of them.
 AIRLIGHT_FN real3 airlightMultipleShaded(
-  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMultipleRay) ray, real3 once)
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMultipleRay) ray, real3 once, bool getsAround)
 {
   const real least = real(1e-30);
   real around = real(0.25) * (real(1.0) - airlightMultiple.lobe);
   real3 share = clamp(once / max(ray.once, real3(least)), real3(real(0.0)), real3(real(1.0)));
   share = mix(share, real3(real(1.0)), lessThan(ray.once, real3(least)));
-  return ray.several * mix(real3(around), real3(real(1.0)), share);
+  return ray.several *
+    ((real(1.0) - around) * share + real3(getsAround ? around : real(0.0)));
 }
 
 // The irradiance that light which was scattered at least once brings to a surface of this unit
@@ -260,11 +270,12 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
   {
     return sum;
   }
+  int lamps = AIRLIGHT_MULTIPLE_LIGHTS - airlightMultiple.suns;
   for (int i = 0; i < airlightMultiple.suns; i++)
   {
     sum += airlightSunIrradiance(AIRLIGHT_MULTIPLE_OUT media.item[0], point, normal, i);
   }
-  for (int i = 0; i < airlightMultiple.count - airlightMultiple.suns; i++)
+  for (int i = 0; i < lamps; i++)
   {
     real3 away = point - real3(airlightMultiple.lamp[i]);
     real r = max(length(away), airlightMultiple.lamp[i].w);

@@ -122,13 +122,13 @@ AIRLIGHT_FN AirlightMultipleSpectrum airlightMomentLogarithm(
 {
   AirlightMultipleSpectrum above = AirlightMultipleSpectrum(real(0.0));
   AirlightMultipleSpectrum sum = AirlightMultipleSpectrum(real(0.0));
-  for (int i = AIRLIGHT_SOURCE_ROWS - 1; i >= 0; i--)
+  AirlightMultipleSpectrum twice = x + x;
+  for (int i = AIRLIGHT_SOURCE_ROWS - 1; i > 0; i--)
   {
     AirlightMultipleSpectrum next =
-      AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + i]) - above +
-      (i > 0 ? real(2.0) : real(1.0)) * x * sum;
+      AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + i]) - above + twice * sum;
     above = sum;
     sum = next;
   }
-  return sum;
+  return AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first]) - above + x * sum;
 }

@@ -15,7 +15,7 @@ layout(location = 0) out vec4 radiance;
 uniform sampler2D counts;
 #endif
 #ifdef AIRLIGHT_RECORD
-uniform float error; // of ambient light or of what was scattered more than once, relative
+uniform float error; // of ambient light, relative
 layout(location = 1) out vec4 airlight; // radiance; error bound
 layout(location = 2) out vec4 surface;
 layout(location = 3) out vec4 transmittance; // and the distance along the unit ray
@@ -56,7 +56,7 @@ void main()
   vec3 once = max(texelFetch(scattered, pixel, 0).rgb, vec3(0.0));
 #endif
 #if AIRLIGHT_DIFFUSE
-  vec3 diffuse = airlightDiffuse(media, origin, direction, end, once);
+  vec3 diffuse = airlightDiffuseRest(media, origin, direction, end);
 #else
   const vec3 diffuse = vec3(0.0);
 #endif
@@ -67,10 +67,6 @@ void main()
 #ifdef AIRLIGHT_RECORD
   airlight = vec4(added,
     texelFetch(counts, pixel, 0).g + error * max(diffuse.r, max(diffuse.g, diffuse.b)));
-#if AIRLIGHT_MULTIPLE
-  // Its nodes' error is relative to all scattered light.
-  airlight.a += 0.005 * max(once.r, max(once.g, once.b));
-#endif
   surface = vec4(parameter >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
   transmittance = vec4(passes, parameter >= 0.0 ? end : -1.0);
 #endif

@@ -12,10 +12,21 @@ void main()
   {
     discard;
   }
-  airlightGive(pixel.sum, pixel.surfaceLit);
+  vec3 more = vec3(0.0);
+#if AIRLIGHT_MULTIPLE_LAMP >= 0
+  AirlightMultipleRay multiple = airlightMultipleAlong(
+    media, AIRLIGHT_MULTIPLE_LAMP, airlightOrigin(p), pixel.direction, pixel.end);
+  multiple.once = pixel.whole; // closer than its nodes
+  more = airlightMultipleShaded(multiple, pixel.sum, true);
+#endif
+  airlightGive(pixel.sum + more, pixel.surfaceLit);
 #ifdef AIRLIGHT_RECORD
-  single = airlight;
-  float bound = phaseError * brightest(airlight.rgb) + error * brightest(pixel.whole);
+  single = vec4(pixel.sum, airlight.a);
+  float bound = multipleError * brightest(more) + phaseError * brightest(pixel.sum) +
+    error * brightest(pixel.whole);
+#if AIRLIGHT_MULTIPLE_LAMP >= 0
+  bound += AIRLIGHT_NODES_ERROR * brightest(pixel.whole);
+#endif
 #ifdef AIRLIGHT_BOUNDARY_ERROR
   bound += AIRLIGHT_BOUNDARY_ERROR * brightest(pixel.whole);
 #endif

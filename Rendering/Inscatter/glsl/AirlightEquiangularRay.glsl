@@ -3,7 +3,9 @@
 struct AirlightEquiangularPixel
 {
   vec3 sum;   // what is lit, as radiance
-  vec3 whole; // what would be without shadows; where that is recorded
+  vec3 whole; // what would be without shadows; where that is recorded or scattered more than once
+  vec3 direction; // of the ray
+  float end;      // where the ray ends
   float litLength;
   int boundaries;
   bool surfaceLit;
@@ -65,7 +67,7 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
     sum += airlightEquiangularRest(media.item[0], arc, done);
   }
   pixel.litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
-#ifdef AIRLIGHT_RECORD
+#if defined(AIRLIGHT_RECORD) || AIRLIGHT_MULTIPLE_LAMP >= 0
   AirlightSpectrum all = airlightEquiangular(media.item[0], ray, ray.lit.x, ray.lit.y);
 #else
   AirlightSpectrum all = AirlightSpectrum(0.0);
@@ -126,15 +128,16 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
 // False where the pixel is another draw's.
 bool airlightEquiangularPixel(vec2 p, float unit, float surface, out AirlightEquiangularPixel pixel)
 {
-  pixel = AirlightEquiangularPixel(vec3(0.0), vec3(0.0), 0.0, 0, false);
+  pixel = AirlightEquiangularPixel(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0, 0, false);
   if (!airlightOpenBoundaries(ivec2(p), unit, surface))
   {
     return false;
   }
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
-  AirlightRay ray = airlightRayBeside(media, light, origin, direction,
-    surface >= 0.0 ? unit * surface : AIRLIGHT_FAR,
+  pixel.direction = direction;
+  pixel.end = surface >= 0.0 ? unit * surface : AIRLIGHT_FAR;
+  AirlightRay ray = airlightRayBeside(media, light, origin, direction, pixel.end,
     airlightOwnMoment(0, p, unit, light, origin, direction));
   airlightEquiangularRay(ray, pixel);
   return true;

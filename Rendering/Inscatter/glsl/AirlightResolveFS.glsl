@@ -28,7 +28,7 @@ void main()
       airlightLightMoment(lightPixel, light, p, unit, origin, direction));
 
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
-  beginFragments(pixel);
+  beginFragments(pixel, origin, direction);
 #endif
 #ifdef AIRLIGHT_RAY_MARCH
   float litLength;
@@ -48,6 +48,7 @@ void main()
   }
   airlightBeginBoundaries(ray, from, shadows);
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
+  airlightFirstDraw = !(from > ray.lit.x);
 #if AIRLIGHT_SHADOW_TRANSMITTANCE
   runStart = airlightRunStart;
 #else
@@ -132,16 +133,26 @@ void main()
   {
     sigmaS += media.item[i].sigmaS;
   }
-  airlightGive(mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0))),
-    state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)));
+  sum = mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0)));
+  vec3 more = vec3(0.0);
+#if AIRLIGHT_MULTIPLE_LAMP >= 0
+  AirlightMultipleRay multiple = airlightMultipleAlong(media, AIRLIGHT_MULTIPLE_LAMP, origin,
+    direction, surface >= 0.0 ? surface : AIRLIGHT_FAR);
+  more = airlightMultipleShaded(multiple, sum, state != AIRLIGHT_PAUSE);
+#endif
+  airlightGive(
+    sum + more, state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)));
 #ifdef AIRLIGHT_RECORD
-  single = airlight;
+  single = vec4(sum, airlight.a);
   // Not less than with shadows, but where a driver ends loops early (AirlightQuadrature.glsl).
   vec3 whole = shadowless ? sum : max(unshadowed(ray), sum);
   whole = mix(vec3(0.0), whole, greaterThan(sigmaS, vec3(0.0)));
   // A ray that takes several draws has this error once.
-  float bound = phaseError * brightest(airlight.rgb) +
+  float bound = phaseError * brightest(sum) + multipleError * brightest(more) +
     (state == AIRLIGHT_PAUSE ? 0.0 : error * brightest(whole));
+#if AIRLIGHT_MULTIPLE_LAMP >= 0
+  bound += state == AIRLIGHT_PAUSE ? 0.0 : AIRLIGHT_NODES_ERROR * brightest(whole);
+#endif
 #ifdef AIRLIGHT_BOUNDARY_ERROR
   bound += state == AIRLIGHT_PAUSE ? 0.0 : AIRLIGHT_BOUNDARY_ERROR * brightest(whole);
 #endif

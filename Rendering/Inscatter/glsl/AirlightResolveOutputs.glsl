@@ -5,7 +5,11 @@ uniform vec4 litBit; // what to add where the surface is lit
 #ifdef AIRLIGHT_RECORD
 uniform float phaseError; // of the medium's fitted phase function, relative
 uniform float error;      // of the integration, of the ray's airlight without shadows
+uniform float multipleError; // of what is scattered more than once, relative
 #endif
+
+// Of the nodes of multiple scattering, relative to all scattered light.
+#define AIRLIGHT_NODES_ERROR 0.005
 
 layout(location = 0) out vec4 airlight; // radiance; the bits of litBit's first channel
 #ifdef AIRLIGHT_RECORD

@@ -8,9 +8,14 @@ uint airlightRadianceNext; // of the sorted records, the first that has not its 
 uint airlightLitNext;      // and that does not know yet whether it is lit
 uint airlightSortedEnd;
 vec3 airlightSumSoFar; // into the ray so far
+vec3 airlightFragmentsOrigin;
+vec3 airlightFragmentsDirection;
+bool airlightFirstDraw = true; // of those that share the ray
 
-void beginFragments(ivec2 pixel)
+void beginFragments(ivec2 pixel, vec3 origin, vec3 direction)
 {
+  airlightFragmentsOrigin = origin;
+  airlightFragmentsDirection = direction;
   uvec2 sorted = airlightSortedTranslucent(pixel);
   airlightRadianceNext = sorted.x;
   airlightLitNext = sorted.x;
@@ -26,6 +31,12 @@ bool airlightHasRadianceBefore(float t)
 
 void airlightGiveRadiance(vec3 radiance)
 {
+#if AIRLIGHT_MULTIPLE_LAMP >= 0
+  AirlightMultipleRay multiple =
+    airlightMultipleAlong(media, AIRLIGHT_MULTIPLE_LAMP, airlightFragmentsOrigin,
+      airlightFragmentsDirection, airlightSortedDistance(airlightRadianceNext));
+  radiance += airlightMultipleShaded(multiple, radiance, airlightFirstDraw);
+#endif
   airlightAddTranslucentRadiance(airlightSortedRecord(airlightRadianceNext), radiance);
   airlightRadianceNext++;
 }

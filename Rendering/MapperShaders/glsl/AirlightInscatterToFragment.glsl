@@ -19,5 +19,5 @@ vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
       }
     }
   }
-  return airlightDiffuse(airlightMedia, origin, direction, t, sum) + sum;
+  return airlightDiffuse(airlightMedia, origin, direction, t) + sum;
 }

@@ -86,8 +86,7 @@ vec3 airlightInscatterToNode(int i, float t)
   if (airlightTranslucent == 0u)
   {
     // As if nothing cast shadows there, of which nothing is known.
-    return airlightDiffuse(
-      airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t, vec3(1e30));
+    return airlightDiffuse(airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t);
   }
 #endif
   return airlightInscatterToFragment(airlightVolumeOrigin, airlightVolumeAlong, t);

@@ -1,9 +1,26 @@
-// Light that comes to the media from all around: ambient light or, in its place, what was scattered
-// more than once. On [0, l] of a ray, which the lights scatter `once` into, in their shadows.
-vec3 airlightDiffuse(AirlightMedia media, vec3 origin, vec3 direction, float l, vec3 once)
+// Light that comes to the media from all around: ambient light or, in its place, what lamps scatter
+// more than once.
+
+// As if nothing cast shadows, on [0, l] of a ray.
+vec3 airlightDiffuse(AirlightMedia media, vec3 origin, vec3 direction, float l)
 {
 #if AIRLIGHT_MULTIPLE
-  return airlightMultipleShaded(airlightMultipleAlong(media, origin, direction, l), once);
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < AIRLIGHT_MULTIPLE_LIGHTS; i++)
+  {
+    sum += airlightMultipleAlong(media, i, origin, direction, l).several;
+  }
+  return sum;
+#else
+  return airlightAmbient(media, origin, direction, l);
+#endif
+}
+
+// Beside the lights' own airlight, which has what they scatter.
+vec3 airlightDiffuseRest(AirlightMedia media, vec3 origin, vec3 direction, float l)
+{
+#if AIRLIGHT_MULTIPLE
+  return airlightMultipleOfCollisions(media, origin, direction, l);
 #else
   return airlightAmbient(media, origin, direction, l);
 #endif

@@ -254,11 +254,12 @@ void CheckRays()
       glm::normalize(glm::dvec3(uniform(random), uniform(random), level * uniform(random)));
     const double end = box ? 1.0 : 4.0;
     const glm::dvec3 found =
-      f64::airlightMultipleAlong(scene.Media.multiple, scene.Media, origin, direction, end).several;
+      f64::airlightMultipleAlong(scene.Media.multiple, scene.Media, 0, origin, direction, end)
+        .several;
     const glm::dvec3 expected = scene.Sum(origin, direction, end);
     const f32::AirlightMedia single = ToSingle(scene.Media);
     const glm::vec3 inSingle = f32::airlightMultipleAlong(
-      single.multiple, single, glm::vec3(origin), glm::vec3(direction), static_cast<float>(end))
+      single.multiple, single, 0, glm::vec3(origin), glm::vec3(direction), static_cast<float>(end))
                                  .several;
     for (int channel = 0; channel < 3; ++channel)
     {
@@ -289,11 +290,11 @@ void CheckLimits()
       {
         for (const double level : { -80.0, -2.0, 0.0, 50.0 })
         {
-          const glm::dvec3 rgb = f64::airlightMultipleAlong(scene.Media.multiple, scene.Media,
+          const glm::dvec3 rgb = f64::airlightMultipleAlong(scene.Media.multiple, scene.Media, 0,
             glm::dvec3(0.1, 0.2, level), glm::normalize(glm::dvec3(1.0, 0.0, up)), AIRLIGHT_FAR)
                                    .several;
           const f32::AirlightMedia single = ToSingle(scene.Media);
-          const glm::vec3 inSingle = f32::airlightMultipleAlong(single.multiple, single,
+          const glm::vec3 inSingle = f32::airlightMultipleAlong(single.multiple, single, 0,
             glm::vec3(0.1f, 0.2f, static_cast<float>(level)),
             glm::normalize(glm::vec3(1.0f, 0.0f, static_cast<float>(up))), 1e18f)
                                        .several;

@@ -240,8 +240,8 @@ void CheckRays(double albedo, double g, int count, double allowed)
     light.radius = 1e-6;
     Expect(AddMultipleLamp(media, light), "the lamp is taken");
     const f32::AirlightMedia single = ToSingle(media);
-    const glm::vec3 inSingle = f32::airlightMultipleAlong(single.multiple, single, glm::vec3(0.0f),
-      glm::vec3(1.0f, 0.0f, 0.0f), static_cast<float>(std::min(t1, 1e18)))
+    const glm::vec3 inSingle = f32::airlightMultipleAlong(single.multiple, single, 0,
+      glm::vec3(0.0f), glm::vec3(1.0f, 0.0f, 0.0f), static_cast<float>(std::min(t1, 1e18)))
                                  .several;
     singleOff += std::abs(inSingle.x / found[0] - 1.0) > 1e-4 ? 1 : 0;
   }
