@@ -126,10 +126,11 @@ bool HasRecords(const SurfaceShaderOptions& options)
 //------------------------------------------------------------------------------
 std::string GetSurfaceDeclarations(const SurfaceShaderOptions& options)
 {
-  const std::string scattered = options.MultipleScattering ? AirlightSurfaceMultiple
-    : options.ScatteringLightCount > 0                     ? "#define AIRLIGHT_SCATTERING_LIGHTS " +
-      std::to_string(options.ScatteringLightCount) + "\n" + AirlightSurfaceIrradiance
-                                       : "";
+  const std::string scattered = options.ScatteringLightCount > 0
+    ? "#define AIRLIGHT_SCATTERING_LIGHTS " + std::to_string(options.ScatteringLightCount) + "\n" +
+      AirlightSurfaceIrradiance
+    : options.MultipleScattering ? AirlightSurfaceMultiple
+                                 : "";
   const char* before = HasRecords(options) ? AirlightInscatterToTranslucent
     : HasFroxels(options)                  ? AirlightInscatterFromFroxels
     : options.AtVertices                   ? ""

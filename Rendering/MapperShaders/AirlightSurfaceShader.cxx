@@ -4,6 +4,7 @@
 
 #include "MapperShaders/AirlightMapperShader.h"
 #include "MapperShaders/AirlightSurfaceDeclarations.h"
+#include "Medium/AirlightConvert.h"
 #include "OpenGL/AirlightShaderLibrary.h"
 
 #include <algorithm>
@@ -173,8 +174,14 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
   const int kind = lights ? CommonKind(sceneLights) : AIRLIGHT_POINT_CLOSED;
   const bool photometry = std::any_of(sceneLights.begin(), sceneLights.end(),
     [](const SceneLight& sceneLight) { return sceneLight.Values.goniometric != 0; });
+  // Of lamps whose light is scattered more than once, what is scattered once is a part of that.
+  const bool irradiance = scatteredLight &&
+    (!multiple ||
+      std::any_of(sceneLights.begin(), sceneLights.end(), [&media](const SceneLight& sceneLight) {
+        return sceneLight.HasPower() && FindMultipleLamp(media, sceneLight.Values) < 0;
+      }));
   const std::string source = GetScatteringSource(media, kind, photometry) +
-    (scatteredLight && !multiple ? GetScatteredIrradianceSource() : "");
+    (irradiance ? GetScatteredIrradianceSource() : "");
   // VTK's own text knows the number of lights, too, and is made again if another number
   // shines; a mapper without the pass is to stay as it is.
   const std::vector<LightSpecialization> known =
@@ -194,7 +201,7 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
   // Some more, so that another light does not make other shaders.
   options.SceneLightCount = std::max(options.SceneLightCount, (sceneLightCount + 7) / 8 * 8);
   options.ScatteringLightCount =
-    scatteredLight && !multiple ? std::min(options.SceneLightCount, MaximumScatteringLights) : 0;
+    irradiance ? std::min(options.SceneLightCount, MaximumScatteringLights) : 0;
   options.MultipleScattering = multiple;
   options.Mathematics = source;
   return true;

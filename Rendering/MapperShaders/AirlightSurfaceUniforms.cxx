@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperShaders/AirlightSurfaceUniforms.h"
 
+#include "Medium/AirlightConvert.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "OpenGL/AirlightShaderLibrary.h"
 #include "Scene/AirlightCameraUniforms.h"
@@ -24,7 +25,8 @@ void SetScatteringLights(vtkShaderProgram* program, const SurfaceUniforms& value
   int count = 0;
   for (const SceneLight& sceneLight : *values.SceneLights)
   {
-    if (sceneLight.HasPower() && count < MaximumScatteringLights)
+    const bool several = FindMultipleLamp(*values.Media, sceneLight.Values) >= 0;
+    if (sceneLight.HasPower() && !several && count < MaximumScatteringLights)
     {
       SetLightUniforms(
         program, "airlightScatteringLights[" + std::to_string(count) + "]", sceneLight.Values);
@@ -125,13 +127,12 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     values.Transmittances->UseInMapper(program);
   }
-  const bool multiple = values.Media->multiple.count > 0;
-  if (values.ScatteredIrradiance || multiple)
+  if (values.ScatteredIrradiance || values.Media->multiple.count > 0)
   {
     glm::mat3 normals = values.Rays->GetNormalMatrix();
     program->SetUniformMatrix3x3("airlightNormalToWorld", &normals[0].x);
   }
-  if (values.ScatteredIrradiance && !multiple)
+  if (values.ScatteredIrradiance)
   {
     SetScatteringLights(program, values);
   }

@@ -14,7 +14,12 @@ vec3 airlightScatteredColour(vec3 normal)
     return vec3(0.0);
   }
   vec3 point = airlightFragmentPoint();
+#if AIRLIGHT_MULTIPLE
+  vec3 sum =
+    airlightMultipleIrradiance(airlightMedia, point, normalize(airlightNormalToWorld * normal));
+#else
   vec3 sum = vec3(0.0);
+#endif
   for (int k = 0; k < airlightScatteringLightCount; k++)
   {
     sum += airlightScatteredIrradiance(

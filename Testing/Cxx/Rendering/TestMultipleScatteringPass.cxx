@@ -179,6 +179,44 @@ bool TestShadow()
 }
 
 //------------------------------------------------------------------------------
+// A sun, which is scattered once, neither lights a lamp's shadow nor loses what it scatters onto
+// surfaces: with both lights there is the sum of both.
+bool TestSunBeside()
+{
+  FoggyPlane scene(vtkParticipatingMedium::BOX);
+  scene.AddBall(-0.1, 0.3, 1.2, 0.3);
+  scene.Pass->SetShadowTechnique(vtkAirlightPass::SHADOW_PLANES);
+  scene.Pass->ScatteredSurfaceLightOn();
+  vtkNew<vtkLight> sun;
+  sun->SetPosition(-1.0, -2.0, 5.0);
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  sun->SetIntensity(3.0);
+  scene.Renderer->AddLight(sun);
+  ErrorListener messages(scene.Pass, vtkCommand::WarningEvent); // the sun is scattered once
+  bool ok = true;
+  for (const char* buffer : { "Airlight", "Surface" })
+  {
+    const Buffer both = scene.Render(buffer, true);
+    scene.Light->SwitchOff();
+    const Buffer sunlit = scene.Render(buffer, true);
+    scene.Light->SwitchOn();
+    sun->SwitchOff();
+    const Buffer lamplit = scene.Render(buffer, true);
+    sun->SwitchOn();
+    Comparison comparison(Text("a sun and a lamp, ", buffer, ", relative"));
+    ForPixels([&](int i, int j, int c, int index) {
+      const double sum = static_cast<double>(sunlit[index]) + lamplit[index];
+      comparison.Add(std::abs(both[index] - sum) / sum, 1e-3, [&] {
+        return Text("pixel ", i, " ", j, ", channel ", c, ": ", both[index], " for ", sunlit[index],
+          " + ", lamplit[index]);
+      });
+    });
+    ok &= comparison.Report();
+  }
+  return ok;
+}
+
+//------------------------------------------------------------------------------
 // A surface that is nearly opaque looks as one that is.
 bool TestTranslucent()
 {
@@ -239,6 +277,6 @@ bool TestLimits()
 //------------------------------------------------------------------------------
 int TestMultipleScatteringPass(int, char*[])
 {
-  const bool ok = TestPlane() & TestShadow() & TestTranslucent() & TestLimits();
+  const bool ok = TestPlane() & TestShadow() & TestSunBeside() & TestTranslucent() & TestLimits();
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }
