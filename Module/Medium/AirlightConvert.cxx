@@ -238,6 +238,13 @@ int FindMultipleLamp(const f64::AirlightMedia& media, const f64::AirlightLight& 
 }
 
 //------------------------------------------------------------------------------
+bool IsMultiple(const f64::AirlightMedia& media, const f64::AirlightLight& light)
+{
+  return FindMultipleLamp(media, light) >= 0 ||
+    (HasCollisions(media) && !f64::airlightIsDirectional(light));
+}
+
+//------------------------------------------------------------------------------
 f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm::dvec3& position,
   const glm::dvec3& radiantIntensity, const glm::dvec3& origin)
 {

@@ -54,7 +54,12 @@ VTKAIRLIGHT_EXPORT bool AddMultipleLamp(f64::AirlightMedia& media, const f64::Ai
 VTKAIRLIGHT_EXPORT bool HasCollisions(const f64::AirlightMedia& media);
 
 // The number of the media's lamp or sun that this light is, -1 where it is none.
-int FindMultipleLamp(const f64::AirlightMedia& media, const f64::AirlightLight& light);
+VTKAIRLIGHT_EXPORT int FindMultipleLamp(
+  const f64::AirlightMedia& media, const f64::AirlightLight& light);
+
+// Whether the light's light is scattered more than once, at its own place or elsewhere.
+VTKAIRLIGHT_EXPORT bool IsMultiple(
+  const f64::AirlightMedia& media, const f64::AirlightLight& light);
 
 // What is said of so many lights that are left out.
 VTKAIRLIGHT_EXPORT std::string GetScatteredOnceText(int lights);

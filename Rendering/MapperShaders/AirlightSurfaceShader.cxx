@@ -178,7 +178,7 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
   const bool irradiance = scatteredLight &&
     (!multiple ||
       std::any_of(sceneLights.begin(), sceneLights.end(), [&media](const SceneLight& sceneLight) {
-        return sceneLight.HasPower() && FindMultipleLamp(media, sceneLight.Values) < 0;
+        return sceneLight.HasPower() && !IsMultiple(media, sceneLight.Values);
       }));
   const std::string source = GetScatteringSource(media, kind, photometry) +
     (irradiance ? GetScatteredIrradianceSource() : "");

@@ -25,7 +25,7 @@ void SetScatteringLights(vtkShaderProgram* program, const SurfaceUniforms& value
   int count = 0;
   for (const SceneLight& sceneLight : *values.SceneLights)
   {
-    const bool several = FindMultipleLamp(*values.Media, sceneLight.Values) >= 0;
+    const bool several = IsMultiple(*values.Media, sceneLight.Values);
     if (sceneLight.HasPower() && !several && count < MaximumScatteringLights)
     {
       SetLightUniforms(

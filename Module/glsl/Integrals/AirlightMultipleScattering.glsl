@@ -244,8 +244,8 @@ AIRLIGHT_FN real3 airlightMultipleOfCollisions(
 
 // What casters leave of the light of a lamp that was scattered more than once, on a ray on which
 // they leave `once` of the other: that share, and of the rest some that gets around them. How much
-// is a rule, see Documentation/accuracy.md; media that scatter forward keep light in its beam. A ray
-// that several draws share has the latter in one of them.
+// is a rule, see Documentation/accuracy.md; media that scatter forward keep light in its beam. If
+// several draws share a ray, one of them has the latter.
 AIRLIGHT_FN real3 airlightMultipleShaded(
   AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMultipleRay) ray, real3 once, bool getsAround)
 {
