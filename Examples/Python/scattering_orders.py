@@ -5,7 +5,7 @@
 
 Each row is a medium. Its columns are vtkAirlightPass with light that is scattered once, the same
 with multiple scattering, and paths of all orders by vtkAirlightReference, at one exposure. The
-paths have a quarter of the resolution. The program prints the pictures' radiance by that of the
+paths have a sixth of the resolution. The program prints the pictures' radiance by that of the
 paths. It takes minutes: see --seconds.
 """
 
@@ -15,7 +15,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkImagingCore import vtkImageResize
+from vtkmodules.vtkImagingCore import vtkImageInterpolator, vtkImageResize
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
@@ -27,7 +27,7 @@ import airlight.display
 MEDIA = {
     "fog": (0.5, 0.0, 0.85),  # droplets absorb nothing
     "smoke": (0.35, 0.25, 0.5),  # soot absorbs
-    "milk": (1.5, 0.002, 0.7),  # a spoon of it in water
+    "milk": (0.8, 0.002, 0.7),  # a few drops of it in water
 }
 LAMP, EYE, TARGET = (-0.35, 0.5, 0.8), (1.5, -1.6, 0.9), (0.0, 0.3, 0.55)
 BALL, RADIUS, FLOOR = (0.35, 0.3, 0.35), 0.35, 0.4  # the floor's albedo
@@ -97,15 +97,18 @@ def radiance_of_paths(medium, size, seconds):
     paths = airlight.vtkAirlightReference()
     paths.SetRenderer(make_scene())
     paths.SetMedium(medium)
-    # A quarter of the pixels' rows and columns, with sixteen times the paths each.
-    coarse = [max(length // 4, 1) for length in size]
+    # A sixth of the pixels' rows and columns, with 36 times the paths each.
+    coarse = [max(length // 6, 1) for length in size]
     paths.SetSize(coarse)
     paths.SetScatteringOrders(0)
     paths.SetSamplesPerPixel(100000)
     paths.SetTimeLimit(seconds)
     paths.Update()
     paths.GetOutput().GetPointData().SetActiveScalars("Radiance")
+    linear = vtkImageInterpolator()
+    linear.SetInterpolationModeToLinear()
     resized = vtkImageResize()
+    resized.SetInterpolator(linear)
     resized.SetInputData(paths.GetOutput())
     resized.SetOutputDimensions(*size, 1)
     resized.Update()

@@ -101,6 +101,20 @@ class TestRegions(SceneTest):
         self.check(np.maximum(lengths, 0), (np.abs(lengths) > 0.02) & (np.abs(h - radius) > 0.02),
                    "--cylinder", "-0.5,0.3,-1:1.2:1.6:0,0,3")
 
+    def test_ground(self):
+        """Fog that goes on below sends light back from there, as ground of a high albedo does."""
+        self.write("tetrahedron.obj", TETRAHEDRON)
+        pictures = []
+        for ground in ({}, {"ground_height": -0.6, "ground_albedo": [0, 0, 0]},
+                       {"ground_height": -0.6, "ground_albedo": [1, 1, 1]}):
+            fog = {"type": "exponential_height", "reference_height": -0.5, "scale_height": 0.7}
+            scene = self.scene(density=dict(fog, **ground), multiple_scattering=True)
+            pictures.append(self.render(scene, "a.pfm", "--sun", "1,2,3:4").mean())
+        once = self.render(self.scene(density=fog), "a.pfm", "--sun", "1,2,3:4").mean()
+        self.assertGreater(pictures[1], 1.02 * once)
+        self.assertGreater(pictures[0], 1.02 * pictures[1])
+        self.assertGreater(pictures[2], 1.02 * pictures[1])
+
     def test_scene_file(self):
         """What a scene file says about regions and density is what the options say, and the options
         outdo the file."""
