@@ -179,8 +179,8 @@ bool TestShadow()
 }
 
 //------------------------------------------------------------------------------
-// A sun, which is scattered once, neither lights a lamp's shadow nor loses what it scatters onto
-// surfaces: with both lights there is the sum of both.
+// A sun neither lights a lamp's shadow nor loses what it scatters onto surfaces: with both lights
+// there is the sum of both.
 bool TestSunBeside()
 {
   FoggyPlane scene(vtkParticipatingMedium::BOX);
@@ -192,7 +192,6 @@ bool TestSunBeside()
   sun->SetFocalPoint(0.0, 0.0, 0.0);
   sun->SetIntensity(3.0);
   scene.Renderer->AddLight(sun);
-  ErrorListener messages(scene.Pass, vtkCommand::WarningEvent); // the sun is scattered once
   bool ok = true;
   for (const char* buffer : { "Airlight", "Surface" })
   {
@@ -212,6 +211,70 @@ bool TestSunBeside()
       });
     });
     ok &= comparison.Report();
+  }
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+// Suns, spots and lamps outside, in the air and on surfaces, with a caster: as the reference has it.
+bool TestOtherLights()
+{
+  bool ok = true;
+  for (const char* kind : { "sun in a box", "sun in fog", "spot", "lamp outside" })
+  {
+    const std::string name = kind;
+    FoggyPlane scene(name == "sun in a box" ? vtkParticipatingMedium::BOX
+        : name == "lamp outside"            ? vtkParticipatingMedium::SPHERE
+                                            : vtkParticipatingMedium::UNBOUNDED);
+    scene.AddBall(-0.1, 0.3, 1.2, 0.3);
+    scene.Pass->SetShadowTechnique(vtkAirlightPass::SHADOW_PLANES);
+    scene.Light->SetFocalPoint(0.0, 0.0, 0.0);
+    scene.Light->SetPosition(name == "lamp outside" ? 4.0 : -1.0, -2.0, 5.0);
+    if (name == "spot")
+    {
+      scene.Light->SetConeAngle(25.0);
+    }
+    else if (name != "lamp outside")
+    {
+      vtkAirlight::SetIrradiance(scene.Light, Intensity);
+    }
+    if (name == "sun in fog")
+    {
+      scene.Medium->SetDensityToExponentialHeight();
+      scene.Medium->SetUp(0.0, 0.0, 1.0);
+      scene.Medium->GroundOn();
+    }
+    ErrorListener messages(scene.Pass, vtkCommand::WarningEvent);
+    const Buffer once = scene.Render("Airlight", false);
+    const Buffer surfaceOnce = scene.Render("Surface", false);
+    const Buffer air = scene.Render("Airlight", true);
+    const Buffer surface = scene.Render("Surface", true);
+    vtkNew<vtkAirlightReference> oracle;
+    oracle->SetRenderer(scene.Renderer);
+    oracle->AddMedium(scene.Medium);
+    oracle->SetSize(PixelScene::Width, PixelScene::Height);
+    oracle->Update();
+    vtkPointData* traced = oracle->GetOutput()->GetPointData();
+    Comparison comparison(Text(name, ", beside the reference, relative"));
+    double more = 0.0;
+    double moreOnSurfaces = 0.0;
+    ForPixels([&](int i, int j, int c, int index) {
+      const int pixel = j * PixelScene::Width + i;
+      more = std::max<double>(more, air[index] - once[index]);
+      moreOnSurfaces = std::max<double>(moreOnSurfaces, surface[index] - surfaceOnce[index]);
+      const double whole = air[index] + surface[index];
+      const double found = traced->GetArray("Airlight")->GetComponent(pixel, c) +
+        traced->GetArray("Surface")->GetComponent(pixel, c);
+      comparison.Add(std::abs(whole - found) / found, 2e-3,
+        [&] { return Text("pixel ", i, " ", j, ", channel ", c, ": ", whole, " for ", found); });
+    });
+    ok &= comparison.Report();
+    if (more < 1e-3 || moreOnSurfaces < 1e-3 || messages.Take() != 0)
+    {
+      std::cerr << "FAILED: " << name << " is scattered more than once: " << more << ", "
+                << moreOnSurfaces << ", " << messages.GetText() << "\n";
+      ok = false;
+    }
   }
   return ok;
 }
@@ -246,7 +309,8 @@ bool TestTranslucent()
 }
 
 //------------------------------------------------------------------------------
-// Off, the picture is as before; a spotlight is scattered once, with a message.
+// Off, the picture is as before; where light is scattered forward a spotlight is scattered once,
+// with a message.
 bool TestLimits()
 {
   FoggyPlane scene(vtkParticipatingMedium::UNBOUNDED);
@@ -259,6 +323,7 @@ bool TestLimits()
     std::cerr << "FAILED: switched off, it leaves no trace\n";
   }
   ErrorListener messages(scene.Pass, vtkCommand::WarningEvent);
+  scene.Medium->SetAnisotropy(0.8);
   scene.Light->SetConeAngle(30.0);
   scene.Light->SetFocalPoint(0.0, 0.0, 0.0);
   const Buffer spot = scene.Render("Radiance", false);
@@ -277,6 +342,7 @@ bool TestLimits()
 //------------------------------------------------------------------------------
 int TestMultipleScatteringPass(int, char*[])
 {
-  const bool ok = TestPlane() & TestShadow() & TestSunBeside() & TestTranslucent() & TestLimits();
+  const bool ok = TestPlane() & TestShadow() & TestSunBeside() & TestOtherLights() &
+    TestTranslucent() & TestLimits();
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }
