@@ -72,11 +72,11 @@ public:
     const double direction[3], double t0, double t1, double rgb[3]);
 
   /**
-   * Light of a point lamp that was scattered more than once and reaches `origin` from [0, t1] of the
-   * ray, of radiant intensity `radiantIntensity` [W/sr]: see
+   * Light of a point lamp that was scattered more than once and reaches `origin` from [0, t1] of
+   * the ray, of radiant intensity `radiantIntensity` [W/sr]: see
    * vtkParticipatingMedium::SetMultipleScattering(), which must be on; else zeros. t1 may be
-   * infinite. A lamp outside the medium's region needs a phase function whose mean cosine is at most
-   * 0.65; else zeros.
+   * infinite. A lamp outside the medium's region needs a phase function whose mean cosine is at
+   * most 0.65; else zeros.
    *
    * Relative error in an unbounded medium: GetMultipleScatteringErrorBound() of the medium, and of
    * the quadrature 0.5 % of this plus the light that was scattered once.
