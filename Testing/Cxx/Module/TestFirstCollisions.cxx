@@ -3,7 +3,7 @@
 // Where the light of beams and of lamps outside a medium first changes direction: against formulas
 // and a simulation.
 
-#include "AirlightTestCheck.h"
+#include "AirlightTestExpect.h"
 #include "Medium/AirlightConvert.h"
 #include "MultipleScattering/AirlightFirstCollisions.h"
 
@@ -16,22 +16,12 @@
 #include <cstdlib>
 #include <iostream>
 #include <random>
-#include <sstream>
 
 using namespace airlight;
 using namespace airlight_test;
 
 namespace
 {
-template <typename... Numbers>
-void Expect(bool ok, const std::string& what, const Numbers&... numbers)
-{
-  std::ostringstream text;
-  text << what;
-  ((text << ", " << numbers), ...);
-  Check(ok, text.str());
-}
-
 f64::AirlightLight MakeLamp(const glm::dvec3& position)
 {
   f64::AirlightLight light{};

@@ -3,7 +3,7 @@
 // The light of suns that was scattered more than once: Eddington's approximation against the
 // equations that it solves, and the closed integral of rays against sums over many steps.
 
-#include "AirlightTestCheck.h"
+#include "AirlightTestExpect.h"
 #include "AirlightTestSingle.h"
 #include "Medium/AirlightConvert.h"
 #include "MultipleScattering/AirlightLayeredSolution.h"
@@ -19,7 +19,6 @@
 #include <iostream>
 #include <limits>
 #include <random>
-#include <sstream>
 
 using namespace airlight;
 using namespace airlight_test;
@@ -27,15 +26,6 @@ using namespace airlight_test;
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-template <typename... Numbers>
-void Expect(bool ok, const std::string& what, const Numbers&... numbers)
-{
-  std::ostringstream text;
-  text << what;
-  ((text << ", " << numbers), ...);
-  Check(ok, text.str());
-}
 
 // The radiance i0 + i1 mu of one set of terms.
 struct Layers

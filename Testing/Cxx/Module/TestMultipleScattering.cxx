@@ -3,8 +3,8 @@
 // Multiple scattering: the exact solution of the unbounded medium against identities, a Monte Carlo
 // simulation and the theory of diffusion; its fit and the quadrature of rays against the solution.
 
-#include "AirlightTestCheck.h"
 #include "AirlightTestErrors.h"
+#include "AirlightTestExpect.h"
 #include "AirlightTestSingle.h"
 #include "Medium/AirlightConvert.h"
 #include "MultipleScattering/AirlightLegendreMoments.h"
@@ -21,22 +21,12 @@
 #include <iostream>
 #include <limits>
 #include <random>
-#include <sstream>
 
 using namespace airlight;
 using namespace airlight_test;
 
 namespace
 {
-template <typename... Numbers>
-void Expect(bool ok, const std::string& what, const Numbers&... numbers)
-{
-  std::ostringstream text;
-  text << what;
-  ((text << ", " << numbers), ...);
-  Check(ok, text.str());
-}
-
 double HenyeyGreenstein(double g, double mu)
 {
   return (1.0 - g * g) / (4.0 * vtkMath::Pi() * std::pow(1.0 + g * g - 2.0 * g * mu, 1.5));
