@@ -88,7 +88,13 @@ bool MakeLamp(vtkParticipatingMedium* medium, const double position[3],
   f64::AirlightLight light =
     ConvertPointLight(converted, Vector(position), Vector(radiantIntensity), Vector(origin));
   light.radius = LeastDistance(light.position, 1.0);
-  AddMultipleLamp(converted, light);
+  if (!AddMultipleLamp(converted, light))
+  {
+    vtkErrorWithObjectMacro(medium,
+      "vtkAirlight: the lamp at (" << position[0] << ", " << position[1] << ", " << position[2]
+                                   << ") has no light. " << GetScatteredOnceText(1));
+    return false;
+  }
   return true;
 }
 

@@ -76,7 +76,7 @@ public:
    * the ray, of radiant intensity `radiantIntensity` [W/sr]: see
    * vtkParticipatingMedium::SetMultipleScattering(), which must be on; else zeros. t1 may be
    * infinite. A lamp outside the medium's region needs a phase function whose mean cosine is at
-   * most 0.65; else zeros.
+   * most 0.65; else there is an error, and zeros.
    *
    * Relative error in an unbounded medium: GetMultipleScatteringErrorBound() of the medium, and of
    * the quadrature 0.5 % of this plus the light that was scattered once.

@@ -4,8 +4,16 @@
 
 #include "MultipleScattering/AirlightLegendreMoments.h"
 
+#include <cmath>
+#include <string>
+
 namespace airlight
 {
+namespace
+{
+constexpr double MaximumFitError = 0.1; // that is not spoken of
+}
+
 //------------------------------------------------------------------------------
 std::shared_ptr<const SourceFit> MediumSource::Update(const glm::dvec3& albedo,
   vtkMTimeType phaseTime, const std::function<double(double)>& phaseFunction, std::string& error)
@@ -28,6 +36,13 @@ std::shared_ptr<const SourceFit> MediumSource::Update(const glm::dvec3& albedo,
   {
     this->Albedo = albedo;
     this->Made = std::make_shared<SourceFit>(FitSource(albedo, this->Legendre));
+    if (this->Made->ErrorBound > MaximumFitError)
+    {
+      error = "Multiple scattering is off by up to " +
+        std::to_string(std::lround(100.0 * this->Made->ErrorBound)) +
+        " %, as the phase function has too many or too narrow lobes for its fit. Take a smoother "
+        "one, or vtkAirlightReference::SetScatteringOrders().";
+    }
   }
   return this->Made;
 }

@@ -358,6 +358,12 @@ void CheckLimits()
   Expect(rgb[0] == 0.0 && errors.Take() == 1 &&
       errors.GetText().find("too narrow a peak") != std::string::npos,
     "a narrow peak");
+  medium->SetAnisotropy(0.8);
+  Expect(
+    !vtkAirlight::MultipleScattering(medium, outside, intensity, origin, direction, 1.0, rgb) &&
+      rgb[0] == 0.0 && errors.Take() == 1 &&
+      errors.GetText().find("the lamp at (5, 0, 0) has no light") != std::string::npos,
+    "a lamp outside, in a medium that scatters forward");
   medium->SetAnisotropy(0.3);
   // Lamps on the ray, a ray without length, extreme coefficients.
   medium->SetRegionToUnbounded();
