@@ -40,8 +40,9 @@ std::shared_ptr<const SourceFit> MediumSource::Update(const glm::dvec3& albedo,
     {
       error = "Multiple scattering is off by up to " +
         std::to_string(std::lround(100.0 * this->Made->ErrorBound)) +
-        " %, as the phase function has too many or too narrow lobes for its fit. Take a smoother "
-        "one, or vtkAirlightReference::SetScatteringOrders().";
+        " %, as the phase function has narrow or backward lobes, which its fit follows badly. Take "
+        "a "
+        "smoother one, or vtkAirlightReference::SetScatteringOrders().";
     }
   }
   return this->Made;

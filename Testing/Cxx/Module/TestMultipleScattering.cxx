@@ -364,6 +364,10 @@ void CheckLimits()
       rgb[0] == 0.0 && errors.Take() == 1 &&
       errors.GetText().find("the lamp at (5, 0, 0) has no light") != std::string::npos,
     "a lamp outside, in a medium that scatters forward");
+  medium->SetAnisotropy(-0.9);
+  Expect(medium->GetMultipleScatteringErrorBound() > 0.1 && errors.Take() == 1 &&
+      errors.GetText().find("Multiple scattering is off by up to") != std::string::npos,
+    "a bad fit is said", medium->GetMultipleScatteringErrorBound(), errors.GetText());
   medium->SetAnisotropy(0.3);
   // Lamps on the ray, a ray without length, extreme coefficients.
   medium->SetRegionToUnbounded();
