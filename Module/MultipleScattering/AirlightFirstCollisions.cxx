@@ -63,17 +63,13 @@ glm::dvec3 GetDirection(const Cone& cone, int i)
     cosine * axis + sine * (std::cos(golden * i) * u + std::sin(golden * i) * glm::cross(axis, u)));
 }
 
-// The light's radiant intensity by that on its axis.
+// Of a light at the origin, the radiant intensity by that on its axis.
 double GetShare(const f64::AirlightLight& light, const glm::dvec3& direction)
 {
-  const double cosine = glm::dot(direction, light.axis);
-  if (light.cosCone > 0.0 && cosine < light.cosCone)
-  {
-    return 0.0;
-  }
-  const double spot =
-    light.cosCone > 0.0 && light.exponent > 0.0 ? std::pow(cosine, light.exponent) : 1.0;
-  return spot * f64::airlightPhotometricShare(light, light.position + direction);
+  const bool outside = light.cosCone > 0.0 && glm::dot(direction, light.axis) < light.cosCone;
+  return outside
+    ? 0.0
+    : f64::airlightFalloff(light, direction, 1.0) * f64::airlightPhotometricShare(light, direction);
 }
 
 // Where light on [0, depth] of its way changes direction, which is as likely everywhere: of the
@@ -138,11 +134,15 @@ std::array<CollisionGroup, 2> FindFirstCollisions(
   const Cone region = GetRegionCone(medium.region, light.position);
   const Cone lamp = light.cosCone > 0.0 ? Cone{ light.axis, 1.0 - light.cosCone } : Cone{};
   const Cone& cone = region.Versine < lamp.Versine ? region : lamp;
+  f64::AirlightLight atOrigin = light;
+  atOrigin.position = glm::dvec3(0.0);
+  atOrigin.radius = 0.0;
+  atOrigin.attenuation = glm::dvec3(0.0, 0.0, 1.0);
   Cloud clouds[2];
   for (int i = 0; i < DirectionCount && sigma > 0.0; ++i)
   {
     const glm::dvec3 direction = GetDirection(cone, i);
-    const double share = GetShare(light, direction);
+    const double share = GetShare(atOrigin, direction);
     const glm::dvec2 range =
       f64::airlightRegionRange(medium.region, light.position, direction, AIRLIGHT_FAR);
     if (share > 0.0 && range.y > range.x)
