@@ -14,7 +14,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
 #include <random>
 
 using namespace airlight;

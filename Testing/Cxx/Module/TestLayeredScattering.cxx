@@ -159,64 +159,73 @@ struct Scene
 
   glm::dvec4 Row(int row) const { return this->Media.multiple.sun[row]; }
 
+  bool IsBox() const { return this->Media.item[0].region.kind == AIRLIGHT_REGION_BOX; }
+
+  // By that where it is 1.
+  double Density(const glm::dvec3& point) const
+  {
+    return this->IsBox() ? 1.0 : std::exp(-point.z / 1.5);
+  }
+
+  // The way, of density 1, below the lit side.
+  double Depth(const glm::dvec3& point) const
+  {
+    const glm::dvec4 layers = this->Row(AIRLIGHT_SUN_LAYERS);
+    return this->IsBox() ? layers.w - glm::dot(glm::dvec3(layers), point)
+                         : 1.5 * std::exp(-point.z / 1.5);
+  }
+
+  // Of light that was scattered forward twice.
+  double Lobe(const glm::dvec3& direction) const
+  {
+    const double lobe = this->G > 0.0 ? this->G * this->G : 0.0;
+    const double cosTheta = glm::dot(glm::dvec3(this->Row(AIRLIGHT_SUN_DIRECTION)), direction);
+    return (1.0 - lobe * lobe) / (4.0 * vtkMath::Pi()) /
+      std::pow(1.0 + lobe * lobe - 2.0 * lobe * cosTheta, 1.5);
+  }
+
   // Of one channel: the source function by the terms, in the light that the eye gets from `point`.
   double Source(const glm::dvec3& point, const glm::dvec3& direction, int channel) const
   {
     const f64::AirlightMedium& medium = this->Media.item[0];
     const f64::AirlightMultiple& multiple = this->Media.multiple;
-    const glm::dvec3 normal(this->Row(AIRLIGHT_SUN_LAYERS));
-    const bool box = medium.region.kind == AIRLIGHT_REGION_BOX;
     const double sigma = medium.sigmaT[channel];
-    const double depth = sigma *
-      (box ? this->Row(AIRLIGHT_SUN_LAYERS).w - glm::dot(normal, point)
-           : 1.5 * std::exp(-point.z / 1.5));
-    const double density = box ? 1.0 : std::exp(-point.z / 1.5);
     const double scale = multiple.layerScale[channel];
+    const double depth = scale * sigma * this->Depth(point);
     const double sun = this->Row(AIRLIGHT_SUN_DIRECTION).w;
     const Layers layers{ multiple.layerAlbedo[channel], multiple.layerCosine, sun,
-      box ? 5.0 * sigma * scale : Infinity };
-    const double mu = glm::dot(normal, direction); // of the light's way down
-    const double albedo = medium.sigmaS[channel] / sigma;
-    const double lobe = this->G > 0.0 ? this->G * this->G : 0.0;
-    const double cosTheta = glm::dot(glm::dvec3(this->Row(AIRLIGHT_SUN_DIRECTION)), direction);
-    const double wide = (1.0 - lobe * lobe) / (4.0 * vtkMath::Pi()) /
-      std::pow(1.0 + lobe * lobe - 2.0 * lobe * cosTheta, 1.5);
-    const double diffuse = scale * layers.Albedo *
-      (layers.Even(scale * depth) + layers.Cosine * mu * layers.Down(scale * depth));
-    const double forward = wide * albedo * std::exp(-scale * depth / sun);
-    return density * sigma * (diffuse + forward);
+      this->IsBox() ? 5.0 * sigma * scale : Infinity };
+    // Of the light's way down.
+    const double mu = glm::dot(glm::dvec3(this->Row(AIRLIGHT_SUN_LAYERS)), direction);
+    const double diffuse =
+      scale * layers.Albedo * (layers.Even(depth) + layers.Cosine * mu * layers.Down(depth));
+    const double forward =
+      this->Lobe(direction) * medium.sigmaS[channel] / sigma * std::exp(-depth / sun);
+    return this->Density(point) * sigma * (diffuse + forward);
   }
 
-  // What of `forward` is the single scattering that the ray has anyway, its lobe as wide.
+  // Without the single scattering that is in the source's forward light.
   glm::dvec3 Sum(const glm::dvec3& origin, const glm::dvec3& direction, double end) const
   {
     const f64::AirlightMedium& medium = this->Media.item[0];
     glm::dvec3 sum(0.0);
     constexpr int steps = 200000;
-    const bool box = medium.region.kind == AIRLIGHT_REGION_BOX;
+    const double dt = end / steps;
+    const double sun = this->Row(AIRLIGHT_SUN_DIRECTION).w;
     for (int channel = 0; channel < 3; ++channel)
     {
       const double sigma = medium.sigmaT[channel];
       const double scale = this->Media.multiple.layerScale[channel];
-      const double sun = this->Row(AIRLIGHT_SUN_DIRECTION).w;
-      const double lobe = this->G > 0.0 ? this->G * this->G : 0.0;
-      const double cosTheta = glm::dot(glm::dvec3(this->Row(AIRLIGHT_SUN_DIRECTION)), direction);
-      const double wide = (1.0 - lobe * lobe) / (4.0 * vtkMath::Pi()) /
-        std::pow(1.0 + lobe * lobe - 2.0 * lobe * cosTheta, 1.5);
-      const glm::dvec3 normal(this->Row(AIRLIGHT_SUN_LAYERS));
-      const double dt = end / steps;
       double before = 0.0;
       for (int i = 0; i < steps; ++i)
       {
         const glm::dvec3 point = origin + (i + 0.5) * dt * direction;
-        const double density = box ? 1.0 : std::exp(-point.z / 1.5);
+        const double density = this->Density(point);
         before += 0.5 * density * sigma * dt;
-        const double depth = sigma *
-          (box ? this->Row(AIRLIGHT_SUN_LAYERS).w - glm::dot(normal, point)
-               : 1.5 * std::exp(-point.z / 1.5));
         sum[channel] += dt *
           (this->Source(point, direction, channel) * std::exp(-scale * before) -
-            density * medium.sigmaS[channel] * wide * std::exp(-depth / sun - before));
+            density * medium.sigmaS[channel] * this->Lobe(direction) *
+              std::exp(-sigma * this->Depth(point) / sun - before));
         before += 0.5 * density * sigma * dt;
       }
     }

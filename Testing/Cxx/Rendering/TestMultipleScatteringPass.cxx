@@ -71,6 +71,16 @@ public:
     return Buffer(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfValues());
   }
 
+  vtkPointData* Trace()
+  {
+    this->Oracle->SetRenderer(this->Renderer);
+    this->Oracle->AddMedium(this->Medium);
+    this->Oracle->SetSize(Width, Height);
+    this->Oracle->Update();
+    return this->Oracle->GetOutput()->GetPointData();
+  }
+
+  vtkNew<vtkAirlightReference> Oracle;
   vtkNew<vtkSphereSource> Ball;
   vtkNew<vtkPolyDataMapper> BallMapper;
   vtkNew<vtkActor> BallActor;
@@ -142,12 +152,7 @@ bool TestShadow()
   scene.Pass->SetShadowTechnique(vtkAirlightPass::SHADOW_PLANES);
   const Buffer off = scene.Render("Airlight", false);
   const Buffer on = scene.Render("Airlight", true);
-  vtkNew<vtkAirlightReference> oracle;
-  oracle->SetRenderer(scene.Renderer);
-  oracle->AddMedium(scene.Medium);
-  oracle->SetSize(PixelScene::Width, PixelScene::Height);
-  oracle->Update();
-  auto* traced = oracle->GetOutput()->GetPointData()->GetArray("Airlight");
+  auto* traced = scene.Trace()->GetArray("Airlight");
   int shadowed = 0;
   ForPixels([&](int i, int j, int c, int index) {
     const PixelRay ray = scene.GetRay(i, j);
@@ -249,12 +254,7 @@ bool TestOtherLights()
     const Buffer surfaceOnce = scene.Render("Surface", false);
     const Buffer air = scene.Render("Airlight", true);
     const Buffer surface = scene.Render("Surface", true);
-    vtkNew<vtkAirlightReference> oracle;
-    oracle->SetRenderer(scene.Renderer);
-    oracle->AddMedium(scene.Medium);
-    oracle->SetSize(PixelScene::Width, PixelScene::Height);
-    oracle->Update();
-    vtkPointData* traced = oracle->GetOutput()->GetPointData();
+    vtkPointData* traced = scene.Trace();
     Comparison comparison(Text(name, ", beside the reference, relative"));
     double more = 0.0;
     double moreOnSurfaces = 0.0;
