@@ -22,8 +22,8 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, v
 import airlight
 import airlight.display
 
-# Scattering and absorption per metre, and the mean cosine of scattering; a lamp of the same power
-# stands two metres from the eye.
+# Scattering and absorption per metre, and the mean cosine of scattering; the same lamp stands
+# 2.8 metres from the eye.
 MEDIA = {
     "fog": (0.5, 0.0, 0.85),  # droplets absorb nothing
     "smoke": (0.35, 0.25, 0.5),  # soot absorbs
@@ -115,10 +115,8 @@ def radiance_of_paths(medium, size, seconds):
     return as_array(resized.GetOutput(), size)
 
 
-def as_array(image, size, name=None):
-    data = image.GetPointData()
-    array = data.GetArray(name) if name else data.GetScalars()
-    return vtk_to_numpy(array).reshape(size[1], size[0], -1)[:, :, :3].astype(float)
+def as_array(image, size):
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(size[1], size[0], -1)[:, :, :3].astype(float)
 
 
 def srgb(radiance):
