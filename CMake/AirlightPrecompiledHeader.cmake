@@ -1,6 +1,6 @@
-# Reads the headers that most files of the library include once instead of for each file, which saves a
-# third of the compiler's time. A file that forgets to include one compiles all the same: so this is for
-# builds beside a plain one, as those of the tests for ParaView, for the wheel and of the fuzzers.
+# Reads the headers that most files of the library include once instead of for each file, which
+# saves a third of the compiler's time. A file that forgets to include one compiles all the same: so
+# this is for builds beside a plain one, as those for ParaView's tests, the wheel and the fuzzers.
 
 get_target_property(library "${_vtk_build_module}" ALIASED_TARGET)
 target_precompile_headers("${library}"

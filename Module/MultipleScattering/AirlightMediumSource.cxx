@@ -40,9 +40,8 @@ std::shared_ptr<const SourceFit> MediumSource::Update(const glm::dvec3& albedo,
     {
       error = "Multiple scattering is off by up to " +
         std::to_string(std::lround(100.0 * this->Made->ErrorBound)) +
-        " %, as the phase function has narrow or backward lobes, which its fit follows badly. Take "
-        "a "
-        "smoother one, or vtkAirlightReference::SetScatteringOrders().";
+        " %, as the phase function has narrow or backward lobes, which its fit follows badly. "
+        "Take a smoother one, or vtkAirlightReference::SetScatteringOrders().";
     }
   }
   return this->Made;
