@@ -23,6 +23,8 @@ airlight_sources(
     glsl/Integrals/AirlightIrradianceRay.glsl
     glsl/Integrals/AirlightGoniometricRay.glsl
     glsl/Integrals/AirlightGridRay.glsl
+    glsl/Integrals/AirlightGridSteps.glsl
+    glsl/Integrals/AirlightGridWay.glsl
     glsl/Integrals/AirlightKinks.glsl
     glsl/Integrals/AirlightPrelude.glsl
     glsl/Integrals/AirlightLayeredScattering.glsl

@@ -4,6 +4,7 @@
 
 #include "Integration/AirlightIntegrate.h"
 #include "Medium/AirlightConvert.h"
+#include "Photometry/AirlightBlackbody.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -119,12 +120,7 @@ void Store(const f64::AirlightMedia& media, const glm::dvec3& radiance, double r
 {
   for (int c = 0; c < 3; ++c)
   {
-    bool scatters = false;
-    for (int i = 0; i < media.count; ++i)
-    {
-      scatters = scatters || media.item[i].sigmaS[c] > 0.0;
-    }
-    rgb[c] = scatters && std::isfinite(radiance[c]) ? radiance[c] : 0.0;
+    rgb[c] = IsBright(media, c) && std::isfinite(radiance[c]) ? radiance[c] : 0.0;
   }
 }
 }
@@ -263,14 +259,30 @@ bool vtkAirlight::Ambient(vtkParticipatingMedium* medium, const double origin[3]
   {
     return false;
   }
-  const f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(origin));
+  f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(origin));
   if (converted.multiple.on != 0)
   {
-    return true; // MultipleScattering() is the same light
+    // MultipleScattering() is the same light, but for emission.
+    converted.item[0].ambient = glm::dvec3(0.0);
   }
   const glm::dvec3 ambient =
     IntegrateAmbient(converted, glm::dvec3(0.0), unit, std::min(std::max(t1, 0.0), AIRLIGHT_FAR));
   Store(converted, ambient, rgb);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlight::BlackbodyRadiance(double temperature, double rgb[3])
+{
+  std::fill_n(rgb, 3, 0.0);
+  if (!std::isfinite(temperature) || temperature <= 0.0)
+  {
+    vtkGenericWarningMacro(<< "vtkAirlight: the temperature " << temperature
+                           << " K must be finite and above 0.");
+    return false;
+  }
+  const glm::dvec3 radiance = GetBlackbodyRadiance(temperature);
+  std::copy_n(&radiance.x, 3, rgb);
   return true;
 }
 

@@ -95,6 +95,16 @@ public:
     const double radiantIntensity[3], const double point[3], const double normal[3], double rgb[3]);
 
   /**
+   * The radiance of a black body at a temperature [K], in linear sRGB, W/(m^2 sr): Planck's law seen
+   * by the CIE 1931 observer (the fits of Wyman, Sloan and Shirley, JCGT 2013, good to some per
+   * cent), so that the luminance is 683 (0.2126 r + 0.7152 g + 0.0722 b) cd/m^2. Colours outside of
+   * sRGB, as those below 1900 K, lose their negative part. Times the absorption it is
+   * vtkParticipatingMedium::SetEmission() of gas in thermal equilibrium. False and zeros unless the
+   * temperature is finite and above 0.
+   */
+  static bool BlackbodyRadiance(double temperature, double rgb[3]);
+
+  /**
    * The fraction of light that passes from point a to point b, per RGB channel: exp(-sigma_t *
    * integral of the density inside the medium).
    */
@@ -102,9 +112,9 @@ public:
     vtkParticipatingMedium* medium, const double a[3], const double b[3], double rgb[3]);
 
   /**
-   * The ambient light that the medium scatters into the ray on [0, t1]: albedo * L_ambient * (1 -
-   * transmittance). t1 may be infinite. Zeros if the medium has multiple scattering, which takes
-   * its place.
+   * The ambient light that the medium scatters into the ray on [0, t1], and what it emits: (albedo *
+   * L_ambient + emission / extinction) * (1 - transmittance). t1 may be infinite. Without the
+   * ambient light if the medium has multiple scattering, which takes its place.
    */
   static bool Ambient(vtkParticipatingMedium* medium, const double origin[3],
     const double direction[3], double t1, double rgb[3]);

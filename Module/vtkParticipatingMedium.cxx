@@ -171,6 +171,41 @@ void vtkParticipatingMedium::SetAmbientRadiance(const double rgb[3])
   this->SetAmbientRadiance(rgb[0], rgb[1], rgb[2]);
 }
 
+void vtkParticipatingMedium::SetEmission(double r, double g, double b)
+{
+  this->SetCoefficients("Emission", this->Emission, r, g, b);
+}
+
+void vtkParticipatingMedium::SetEmission(const double rgb[3])
+{
+  this->SetEmission(rgb[0], rgb[1], rgb[2]);
+}
+
+void vtkParticipatingMedium::GetFiniteEmission(double rgb[3])
+{
+  std::copy_n(this->Emission, 3, rgb);
+  if (this->Region != UNBOUNDED || this->Density == IMAGE)
+  {
+    return;
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    if (rgb[c] > 0.0 && !(this->GetExtinction()[c] > 0.0))
+    {
+      rgb[c] = 0.0;
+      if (this->EmissionProblemTime != this->GetMTime())
+      {
+        this->EmissionProblemTime = this->GetMTime();
+        vtkErrorMacro(<< "Emission (" << this->Emission[0] << ", " << this->Emission[1] << ", "
+                      << this->Emission[2] << ") of an unbounded medium is infinitely bright in "
+                      << "channel " << c
+                      << ", whose extinction is 0; the channel emits nothing. Call "
+                      << "SetAbsorption() or SetRegion().");
+      }
+    }
+  }
+}
+
 //------------------------------------------------------------------------------
 double* vtkParticipatingMedium::GetExtinction()
 {
@@ -604,6 +639,7 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   print3("Scattering", this->Scattering);
   print3("Absorption", this->Absorption);
   print3("AmbientRadiance", this->AmbientRadiance);
+  print3("Emission", this->Emission);
   os << indent << "MultipleScattering: " << this->MultipleScattering << "\n";
   this->Impl->Phase.Print(os, indent);
   os << indent << "Region: " << airlight::GetRegionName(this->Region) << "\n";

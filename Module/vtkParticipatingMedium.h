@@ -237,6 +237,22 @@ public:
 
   ///@{
   /**
+   * Emission coefficient per RGB channel, W/(m^2 sr) per world unit at density 1: the radiance that
+   * a thin layer adds to a ray per unit of length, as flames, glowing gas and phosphorescent water
+   * do. It follows the density, and what is behind absorbs it: a uniform layer of length l adds
+   * Emission (1 - exp(-extinction l))/extinction. Gas in thermal equilibrium has absorption times
+   * vtkAirlight::BlackbodyRadiance() (Kirchhoff's law). It lights surfaces and other media through
+   * vtkEmissionLights, or in vtkAirlightReference with SetScatteringOrders(0). In an unbounded
+   * medium without image a channel needs extinction to emit: its rays would be infinitely bright;
+   * otherwise an error says so and the channel emits nothing. Range: 0 to 1e100. Default: (0, 0, 0).
+   */
+  void SetEmission(double r, double g, double b);
+  void SetEmission(const double rgb[3]);
+  vtkGetVector3Macro(Emission, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether light that was scattered more than once is computed, too, where there is one medium:
    *
    * - of lamps with inverse-square attenuation, in a medium of uniform density that is unbounded or
@@ -463,6 +479,10 @@ public:
   // library's own use.
   std::shared_ptr<const airlight::SurfaceTree> GetSurfaceTree();
 
+  // Emission, 0 in channels where it would be infinite, about which there is an error once. For the
+  // module.
+  void GetFiniteEmission(double rgb[3]);
+
   // The image as it is used; null without a density from an image or where that is no good. For the
   // library's own use.
   std::shared_ptr<const airlight::DensityGrid> GetDensityGrid();
@@ -490,6 +510,8 @@ private:
   double Extinction[3] = { 0.0, 0.0, 0.0 }; // returned by GetExtinction()
   double Albedo[3] = { 1.0, 1.0, 1.0 };     // returned by GetAlbedo()
   double AmbientRadiance[3] = { 0.0, 0.0, 0.0 };
+  double Emission[3] = { 0.0, 0.0, 0.0 };
+  vtkMTimeType EmissionProblemTime = 0; // of the medium when it was last said that it is infinite
   bool MultipleScattering = false;
   vtkMTimeType MultipleProblemTime = 0; // of the medium when it was last said that it has none
 

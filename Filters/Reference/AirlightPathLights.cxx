@@ -30,7 +30,7 @@ double GetStrength(const f64::AirlightLight& light, double distance)
 PathLights::PathLights(const ReferenceTracer& tracer)
   : Tracer(tracer)
 {
-  bool hasPlaces = true;
+  bool hasPlaces = !Shines(tracer.GetMedia());
   for (const ReferenceLight& light : tracer.GetLights().GetAll())
   {
     if (light.Support == LightSupport::Scatters && light.Values.intensity != glm::dvec3(0.0))
@@ -46,7 +46,6 @@ PathLights::PathLights(const ReferenceTracer& tracer)
   for (int i = 0; i < media.count; ++i)
   {
     const glm::dvec3& sigma = media.item[i].sigmaT;
-    hasPlaces = hasPlaces && media.item[i].ambient == glm::dvec3(0.0);
     for (int c = 0; c < 3; ++c)
     {
       least = sigma[c] > 0.0 ? std::min(least, sigma[c]) : least;

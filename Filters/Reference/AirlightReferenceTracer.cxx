@@ -156,12 +156,10 @@ glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* lit
   }
   sum += IntegrateAmbient(this->Media, ray.Origin, ray.Direction, end) +
     IntegrateCollisions(this->Media, ray.Origin, ray.Direction, end);
-  // A channel that does not scatter is dark, whatever the limit of its integral.
+  // A channel that neither scatters nor emits is dark, whatever the limit of its integral.
   for (int c = 0; c < 3; ++c)
   {
-    const bool scatters = std::any_of(this->Media.item, this->Media.item + this->Media.count,
-      [c](const auto& medium) { return medium.sigmaS[c] > 0.0; });
-    sum[c] = scatters && std::isfinite(sum[c]) ? sum[c] : 0.0;
+    sum[c] = IsBright(this->Media, c) && std::isfinite(sum[c]) ? sum[c] : 0.0;
   }
   return sum;
 }
@@ -312,8 +310,7 @@ ReferenceSurface ReferenceTracer::GetSurface(const EyeRay& ray) const
 glm::dvec3 ReferenceTracer::GetAmbient(
   const glm::dvec3& origin, const glm::dvec3& direction, double end) const
 {
-  const bool shines = std::any_of(this->Media.item, this->Media.item + this->Media.count,
-    [](const f64::AirlightMedium& medium) { return medium.ambient != glm::dvec3(0.0); });
-  return shines ? IntegrateAmbient(this->Media, origin, direction, end) : glm::dvec3(0.0);
+  return Shines(this->Media) ? IntegrateAmbient(this->Media, origin, direction, end)
+                             : glm::dvec3(0.0);
 }
 }

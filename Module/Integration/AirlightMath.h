@@ -46,6 +46,9 @@
   const DensityGrid* grid;                                            \
   glm::dvec3 gridOrigin; /* the origin of coordinates in the world */ \
   int gridFirst;         /* texel of the samples on a graphics card */
+#define AIRLIGHT_LIGHT_GRID_MEMBERS  \
+  int gridFirst[AIRLIGHT_MAX_MEDIA]; \
+  real3 gridSize[AIRLIGHT_MAX_MEDIA];
 #define AIRLIGHT_GRID_DENSITY(medium, point) \
   real((medium).grid->GetDensity((medium).gridOrigin + glm::dvec3(point)))
 #define AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to) \
@@ -91,6 +94,7 @@ using namespace glm;
 #undef AIRLIGHT_DATA_MEMBER
 #undef AIRLIGHT_FETCH
 #undef AIRLIGHT_GRID_MEMBER
+#undef AIRLIGHT_LIGHT_GRID_MEMBERS
 #undef AIRLIGHT_GRID_DENSITY
 #undef AIRLIGHT_GRID_DEPTH
 

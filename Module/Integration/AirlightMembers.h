@@ -66,6 +66,7 @@ void VisitMedium(Visitor&& visit, Medium&... medium)
   visit(Member{ "sigmaS" }, medium.sigmaS...);
   visit(Member{ "sigmaT" }, medium.sigmaT...);
   visit(Member{ "ambient" }, medium.ambient...);
+  visit(Member{ "emission" }, medium.emission...);
   VisitPhase(VisitIn("phase", visit), medium.phase...);
   VisitRegion(VisitIn("region", visit), medium.region...);
   visit(Member{ "density" }, medium.density...);

@@ -27,6 +27,7 @@ void MakeEmpty(f64::AirlightMedium& medium)
   medium.region.boxMax = glm::dvec3(0.0);
   medium.sigmaS = glm::dvec3(0.0);
   medium.sigmaT = glm::dvec3(0.0);
+  medium.emission = glm::dvec3(0.0);
 }
 
 // A medium whose image is missing or no good is ignored. Boxes shrink to where the image is.
@@ -66,6 +67,7 @@ f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dve
   medium->GetScattering(&result.sigmaS.x);
   medium->GetExtinction(&result.sigmaT.x);
   medium->GetAmbientRadiance(&result.ambient.x);
+  medium->GetFiniteEmission(&result.emission.x);
   const std::shared_ptr<const PhaseShape> phase = medium->GetPhaseShape();
   result.phase = Convert(phase->Fit);
   result.phase.data = phase->Rows.data();
@@ -276,6 +278,23 @@ bool HasScattering(const f64::AirlightMedia& media)
 {
   return std::any_of(media.item, media.item + media.count,
     [](const f64::AirlightMedium& medium) { return medium.sigmaS != glm::dvec3(0.0); });
+}
+
+//------------------------------------------------------------------------------
+bool Shines(const f64::AirlightMedia& media)
+{
+  return std::any_of(media.item, media.item + media.count, [](const f64::AirlightMedium& medium) {
+    return f64::airlightSource(medium) != glm::dvec3(0.0);
+  });
+}
+
+//------------------------------------------------------------------------------
+bool IsBright(const f64::AirlightMedia& media, int channel)
+{
+  return std::any_of(
+    media.item, media.item + media.count, [channel](const f64::AirlightMedium& medium) {
+      return medium.sigmaS[channel] > 0.0 || medium.emission[channel] > 0.0;
+    });
 }
 
 //------------------------------------------------------------------------------

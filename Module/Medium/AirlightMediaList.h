@@ -78,11 +78,6 @@ public:
     for (int i = 0; i < this->GetSize(); ++i)
     {
       const bool image = this->Get(i)->GetDensity() == vtkParticipatingMedium::IMAGE;
-      if (image && this->GetSize() > 1)
-      {
-        return "medium " + std::to_string(i) + " of " + std::to_string(this->GetSize()) +
-          " has its density from an image, and such a medium must be the only one" + remedy;
-      }
       if (image && this->Get(i)->GetRegion() == vtkParticipatingMedium::SURFACE)
       {
         return "medium " + std::to_string(i) +

@@ -25,15 +25,9 @@ namespace airlight
 {
 namespace
 {
-// Ambient light. In its place, what was scattered more than once is a part of the lights' own, but
-// for that of collisions.
-bool HasDiffuse(const f64::AirlightMedia& media)
-{
-  return media.multiple.count > 0
-    ? HasCollisions(media)
-    : std::any_of(media.item, media.item + media.count,
-        [](const f64::AirlightMedium& medium) { return medium.ambient != glm::dvec3(0.0); });
-}
+// Ambient light, emission. What was scattered more than once is a part of the lights' own, but for
+// that of collisions.
+bool HasDiffuse(const f64::AirlightMedia& media) { return Shines(media) || HasCollisions(media); }
 
 // The shader's text. `lights`: those that it integrates.
 std::string GetSource(const FrameScene& scene, const CompositePass::Options& options,

@@ -11,6 +11,8 @@
 #include "AirlightGoniometricRay.h"
 #include "AirlightGrid.h"
 #include "AirlightGridRay.h"
+#include "AirlightGridSteps.h"
+#include "AirlightGridWay.h"
 #include "AirlightHeightFog.h"
 #include "AirlightIrradianceRay.h"
 #include "AirlightKinks.h"
@@ -78,6 +80,32 @@ bool IsMultipleGrey(const f64::AirlightMedium& medium)
   return f64::airlightIsGrey(medium) && scattering == glm::dvec3(scattering.x);
 }
 
+// Replaces each loop over the media by as many copies of its block, which must not leave or restart
+// it. Compilers do not unroll blocks that hold loops themselves, and then keep each medium's walk
+// through its image in memory: frames took four times as long.
+std::string UnrollMedia(const std::string& text, int count)
+{
+  const std::string head = "for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)";
+  const std::size_t found = text.find(head);
+  if (found == std::string::npos)
+  {
+    return text;
+  }
+  const std::size_t begin = text.find('{', found);
+  std::size_t end = begin + 1;
+  for (int depth = 1; end < text.size() && depth > 0; ++end)
+  {
+    depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
+  }
+  const std::string block = text.substr(begin, end - begin);
+  std::string unrolled = text.substr(0, found);
+  for (int i = 0; i < count; ++i)
+  {
+    unrolled += "{ const int i = " + std::to_string(i) + ";" + block + "}";
+  }
+  return unrolled + UnrollMedia(text.substr(end), count);
+}
+
 // Sets the members of a uniform of this name.
 class UniformSetter
 {
@@ -110,6 +138,21 @@ public:
     this->Program->SetUniformMatrix3x3(this->GetName(member).c_str(), &single[0].x);
   }
   template <std::size_t Count>
+  void operator()(const Member& member, const int (&values)[Count]) const
+  {
+    this->Program->SetUniform1iv(this->GetName(member).c_str(), static_cast<int>(Count), values);
+  }
+  template <std::size_t Count>
+  void operator()(const Member& member, const glm::dvec3 (&values)[Count]) const
+  {
+    float single[Count][3];
+    for (std::size_t i = 0; i < Count; ++i)
+    {
+      std::copy_n(&values[i].x, 3, single[i]);
+    }
+    this->Program->SetUniform3fv(this->GetName(member).c_str(), static_cast<int>(Count), single);
+  }
+  template <std::size_t Count>
   void operator()(const Member& member, const glm::dvec4 (&values)[Count]) const
   {
     glm::vec4 single[Count];
@@ -134,10 +177,16 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
   const bool table =
     std::any_of(media.item, end, [](const auto& medium) { return medium.phase.rows > 0; });
-  const bool grid = HasGrid(media);
+  int grids = 0; // bit i: medium i has an image
+  for (int i = 0; i < media.count; ++i)
+  {
+    grids |= media.item[i].density == AIRLIGHT_DENSITY_GRID ? 1 << i : 0;
+  }
+  const bool grid = grids != 0;
   const bool multiple = media.multiple.count > 0;
   return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_GRID", grid) +
-    Define("AIRLIGHT_HAS_TABLE", table) + Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
+    Define("AIRLIGHT_GRID_MEDIA", grids) + Define("AIRLIGHT_HAS_TABLE", table) +
+    Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
     Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
     Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", media.count) +
     Define("AIRLIGHT_MEDIUM_COUNT", media.count) + Define("AIRLIGHT_MULTIPLE", multiple) +
@@ -154,8 +203,11 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     (multiple ? AirlightSourceFunction : "") + AirlightMedia + AirlightAmbient + AirlightLight +
     AirlightKinks + AirlightQuadrature +
     (multiple ? std::string(AirlightLayeredScattering) + AirlightMultipleScattering : "") +
-    AirlightGoniometricRay + AirlightPieces + (grid ? AirlightGridRay : "") + AirlightScattering +
-    AirlightDiffuseLight;
+    AirlightGoniometricRay + AirlightPieces +
+    (grid ? UnrollMedia(
+              std::string(AirlightGridWay) + AirlightGridSteps + AirlightGridRay, media.count)
+          : "") +
+    AirlightScattering + AirlightDiffuseLight;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "vtkType.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <type_traits>
 
@@ -119,8 +120,8 @@ bool IsNeeded(const DensityGrid& grid, const glm::dvec3& node, const glm::dvec3&
   return false;
 }
 
-// 0 where nothing is scattered.
-std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size)
+// 0 where nothing is scattered, unless `everywhere`.
+std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size, bool everywhere)
 {
   std::vector<double> means(static_cast<size_t>(size.x) * size.y * size.z);
   const glm::dvec3 step = ways.GetGrid().GetLast() / glm::dvec3(size - 1); // samples
@@ -133,7 +134,7 @@ std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size)
       for (int i = 0; i < size.x; ++i)
       {
         const glm::dvec3 node = first + glm::dvec3(i, 0.0, 0.0);
-        if (IsNeeded(ways.GetGrid(), node, step))
+        if (everywhere || IsNeeded(ways.GetGrid(), node, step))
         {
           means[row * size.x + i] = ways.Measure(step * node).x;
         }
@@ -177,14 +178,14 @@ struct TestPoint
   double Length;
 };
 
-std::vector<TestPoint> MakeTests(const Ways& ways, double sigmaT)
+std::vector<TestPoint> MakeTests(const Ways& ways, double sigmaT, bool everywhere)
 {
   std::vector<TestPoint> points;
   for (int i = 1; i <= TestPoints; ++i)
   {
     const glm::dvec3 share(Spread(i, 2), Spread(i, 3), Spread(i, 5));
     const glm::dvec3 position = share * ways.GetGrid().GetLast();
-    if (ways.Scatters(position))
+    if (everywhere || ways.Scatters(position))
     {
       const glm::dvec2 way = ways.Measure(position);
       if (sigmaT * way.x * way.y < OpaqueDepth)
@@ -250,28 +251,34 @@ f64::AirlightRegion Translate(f64::AirlightRegion region, const glm::dvec3& way)
 }
 
 //------------------------------------------------------------------------------
-LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::AirlightLight& light)
+LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::AirlightLight& light,
+  bool everywhere, double seconds)
 {
   const Ways ways(medium, light);
   const double sigmaT = std::max({ medium.sigmaT.x, medium.sigmaT.y, medium.sigmaT.z });
-  const std::vector<TestPoint> tests = MakeTests(ways, sigmaT);
+  const std::vector<TestPoint> tests = MakeTests(ways, sigmaT, everywhere);
   LightGrid result{};
   for (int longest = Smallest; longest <= Largest; longest = 2 * longest - 1)
   {
+    const auto start = std::chrono::steady_clock::now();
     const glm::ivec3 size = GetSize(ways.GetGrid(), longest);
-    const std::vector<double> means = MeasureAll(ways, size);
+    const std::vector<double> means = MeasureAll(ways, size, everywhere);
     result.Error = 0.0;
     for (const TestPoint& test : tests)
     {
       const double mean = Interpolate(means, size, test.Share * glm::dvec3(size - 1));
       result.Error = std::max(result.Error, sigmaT * std::abs(mean - test.Mean) * test.Length);
     }
-    if (result.Error <= Tolerance || 2 * longest - 1 > Largest)
+    result.IsFinest = result.Error <= Tolerance || 2 * longest - 1 > Largest;
+    // The next one has eight times as many points.
+    const std::chrono::duration<double> next = 8.0 * (std::chrono::steady_clock::now() - start);
+    if (result.IsFinest || next.count() > seconds)
     {
       result.Cells = glm::dvec3(size - 1);
       result.Means = PackSamples(means, size);
       break;
     }
+    seconds -= 0.125 * next.count();
   }
   return result;
 }
@@ -298,20 +305,19 @@ Texels PackSamples(const std::vector<double>& samples, const glm::ivec3& size)
 }
 
 //------------------------------------------------------------------------------
-Texels LightGrids::GetSamples(const std::shared_ptr<const DensityGrid>& grid)
+Texels LightGrids::GetSamples(const DensityGrid& grid)
 {
-  if (this->Grid != grid)
+  if (!this->Samples)
   {
-    this->Grid = grid;
-    this->Samples = PackSamples(grid->GetSamples(), glm::ivec3(grid->GetLast()) + 1);
-    this->Entries.clear();
+    this->Samples = PackSamples(grid.GetSamples(), glm::ivec3(grid.GetLast()) + 1);
   }
+  this->Age = 0;
   return this->Samples;
 }
 
 //------------------------------------------------------------------------------
-const LightGrid& LightGrids::GetLight(
-  const f64::AirlightMedium& medium, const f64::AirlightLight& light, const glm::dvec3& eye)
+const LightGrid& LightGrids::GetLight(const f64::AirlightMedium& medium,
+  const f64::AirlightLight& light, const glm::dvec3& eye, bool everywhere, double seconds)
 {
   const bool directional = f64::airlightIsDirectional(light);
   // Back in the world, where a moving eye rounds a little.
@@ -325,22 +331,29 @@ const LightGrid& LightGrids::GetLight(
   for (const std::unique_ptr<Entry>& entry : this->Entries)
   {
     if (entry->Directional == directional && IsNear(entry->Position, sceneLight.position, near) &&
-      entry->SigmaT == medium.sigmaT && IsSame(entry->Region, there.region, near))
+      entry->Everywhere == everywhere && entry->SigmaT == medium.sigmaT &&
+      IsSame(entry->Region, there.region, near))
     {
       entry->Age = 0;
+      if (!entry->Values.IsFinest && std::isinf(seconds))
+      {
+        entry->Values = LightGrid::Build(there, sceneLight, everywhere, seconds);
+      }
       return entry->Values;
     }
   }
-  this->Entries.push_back(std::make_unique<Entry>(Entry{ there.region, medium.sigmaT,
-    sceneLight.position, directional, 0, LightGrid::Build(there, sceneLight) }));
+  this->Entries.push_back(
+    std::make_unique<Entry>(Entry{ there.region, medium.sigmaT, sceneLight.position, directional,
+      everywhere, 0, LightGrid::Build(there, sceneLight, everywhere, seconds) }));
   return this->Entries.back()->Values;
 }
 
 //------------------------------------------------------------------------------
-void LightGrids::Forget()
+bool LightGrids::Forget()
 {
   this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
                         [](const std::unique_ptr<Entry>& entry) { return ++entry->Age > MostAge; }),
     this->Entries.end());
+  return ++this->Age > MostAge;
 }
 }

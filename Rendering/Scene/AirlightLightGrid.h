@@ -26,25 +26,30 @@ struct LightGrid
   Texels Means; // as airlightCell() reads them
   glm::dvec3 Cells;
   double Error; // the largest of optical depths found between the points, where light is left
+  bool IsFinest;
 
-  // Of the light, for media and light relative to the world's origin.
-  static LightGrid Build(const f64::AirlightMedium& medium, const f64::AirlightLight& light);
+  // Of the light, for media and light relative to the world's origin. `everywhere`: also where the
+  // image is empty, for the ways of light that begin in other media. A coarser one where a finer one
+  // would take longer than this, in seconds.
+  static LightGrid Build(const f64::AirlightMedium& medium, const f64::AirlightLight& light,
+    bool everywhere, double seconds);
 };
 
 // Samples as airlightCell() reads them: 2 x 2 in x and y a texel.
 Texels PackSamples(const std::vector<double>& samples, const glm::ivec3& size);
 
-// Keeps what the last frame needed.
+// What the last frame needed of one image.
 class LightGrids
 {
 public:
   // The image's samples, and the grid of a light; medium and light relative to `eye`.
-  Texels GetSamples(const std::shared_ptr<const DensityGrid>& grid);
-  const LightGrid& GetLight(
-    const f64::AirlightMedium& medium, const f64::AirlightLight& light, const glm::dvec3& eye);
+  Texels GetSamples(const DensityGrid& grid);
+  const LightGrid& GetLight(const f64::AirlightMedium& medium, const f64::AirlightLight& light,
+    const glm::dvec3& eye, bool everywhere, double seconds);
 
-  // Forgets what was not used in the last few frames: renderers may share a pass.
-  void Forget();
+  // Forgets what was not used in the last few frames: renderers may share a pass. True where that
+  // is all.
+  bool Forget();
 
 private:
   struct Entry
@@ -53,13 +58,14 @@ private:
     glm::dvec3 SigmaT;
     glm::dvec3 Position;
     bool Directional;
+    bool Everywhere;
     int Age; // calls of Forget() since it was used
     LightGrid Values;
   };
 
-  std::shared_ptr<const DensityGrid> Grid;
   Texels Samples;
-  std::vector<std::unique_ptr<Entry>> Entries; // of that grid
+  int Age = 0; // calls of Forget() since they were used
+  std::vector<std::unique_ptr<Entry>> Entries;
 };
 }
 

@@ -5,28 +5,56 @@
 #include "Phase/AirlightPhaseShape.h"
 #include "Region/AirlightSurfaceTree.h"
 
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkParticipatingMedium.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
 
 namespace airlight
 {
+namespace
+{
+// For a light in an image: while something moves, of the time that the window wants a frame to take
+// a share; at rest without limit.
+double GetTimeForGrid(vtkOpenGLRenderWindow* window, const f64::AirlightMedia& media,
+  const std::vector<SceneLight>& lights)
+{
+  const double rate = window->GetDesiredUpdateRate();
+  return rate < 1.0 ? std::numeric_limits<double>::infinity()
+                    : 0.3 / (rate * std::max<double>(media.count * lights.size(), 1.0));
+}
+}
+
 //------------------------------------------------------------------------------
 // The image of density and, for each light, the grid of depths from there to it.
-void SceneArrays::AddDensity(const Add& add, vtkParticipatingMedium* medium,
-  f64::AirlightMedium& converted, std::vector<SceneLight>& sceneLights)
+void SceneArrays::AddDensity(const Add& add, int index, vtkParticipatingMedium* medium,
+  f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights, double seconds)
 {
-  add(this->Grids.GetSamples(medium->GetDensityGrid()), converted.gridFirst);
+  LightGrids& grids = this->Grids[medium->GetDensityGrid()];
+  f64::AirlightMedium& item = converted.item[index];
+  add(grids.GetSamples(*medium->GetDensityGrid()), item.gridFirst);
   for (SceneLight& sceneLight : sceneLights)
   {
     if (sceneLight.Scatters())
     {
       const LightGrid& grid =
-        this->Grids.GetLight(converted, sceneLight.Values, converted.gridOrigin);
-      sceneLight.Values.gridSize = grid.Cells;
-      sceneLight.GridError = grid.Error;
-      add(grid.Means, sceneLight.Values.gridFirst);
+        grids.GetLight(item, sceneLight.Values, item.gridOrigin, converted.count > 1, seconds);
+      sceneLight.Values.gridSize[index] = grid.Cells;
+      sceneLight.GridError += grid.Error;
+      add(grid.Means, sceneLight.Values.gridFirst[index]);
     }
   }
-  this->Grids.Forget();
+}
+
+//------------------------------------------------------------------------------
+void SceneArrays::ForgetGrids()
+{
+  for (auto it = this->Grids.begin(); it != this->Grids.end();)
+  {
+    it = it->second.Forget() ? this->Grids.erase(it) : std::next(it);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -54,10 +82,15 @@ bool SceneArrays::Upload(vtkOpenGLRenderWindow* window,
       add(Texels(shape, &shape->Rows), medium.phase.first);
     }
   }
-  if (converted.count == 1 && converted.item[0].density == AIRLIGHT_DENSITY_GRID)
+  const double seconds = GetTimeForGrid(window, converted, sceneLights);
+  for (int i = 0; i < converted.count; ++i)
   {
-    this->AddDensity(add, media[0], converted.item[0], sceneLights);
+    if (converted.item[i].density == AIRLIGHT_DENSITY_GRID)
+    {
+      this->AddDensity(add, i, media[i], converted, sceneLights, seconds);
+    }
   }
+  this->ForgetGrids();
   for (SceneLight& sceneLight : sceneLights)
   {
     if (sceneLight.Table)

@@ -12,6 +12,8 @@
 #include "Scene/AirlightSceneLights.h"
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,11 +42,12 @@ public:
 private:
   // Notes an array and where its position is to be put.
   using Add = std::function<void(const Texels&, int&)>;
-  void AddDensity(const Add& add, vtkParticipatingMedium* medium, f64::AirlightMedium& converted,
-    std::vector<SceneLight>& sceneLights);
+  void AddDensity(const Add& add, int index, vtkParticipatingMedium* medium,
+    f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights, double seconds);
+  void ForgetGrids();
 
   SceneData Data;
-  LightGrids Grids;
+  std::map<std::shared_ptr<const DensityGrid>, LightGrids> Grids;
 };
 }
 

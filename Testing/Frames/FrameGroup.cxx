@@ -103,8 +103,8 @@ FrameGroup::FrameGroup(std::uint64_t number)
   , Layered(OneOf(9, number, 18))
 {
   Random random(Mix(11, number));
-  const bool image = this->Density == Medium::IMAGE; // which must be the only medium
-  const int media = image ? 1 : TakeInTurn(MediumCounts, number, 12);
+  const bool image = this->Density == Medium::IMAGE; // in no closed surface
+  const int media = TakeInTurn(MediumCounts, number, 12);
   for (int i = 0; i < media; ++i)
   {
     const int region = TakeInTurn(RegionKinds, number + static_cast<std::uint64_t>(i), 13);

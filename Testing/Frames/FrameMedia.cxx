@@ -145,11 +145,17 @@ void FrameScene::AddMedium(size_t index, Random& random)
   this->SetCoefficients(medium, random);
   this->SetRegion(medium, this->Group.Regions[index], random);
   this->SetHeight(medium, random);
-  const int density = index == 0 ? this->Group.Density : static_cast<int>(index % 2);
+  const bool images = this->Group.Density == Medium::IMAGE;
+  const int density = index == 0 ? this->Group.Density : static_cast<int>(index % (images ? 3 : 2));
   medium->SetDensity(density);
   if (density == Medium::IMAGE)
   {
     this->SetImage(medium, random);
+  }
+  if (this->Group.Number % 5 == 2 && medium->GetRegion() != Medium::UNBOUNDED)
+  {
+    const double emission = 0.1 / this->Unit;
+    medium->SetEmission(emission, 0.0, 2.0 * emission);
   }
   this->Pass->AddMedium(medium);
   this->Media.emplace_back(medium);

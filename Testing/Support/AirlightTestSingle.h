@@ -21,9 +21,8 @@ struct SingleCopy
   {
     to = Single(from);
   }
-  template <std::size_t Count>
-  void operator()(
-    const airlight::Member&, glm::vec4 (&to)[Count], const glm::dvec4 (&from)[Count]) const
+  template <typename Single, typename Double, std::size_t Count>
+  void operator()(const airlight::Member&, Single (&to)[Count], const Double (&from)[Count]) const
   {
     std::copy(from, from + Count, to);
   }

@@ -160,7 +160,7 @@ vtkSmartPointer<vtkParticipatingMedium> ReadMedium(
   const LocatedJson& json, const std::string& sceneFile)
 {
   json.CheckKeys({ "sigma_s", "sigma_a", "phase" },
-    { "bounds", "density", "ambient_radiance", "multiple_scattering" });
+    { "bounds", "density", "ambient_radiance", "emission", "multiple_scattering" });
   auto medium = vtkSmartPointer<vtkParticipatingMedium>::New();
   medium->SetScattering(json["sigma_s"].GetVector(0.0, LargestNumber).data());
   medium->SetAbsorption(json["sigma_a"].GetVector(0.0, LargestNumber).data());
@@ -176,6 +176,10 @@ vtkSmartPointer<vtkParticipatingMedium> ReadMedium(
   if (json.Has("ambient_radiance"))
   {
     medium->SetAmbientRadiance(json["ambient_radiance"].GetVector(0.0, LargestNumber).data());
+  }
+  if (json.Has("emission"))
+  {
+    medium->SetEmission(json["emission"].GetVector(0.0, LargestNumber).data());
   }
   medium->SetMultipleScattering(
     json.Has("multiple_scattering") && json["multiple_scattering"].GetBoolean());

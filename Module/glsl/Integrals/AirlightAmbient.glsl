@@ -1,4 +1,4 @@
-// Ambient radiance that media scatter into a ray: exact for one medium and for uniform ones,
+// Ambient radiance that media scatter into a ray, and what they emit: exact for one medium and for uniform ones,
 // otherwise by Gauss-Legendre quadrature on panels that follow the integrand. Each panel is as long
 // as its nodes serve the channel that changes fastest among those that still have light. Checked
 // against adaptive quadrature: 1e-6 in single precision, 1e-9 in double.
@@ -53,9 +53,12 @@ AIRLIGHT_FN real airlightAmbientReach(AIRLIGHT_IN(AirlightMedia) media,
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     real sigma = media.item[i].sigmaT[channel];
-    if (airlightPieceHolds(piece, i) && sigma > real(0.0))
+    bool shines = airlightSource(media.item[i])[channel] > real(0.0);
+    if (airlightPieceHolds(piece, i) && (sigma > real(0.0) || shines))
     {
-      real2 scale = airlightAmbientScale(media.item[i], origin, direction, sigma, t, end);
+      // A density that does not dim is followed, too, where it shines.
+      real2 scale = airlightAmbientScale(
+        media.item[i], origin, direction, max(sigma, real(1e-30)), t, end);
       rate += scale.x;
       reach = min(reach, scale.y);
     }
@@ -96,7 +99,7 @@ AIRLIGHT_FN real3 airlightAmbientPanel(AIRLIGHT_IN(AirlightMedia) media,
     {
       if (airlightPieceHolds(piece, i))
       {
-        source += media.item[i].sigmaS * media.item[i].ambient *
+        source += airlightSource(media.item[i]) *
           airlightDensity(media.item[i], origin + t * direction);
       }
     }
@@ -139,23 +142,28 @@ AIRLIGHT_FN real3 airlightAmbientInPiece(AIRLIGHT_IN(AirlightMedia) media,
     {
       uniformly = uniformly && AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_UNIFORM;
       sigmaT += media.item[i].sigmaT;
-      source += media.item[i].sigmaS * media.item[i].ambient;
+      source += airlightSource(media.item[i]);
     }
   }
   return uniformly ? source * airlightFading3(piece.depth, sigmaT, piece.to - piece.from)
                    : airlightAmbientByPanels(media, piece, origin, direction);
 }
 
+#ifdef AIRLIGHT_GRID_STEPS // AirlightGridRay.glsl
+real3 airlightAmbientInImages(
+  AirlightMedia media, AirlightPiece piece, real3 origin, real3 direction);
+#endif
+
 // On [0, l] of a ray. One medium alone depends on its depth only, wherever it is.
 AIRLIGHT_FN real3 airlightAmbient(
   AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real l)
 {
-  real3 ambient = real3(real(0.0));
+  real3 source = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    ambient += media.item[i].ambient;
+    source += airlightSource(media.item[i]);
   }
-  if (dot(ambient, real3(real(1.0))) <= real(0.0))
+  if (dot(source, real3(real(1.0))) <= real(0.0))
   {
     return real3(real(0.0));
   }
@@ -163,7 +171,7 @@ AIRLIGHT_FN real3 airlightAmbient(
   {
     real3 sigmaT = media.item[0].sigmaT;
     real depth = airlightPathDepth(media.item[0], origin, direction, l);
-    return media.item[0].sigmaS * ambient *
+    return source *
       real3(airlightOpticalLength(sigmaT.x, depth), airlightOpticalLength(sigmaT.y, depth),
         airlightOpticalLength(sigmaT.z, depth));
   }
@@ -172,7 +180,11 @@ AIRLIGHT_FN real3 airlightAmbient(
   while (t < l)
   {
     AirlightPiece piece = airlightPieceAt(media, origin, direction, t, l);
+#ifdef AIRLIGHT_GRID_STEPS
+    sum += airlightAmbientInImages(media, piece, origin, direction);
+#else
     sum += airlightAmbientInPiece(media, piece, origin, direction);
+#endif
     t = piece.to;
   }
   return sum;

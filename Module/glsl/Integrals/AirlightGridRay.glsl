@@ -1,7 +1,6 @@
-// Airlight in one medium whose density is an image, in shaders: cell by cell, with Gauss and
-// Legendre's three nodes on parts of a cell so short that they are good for 1e-5. What a light
-// loses on its way is the mean density between, interpolated from a coarser grid
-// (AirlightLightGrid.h), times the length.
+// Airlight in media of which some have their density from an image, in shaders: step by step
+// (AirlightGridSteps.glsl), with Gauss and Legendre's three nodes on parts of a step so short that
+// they are good for 1e-5.
 
 // Of a part: of what it changes the optical depth by, of its length over the distance from the
 // light, and of v = asinh(x/h) near the light. The scattering angle changes by no more than the
@@ -14,89 +13,99 @@
 #else
 #define AIRLIGHT_PART_SLANT 0.3
 #define AIRLIGHT_PANEL_ANGLE 0.8
-#define AIRLIGHT_MOST_PARTS 40.0
+#define AIRLIGHT_MOST_PARTS 64.0
 #endif
-
-// No ray has more: twelve edges of the region and of the image.
-#define AIRLIGHT_MOST_KINKS 24
-
-// Beyond this optical depth nothing counts.
-#define AIRLIGHT_GRID_DARK 20.0
-
-// The depth, per unit extinction, between a point inside the medium and the light.
-real airlightToLight(AirlightMedium medium, AirlightLight light, real3 point)
-{
-  real3 way = light.position;
-  real l = AIRLIGHT_FAR;
-  if (!airlightIsDirectional(light))
-  {
-    way = light.position - point;
-    l = max(length(way), 1e-30);
-    way /= l;
-  }
-  real2 range = airlightRegionRange(medium.region, point, way, l);
-  range = airlightGridRange(medium.grid, point, way, range.x, range.y);
-  real3 position = (medium.grid.start + medium.grid.axes * point) / medium.grid.last;
-  real mean = airlightInterpolated(
-    light.gridFirst, light.gridSize, clamp(position, 0.0, 1.0) * light.gridSize);
-  return max(mean, 0.0) * max(range.y - range.x, 0.0);
-}
-
-real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point)
-{
-  return media.item[0].sigmaT * airlightToLight(media.item[0], light, point);
-}
-
 // The next boundary often lies a little further on the same ray: what is known of it is kept.
 real3 airlightCachedOrigin = real3(0.0);
 real3 airlightCachedDirection = real3(0.0);
 real airlightCachedTo = -1.0;
-real airlightCachedDepth = 0.0;
+real3 airlightCachedDepth = real3(0.0);
 
-// Integral of the density on the ray up to t.
-real airlightGridDepthTo(AirlightMedium medium, AirlightRay ray, real t)
+// The optical depth of all images on [from, to] of a ray.
+real3 airlightImagesDepth(
+  AirlightMedia media, real3 origin, real3 direction, real from, real to)
+{
+  real3 depth = real3(0.0);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (AIRLIGHT_IS_GRID(i))
+    {
+      real2 range = airlightRegionRange(media.item[i].region, origin, direction, to);
+      range.x = max(range.x, from);
+      if (range.y > range.x)
+      {
+        depth += media.item[i].sigmaT *
+          airlightGridDepth(media.item[i].grid, origin, direction, range.x, range.y);
+      }
+    }
+  }
+  return depth;
+}
+
+// The optical depth before t on the ray.
+real3 airlightDepthTo(AirlightMedia media, AirlightRay ray, real t)
 {
   bool known = airlightCachedTo >= ray.range.x && airlightCachedTo <= t &&
     airlightCachedOrigin == ray.origin && airlightCachedDirection == ray.direction;
   real from = known ? airlightCachedTo : ray.range.x;
-  real before = known ? airlightCachedDepth : 0.0;
+  real3 before = known ? airlightCachedDepth : real3(0.0);
   airlightCachedOrigin = ray.origin;
   airlightCachedDirection = ray.direction;
   airlightCachedTo = t;
-  airlightCachedDepth =
-    before + airlightGridDepth(medium.grid, ray.origin, ray.direction, from, t);
-  return airlightCachedDepth;
+  airlightCachedDepth = before + airlightImagesDepth(media, ray.origin, ray.direction, from, t);
+  real3 depth = airlightCachedDepth;
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (!AIRLIGHT_IS_GRID(i))
+    {
+      depth += media.item[i].sigmaT *
+        airlightPathDepth(media.item[i], ray.origin, ray.direction, t);
+    }
+  }
+  return depth;
 }
 
-// What is scattered at t, per unit sigmaS and density, with the depth before it on the ray.
-real3 airlightGridIntegrand(
-  AirlightMedium medium, AirlightLight light, AirlightRay ray, real t, real before)
+// What is scattered at t, with the optical depth before it on the ray.
+real3 airlightStepIntegrand(AirlightMedia media, AirlightLight light, AirlightRay ray,
+  AirlightStep part, real t, real3 before)
 {
   real3 point = ray.origin + t * ray.direction;
-  real3 passes = exp(-medium.sigmaT * (before + airlightToLight(medium, light, point)));
-  if (airlightIsDirectional(light))
-  {
-    return airlightPhase(medium.phase, dot(light.position, ray.direction)) * passes;
-  }
+  bool sun = airlightIsDirectional(light);
   real x = t - ray.range.x - ray.foot.tL;
   real r = sqrt(ray.foot.h * ray.foot.h + x * x);
-  return airlightPhase(medium.phase, -x / r) * airlightFalloff(light, point, r) *
-    airlightPhotometricShare(light, point) * passes;
+  real cosTheta = sun ? dot(light.position, ray.direction) : -x / r;
+  real3 scattered = real3(0.0);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (airlightIsInside(part, i))
+    {
+      real2 density = airlightStepDensity(media, i, part, ray.origin, ray.direction, t);
+      scattered += media.item[i].sigmaS * airlightPhase(media.item[i].phase, cosTheta) * density.x;
+      before += media.item[i].sigmaT * density.y;
+    }
+  }
+  scattered *= airlightTransmittanceOf(before + airlightLightDepth(media, light, point));
+  return sun ? scattered
+             : scattered * airlightFalloff(light, point, r) * airlightPhotometricShare(light, point);
 }
 
-// The integral over [a, b], the part of the ray in one cell; `depth` is before a.
-real3 airlightInterval3InCell(AirlightMedium medium, AirlightLight light, AirlightRay ray,
-  real4 cubic, real steepest, real a, real b, real depth)
+// The integral over a step; `before` is the depth before it.
+real3 airlightStepIntegral(AirlightMedia media, AirlightLight light, AirlightRay ray,
+  AirlightStep part, real3 before)
 {
   // Straight, or over v with x = h sinh v.
+  real a = part.from;
+  real b = part.to;
   real tL = ray.range.x + ray.foot.tL;
   real nearest = a > tL ? a - tL : max(tL - b, 0.0);
   nearest = max(nearest, ray.foot.h);
   bool straight = airlightIsDirectional(light) || b - a <= AIRLIGHT_PART_SLANT * nearest;
   real v0 = straight ? a : airlightAsinh((a - tL) / ray.foot.h);
   real v1 = straight ? b : airlightAsinh((b - tL) / ray.foot.h);
-  real count = 2.0 * steepest * (b - a) / AIRLIGHT_PART_DEPTH;
+  real count = 2.0 * part.rate * (b - a) / AIRLIGHT_PART_DEPTH;
   count = straight ? count : max(count, (v1 - v0) / AIRLIGHT_PANEL_ANGLE);
+  count = max(count, airlightBehindImages(media, light, ray, part.inImages, a, b));
+  count = max(count, part.rise * (b - a));
   int parts = int(clamp(ceil(count), 1.0, AIRLIGHT_MOST_PARTS));
   real width = (v1 - v0) / real(parts);
   real3 sum = real3(0.0);
@@ -107,74 +116,156 @@ real3 airlightInterval3InCell(AirlightMedium medium, AirlightLight light, Airlig
     real v = v0 + (real(i / 3) + node) * width;
     real e = straight ? 1.0 : exp(v);
     real t = straight ? v : tL + 0.5 * ray.foot.h * (e - 1.0 / e);
-    real u = clamp((t - a) / (b - a), 0.0, 1.0);
-    real density = cubic.x + u * (cubic.y + u * (cubic.z + u * cubic.w));
-    real before = (b - a) * u *
-      (cubic.x + u * (0.5 * cubic.y + u * (cubic.z / 3.0 + u * 0.25 * cubic.w)));
     real weight = k == 1 ? 0.44444444444444444 : 0.27777777777777778;
     weight *= straight ? 1.0 : 0.5 * ray.foot.h * (e + 1.0 / e);
-    sum += weight * max(density, 0.0) *
-      airlightGridIntegrand(medium, light, ray, t, depth + before);
+    sum += weight * airlightStepIntegrand(media, light, ray, part, t, before);
   }
   return width * sum;
 }
 
-// Where after t the way to the light begins to leave region or image through another face, else t1.
-// An image is a box in its own coordinates, in which straight ways stay straight.
-real airlightNextGridKink(
-  AirlightMedia media, AirlightLight light, AirlightRay ray, real t, real t1)
+// The integral over a part of a piece between images, cut as AirlightPieces.glsl cuts it, but not
+// halved where it is rough: the details of a cloud's shadow have no end.
+real3 airlightBetweenImages(AirlightMedia media, AirlightLight light, AirlightRay ray,
+  AirlightWay way, AirlightPiece piece)
 {
-  AirlightGrid grid = media.item[0].grid;
-  AirlightRegion box = media.item[0].region;
-  bool directional = airlightIsDirectional(light);
-  real3 there = grid.axes * light.position + (directional ? real3(0.0) : grid.start);
-  if (!directional && airlightHolds(box, light.position) &&
-    all(greaterThanEqual(there, real3(0.0))) && all(lessThanEqual(there, grid.last)))
+  real3 lengths = airlightChannelLengths(media, piece, ray.origin, ray.direction);
+  real end = min(piece.to, piece.from + max(lengths.x, max(lengths.y, lengths.z)));
+  AirlightSteps none;
+  AirlightStep part;
+  part.inside = piece.inside;
+  part.inImages = 0;
+  part.to = piece.from;
+  real3 sum = real3(0.0);
+  while (part.to < end)
   {
-    return t1;
+    part.from = part.to;
+    part.to = airlightNextKink(media, way, part.from, end);
+    part.to = airlightNextLayerEnd(media, ray.origin, ray.direction, real2(piece.from, end),
+      airlightToSun(light), part.from, part.to);
+    part.to = airlightNextChannelEnd(piece, lengths, part.from, part.to);
+    airlightReadCells(media, none, ray.origin, ray.direction, part);
+    sum += airlightStepIntegral(media, light, ray, part,
+      airlightDepthInPiece(media, piece, ray.origin, ray.direction, part.from));
   }
-  AirlightWay way = airlightWay(light, ray);
-  t1 = airlightNextKink(media, way, t, t1);
-  way.origin = grid.axes * way.origin + (directional ? grid.start : real3(0.0));
-  way.direction = grid.axes * way.direction;
-  way.light = there;
-  box.boxMin = real3(0.0);
-  box.boxMax = grid.last;
-  return airlightBoxKink(box, way, t + 1e-6 * (t1 - t), t1);
+  return sum;
 }
 
-// The integral over [t0, t1], sigmaS included; `before` is the density's integral up to t0.
-real3 airlightGridInterval(
-  AirlightMedia media, AirlightLight light, AirlightRay ray, real t0, real before, real t1)
+// The integral over a piece; piece.depth becomes what is before its end.
+real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ray, AirlightWay way,
+  inout AirlightPiece piece)
 {
-  AirlightMedium medium = media.item[0];
-  AirlightWalk walk = airlightWalk(medium.grid, ray.origin, ray.direction, t0, t1);
+  AirlightSteps steps = airlightSteps(media, piece, ray.origin, ray.direction);
+  real3 clear = airlightClearChannels(media);
   real3 sum = real3(0.0);
-  real most = max(medium.sigmaT.x, max(medium.sigmaT.y, medium.sigmaT.z));
-  real dark = AIRLIGHT_GRID_DARK / airlightLeastExtinction(medium);
-  int cells = airlightMostCells(walk) + AIRLIGHT_MOST_KINKS;
-  real kink = airlightNextGridKink(media, light, ray, walk.t, walk.end);
-  for (int i = 0; i < cells && walk.t < walk.end && before < dark; i++)
+  real kink = piece.from;
+  for (int i = 0; i < steps.most && steps.t < piece.to && !airlightIsDark(piece.depth, clear);
+       i++)
   {
-    real end = min(airlightCellEnd(walk), kink);
-    AirlightCell cell = airlightCell(medium.grid.first, walk.size, walk.cell);
-    real4 larger = max(cell.low, cell.high);
-    real largest = max(max(larger.x, larger.y), max(larger.z, larger.w));
-    if (end > walk.t && largest > 0.0)
+    AirlightPiece between = airlightWalkToFilled(media, steps, piece, ray.origin, ray.direction);
+#if AIRLIGHT_MEDIUM_COUNT > 1
+    if (between.inside != 0)
     {
-      real3 corner = walk.origin - real3(walk.cell);
-      real4 cubic =
-        airlightCellCubic(cell, corner + walk.t * walk.slope, corner + end * walk.slope);
-      sum += airlightInterval3InCell(
-        medium, light, ray, cubic, most * largest, walk.t, end, before);
-      before += (end - walk.t) *
-        (cubic.x + 0.5 * cubic.y + cubic.z / 3.0 + 0.25 * cubic.w);
+      sum += airlightBetweenImages(media, light, ray, way, between);
+      piece.depth =
+        airlightDepthInPiece(media, between, ray.origin, ray.direction, between.to);
     }
-    airlightEnterNext(walk, end);
-    if (walk.t >= kink)
+#endif
+    AirlightStep part = airlightStepAt(steps, piece);
+    if (steps.t >= kink)
     {
-      kink = airlightNextGridKink(media, light, ray, walk.t, walk.end);
+      kink = airlightNextKink(media, way, steps.t, piece.to);
     }
+    part.to = min(part.to, kink);
+    if (part.to > part.from)
+    {
+      airlightReadCells(media, steps, ray.origin, ray.direction, part);
+      sum += airlightStepIntegral(media, light, ray, part, piece.depth);
+      piece.depth += airlightStepDepth(media, part, ray.origin, ray.direction, part.to);
+    }
+    airlightLeaveStep(steps, part);
   }
-  return medium.sigmaS * sum;
+  return sum;
+}
+
+// The integral over [t0, t1], sigmaS included; `before` is the optical depth before t0.
+real3 airlightGridInterval(
+  AirlightMedia media, AirlightLight light, AirlightRay ray, real t0, real3 before, real t1)
+{
+  AirlightWay way = airlightWay(light, ray);
+#if AIRLIGHT_MEDIUM_COUNT == 1
+  // Its region is convex: all of the interval is inside.
+  AirlightPiece whole = AirlightPiece(t0, t1, 1, before);
+  return airlightGridPiece(media, light, ray, way, whole);
+#else
+  real3 clear = airlightClearChannels(media);
+  real3 sum = real3(0.0);
+  while (t0 < t1 && !airlightIsDark(before, clear))
+  {
+    AirlightPiece piece = airlightPieceFrom(media, ray.origin, ray.direction, t0, t1, before);
+    if (piece.inside != 0)
+    {
+      sum += airlightGridPiece(media, light, ray, way, piece);
+    }
+    before = piece.depth;
+    t0 = piece.to;
+  }
+  return sum;
+#endif
+}
+
+// ---- Ambient radiance -------------------------------------------------------------------------
+
+// Over a step.
+real3 airlightAmbientInStep(AirlightMedia media, AirlightStep part, real3 origin, real3 direction,
+  real3 before)
+{
+  real parts = clamp(
+    ceil(2.0 * part.rate * (part.to - part.from) / AIRLIGHT_PART_DEPTH), 1.0, AIRLIGHT_MOST_PARTS);
+  real width = (part.to - part.from) / parts;
+  real3 sum = real3(0.0);
+  for (int node = 0; node < 3 * int(parts); node++)
+  {
+    int k = node % 3;
+    real share = k == 0 ? 0.11270166537925831 : k == 1 ? 0.5 : 0.88729833462074169;
+    real t = part.from + (real(node / 3) + share) * width;
+    real3 source = real3(0.0);
+    for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+    {
+      if (airlightIsInside(part, i))
+      {
+        source += airlightSource(media.item[i]) *
+          airlightStepDensity(media, i, part, origin, direction, t).x;
+      }
+    }
+    sum += (k == 1 ? 0.44444444444444444 : 0.27777777777777778) * source *
+      airlightTransmittanceOf(before + airlightStepDepth(media, part, origin, direction, t));
+  }
+  return width * sum;
+}
+
+real3 airlightAmbientInImages(
+  AirlightMedia media, AirlightPiece piece, real3 origin, real3 direction)
+{
+  AirlightSteps steps = airlightSteps(media, piece, origin, direction);
+  real3 clear = airlightClearChannels(media);
+  real3 sum = real3(0.0);
+  for (int i = 0; i < steps.most && steps.t < piece.to && !airlightIsDark(piece.depth, clear);
+       i++)
+  {
+    AirlightPiece between = airlightWalkToFilled(media, steps, piece, origin, direction);
+    if (between.inside != 0)
+    {
+      sum += airlightAmbientInPiece(media, between, origin, direction);
+      piece.depth = airlightDepthInPiece(media, between, origin, direction, between.to);
+    }
+    AirlightStep part = airlightStepAt(steps, piece);
+    if (part.to > part.from)
+    {
+      airlightReadCells(media, steps, origin, direction, part);
+      sum += airlightAmbientInStep(media, part, origin, direction, piece.depth);
+      piece.depth += airlightStepDepth(media, part, origin, direction, part.to);
+    }
+    airlightLeaveStep(steps, part);
+  }
+  return sum;
 }

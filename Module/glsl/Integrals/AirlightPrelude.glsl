@@ -30,6 +30,11 @@ uniform int airlightZero;
 #if AIRLIGHT_HAS_GRID
 #define AIRLIGHT_GRID_STEPS
 #define AIRLIGHT_GRID_MEMBER AirlightGrid grid;
+#define AIRLIGHT_LIGHT_GRID_MEMBERS                                                                \
+  int gridFirst[AIRLIGHT_MAX_MEDIA];                                                               \
+  real3 gridSize[AIRLIGHT_MAX_MEDIA];
+// Whether medium i has an image: so it is known when a shader is compiled.
+#define AIRLIGHT_IS_GRID(i) (((AIRLIGHT_GRID_MEDIA >> (i)) & 1) != 0)
 // Samples are in texels, each with 2 x 2 in x and y.
 #define AIRLIGHT_SAMPLES int
 #define AIRLIGHT_LAYER(first, size, cell)                                                          \
@@ -38,6 +43,7 @@ uniform int airlightZero;
 #define AIRLIGHT_GRID_DEPTH(medium, o, d, from, to) airlightGridDepth((medium).grid, o, d, from, to)
 #else
 #define AIRLIGHT_GRID_MEMBER
+#define AIRLIGHT_LIGHT_GRID_MEMBERS
 #endif
 // Triangles, tables: what does not fit into uniforms.
 #define AIRLIGHT_DATA_MEMBER

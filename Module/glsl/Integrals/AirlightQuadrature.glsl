@@ -88,7 +88,7 @@ AIRLIGHT_FN real airlightPhotometricShare(AIRLIGHT_IN(AirlightLight) light, real
 }
 
 #ifdef AIRLIGHT_GRID_STEPS
-real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point); // AirlightGridRay
+real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point); // AirlightGridWay
 #endif
 
 // Optical depth on the way from a point to the light.

@@ -9,8 +9,8 @@ AIRLIGHT_FN real3 airlightTail3(AIRLIGHT_IN(AirlightMedia) media,
   AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t)
 {
 #ifdef AIRLIGHT_GRID_STEPS
-  // There it is the density's integral before t.
-  return real3(airlightGridDepthTo(media.item[0], ray, t));
+  // There it is the optical depth before t.
+  return airlightDepthTo(media, ray, t);
 #else
   if (AIRLIGHT_LIGHT_KIND != AIRLIGHT_POINT_CLOSED)
   {
@@ -122,7 +122,7 @@ AIRLIGHT_FN real3 airlightInterval3(AIRLIGHT_IN(AirlightMedia) media,
 {
   real3 integral;
 #ifdef AIRLIGHT_GRID_STEPS
-  integral = airlightGridInterval(media, light, ray, t0, tail0.x, t1);
+  integral = airlightGridInterval(media, light, ray, t0, tail0, t1);
 #else
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED)
   {

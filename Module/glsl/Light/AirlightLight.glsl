@@ -20,8 +20,9 @@ struct AirlightLight
   real exponent;     // of the cosine of the angle to a spot's axis
   int goniometric;   // 1: `photometry` says how much goes in each direction
   AirlightPhotometry photometry;
-  int gridFirst;  // in shaders, where an image is the density: texel of the means between a place
-  real3 gridSize; // and the light (AirlightLightGrid.h), and their numbers of cells
+  // For each medium with an image: texel of the means between a place and the light
+  // (AirlightLightGrid.h), and their numbers of cells.
+  AIRLIGHT_LIGHT_GRID_MEMBERS
 };
 
 // Where the kind of light is known when a shader is compiled, the other kinds fall away.

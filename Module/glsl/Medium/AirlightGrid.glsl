@@ -125,6 +125,12 @@ AIRLIGHT_FN AirlightCell airlightCell(AIRLIGHT_SAMPLES first, int3 size, int3 ce
   return result;
 }
 
+AIRLIGHT_FN real airlightMostInCell(AIRLIGHT_IN(AirlightCell) cell)
+{
+  real4 larger = max(cell.low, cell.high);
+  return max(max(larger.x, larger.y), max(larger.z, larger.w));
+}
+
 // Between the eight samples, at a place in the cell.
 AIRLIGHT_FN real airlightInCell(AIRLIGHT_IN(AirlightCell) cell, real3 f)
 {

@@ -58,9 +58,9 @@ AIRLIGHT_FN bool airlightPieceHolds(AIRLIGHT_IN(AirlightPiece) piece, int i)
   return ((piece.inside >> i) & 1) != 0;
 }
 
-// The piece that begins at t0, at most up to t1.
-AIRLIGHT_FN AirlightPiece airlightPieceAt(
-  AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
+// The piece that begins at t0, at most up to t1, where the optical depth before t0 is known.
+AIRLIGHT_FN AirlightPiece airlightPieceFrom(AIRLIGHT_IN(AirlightMedia) media, real3 origin,
+  real3 direction, real t0, real t1, real3 depth)
 {
 #ifdef AIRLIGHT_DOUBLE
   const real apart = real(1e-13);
@@ -71,7 +71,7 @@ AIRLIGHT_FN AirlightPiece airlightPieceAt(
   piece.from = t0;
   piece.to = t1;
   piece.inside = 0;
-  piece.depth = airlightDepth(media, origin, direction, t0);
+  piece.depth = depth;
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     // Ends closer than this are one end.
@@ -80,6 +80,13 @@ AIRLIGHT_FN AirlightPiece airlightPieceAt(
     piece.inside = end.y > real(0.5) ? piece.inside | (1 << i) : piece.inside;
   }
   return piece;
+}
+
+AIRLIGHT_FN AirlightPiece airlightPieceAt(
+  AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
+{
+  return airlightPieceFrom(
+    media, origin, direction, t0, t1, airlightDepth(media, origin, direction, t0));
 }
 
 // The length of [t0, t1] of a ray that is inside media, all of it where there is one convex region:
@@ -114,7 +121,7 @@ AIRLIGHT_FN real3 airlightChannelLengths(AIRLIGHT_IN(AirlightMedia) media,
 #endif
   real3 point = origin + piece.from * direction;
   real3 faded = real3(real(AIRLIGHT_FAR));
-  real3 thinned = real3(real(0.0)); // a channel that is clear scatters nothing
+  real3 thinned = real3(real(0.0)); // a channel that is clear and dark adds nothing
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     if (!airlightPieceHolds(piece, i))
@@ -129,7 +136,7 @@ AIRLIGHT_FN real3 airlightChannelLengths(AIRLIGHT_IN(AirlightMedia) media,
     for (int channel = 0; channel < 3; channel++)
     {
       real sigma = media.item[i].sigmaT[channel];
-      if (sigma > real(0.0))
+      if (sigma > real(0.0) || media.item[i].emission[channel] > real(0.0))
       {
         faded[channel] = min(faded[channel],
           airlightFadingLength(media.item[i], point, direction, sigma, depth));

@@ -9,6 +9,7 @@ struct AirlightMedium
   real3 sigmaS;  // scattering coefficient at density 1, 1/world
   real3 sigmaT;  // extinction coefficient at density 1, 1/world
   real3 ambient; // ambient radiance
+  real3 emission; // emission coefficient at density 1
   AirlightPhase phase;
   AirlightRegion region;
   int density;
@@ -53,6 +54,13 @@ AIRLIGHT_FN real3 airlightFading3(real3 depth, real3 rate, real l)
 {
   return real3(airlightFading(depth.x, rate.x, l), airlightFading(depth.y, rate.y, l),
     airlightFading(depth.z, rate.z, l));
+}
+
+// What shines by itself at density 1, per unit of length: ambient light that is scattered, and
+// emission.
+AIRLIGHT_FN real3 airlightSource(AIRLIGHT_IN(AirlightMedium) medium)
+{
+  return medium.sigmaS * medium.ambient + medium.emission;
 }
 
 AIRLIGHT_FN real airlightHeight(AIRLIGHT_IN(AirlightMedium) medium, real3 point)

@@ -14,8 +14,7 @@ vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
     sum.several += ray.several;
     sum.once += ray.once;
   }
-  return airlightMultipleShaded(sum, once, true) + once;
-#else
-  return airlightAmbient(airlightMedia, origin, direction, t) + once;
+  once += airlightMultipleShaded(sum, once, true);
 #endif
+  return airlightAmbient(airlightMedia, origin, direction, t) + once;
 }

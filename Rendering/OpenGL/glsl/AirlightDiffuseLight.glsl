@@ -1,11 +1,11 @@
-// Light that comes to the media from all around: ambient light or, in its place, what lamps scatter
-// more than once.
+// Light that comes to the media from all around, ambient light or, in its place, what lamps scatter
+// more than once; and what media emit.
 
 // As if nothing cast shadows, on [0, l] of a ray.
 vec3 airlightDiffuse(AirlightMedia media, vec3 origin, vec3 direction, float l)
 {
 #if AIRLIGHT_MULTIPLE
-  vec3 sum = vec3(0.0);
+  vec3 sum = airlightAmbient(media, origin, direction, l);
   for (int i = 0; i < AIRLIGHT_MULTIPLE_LIGHTS; i++)
   {
     sum += airlightMultipleAlong(media, i, origin, direction, l).several;
@@ -20,7 +20,8 @@ vec3 airlightDiffuse(AirlightMedia media, vec3 origin, vec3 direction, float l)
 vec3 airlightDiffuseRest(AirlightMedia media, vec3 origin, vec3 direction, float l)
 {
 #if AIRLIGHT_MULTIPLE
-  return airlightMultipleOfCollisions(media, origin, direction, l);
+  return airlightAmbient(media, origin, direction, l) +
+    airlightMultipleOfCollisions(media, origin, direction, l);
 #else
   return airlightAmbient(media, origin, direction, l);
 #endif

@@ -186,10 +186,27 @@ void CheckOrders()
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// In an infinite medium in equilibrium radiance is emission over absorption, whatever is scattered.
+void CheckEmission()
+{
+  PathScene scene(4);
+  scene.Look(glm::dvec3(0.0), { 0.0, 0.0, -1.0 });
+  PathScene::SetMedium(scene.Medium, { 0.2, 0.5, 0.8 }, Extinction);
+  scene.Medium->SetEmission(1.0, 2.0, 3.0);
+  scene.Compute(400, 2);
+  for (int c = 0; c < 3; ++c)
+  {
+    CheckMean("emission", scene, c,
+      scene.Medium->GetEmission()[c] / scene.Medium->GetAbsorption()[c], 0.05);
+  }
+}
 }
 
 int TestPathTracer(int, char*[])
 {
+  CheckEmission();
   CheckUnbounded();
   CheckFloorsAndBox();
   CheckWithoutScattering();

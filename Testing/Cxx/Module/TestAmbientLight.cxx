@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ambient light that two or three overlapping media scatter into a ray, the shaders' text in double
-// and in single precision, against adaptive quadrature of
+// Ambient light that two or three overlapping media scatter into a ray and what they emit, the
+// shaders' text in double and in single precision, against adaptive quadrature of
 //
-//   sum_i sigmaS_i a_i rho_i(t) exp(-sum_i sigmaT_i D_i(t)),   D_i(t) = integral of rho_i over [0, t]
+//   sum_i (sigmaS_i a_i + e_i) rho_i(t) exp(-sum_i sigmaT_i D_i(t)),   D_i(t) = integral of rho_i over [0, t]
 //
 // with rho = exp(-height/scaleHeight) or 1. Extinctions of the channels differ by up to 1e5, scale
 // heights and mean free paths by up to 1e8, and eyes are up to 60 scale heights above a fog.
@@ -34,6 +34,7 @@ struct Along
   glm::dvec3 SigmaS{ 0.0 };
   glm::dvec3 SigmaT{ 0.0 };
   glm::dvec3 Ambient{ 0.0 };
+  glm::dvec3 Emission{ 0.0 };
   double Start = 1.0; // density at the ray's origin
   double Rise = 0.0;  // scale heights a unit of length; 0: uniform
 
@@ -93,7 +94,8 @@ double GetExpected(const std::vector<Along>& media, int k, double l)
     double source = 0.0;
     for (const Along& medium : media)
     {
-      source += medium.SigmaS[k] * medium.Ambient[k] * std::min(medium.GetDensity(t), 1e30);
+      source += (medium.SigmaS[k] * medium.Ambient[k] + medium.Emission[k]) *
+        std::min(medium.GetDensity(t), 1e30);
     }
     return depth < 700.0 ? source * std::exp(-depth) : 0.0;
   };
@@ -122,7 +124,8 @@ double GetDarkLength(const std::vector<Along>& media, double l)
 class Setting
 {
 public:
-  explicit Setting(Random& random)
+  Setting(Random& random, Random& shining)
+    : Shining(shining)
   {
     this->Direction = RandomUnit(random);
     const int count = 2 + random.Index(2);
@@ -159,18 +162,22 @@ private:
   void AddMedium(Random& random, bool height)
   {
     Along along;
+    const bool shines = this->Shining.Index(2) == 0;
     for (int k = 0; k < 3; ++k)
     {
       // A channel may be clear.
       along.SigmaT[k] = random.Index(5) == 0 ? 0.0 : random.LogUniform(1e-4, 10.0);
       along.SigmaS[k] = along.SigmaT[k] * random.Uniform(0.0, 1.0);
       along.Ambient[k] = random.Uniform(0.0, 1.0);
+      // Unbounded media that are clear must not emit.
+      along.Emission[k] = shines ? along.SigmaT[k] * this->Shining.Uniform(0.0, 1.0) : 0.0;
     }
     auto medium = vtkSmartPointer<vtkParticipatingMedium>::New();
     const glm::dvec3 sigmaA = along.SigmaT - along.SigmaS;
     medium->SetScattering(&along.SigmaS.x);
     medium->SetAbsorption(&sigmaA.x);
     medium->SetAmbientRadiance(&along.Ambient.x);
+    medium->SetEmission(&along.Emission.x);
     if (height)
     {
       const double scale = random.LogUniform(1e-2, 1e4);
@@ -187,6 +194,7 @@ private:
     this->Media.push_back(along);
   }
 
+  Random& Shining;
   std::vector<vtkSmartPointer<vtkParticipatingMedium>> Given;
 };
 }
@@ -195,11 +203,12 @@ private:
 int TestAmbientLight(int, char*[])
 {
   Random random(26);
+  Random shining(27);
   Comparison doubles("double precision");
   Comparison singles("single precision");
   for (int i = 0; i < 3000; ++i)
   {
-    const Setting setting(random);
+    const Setting setting(random, shining);
     const f64::AirlightMedia media = setting.Convert();
     const glm::dvec3 inDouble =
       f64::airlightAmbient(media, glm::dvec3(0.0), setting.Direction, setting.Length);

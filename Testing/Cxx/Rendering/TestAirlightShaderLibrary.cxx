@@ -33,11 +33,16 @@ public:
   explicit Structures(const std::string& source)
   {
     std::string text = std::regex_replace(source, std::regex("//[^\n]*"), "");
-    std::smatch grid;
-    Check(std::regex_search(text, grid, std::regex("#define AIRLIGHT_GRID_MEMBER (.+)")),
-      "the text defines the member of media with images");
+    for (const char* name : { "AIRLIGHT_GRID_MEMBER", "AIRLIGHT_LIGHT_GRID_MEMBERS" })
+    {
+      std::smatch members;
+      const std::string word = name;
+      Check(std::regex_search(
+              text, members, std::regex("#define " + word + " +((?:[^\n]*\\\\\n)*[^\n]*)")),
+        "the text defines " + word);
+      text = std::regex_replace(text, std::regex("\\b" + word + "\\b"), members.str(1));
+    }
     text = std::regex_replace(text, std::regex("\\bAIRLIGHT_DATA_MEMBER\\b"), "");
-    text = std::regex_replace(text, std::regex("\\bAIRLIGHT_GRID_MEMBER\\b"), grid.str(1));
     text = std::regex_replace(text, std::regex("\\bAIRLIGHT_SAMPLES\\b"), "int");
     text = std::regex_replace(text, std::regex("\\breal3x3\\b"), "mat3");
     text = std::regex_replace(text, std::regex("\\breal(?=\\b)"), "float");
@@ -85,6 +90,16 @@ public:
   void operator()(const Member& member, const glm::dvec2&) { this->Add("vec2", member.Name); }
   void operator()(const Member& member, const glm::dvec3&) { this->Add("vec3", member.Name); }
   void operator()(const Member& member, const glm::dmat3&) { this->Add("mat3", member.Name); }
+  template <std::size_t Count>
+  void operator()(const Member& member, const int (&)[Count])
+  {
+    this->Add("int", member.Name + "[]");
+  }
+  template <std::size_t Count>
+  void operator()(const Member& member, const glm::dvec3 (&)[Count])
+  {
+    this->Add("vec3", member.Name + "[]");
+  }
   template <std::size_t Count>
   void operator()(const Member& member, const glm::dvec4 (&)[Count])
   {

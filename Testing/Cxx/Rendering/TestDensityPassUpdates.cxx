@@ -138,11 +138,42 @@ void TestUpdates()
   scene.Pass->SetNumberOfSteps(256);
   scene.Compare("marched", median, p99);
 }
+
+//------------------------------------------------------------------------------
+// While a lamp is dragged its grid is a coarse one, of which the bound says how good it is; at rest
+// it is as fine as ever.
+void TestDragged()
+{
+  const vtkSmartPointer<vtkImageData> image =
+    MakeDensity({ 40, 40, 40 }, glm::dvec3(-3), glm::dvec3(3));
+  FillCloud(image, 7);
+  DensityScene scene(image);
+  vtkLight* lamp = scene.AddPointLight({ 3.5, 2.2, -1.5 });
+  const auto getBound = [&scene] {
+    scene.Window->Render();
+    return scene.GetBuffer("ErrorBound")->GetScalarRange()[1] / scene.GetPercentile99("Airlight");
+  };
+  const double fine = getBound();
+  scene.Window->SetDesiredUpdateRate(5000.0); // no time at all
+  lamp->SetPosition(3.5, 2.0, -1.2);
+  const double coarse = getBound();
+  std::cout << "bound at rest " << fine << ", dragged " << coarse << "\n";
+  Check(coarse > 3.0 * fine, "a dragged lamp's grid is coarse");
+  scene.Reference->SetSize(scene.Width, scene.Height);
+  scene.Reference->Modified();
+  scene.Reference->Update();
+  CheckBound("dragged", scene.GetBuffer("Airlight"), scene.GetBuffer("ErrorBound"),
+    scene.Reference->GetOutput()->GetPointData()->GetArray("Airlight"));
+  scene.Window->SetDesiredUpdateRate(1e-4);
+  Check(getBound() < 1.5 * fine, "at rest it is fine again");
+  scene.Compare("at rest", 5e-4, 5e-3);
+}
 }
 
 //------------------------------------------------------------------------------
 int TestDensityPassUpdates(int, char*[])
 {
+  TestDragged();
   TestPlace();
   TestUpdates();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -12,8 +12,8 @@ from .messages import Messages
 
 # Properties with a Set and a Get method; the phase function and the coefficients go first.
 PROPERTIES = ("Scattering", "Absorption", "PhaseFunction", "Anisotropy", "PhaseTolerance",
-              "AmbientRadiance", "MultipleScattering", "Ground", "GroundHeight", "GroundAlbedo",
-              "Bounds", "Center", "Radius", "Height", "Axis", "Region",
+              "AmbientRadiance", "Emission", "MultipleScattering",
+              "Ground", "GroundHeight", "GroundAlbedo", "Bounds", "Center", "Radius", "Height", "Axis", "Region",
               "ScaleHeight", "ReferenceHeight", "Up", "Density")
 
 

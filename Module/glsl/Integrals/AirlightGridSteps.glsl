@@ -1,0 +1,208 @@
+// A ray's way from cell to cell of all images that it is in, in shaders.
+
+// No ray has more kinks for each medium: twelve edges of the region and of the image.
+#define AIRLIGHT_MOST_KINKS 24
+
+// Beyond this optical depth nothing counts.
+#define AIRLIGHT_GRID_DARK 20.0
+
+struct AirlightSteps
+{
+  AirlightWalk walk[AIRLIGHT_MEDIUM_COUNT]; // of media with images
+  real t;
+  int most; // more steps are on no ray
+};
+
+// A part of a ray in one cell of each image that it is in.
+struct AirlightStep
+{
+  real from;
+  real to;
+  int inside; // bit i: medium i is there
+  int inImages; // bit i: in its image
+  real4 cubic[AIRLIGHT_MEDIUM_COUNT]; // the density there
+  real rate;  // the largest of extinctions there
+  real rise;  // the most scale heights that a medium falls or rises per unit of length
+};
+
+// Whether medium i is there. One alone is, wherever a step is looked at.
+bool airlightIsInside(AirlightStep part, int i)
+{
+  return AIRLIGHT_MEDIUM_COUNT == 1 || ((part.inside >> i) & 1) != 0;
+}
+
+bool airlightIsInImage(AirlightStep part, int i)
+{
+  return ((part.inImages >> i) & 1) != 0;
+}
+
+AirlightSteps airlightSteps(
+  AirlightMedia media, AirlightPiece piece, real3 origin, real3 direction)
+{
+  AirlightSteps steps;
+  steps.t = piece.from;
+  steps.most = 0;
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    steps.most += AIRLIGHT_MOST_KINKS;
+    if (AIRLIGHT_IS_GRID(i))
+    {
+      real to = airlightPieceHolds(piece, i) ? piece.to : piece.from;
+      steps.walk[i] = airlightWalk(media.item[i].grid, origin, direction, piece.from, to);
+      steps.most += airlightMostCells(steps.walk[i]);
+    }
+  }
+  return steps;
+}
+
+// From steps.t on; without its densities.
+AirlightStep airlightStepAt(AirlightSteps steps, AirlightPiece piece)
+{
+  AirlightStep result;
+  result.from = steps.t;
+  result.to = piece.to;
+  result.inside = piece.inside & ~AIRLIGHT_GRID_MEDIA;
+  result.inImages = 0;
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (AIRLIGHT_IS_GRID(i) && steps.walk[i].t < steps.walk[i].end)
+    {
+      bool there = steps.walk[i].t <= steps.t;
+      result.inImages |= there ? 1 << i : 0;
+      result.to = min(result.to, there ? airlightCellEnd(steps.walk[i]) : steps.walk[i].t);
+    }
+  }
+  result.inside |= result.inImages;
+  return result;
+}
+
+void airlightLeaveStep(inout AirlightSteps steps, AirlightStep part)
+{
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (AIRLIGHT_IS_GRID(i) && airlightIsInImage(part, i))
+    {
+      airlightEnterNext(steps.walk[i], part.to);
+    }
+  }
+  steps.t = part.to;
+}
+
+// Whether there is something in a cell of the step.
+bool airlightIsFilled(AirlightMedia media, AirlightSteps steps, AirlightStep part)
+{
+  real most = 0.0;
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (AIRLIGHT_IS_GRID(i) && airlightIsInImage(part, i))
+    {
+      AirlightWalk walk = steps.walk[i];
+      most = max(
+        most, airlightMostInCell(airlightCell(media.item[i].grid.first, walk.size, walk.cell)));
+    }
+  }
+  return most > 0.0;
+}
+
+// Walks on to where an image has something, or the piece ends. Returns what is left behind: the
+// other media are there. Clouds are mostly empty, and the air between them needs no cells.
+AirlightPiece airlightWalkToFilled(AirlightMedia media, inout AirlightSteps steps,
+  AirlightPiece piece, real3 origin, real3 direction)
+{
+  AirlightPiece empty = piece;
+  empty.from = steps.t;
+  for (int i = 0; i < steps.most && steps.t < piece.to; i++)
+  {
+    AirlightStep part = airlightStepAt(steps, piece);
+    if (airlightIsFilled(media, steps, part))
+    {
+      break;
+    }
+    airlightLeaveStep(steps, part);
+  }
+  empty.to = steps.t;
+  empty.inside = empty.to > empty.from ? piece.inside & ~AIRLIGHT_GRID_MEDIA : 0;
+  return empty;
+}
+
+// Reads the cells of a step.
+void airlightReadCells(AirlightMedia media, AirlightSteps steps, real3 origin, real3 direction,
+  inout AirlightStep part)
+{
+  part.rate = 0.0;
+  part.rise = 0.0;
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    real largest = 0.0;
+    part.cubic[i] = real4(0.0);
+    if (AIRLIGHT_IS_GRID(i))
+    {
+      if (airlightIsInImage(part, i))
+      {
+        AirlightWalk walk = steps.walk[i];
+        AirlightCell cell = airlightCell(media.item[i].grid.first, walk.size, walk.cell);
+        largest = airlightMostInCell(cell);
+        real3 corner = walk.origin - real3(walk.cell);
+        part.cubic[i] = airlightCellCubic(
+          cell, corner + part.from * walk.slope, corner + part.to * walk.slope);
+      }
+    }
+    else if (airlightIsInside(part, i))
+    {
+      largest = max(airlightDensity(media.item[i], origin + part.from * direction),
+        airlightDensity(media.item[i], origin + part.to * direction));
+      part.rise = max(part.rise, abs(airlightRise(media.item[i], direction)));
+    }
+    real3 sigmaT = media.item[i].sigmaT;
+    part.rate += largest * max(sigmaT.x, max(sigmaT.y, sigmaT.z));
+  }
+}
+
+// The density of medium i at t in a step, and its integral before t.
+real2 airlightStepDensity(AirlightMedia media, int i, AirlightStep part, real3 origin,
+  real3 direction, real t)
+{
+  if (AIRLIGHT_IS_GRID(i))
+  {
+    real width = part.to - part.from;
+    real u = clamp((t - part.from) / width, 0.0, 1.0);
+    real4 c = part.cubic[i];
+    return real2(max(c.x + u * (c.y + u * (c.z + u * c.w)), 0.0),
+      width * u * (c.x + u * (0.5 * c.y + u * (c.z / 3.0 + u * 0.25 * c.w))));
+  }
+  return real2(airlightDensity(media.item[i], origin + t * direction),
+    airlightInsideDepth(media.item[i], origin, direction, part.from, max(t, part.from)));
+}
+
+real3 airlightStepDepth(
+  AirlightMedia media, AirlightStep part, real3 origin, real3 direction, real t)
+{
+  real3 depth = real3(0.0);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (airlightIsInside(part, i))
+    {
+      depth += media.item[i].sigmaT *
+        airlightStepDensity(media, i, part, origin, direction, t).y;
+    }
+  }
+  return depth;
+}
+
+// 1 for channels in which nothing is scattered nor emitted: they have no say in what counts.
+real3 airlightClearChannels(AirlightMedia media)
+{
+  real3 sum = real3(0.0);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    sum += media.item[i].sigmaT + media.item[i].emission;
+  }
+  return real3(lessThanEqual(sum, real3(0.0)));
+}
+
+// Whether nothing beyond the depth counts.
+bool airlightIsDark(real3 depth, real3 clear)
+{
+  real3 d = depth + AIRLIGHT_FAR * clear;
+  return min(d.x, min(d.y, d.z)) > AIRLIGHT_GRID_DARK;
+}
