@@ -34,6 +34,7 @@ set(airlight_rooms
   Module/Region
   Filters
   Filters/Comparison
+  Filters/Emission
   Filters/Occlusion
   Filters/OpenVDB
   Filters/RayProbes

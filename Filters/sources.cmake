@@ -5,6 +5,7 @@ airlight_sources(
     vtkAirlightComparison
     vtkAirlightProbeFilter
     vtkAirlightReference
+    vtkEmissionLights
     vtkLitIntervalsFilter
     vtkShadowPlanesFilter
     vtkSilhouetteEdgesFilter)
