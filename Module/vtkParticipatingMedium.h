@@ -452,7 +452,8 @@ public:
    *
    * An invalid image gives an error and the old one is kept. If it becomes invalid later, or there
    * is none, an error is reported when the medium is used, and the medium is ignored. Call
-   * Modified() of the image after a change of its scalars.
+   * Modified() of the image after a change of its scalars. The medium keeps a copy, of 8 or 16
+   * bits or float if the scalars are, else of double. vtkAirlightDensityImage makes such images.
    *
    * vtkAirlight and vtkAirlightReference support any number of such media; for the limits of
    * vtkAirlightPass and vtkAirlightPolyDataMapper see Documentation/guide.md.

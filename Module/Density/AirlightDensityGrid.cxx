@@ -17,7 +17,7 @@
 #define AIRLIGHT_FN inline
 #define AIRLIGHT_IN(T) const T&
 #define AIRLIGHT_INOUT(T) T&
-#define AIRLIGHT_SAMPLES const double*
+#define AIRLIGHT_SAMPLES const DensitySamples*
 #define AIRLIGHT_LAYER FetchLayer
 #define AIRLIGHT_DOUBLE
 
@@ -31,11 +31,11 @@ using int3 = glm::ivec3;
 using real3x3 = glm::dmat3;
 
 // The four samples of a cell, of which there is one less along each axis, in one layer.
-inline real4 FetchLayer(const double* samples, const int3& cells, const int3& cell)
+inline real4 FetchLayer(const DensitySamples* samples, const int3& cells, const int3& cell)
 {
   const size_t rowLength = cells.x + 1;
-  const double* row = samples + cell.x + rowLength * (cell.y + (cells.y + size_t(1)) * cell.z);
-  return { row[0], row[1], row[rowLength], row[rowLength + 1] };
+  return samples->GetSquare(
+    cell.x + rowLength * (cell.y + (cells.y + size_t(1)) * cell.z), rowLength);
 }
 
 #include "Medium/AirlightGrid.glsl"
@@ -47,7 +47,7 @@ namespace
 // Where the first sample is the origin: far away from that of the world, it keeps more digits.
 f64::AirlightGrid MakeGrid(const DensityGrid& grid)
 {
-  return { grid.GetAxes(), glm::dvec3(0.0), grid.GetLast(), grid.GetSamples().data() };
+  return { grid.GetAxes(), glm::dvec3(0.0), grid.GetLast(), &grid.GetSamples() };
 }
 
 bool IsFinite(const glm::dvec3& v)
@@ -135,20 +135,7 @@ bool DensityGrid::ReadSamples(vtkImageData* image, std::string& error)
     error = text.str();
     return false;
   }
-  this->Samples.resize(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const double value = scalars->GetComponent(i, 0);
-    if (!(value >= 0.0 && value <= 1e100))
-    {
-      text << "has the value " << value << " at point " << i << " of its scalars '" << name
-           << "': densities must be finite, at least 0 and at most 1e100";
-      error = text.str();
-      return false;
-    }
-    this->Samples[i] = value;
-  }
-  return true;
+  return this->Samples.Read(scalars, error);
 }
 
 //------------------------------------------------------------------------------
@@ -163,7 +150,7 @@ double DensityGrid::GetDensityAt(const glm::dvec3& samples) const
   const glm::dvec3 last = this->GetLast();
   const glm::dvec3 p = glm::clamp(samples, glm::dvec3(0.0), last);
   // Rounding must not make a density of zeros negative, here and below.
-  return std::max(f64::airlightInterpolated(this->Samples.data(), last, p), 0.0);
+  return std::max(f64::airlightInterpolated(&this->Samples, last, p), 0.0);
 }
 
 //------------------------------------------------------------------------------

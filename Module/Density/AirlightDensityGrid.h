@@ -10,6 +10,7 @@
 #ifndef AirlightDensityGrid_h
 #define AirlightDensityGrid_h
 
+#include "Density/AirlightDensitySamples.h"
 #include "vtkAirlightModule.h" // for export macro
 
 #include <glm/glm.hpp>
@@ -26,8 +27,8 @@ namespace airlight
 class VTKAIRLIGHT_EXPORT DensityGrid
 {
 public:
-  // Copies the image's point scalars. Null and an error that continues "The density image ..."
-  // where they are no densities.
+  // Copies the image's point scalars, in their own type. Null and an error that continues "The
+  // density image ..." where they are no densities.
   static std::shared_ptr<const DensityGrid> Build(vtkImageData* image, std::string& error);
 
   double GetDensity(const glm::dvec3& point) const;
@@ -61,7 +62,7 @@ public:
   // Of the last sample.
   glm::dvec3 GetLast() const { return glm::dvec3(this->Size - 1); }
   // x fastest.
-  const std::vector<double>& GetSamples() const { return this->Samples; }
+  const DensitySamples& GetSamples() const { return this->Samples; }
 
 private:
   DensityGrid() = default;
@@ -69,7 +70,7 @@ private:
   bool ReadSamples(vtkImageData* image, std::string& error);
 
   glm::ivec3 Size{ 0 }; // numbers of samples
-  std::vector<double> Samples;
+  DensitySamples Samples;
   glm::dvec3 First{ 0.0 }; // the first sample's place in the world
   glm::dmat3 Axes{ 1.0 };  // from the world to samples
   glm::dvec3 Least{ 0.0 };

@@ -2,4 +2,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
-    AirlightDensityGrid)
+    AirlightDensityGrid
+    AirlightDensitySamples)

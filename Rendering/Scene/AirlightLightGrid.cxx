@@ -110,8 +110,8 @@ bool IsNeeded(const DensityGrid& grid, const glm::dvec3& node, const glm::dvec3&
   {
     for (int j = low.y; j <= high.y; ++j)
     {
-      const double* row = &grid.GetSamples()[(static_cast<size_t>(k) * size.y + j) * size.x];
-      if (std::any_of(row + low.x, row + high.x + 1, [](double value) { return value > 0.0; }))
+      const size_t row = (static_cast<size_t>(k) * size.y + j) * size.x;
+      if (grid.GetSamples().IsAnyAboveZero(row + low.x, row + high.x + 1))
       {
         return true;
       }
@@ -284,7 +284,8 @@ LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::Airligh
 }
 
 //------------------------------------------------------------------------------
-Texels PackSamples(const std::vector<double>& samples, const glm::ivec3& size)
+template <typename Samples>
+Texels PackSamples(const Samples& samples, const glm::ivec3& size)
 {
   const auto at = [&](int i, int j, int k) {
     return std::min(samples[(static_cast<size_t>(k) * size.y + j) * size.x + i], Opaque);

@@ -36,7 +36,8 @@ struct LightGrid
 };
 
 // Samples as airlightCell() reads them: 2 x 2 in x and y a texel.
-Texels PackSamples(const std::vector<double>& samples, const glm::ivec3& size);
+template <typename Samples>
+Texels PackSamples(const Samples& samples, const glm::ivec3& size);
 
 // What the last frame needed of one image.
 class LightGrids

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Density/AirlightDensitySamples.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace airlight
+{
+namespace
+{
+// NaN is none.
+bool IsDensity(double value) { return value >= 0.0 && value <= 1e100; }
+
+// The type in which samples of a type are kept: no sample that is a density changes its value.
+template <typename T>
+using Kept = std::conditional_t<std::is_same_v<T, float>, float,
+  std::conditional_t<std::is_integral_v<T> && sizeof(T) == 1, std::uint8_t,
+    std::conditional_t<std::is_integral_v<T> && sizeof(T) == 2, std::uint16_t, double>>>;
+
+// Copies up to the first value that is no density; its number, or the number of values.
+struct Copy
+{
+  template <typename Array, typename Variant>
+  void operator()(Array* scalars, Variant& all, vtkIdType& copied) const
+  {
+    const auto values = vtk::DataArrayTupleRange(scalars);
+    using T = Kept<vtk::GetAPIType<Array>>;
+    auto& kept = all.template emplace<std::vector<T>>(values.size());
+    for (copied = 0; copied < values.size(); ++copied)
+    {
+      const auto value = values[copied][0];
+      if (!IsDensity(static_cast<double>(value)))
+      {
+        return;
+      }
+      kept[copied] = static_cast<T>(value);
+    }
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+bool DensitySamples::Read(vtkDataArray* scalars, std::string& error)
+{
+  vtkIdType copied = 0;
+  if (!vtkArrayDispatch::Dispatch::Execute(scalars, Copy(), this->All, copied))
+  {
+    Copy()(scalars, this->All, copied);
+  }
+  if (copied == scalars->GetNumberOfTuples())
+  {
+    return true;
+  }
+  std::ostringstream text;
+  text << "has the value " << scalars->GetComponent(copied, 0) << " at point " << copied
+       << " of its scalars '" << (scalars->GetName() ? scalars->GetName() : "without name")
+       << "': densities must be finite, at least 0 and at most 1e100";
+  error = text.str();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool DensitySamples::IsAnyAboveZero(size_t begin, size_t end) const
+{
+  return std::visit(
+    [begin, end](const auto& values) {
+      return std::any_of(
+        values.begin() + begin, values.begin() + end, [](auto value) { return value > 0; });
+    },
+    this->All);
+}
+
+//------------------------------------------------------------------------------
+size_t DensitySamples::GetNumberOfBytes() const
+{
+  return std::visit(
+    [](const auto& values) { return values.size() * sizeof(values[0]); }, this->All);
+}
+}
