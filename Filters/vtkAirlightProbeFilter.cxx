@@ -4,51 +4,21 @@
 
 #include "RayProbes/AirlightFilterInput.h"
 #include "RayProbes/AirlightProbe.h"
+#include "RayProbes/AirlightProbeArrays.h"
 #include "vtkParticipatingMedium.h"
 
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLight.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <atomic>
+#include <algorithm>
+#include <cmath>
 
 using namespace airlight;
-
-namespace
-{
-// One of the arrays. The filter's work writes to different tuples at once.
-class Result
-{
-public:
-  Result(const char* name, vtkIdType count)
-  {
-    this->Array->SetName(name);
-    this->Array->SetNumberOfComponents(3);
-    this->Array->SetNumberOfTuples(count);
-    this->Array->Fill(0.0);
-  }
-  void Set(vtkIdType i, const glm::dvec3& rgb) { this->Array->SetTypedTuple(i, &rgb.x); }
-  void AddTo(vtkDataSet* data) { data->GetPointData()->AddArray(this->Array); }
-
-private:
-  vtkNew<vtkDoubleArray> Array;
-};
-
-// The unit normal of a point; 0 where that is none.
-glm::dvec3 GetNormal(vtkDataArray* normals, vtkIdType i)
-{
-  glm::dvec3 n;
-  normals->GetTuple(i, &n.x);
-  const double length = glm::length(n);
-  return std::isfinite(length) && length > 0.0 ? n / length : glm::dvec3(0.0);
-}
-}
 
 vtkStandardNewMacro(vtkAirlightProbeFilter);
 
@@ -99,16 +69,52 @@ vtkLight* vtkAirlightProbeFilter::GetLight(int index)
 }
 
 //------------------------------------------------------------------------------
-void vtkAirlightProbeFilter::SetMedium(vtkParticipatingMedium* medium)
+void vtkAirlightProbeFilter::AddMedium(vtkParticipatingMedium* medium)
 {
-  if (this->Medium != medium)
+  if (!medium)
   {
-    this->Medium = medium;
+    vtkErrorMacro("The medium is null; give it a vtkParticipatingMedium.");
+    return;
+  }
+  if (std::find(this->Media.begin(), this->Media.end(), medium) == this->Media.end())
+  {
+    this->Media.emplace_back(medium);
     this->Modified();
   }
 }
 
-vtkParticipatingMedium* vtkAirlightProbeFilter::GetMedium() { return this->Medium; }
+void vtkAirlightProbeFilter::RemoveMedium(vtkParticipatingMedium* medium)
+{
+  const auto found = std::find(this->Media.begin(), this->Media.end(), medium);
+  if (found != this->Media.end())
+  {
+    this->Media.erase(found);
+    this->Modified();
+  }
+}
+
+void vtkAirlightProbeFilter::RemoveAllMedia() { this->SetMedium(nullptr); }
+
+void vtkAirlightProbeFilter::SetMedium(vtkParticipatingMedium* medium)
+{
+  std::vector<vtkSmartPointer<vtkParticipatingMedium>> media;
+  if (medium)
+  {
+    media.emplace_back(medium);
+  }
+  if (this->Media != media)
+  {
+    this->Media = media;
+    this->Modified();
+  }
+}
+
+int vtkAirlightProbeFilter::GetNumberOfMedia() { return static_cast<int>(this->Media.size()); }
+
+vtkParticipatingMedium* vtkAirlightProbeFilter::GetMedium(int index)
+{
+  return index >= 0 && index < this->GetNumberOfMedia() ? this->Media[index].Get() : nullptr;
+}
 
 //------------------------------------------------------------------------------
 void vtkAirlightProbeFilter::SetViewpoint(double x, double y, double z)
@@ -133,6 +139,60 @@ void vtkAirlightProbeFilter::SetViewpoint(const double viewpoint[3])
 }
 
 //------------------------------------------------------------------------------
+bool vtkAirlightProbeFilter::SetNumber(
+  const char* name, double& target, double value, bool accepted, const char* range)
+{
+  if (!accepted)
+  {
+    vtkErrorMacro(<< name << " " << value << " must be " << range << "; it stays " << target
+                  << ".");
+    return false;
+  }
+  if (target != value)
+  {
+    target = value;
+    this->Modified();
+  }
+  return true;
+}
+
+void vtkAirlightProbeFilter::SetReflectingSignConstant(double constant)
+{
+  this->SetNumber("ReflectingSignConstant", this->ReflectingSignConstant, constant,
+    constant > 0.0 && std::isfinite(constant), "finite and above 0");
+}
+
+void vtkAirlightProbeFilter::SetEmittingSignConstant(double constant)
+{
+  this->SetNumber("EmittingSignConstant", this->EmittingSignConstant, constant,
+    constant > 0.0 && std::isfinite(constant), "finite and above 0");
+}
+
+void vtkAirlightProbeFilter::SetMaximumVisibility(double distance)
+{
+  this->SetNumber(
+    "MaximumVisibility", this->MaximumVisibility, distance, distance > 0.0, "above 0");
+}
+
+void vtkAirlightProbeFilter::SetSignRadiance(double radiance)
+{
+  this->SetNumber("SignRadiance", this->SignRadiance, radiance,
+    radiance >= 0.0 && radiance <= 1e100, "from 0 to 1e100");
+}
+
+void vtkAirlightProbeFilter::SetSignReflectance(double reflectance)
+{
+  this->SetNumber("SignReflectance", this->SignReflectance, reflectance,
+    reflectance >= 0.0 && reflectance <= 1.0, "from 0 to 1");
+}
+
+void vtkAirlightProbeFilter::SetSignGroundReflectance(double reflectance)
+{
+  this->SetNumber("SignGroundReflectance", this->SignGroundReflectance, reflectance,
+    reflectance >= 0.0 && reflectance <= 1.0, "from 0 to 1");
+}
+
+//------------------------------------------------------------------------------
 void vtkAirlightProbeFilter::AddOccluderData(vtkPolyData* data)
 {
   if (!data)
@@ -153,7 +213,11 @@ vtkMTimeType vtkAirlightProbeFilter::GetMTime()
   {
     time = std::max(time, GetLightTime(light));
   }
-  return this->Medium ? std::max(time, this->Medium->GetMTime()) : time;
+  for (vtkParticipatingMedium* medium : this->Media)
+  {
+    time = std::max(time, medium->GetMTime());
+  }
+  return time;
 }
 
 //------------------------------------------------------------------------------
@@ -171,16 +235,26 @@ int vtkAirlightProbeFilter::FillInputPortInformation(int port, vtkInformation* i
 //------------------------------------------------------------------------------
 bool vtkAirlightProbeFilter::CheckSettings()
 {
-  if (!this->Medium)
+  if (this->Media.empty())
   {
     vtkErrorMacro("There is no medium: call SetMedium().");
     return false;
   }
-  // They prepare it for several threads.
-  this->Medium->GetPhaseErrorBound();
-  this->Medium->GetMultipleScatteringErrorBound();
+  if (this->GetNumberOfMedia() > AIRLIGHT_MAX_MEDIA)
+  {
+    vtkErrorMacro(<< "There are " << this->GetNumberOfMedia() << " media and at most "
+                  << AIRLIGHT_MAX_MEDIA << " are computed: call RemoveMedium().");
+    return false;
+  }
+  // They prepare the media for several threads.
+  ConvertMedia({ this->Media.begin(), this->Media.end() }, glm::dvec3(0.0));
+  for (vtkParticipatingMedium* medium : this->Media)
+  {
+    medium->GetPhaseErrorBound();
+    medium->GetSourceFit(this->GetNumberOfMedia() == 1);
+  }
   return std::all_of(this->Lights.begin(), this->Lights.end(),
-    [this](vtkLight* light) { return CheckSceneLight(this, this->Medium, light); });
+    [this](vtkLight* light) { return CheckSceneLight(this, this->GetMedium(), light); });
 }
 
 //------------------------------------------------------------------------------
@@ -190,17 +264,17 @@ bool vtkAirlightProbeFilter::CanScatter(bool hasNormals)
   {
     return false;
   }
-  const int density = this->Medium->GetDensity();
   if (!hasNormals)
   {
     vtkWarningMacro("ScatteredIrradiance is left out: it needs point normals "
                     "(vtkPolyDataNormals makes them).");
     return false;
   }
-  if (density != vtkParticipatingMedium::UNIFORM &&
-    density != vtkParticipatingMedium::EXPONENTIAL_HEIGHT)
+  if (std::any_of(this->Media.begin(), this->Media.end(), [](vtkParticipatingMedium* medium) {
+        return medium->GetDensity() == vtkParticipatingMedium::IMAGE;
+      }))
   {
-    vtkWarningMacro("ScatteredIrradiance is left out: it needs a medium that is uniform or of "
+    vtkWarningMacro("ScatteredIrradiance is left out: it needs media that are uniform or of "
                     "exponential height.");
     return false;
   }
@@ -223,58 +297,37 @@ int vtkAirlightProbeFilter::RequestData(
     return 1;
   }
   const Occluders occluders = CollectOccluders(inputs[1]);
-  const Probe probe{ this->Medium, { this->Lights.begin(), this->Lights.end() }, &occluders };
-  const glm::dvec3 eye(this->Viewpoint[0], this->Viewpoint[1], this->Viewpoint[2]);
-  const double margin = this->ShadowTolerance * occluders.GetScale();
-  vtkDataArray* normals = input->GetPointData()->GetNormals();
-  const bool scatters = this->CanScatter(normals);
-  const vtkIdType count = input->GetNumberOfPoints();
-  Result radiance("Radiance", count);
-  Result transmittance("Transmittance", count);
-  Result direct("DirectIrradiance", count);
-  Result scattered("ScatteredIrradiance", scatters ? count : 0);
-  std::atomic<vtkIdType> bad{ 0 };
+  const Probe probe{ { this->Media.begin(), this->Media.end() },
+    { this->Lights.begin(), this->Lights.end() }, &occluders };
+  ProbeArrays arrays(probe, input);
+  arrays.Eye = glm::dvec3(this->Viewpoint[0], this->Viewpoint[1], this->Viewpoint[2]);
+  arrays.Margin = this->ShadowTolerance * occluders.GetScale();
+  if (this->CanScatter(input->GetPointData()->GetNormals()))
+  {
+    arrays.AddScattered();
+  }
+  if (this->SightLines)
+  {
+    arrays.AddSightLines(
+      { this->ReflectingSignConstant, this->EmittingSignConstant, this->MaximumVisibility,
+        { this->SignRadiance, this->SignReflectance, this->SignGroundReflectance } });
+  }
   const auto measure = [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      glm::dvec3 p;
-      input->GetPoint(i, &p.x);
-      if (!IsUsable(p))
-      {
-        ++bad;
-        continue;
-      }
-      radiance.Set(i, probe.FindRadiance(eye, p));
-      transmittance.Set(i, probe.FindTransmittance(eye, p));
-      const glm::dvec3 normal = normals ? GetNormal(normals, i) : glm::dvec3(0.0);
-      direct.Set(i, probe.FindDirect(p, normals ? &normal : nullptr, margin));
-      if (scatters && normal != glm::dvec3(0.0))
-      {
-        scattered.Set(i, probe.FindScattered(p, normal));
-      }
+      arrays.Measure(i);
     }
   };
-  if (count > 0)
-  {
-    double first[3]; // lets the data prepare what it prepares on first use
-    input->GetPoint(0, first);
-  }
-  if (!RunInParts(this, count, 0.1, 1.0, measure))
+  if (!RunInParts(this, input->GetNumberOfPoints(), 0.1, 1.0, measure))
   {
     return 1;
   }
-  if (bad > 0)
+  if (arrays.Bad > 0)
   {
-    vtkWarningMacro(<< bad << " points get zeros, because they are not finite or more than 1e15 "
-                    << "from the origin.");
+    vtkWarningMacro(<< arrays.Bad << " points get zeros, because they are not finite or more than "
+                    << "1e15 from the origin.");
   }
-  radiance.AddTo(output);
-  transmittance.AddTo(output);
-  direct.AddTo(output);
-  if (scatters)
-  {
-    scattered.AddTo(output);
-  }
+  arrays.AddTo(output);
   return 1;
 }
 
@@ -282,10 +335,17 @@ int vtkAirlightProbeFilter::RequestData(
 void vtkAirlightProbeFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Medium: " << this->Medium.Get() << "\n";
+  os << indent << "Media: " << this->Media.size() << "\n";
   os << indent << "Lights: " << this->Lights.size() << "\n";
   os << indent << "Viewpoint: " << this->Viewpoint[0] << ", " << this->Viewpoint[1] << ", "
      << this->Viewpoint[2] << "\n";
   os << indent << "ScatteredIrradiance: " << this->ScatteredIrradiance << "\n";
   os << indent << "ShadowTolerance: " << this->ShadowTolerance << "\n";
+  os << indent << "SightLines: " << this->SightLines << "\n";
+  os << indent << "ReflectingSignConstant: " << this->ReflectingSignConstant << "\n";
+  os << indent << "EmittingSignConstant: " << this->EmittingSignConstant << "\n";
+  os << indent << "MaximumVisibility: " << this->MaximumVisibility << "\n";
+  os << indent << "SignRadiance: " << this->SignRadiance << "\n";
+  os << indent << "SignReflectance: " << this->SignReflectance << "\n";
+  os << indent << "SignGroundReflectance: " << this->SignGroundReflectance << "\n";
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAirlightProbeFilter
- * @brief   airlight, transmittance and irradiance at points in a medium
+ * @brief   airlight, transmittance, irradiance and visibility at points in media
  *
  * Adds point data to any vtkDataSet, in double precision: on the sensors of a room, on a grid
  * through the air, on the surfaces of a scene. See "Sensors" in Documentation/guide.md.
@@ -13,7 +13,7 @@
  *
  * Output: the input with these point data, double, RGB, for lights in W/sr and lengths in metres:
  *
- * - Radiance [W/(m^2 sr)]: the radiance that the medium between the point and the viewpoint sends
+ * - Radiance [W/(m^2 sr)]: the radiance that the media between the point and the viewpoint sends
  *   to the viewpoint: the airlight of all lights, with shadows, and the medium's ambient radiance.
  *   Add a surface's radiance times Transmittance.
  * - Transmittance: from the point to the viewpoint.
@@ -21,6 +21,8 @@
  *   point normals, on the side of the normal, I cos(theta)/r^2 T. Without normals, at normal
  *   incidence, I/r^2 T, summed: the power on a small sphere of unit cross-section.
  * - ScatteredIrradiance [W/m^2]: see SetScatteredIrradiance().
+ * - MeanExtinction, ReflectingSignVisibility, EmittingSignVisibility, SignContrast,
+ *   SignContrastWithoutAirlight, of one component each: see SetSightLines().
  *
  * I is the radiant intensity of vtkAirlight::SetRadiantIntensity(); cone, exponent and attenuation
  * of a vtkLight apply, and a directional light has its irradiance. Normals need not be of length 1;
@@ -31,8 +33,9 @@
  * Numerical errors: those of vtkAirlight; shadows are exact to rounding. The output does not depend
  * on the number of threads (vtkSMPTools).
  *
- * Errors: a missing medium, or a light with NaN or infinite values, gives an error and the input
- * without the arrays. Points that are NaN, infinite or beyond 1e15 get zeros and a warning.
+ * Errors: no medium, more than 8 of them, or a light with NaN or infinite values, gives an error
+ * and the input without the arrays. Points that are NaN, infinite or beyond 1e15 get zeros and a
+ * warning.
  *
  * @sa vtkAirlight vtkLitIntervalsFilter vtkAirlightPass
  */
@@ -44,6 +47,7 @@
 #include "vtkDataSetAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
 
+#include <limits> // for members
 #include <vector> // for members
 
 class vtkLight;
@@ -71,10 +75,17 @@ public:
 
   ///@{
   /**
-   * The medium. Default: none.
+   * The media, each once, at most 8 of any kind; where they overlap, their coefficients add.
+   * SetMedium() replaces all of them, null removes them. GetMedium() returns null for an index
+   * outside 0 to GetNumberOfMedia() - 1. Default: none.
    */
+  void AddMedium(vtkParticipatingMedium* medium);
+  void RemoveMedium(vtkParticipatingMedium* medium);
+  void RemoveAllMedia();
   void SetMedium(vtkParticipatingMedium* medium);
-  vtkParticipatingMedium* GetMedium();
+  int GetNumberOfMedia();
+  vtkParticipatingMedium* GetMedium(int index);
+  vtkParticipatingMedium* GetMedium() { return this->GetMedium(0); }
   ///@}
 
   ///@{
@@ -93,7 +104,7 @@ public:
    * light that the medium scattered once on its way to the point. It is unshadowed and excludes
    * ambient radiance. The quadrature and its error (0.3 % to 3 %) are those of
    * vtkAirlightPass::SetScatteredSurfaceLight(), in double precision, with 16 to 1597 rays per
-   * point and light. It needs point normals and a medium that is uniform or of exponential height;
+   * point and light. It needs point normals and media that are uniform or of exponential height;
    * otherwise there is a warning and no array. With
    * vtkParticipatingMedium::SetMultipleScattering() it is the light of point lamps that was
    * scattered at least once, however often, and 0 of other lights. Default: false.
@@ -101,6 +112,64 @@ public:
   vtkSetMacro(ScatteredIrradiance, bool);
   vtkGetMacro(ScatteredIrradiance, bool);
   vtkBooleanMacro(ScatteredIrradiance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether arrays are added that say how far an eye sees towards each point, and how well it sees
+   * a sign there:
+   *
+   * - MeanExtinction [1/world unit]: the mean of the three channels' extinctions, averaged along
+   *   the straight way from the viewpoint to the point. At the viewpoint, that there.
+   * - ReflectingSignVisibility, EmittingSignVisibility [world unit]: a constant K over
+   *   MeanExtinction, the distance at which a sign can just be read in such smoke (Jin 1978). A
+   *   sign at the point can be read from the viewpoint if its distance is at most this.
+   * - SignContrast: Michelson's contrast (letters - ground)/(letters + ground) of a sign at the
+   *   point, as it is seen at the viewpoint through the media and their airlight. 0 is a sign that
+   *   is not seen; a contrast of 2 % with a background (Weber's) is one of 1 % here.
+   * - SignContrastWithoutAirlight: the same if the media scattered no light to the eye.
+   *
+   * All are exact but for rounding and the error of Radiance. Default: false.
+   */
+  vtkSetMacro(SightLines, bool);
+  vtkGetMacro(SightLines, bool);
+  vtkBooleanMacro(SightLines, bool);
+  ///@}
+
+  ///@{
+  /**
+   * K of signs that reflect the light of lamps, and of signs that shine: visibility times
+   * extinction, without unit. Measured: 2 to 4 and 5 to 10 (T. Jin, "Visibility through fire
+   * smoke", J. Fire & Flammability 9, 1978); for smoke that does not irritate the eyes. Range:
+   * finite, above 0. Defaults: 3 and 8.
+   */
+  void SetReflectingSignConstant(double constant);
+  vtkGetMacro(ReflectingSignConstant, double);
+  void SetEmittingSignConstant(double constant);
+  vtkGetMacro(EmittingSignConstant, double);
+  ///@}
+
+  ///@{
+  /**
+   * Visibilities above this are cut off, world unit: those through clear air would be infinite.
+   * Range: above 0. Default: infinity.
+   */
+  void SetMaximumVisibility(double distance);
+  vtkGetMacro(MaximumVisibility, double);
+  ///@}
+
+  ///@{
+  /**
+   * The sign of SignContrast: the radiance of letters that shine [W/(m^2 sr)], and the diffuse
+   * reflectances of the letters and of the ground that they stand on, which DirectIrradiance
+   * lights. Ranges: 0 to 1e100; 0 to 1. Defaults: 0 (a sign that is lit), 0.8 and 0.1.
+   */
+  void SetSignRadiance(double radiance);
+  vtkGetMacro(SignRadiance, double);
+  void SetSignReflectance(double reflectance);
+  vtkGetMacro(SignReflectance, double);
+  void SetSignGroundReflectance(double reflectance);
+  vtkGetMacro(SignGroundReflectance, double);
   ///@}
 
   ///@{
@@ -122,7 +191,7 @@ public:
   ///@}
 
   /**
-   * The last modification of the filter, its lights or its medium.
+   * The last modification of the filter, its lights or its media.
    */
   vtkMTimeType GetMTime() override;
 
@@ -139,13 +208,21 @@ private:
   void operator=(const vtkAirlightProbeFilter&) = delete;
 
   bool CheckSettings();
+  bool SetNumber(const char* name, double& target, double value, bool accepted, const char* range);
   bool CanScatter(bool hasNormals);
 
   std::vector<vtkSmartPointer<vtkLight>> Lights;
-  vtkSmartPointer<vtkParticipatingMedium> Medium;
+  std::vector<vtkSmartPointer<vtkParticipatingMedium>> Media;
   double Viewpoint[3] = { 0.0, 0.0, 0.0 };
   bool ScatteredIrradiance = false;
   double ShadowTolerance = 1e-6;
+  bool SightLines = false;
+  double ReflectingSignConstant = 3.0;
+  double EmittingSignConstant = 8.0;
+  double MaximumVisibility = std::numeric_limits<double>::infinity();
+  double SignRadiance = 0.0;
+  double SignReflectance = 0.8;
+  double SignGroundReflectance = 0.1;
 };
 
 #endif

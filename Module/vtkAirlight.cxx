@@ -68,14 +68,6 @@ bool CheckRay(vtkParticipatingMedium* medium, const double origin[3], const doub
   return true;
 }
 
-// Keeps the logarithms and quotients of a light on the ray finite; far below what a double resolves
-// of the distances involved.
-double LeastDistance(const glm::dvec3& light, double t1)
-{
-  const double distance = glm::length(light);
-  return std::max(distance > 0.0 ? 1e-12 * distance : 1e-12 * std::min(t1, 1.0), 1e-100);
-}
-
 // A medium with one lamp that is scattered more than once, relative to `origin`.
 bool MakeLamp(vtkParticipatingMedium* medium, const double position[3],
   const double radiantIntensity[3], const double origin[3], f64::AirlightMedia& converted)
@@ -99,29 +91,10 @@ bool MakeLamp(vtkParticipatingMedium* medium, const double position[3],
   return true;
 }
 
-// Airlight on [t0, t1]. All positions are relative to the ray's origin.
-glm::dvec3 Integrate(const f64::AirlightMedia& media, f64::AirlightLight light,
-  const glm::dvec3& direction, double t0, double t1)
-{
-  t1 = std::min(t1, AIRLIGHT_FAR);
-  light.radius = LeastDistance(light.position, t1);
-  const f64::AirlightRay ray = f64::airlightRay(media, light, glm::dvec3(0.0), direction, t1);
-  const double from = std::max(t0, ray.lit.x);
-  const double to = std::min(t1, ray.lit.y);
-  if (!(to > from))
-  {
-    return glm::dvec3(0.0);
-  }
-  return IntegrateAirlight(media, light, ray, from, to);
-}
-
-// Channels without scattering are exactly dark, whatever the limits of their integrals.
 void Store(const f64::AirlightMedia& media, const glm::dvec3& radiance, double rgb[3])
 {
-  for (int c = 0; c < 3; ++c)
-  {
-    rgb[c] = IsBright(media, c) && std::isfinite(radiance[c]) ? radiance[c] : 0.0;
-  }
+  const glm::dvec3 kept = KeepBright(media, radiance);
+  std::copy_n(&kept.x, 3, rgb);
 }
 }
 
@@ -143,7 +116,7 @@ bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, const double lightPo
   const f64::AirlightMedia converted = ConvertMedia({ medium }, Vector(origin));
   const f64::AirlightLight light =
     ConvertPointLight(converted, Vector(lightPosition), Vector(radiantIntensity), Vector(origin));
-  Store(converted, Integrate(converted, light, unit, t0, t1), rgb);
+  Store(converted, IntegrateLight(converted, light, unit, t0, t1), rgb);
   return true;
 }
 
@@ -169,7 +142,7 @@ bool vtkAirlight::Inscatter(vtkParticipatingMedium* medium, vtkLight* light, con
     case LightSupport::Off:
       return true;
     case LightSupport::Scatters:
-      Store(converted, Integrate(converted, sceneLight, unit, t0, t1), rgb);
+      Store(converted, IntegrateLight(converted, sceneLight, unit, t0, t1), rgb);
       return true;
     case LightSupport::Invalid:
       break;

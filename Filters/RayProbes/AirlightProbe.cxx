@@ -4,8 +4,6 @@
 
 #include "Integration/AirlightIntegrate.h"
 #include "RayProbes/AirlightFilterInput.h"
-#include "vtkAirlight.h"
-
 #include "vtkLight.h"
 
 #include <cmath>
@@ -59,6 +57,16 @@ void SetLeastRadius(f64::AirlightLight& light)
   light.radius = std::max(1e-12 * glm::length(light.position), 1e-100);
 }
 
+// Unshadowed airlight of [from, to] of a ray of unit direction.
+glm::dvec3 ScatterBetween(const f64::AirlightMedia& media, vtkLight* light, const glm::dvec3& eye,
+  const glm::dvec3& direction, double from, double to)
+{
+  f64::AirlightLight sceneLight;
+  return ConvertLight(media, light, eye, sceneLight) == LightSupport::Scatters
+    ? IntegrateLight(media, sceneLight, direction, from, to)
+    : glm::dvec3(0.0);
+}
+
 // The number of a light among the media's lamps, -1 where it is none.
 int FindLamp(const f64::AirlightMedia& media, const glm::dvec3& point, vtkLight* light)
 {
@@ -96,7 +104,7 @@ glm::dvec3 Probe::FindRadiance(const glm::dvec3& eye, const glm::dvec3& point) c
     return sum;
   }
   const glm::dvec3 direction = (point - eye) / length;
-  f64::AirlightMedia media = ConvertMedia({ this->Medium }, eye);
+  f64::AirlightMedia media = ConvertMedia(this->Media, eye);
   AddMultipleLamps(*this, eye, media);
   sum = IntegrateAmbient(media, glm::dvec3(0.0), direction, length);
   std::vector<Occluders::Shadow> shadows;
@@ -113,9 +121,7 @@ glm::dvec3 Probe::FindRadiance(const glm::dvec3& eye, const glm::dvec3& point) c
     glm::dvec3 own(0.0);
     for (const Occluders::Interval& part : lit)
     {
-      glm::dvec3 rgb;
-      vtkAirlight::Inscatter(this->Medium, light, &eye.x, &direction.x, part.From, part.To, &rgb.x);
-      own += rgb;
+      own += ScatterBetween(media, light, eye, direction, part.From, part.To);
     }
     sum += own;
     const int lamp = FindLamp(media, eye, light);
@@ -130,16 +136,15 @@ glm::dvec3 Probe::FindRadiance(const glm::dvec3& eye, const glm::dvec3& point) c
 //------------------------------------------------------------------------------
 glm::dvec3 Probe::FindTransmittance(const glm::dvec3& eye, const glm::dvec3& point) const
 {
-  glm::dvec3 rgb;
-  vtkAirlight::Transmittance(this->Medium, &eye.x, &point.x, &rgb.x);
-  return rgb;
+  const f64::AirlightMedia media = ConvertMedia(this->Media, eye);
+  return glm::exp(-f64::airlightDepthBetween(media, glm::dvec3(0.0), point - eye));
 }
 
 //------------------------------------------------------------------------------
 glm::dvec3 Probe::FindDirect(const glm::dvec3& point, const glm::dvec3* normal, double margin) const
 {
   glm::dvec3 sum(0.0);
-  const f64::AirlightMedia media = ConvertMedia({ this->Medium }, point);
+  const f64::AirlightMedia media = ConvertMedia(this->Media, point);
   ForEachSceneLight(
     *this, media, point, [&](vtkLight* light, const f64::AirlightLight& sceneLight) {
       const glm::dvec3 irradiance = IrradianceOf(media, sceneLight, normal);
@@ -156,7 +161,7 @@ glm::dvec3 Probe::FindDirect(const glm::dvec3& point, const glm::dvec3* normal, 
 glm::dvec3 Probe::FindScattered(const glm::dvec3& point, const glm::dvec3& normal) const
 {
   glm::dvec3 sum(0.0);
-  f64::AirlightMedia media = ConvertMedia({ this->Medium }, point);
+  f64::AirlightMedia media = ConvertMedia(this->Media, point);
   AddMultipleLamps(*this, point, media);
   if (media.multiple.count > 0)
   {

@@ -21,11 +21,11 @@ namespace airlight
 // Thread safe after CheckSceneLight() for each light.
 struct Probe
 {
-  vtkParticipatingMedium* Medium;
+  std::vector<vtkParticipatingMedium*> Media;
   std::vector<vtkLight*> Lights;
   const Occluders* Shades;
 
-  // From the part of the medium between the two points to the first one.
+  // From the media between the two points to the first one.
   glm::dvec3 FindRadiance(const glm::dvec3& eye, const glm::dvec3& point) const;
 
   glm::dvec3 FindTransmittance(const glm::dvec3& eye, const glm::dvec3& point) const;

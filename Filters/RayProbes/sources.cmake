@@ -5,4 +5,6 @@ airlight_sources(
     AirlightFilterInput
     AirlightLitLines
     AirlightLitLinesOutput
-    AirlightProbe)
+    AirlightProbe
+    AirlightProbeArrays
+    AirlightSightLine)

@@ -157,11 +157,7 @@ glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* lit
   sum += IntegrateAmbient(this->Media, ray.Origin, ray.Direction, end) +
     IntegrateCollisions(this->Media, ray.Origin, ray.Direction, end);
   // A channel that neither scatters nor emits is dark, whatever the limit of its integral.
-  for (int c = 0; c < 3; ++c)
-  {
-    sum[c] = IsBright(this->Media, c) && std::isfinite(sum[c]) ? sum[c] : 0.0;
-  }
-  return sum;
+  return KeepBright(this->Media, sum);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "Integration/AirlightRayCuts.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace airlight
 {
@@ -26,6 +27,39 @@ glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::Airligh
       f64::airlightTail3(media, light, ray, from), to, f64::airlightTail3(media, light, ray, to));
   }
   return light.intensity * AdaptiveQuadrature(media, light, ray).Integrate(from, to);
+}
+
+//------------------------------------------------------------------------------
+double LeastDistance(const glm::dvec3& light, double length)
+{
+  const double distance = glm::length(light);
+  return std::max(distance > 0.0 ? 1e-12 * distance : 1e-12 * std::min(length, 1.0), 1e-100);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 KeepBright(const f64::AirlightMedia& media, const glm::dvec3& radiance)
+{
+  glm::dvec3 kept(0.0);
+  for (int c = 0; c < 3; ++c)
+  {
+    const bool bright = std::any_of(media.item, media.item + media.count,
+      [c](const auto& medium) { return medium.sigmaS[c] > 0.0 || medium.emission[c] > 0.0; });
+    kept[c] = bright && std::isfinite(radiance[c]) ? radiance[c] : 0.0;
+  }
+  return kept;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 IntegrateLight(const f64::AirlightMedia& media, f64::AirlightLight light,
+  const glm::dvec3& direction, double from, double to)
+{
+  to = std::min(to, AIRLIGHT_FAR);
+  light.radius = LeastDistance(light.position, to);
+  const f64::AirlightRay ray = f64::airlightRay(media, light, glm::dvec3(0.0), direction, to);
+  from = std::max(from, ray.lit.x);
+  to = std::min(to, ray.lit.y);
+  return to > from ? KeepBright(media, IntegrateAirlight(media, light, ray, from, to))
+                   : glm::dvec3(0.0);
 }
 
 //------------------------------------------------------------------------------

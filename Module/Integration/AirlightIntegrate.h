@@ -19,6 +19,18 @@ bool HasGrid(const f64::AirlightMedia& media);
 glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::AirlightLight& light,
   const f64::AirlightRay& ray, double from, double to);
 
+// The same on [from, to] of a ray from the origin of coordinates, of any light and without a
+// radius; `to` may be infinite. Channels that no medium scatters are exactly dark.
+glm::dvec3 IntegrateLight(const f64::AirlightMedia& media, f64::AirlightLight light,
+  const glm::dvec3& direction, double from, double to);
+
+// The distance from a light within which it counts as being on the ray: it keeps logarithms and
+// quotients finite, and is far below what a double resolves of the distances involved.
+double LeastDistance(const glm::dvec3& light, double length);
+
+// Zeros in channels that no medium scatters or emits, and in place of what is not finite.
+glm::dvec3 KeepBright(const f64::AirlightMedia& media, const glm::dvec3& radiance);
+
 // Light that was scattered more than once, of one of the media's lamps, into [0, to] of a ray of
 // unit direction, on which casters leave `once` of its light that was scattered once.
 glm::dvec3 IntegrateMultiple(const f64::AirlightMedia& media, int lamp, const glm::dvec3& origin,

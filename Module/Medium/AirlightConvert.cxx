@@ -289,15 +289,6 @@ bool Shines(const f64::AirlightMedia& media)
 }
 
 //------------------------------------------------------------------------------
-bool IsBright(const f64::AirlightMedia& media, int channel)
-{
-  return std::any_of(
-    media.item, media.item + media.count, [channel](const f64::AirlightMedium& medium) {
-      return medium.sigmaS[channel] > 0.0 || medium.emission[channel] > 0.0;
-    });
-}
-
-//------------------------------------------------------------------------------
 LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
   const glm::dvec3& origin, f64::AirlightLight& result)
 {

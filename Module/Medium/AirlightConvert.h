@@ -34,8 +34,6 @@ VTKAIRLIGHT_EXPORT bool HasScattering(const f64::AirlightMedia& media);
 
 // Whether there is ambient light that they scatter, or they emit.
 VTKAIRLIGHT_EXPORT bool Shines(const f64::AirlightMedia& media);
-// The same in one channel.
-VTKAIRLIGHT_EXPORT bool IsBright(const f64::AirlightMedia& media, int channel);
 
 // What the mathematics can do with a light.
 enum class LightSupport

@@ -181,6 +181,74 @@ void TestProbeLists()
 }
 
 //------------------------------------------------------------------------------
+// Lines of sight: each bad number gives one message that names it, and stays out.
+void TestSightLines()
+{
+  vtkNew<vtkAirlightProbeFilter> probe;
+  ErrorListener errors(probe);
+  for (double value : { 0.0, -1.0, nan, std::numeric_limits<double>::infinity() })
+  {
+    probe->SetReflectingSignConstant(value);
+    CheckTold(errors, "bad K", Text("ReflectingSignConstant ", value, " must be finite"));
+    probe->SetEmittingSignConstant(value);
+    CheckTold(errors, "bad K", Text("EmittingSignConstant ", value, " must be finite"));
+  }
+  for (double value : { -0.5, 1.5, nan })
+  {
+    probe->SetSignReflectance(value);
+    CheckTold(errors, "bad letters", Text("SignReflectance ", value, " must be from 0 to 1"));
+    probe->SetSignGroundReflectance(value);
+    CheckTold(errors, "bad ground", Text("SignGroundReflectance ", value, " must be"));
+  }
+  for (double value : { -0.5, std::numeric_limits<double>::infinity(), nan })
+  {
+    probe->SetSignRadiance(value);
+    CheckTold(errors, "bad radiance", Text("SignRadiance ", value, " must be from 0 to 1e100"));
+  }
+  for (double value : { 0.0, nan })
+  {
+    probe->SetMaximumVisibility(value);
+    CheckTold(errors, "bad limit", Text("MaximumVisibility ", value, " must be above 0"));
+  }
+  Check(probe->GetReflectingSignConstant() == 3.0 && probe->GetEmittingSignConstant() == 8.0 &&
+      probe->GetSignReflectance() == 0.8 && probe->GetSignGroundReflectance() == 0.1 &&
+      probe->GetSignRadiance() == 0.0 && std::isinf(probe->GetMaximumVisibility()),
+    "defaults stay");
+}
+
+//------------------------------------------------------------------------------
+// Null and too many media, and points that are not finite with lines of sight.
+void TestProbeMedia()
+{
+  vtkNew<vtkAirlightProbeFilter> probe;
+  probe->SetInputData(MakeLines({ { { 0, 0, 0 }, { nan, 0, 0 }, { 1e200, 0, 0 }, { 1, 1, 1 } } }));
+  ErrorListener errors(probe);
+  ErrorListener warnings(probe, vtkCommand::WarningEvent);
+  probe->AddMedium(nullptr);
+  CheckTold(errors, "null medium", "vtkParticipatingMedium");
+  std::vector<vtkSmartPointer<vtkParticipatingMedium>> media;
+  for (int i = 0; i < 9; ++i)
+  {
+    media.emplace_back(vtkSmartPointer<vtkParticipatingMedium>::New());
+    media.back()->SetScattering(0.1, 0.1, 0.1);
+    probe->AddMedium(media.back());
+  }
+  probe->Update();
+  CheckTold(errors, "nine media", "There are 9 media and at most 8");
+  Check(!probe->GetOutput()->GetPointData()->GetArray("Radiance"), "nine media, no arrays");
+  probe->RemoveMedium(media.front());
+  Check(probe->GetNumberOfMedia() == 8 && !probe->GetMedium(8) && !probe->GetMedium(-1),
+    "media by number");
+  probe->SightLinesOn();
+  probe->Update();
+  CheckTold(warnings, "points that are not finite", "2 points get zeros");
+  Check(errors.Take() == 0, "eight media are computed");
+  CheckFinite(probe->GetOutput()->GetPointData(), "lines of sight");
+  probe->RemoveAllMedia();
+  Check(probe->GetNumberOfMedia() == 0 && !probe->GetMedium(), "no media are left");
+}
+
+//------------------------------------------------------------------------------
 // Scattered irradiance in other densities has no closed form: the array is left out.
 void TestProbeDensity()
 {
@@ -240,6 +308,8 @@ int TestRayFilterErrors(int, char*[])
   TestLines();
   TestProbe();
   TestProbeLists();
+  TestSightLines();
+  TestProbeMedia();
   TestProbeDensity();
   TestProbeLimits();
   std::cout << Failures << " failures\n";
