@@ -74,6 +74,7 @@ if (AIRLIGHT_WRAP_PYTHON)
     ${python_stubs})
   set(AIRLIGHT_PYTHON_FILES
     __main__.py
+    density.py
     display.py
     headless.py
     paraview.py

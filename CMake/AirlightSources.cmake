@@ -34,6 +34,7 @@ set(airlight_rooms
   Module/Region
   Filters
   Filters/Comparison
+  Filters/DataSets
   Filters/Emission
   Filters/Occlusion
   Filters/OpenVDB

@@ -3,6 +3,7 @@
 airlight_sources(
   CLASSES
     vtkAirlightComparison
+    vtkAirlightDensityImage
     vtkAirlightProbeFilter
     vtkAirlightReference
     vtkEmissionLights

@@ -1,0 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  PRIVATE_CLASSES
+    AirlightDensityBlocks
+    AirlightResample)

@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The density image of any data set, as airlight.density_image()."""
+
+from .vtkAirlight import vtkAirlightDensityImage
+
+
+def density_image(dataset, array="", dimensions=(0, 0, 0), component=None, factor=1.0):
+    """A vtkImageData for vtkParticipatingMedium.SetDensityImage().
+
+    dataset: a vtkDataSet or a composite one (multi-block, AMR). array: name of an array of points
+    or cells; empty for the active scalars. dimensions: points along each axis, (0, 0, 0) for those
+    of an image as they are and 64 x 64 x 64 of other data. component: of an array that has
+    several, a number or a name. factor: densities are multiplied by it.
+
+    Raises ValueError if there is no such array, or values are negative, NaN or infinite.
+
+        smoke = airlight.density_image(simulation, "soot", (128, 128, 64), factor=8700)
+        medium.SetDensityImage(smoke)
+        medium.SetDensityToImage()
+    """
+    source = vtkAirlightDensityImage()
+    messages = []
+
+    def keep(_caller, _event, text):
+        messages.append(text)
+    keep.CallDataType = "string0"  # VTK reads it
+    source.AddObserver("ErrorEvent", keep)
+    source.SetInputDataObject(dataset)
+    source.SetArrayName(array)
+    source.SetDimensions(dimensions)
+    source.SetFactor(factor)
+    if isinstance(component, str):
+        source.SetComponentName(component)
+    elif component is not None:
+        source.SetComponent(component)
+    if not messages:
+        source.Update()
+    if messages:
+        lines = [line for line in messages[0].splitlines() if "ERROR: In " not in line]
+        raise ValueError(" ".join(lines).split("): ", 1)[-1].strip())
+    return source.GetOutput()
