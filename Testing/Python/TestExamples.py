@@ -6,6 +6,7 @@ import os
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -13,7 +14,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import airlight
-from exampletest import EXAMPLES, GALLERY, SCENES, USES, ExampleTest
+from exampletest import EXAMPLES, GALLERY, SCENES, USES, ExampleTest, load_example
 from midpointrule import Grid, box_interval, lamp_airlight, middles, sunlit_airlight
 from programtest import metrics, pixel_rays, read_png
 
@@ -185,6 +186,45 @@ class TestExamples(ExampleTest):
                                                         r"([\d.]+)\n", text)[0]]
         np.testing.assert_allclose(
             printed, (contrast.min(), contrast.max(), contrast[shaded].max()), atol=2e-3)
+
+    def test_fire_visibility(self):
+        with tempfile.TemporaryDirectory() as folder:
+            picture = folder + "/use-fire-visibility.png"
+            text = self.run_example("fire_visibility.py", "-o", picture, "--csv",
+                                    folder + "/map.csv")
+            self.compare_with_gallery(picture)
+            rows = np.genfromtxt(folder + "/map.csv", delimiter=",", names=True)
+        print(text)
+        sys.path.insert(0, str(EXAMPLES))
+        self.addCleanup(sys.path.remove, str(EXAMPLES))
+        example = load_example("fire_visibility")
+        self.ran.add("fire_smoke.py")
+        image = example.solve_plume(135.0)
+        samples = vtk_to_numpy(image.GetPointData().GetScalars()).astype(float)
+        density = Grid(samples.reshape(image.GetDimensions()[::-1]), (0, 0, 0), image.GetSpacing())
+        self.assertEqual(len(rows), 25 * 15)
+
+        # The mean extinction by its definition.
+        eyes = np.column_stack([rows["x"], rows["y"], np.full(len(rows), 1.6)])
+        points = eyes[:, None] + middles(np.ones(len(rows)), 4000)[..., None] * (
+            np.array(example.SIGN) - eyes)[:, None]
+        extinction = 8700 * density(points).mean(axis=1)
+        np.testing.assert_allclose(rows["mean_extinction"], extinction, rtol=1e-4)
+        for name, constant in (("reflecting", 3), ("emitting", 8)):
+            np.testing.assert_allclose(rows["visibility_" + name],
+                                       np.minimum(constant / extinction, 50), rtol=1e-4)
+        seen = rows["in_sight"] > 0
+        counts = (seen.sum(), len(rows), np.sum(seen & (
+            8 / extinction >= np.minimum(rows["distance"], 50))))
+        self.assertIn("{} of {} points have the sign in sight, {} can read it".format(*counts), text)
+
+        # Letters that shine keep their contrast but for airlight, which ends it where Jin found.
+        self.assertTrue(np.all(rows["contrast"] < rows["contrast_without_airlight"]))
+        self.assertTrue(np.all(rows["contrast_without_airlight"] > 0.99))
+        near = seen & (np.abs(np.log(rows["contrast"] / 0.01)) < 0.7)
+        depth = np.median((extinction * rows["distance"])[near])
+        self.assertIn(f"extinction times distance {depth:.1f} ", text)
+        self.assertTrue(5 < depth < 10, depth)
 
     def read_density(self, path):
         reader = airlight.vtkOpenVDBDensityReader()
