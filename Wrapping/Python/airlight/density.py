@@ -6,18 +6,28 @@ from .vtkAirlight import vtkAirlightDensityImage
 
 
 def density_image(dataset, array="", dimensions=(0, 0, 0), component=None, factor=1.0):
-    """A vtkImageData for vtkParticipatingMedium.SetDensityImage().
-
-    dataset: a vtkDataSet or a composite one (multi-block, AMR). array: name of an array of points
-    or cells; empty for the active scalars. dimensions: points along each axis, (0, 0, 0) for those
-    of an image as they are and 64 x 64 x 64 of other data. component: of an array that has
-    several, a number or a name. factor: densities are multiplied by it.
-
-    Raises ValueError if there is no such array, or values are negative, NaN or infinite.
+    """A vtkImageData for vtkParticipatingMedium.SetDensityImage(), of any data set.
 
         smoke = airlight.density_image(simulation, "soot", (128, 128, 64), factor=8700)
         medium.SetDensityImage(smoke)
         medium.SetDensityToImage()
+
+    Parameters
+    ----------
+    dataset : vtkDataObject
+        A vtkDataSet or a composite one (multi-block, AMR).
+    array : str, default: ""
+        The array of densities, of points or cells. Empty: the active scalars.
+    dimensions : (int, int, int), default: (0, 0, 0)
+        Points along each axis. (0, 0, 0): those of an image as they are, 64 x 64 x 64 of other
+        data.
+    component : int or str, optional
+        Of an array that has several, by number or name.
+    factor : float, default: 1
+        Densities are multiplied by it.
+
+    Raises ValueError if there is no such array or component, or values are negative, NaN or
+    infinite.
     """
     source = vtkAirlightDensityImage()
     messages = []
