@@ -163,6 +163,14 @@ class TestGuide(unittest.TestCase):
             r = math.hypot(x, 2.0)
             self.assertAlmostEqual(value, 100 / r ** 2 * math.exp(-extinction * r), delta=1e-6)
 
+    def test_sight_lines(self):
+        """In uniform smoke the visibility is K/extinction everywhere."""
+        extinction = -math.log(0.7)
+        for i in range(3):
+            for name, constant in (("ReflectingSignVisibility", 3), ("EmittingSignVisibility", 8)):
+                value = self.names["data"].GetArray(name).GetTuple1(i)
+                self.assertAlmostEqual(value, constant / extinction, delta=1e-9)
+
     def test_errors(self):
         """The messages that the guide explains are those of the sources."""
         text = GUIDE.read_text(encoding="utf-8").split("## Errors")[1].split("\nAnd where")[0]
