@@ -335,7 +335,7 @@ int vtkAirlightProbeFilter::RequestData(
 void vtkAirlightProbeFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Media: " << this->Media.size() << "\n";
+  os << indent << "NumberOfMedia: " << this->Media.size() << "\n";
   os << indent << "Lights: " << this->Lights.size() << "\n";
   os << indent << "Viewpoint: " << this->Viewpoint[0] << ", " << this->Viewpoint[1] << ", "
      << this->Viewpoint[2] << "\n";

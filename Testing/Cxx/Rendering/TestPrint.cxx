@@ -9,6 +9,7 @@
 
 #include "vtkAirlight.h"
 #include "vtkAirlightComparison.h"
+#include "vtkAirlightDensityImage.h"
 #include "vtkAirlightPass.h"
 #include "vtkAirlightPolyDataMapper.h"
 #include "vtkAirlightProbeFilter.h"
@@ -154,7 +155,18 @@ void TestFilters()
   probe->AddLight(light);
   probe->SetMedium(medium);
   probe->SetViewpoint(1.0, 2.0, 3.0);
-  CheckPrint(probe, { "Lights: 1\n", "Viewpoint: 1, 2, 3\n" });
+  probe->SetMaximumVisibility(30.0);
+  CheckPrint(probe,
+    { "Lights: 1\n", "NumberOfMedia: 1\n", "Viewpoint: 1, 2, 3\n", "SightLines: 0\n",
+      "ReflectingSignConstant: 3\n", "EmittingSignConstant: 8\n", "MaximumVisibility: 30\n",
+      "SignRadiance: 0\n", "SignReflectance: 0.8\n", "SignGroundReflectance: 0.1\n" });
+
+  vtkNew<vtkAirlightDensityImage> density;
+  density->SetArrayName("soot");
+  density->SetDimensions(4, 5, 6);
+  CheckPrint(density,
+    { "ArrayName: soot\n", "Component: -1\n", "ComponentName: \n", "Factor: 1\n",
+      "Dimensions: 4, 5, 6\n" });
 
   vtkNew<vtkLitIntervalsFilter> intervals;
   CheckPrint(intervals, { "Light: 0\n", "Medium: 0\n" });
