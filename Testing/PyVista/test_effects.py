@@ -61,6 +61,51 @@ def test_effect_before_enable(plotter, name):
     assert abs(plotter.screenshot().astype(int) - plain).mean() < 1
 
 
+def edge_error(picture, exact):
+    """The root mean square of the differences."""
+    return np.sqrt(np.mean((picture.astype(float) - exact) ** 2))
+
+
+@pytest.mark.parametrize("way", ["argument", "effect"])
+def test_multisampling(make_plotter, way):
+    """Half of the error of a single frame, as the argument or PyVista's own call asks for it."""
+    def screenshot(asked=None, **options):
+        plotter = make_plotter()
+        plotter.add_mesh(pv.Cube())
+        plotter.airlight.enable(visibility=5, **options)
+        if asked:
+            plotter.enable_anti_aliasing(asked)
+        picture = plotter.screenshot()
+        assert plotter.airlight.render_pass.GetMultisampling() == bool(
+            asked or options.get("anti_aliasing"))
+        assert not (asked and plotter.renderer.GetUseFXAA())
+        return picture
+    exact = screenshot(frames=64, anti_aliasing=False)
+    plain = screenshot(anti_aliasing=False)
+    smooth = screenshot(anti_aliasing="msaa") if way == "argument" else screenshot("msaa")
+    assert edge_error(smooth, exact) < 0.6 * edge_error(plain, exact)
+
+
+def test_multisampling_leaves_the_window_as_it_was(make_plotter):
+    for samples in (8, 0):
+        plotter = make_plotter(shape=(1, 2))
+        plotter.enable_anti_aliasing("msaa", multi_samples=samples)
+        window = plotter.render_window
+        plotter.airlight.enable()
+        assert window.GetMultiSamples() == 0
+        plotter.subplot(0, 1)
+        plotter.airlight.enable(anti_aliasing="msaa")
+        assert window.GetMultiSamples() == (samples or 4)
+        plotter.airlight.enable()
+        assert window.GetMultiSamples() == 0
+        plotter.airlight.enable(anti_aliasing="msaa")
+        plotter.airlight.disable()
+        assert window.GetMultiSamples() == 0
+        plotter.subplot(0, 0)
+        plotter.airlight.disable()
+        assert window.GetMultiSamples() == samples
+
+
 def test_depth_of_field(plotter):
     """VTK's depth of field draws its first frame black, with and without a medium."""
     plotter.airlight.enable()

@@ -37,7 +37,7 @@ from test_lifecycle import run
     ({"shadows": "soft"}, ValueError, "shadows is 'soft': give one of 'automatic'"),
     ({"lamp": "yes"}, TypeError, "lamp is 'yes'"),
     ({"white": 0}, ValueError, "white is 0.0"),
-    ({"anti_aliasing": "fxaa"}, TypeError, "anti_aliasing is 'fxaa'"),
+    ({"anti_aliasing": "fxaa"}, TypeError, "anti_aliasing is 'fxaa': give .*'msaa'"),
     ({"tone_mapping": "aces"}, ValueError, "tone_mapping is 'aces': give one of 'clamp'"),
     ({"color_space": "rgb"}, ValueError, "color_space is 'rgb': give one of 'linear', 'srgb'"),
     ({"frames": 0}, ValueError, "frames is 0.0: .* from 1 to 1024"),

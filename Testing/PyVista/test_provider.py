@@ -118,11 +118,13 @@ def test_every_build_is_a_new_pass(plotter, component):
     plotter.screenshot()
     first = component.built[0]
     first.SetMemoryLimit(77)
+    plotter.render_window.SetMultiSamples(4)
     component.invalidate()
     plotter.render()
     second = component.built[0]
     assert second is not first and plotter.airlight.render_pass is second
     assert second.GetMemoryLimit() == 77
+    assert second.GetMultisampling()
     assert second.GetShadowTechnique() == first.GetShadowTechnique()
     assert second.GetMedium(0) is plotter.airlight.medium
     first.ReleaseGraphicsResources(plotter.render_window)

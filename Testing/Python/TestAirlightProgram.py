@@ -271,7 +271,8 @@ class TestPictures(ProgramTest):
                        self.path("b.pfm"), "--no-dithering")
 
     def test_antialiasing(self):
-        """Frames moved by parts of a pixel: as a picture of four times the size, at its edges."""
+        """Frames moved by parts of a pixel, and four samples of pixels at edges: closer to a picture
+        of four times the size, at its edges."""
         large = self.render(self.SCENE, "large.pfm", "--size", "640x480")
         expected = large.reshape(120, 4, 160, 4, 3).mean(axis=(1, 3))
         one = self.render(self.SCENE, "one.pfm")
@@ -283,6 +284,11 @@ class TestPictures(ProgramTest):
         def error(picture):
             return np.sqrt(np.mean((picture - expected)[edges] ** 2))
         self.assertLess(error(mean), error(one) / 5)
+        samples = self.render(self.SCENE, "samples.pfm", "--multisampling")
+        self.assertLess(error(samples), 0.55 * error(one))
+        self.assertGreater((samples == one).mean(), 0.6)
+        self.fail_with(["--multisampling", "--antialiasing"], "render", self.SCENE, "-o",
+                       self.path("b.png"), "--multisampling", "--antialiasing", "4")
 
     def test_buffers(self):
         for name, channels in (("Depth", 1), ("LitLength", 1), ("BoundaryCount", 1),

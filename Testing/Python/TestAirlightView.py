@@ -206,6 +206,21 @@ class TestView(ViewTest):
                 "--lamp-radius", "0.5", "--antialiasing", count)
             self.assertEqual((code, "--antialiasing 16" in errors), (0, count == "1"), errors)
 
+    def test_multisampling(self):
+        """Single frames are closer to the mean of many at edges, and the same elsewhere."""
+        scene = self.scene(["wall.ply", "blocker.ply"])
+        mean = self.path("mean.png")
+        self.succeed("render", scene, *LINEAR, "-o", mean, "--antialiasing", "64")
+        expected = read_png(mean)
+        keys = [press("i"), press("s")]
+        plain = self.view(scene, keys)[1][0]
+        smooth = self.view(scene, keys, "--multisampling")[1][0]
+        edges = np.abs(plain - expected) > 0.05
+        self.assertGreater(edges.sum(), 300)
+        self.assertLess(np.abs(smooth - expected)[edges].mean(),
+                        0.55 * np.abs(plain - expected)[edges].mean())
+        self.assertGreater((smooth == plain).mean(), 0.9)
+
     def test_no_medium(self):
         """Keys of the medium do nothing where there is none; the lamp's still do."""
         texts, pictures = self.view(

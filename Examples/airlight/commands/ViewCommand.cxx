@@ -21,12 +21,14 @@ struct ViewOptions
   SceneOptions Scene;
   DisplayOptions Display;
   ViewerSettings Viewer;
+  bool Multisampling = false;
 };
 
 void View(const ViewOptions& options)
 {
   RenderSettings settings = options.Scene.GetSettings();
   settings.OffScreen = false;
+  settings.Multisampling = options.Multisampling;
   settings.Display = options.Display.GetSettings();
   const Scene scene = options.Scene.Load();
   WarnOfPoints(scene, settings, options.Viewer.Frames);
@@ -66,6 +68,9 @@ void AddViewCommand(CLI::App& program)
       "shadows, and lamps of finite size; --play and --record draw single frames")
     ->check(CLI::Range(1, 1024))
     ->capture_default_str();
+  command->add_flag("--multisampling", options->Multisampling,
+    "Four samples of pixels at edges in single frames, as while mouse or keys move something; such "
+    "frames take about twice as long");
   command->footer(command->get_footer() + "\n\nIn the window:\n" + Viewer::GetKeys());
   command->callback([options] { View(*options); });
 }

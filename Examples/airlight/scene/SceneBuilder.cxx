@@ -19,6 +19,8 @@ namespace airlight
 
 namespace
 {
+constexpr int Samples = 4; // of a multisampled window
+
 void SetExtent(vtkLight* light, const LightSource& source)
 {
   vtkAirlightLight::SetRadius(light, source.Radius);
@@ -86,6 +88,7 @@ void SetDisplay(vtkAirlightPass* pass, const Scene& scene, const RenderSettings&
 {
   const bool automatic = settings.Display.AutomaticExposure;
   pass->SetSubpixelFrames(settings.SubpixelFrames);
+  pass->SetMultisampling(settings.Multisampling);
   pass->SetExposure(settings.Display.Exposure * (automatic ? scene.Brightness : 1.0));
   pass->SetAutomaticExposure(automatic);
   pass->SetToneMapping(settings.Display.ToneMapping);
@@ -166,7 +169,7 @@ RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings)
     pass->SetShadowTechniqueToNone();
   }
   built.Window = vtkSmartPointer<vtkRenderWindow>::New();
-  built.Window->SetMultiSamples(0);
+  built.Window->SetMultiSamples(settings.Multisampling ? Samples : 0);
   built.Window->SetOffScreenRendering(settings.OffScreen);
   built.Window->SetSize(scene.Width, scene.Height);
   built.Window->SetWindowName("Airlight");

@@ -36,8 +36,9 @@ struct RenderSettings
   bool UseMedium = true;      ///< false: VTK's plain lighting, without medium and shadows
   bool RecordBuffers = false; ///< for vtkAirlightPass::GetBuffer()
   int ShadowTechnique = vtkAirlightPass::AUTOMATIC;
-  int Steps = 64;         ///< vtkAirlightPass::SetNumberOfSteps()
-  int SubpixelFrames = 1; ///< vtkAirlightPass::SetSubpixelFrames()
+  int Steps = 64;             ///< vtkAirlightPass::SetNumberOfSteps()
+  int SubpixelFrames = 1;     ///< vtkAirlightPass::SetSubpixelFrames()
+  bool Multisampling = false; ///< vtkAirlightPass::SetMultisampling(), and of the window
   DisplaySettings Display;
 };
 
@@ -60,7 +61,7 @@ struct RenderedScene
 };
 
 /**
- * Open a window on a scene: black background, no multisampling, two-sided lighting and the scene's
+ * Open a window on a scene: black background, two-sided lighting and the scene's
  * lamps alone. Throws UserError if there is no display to open it on.
  */
 RenderedScene BuildScene(const Scene& scene, const RenderSettings& settings);

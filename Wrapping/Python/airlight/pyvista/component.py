@@ -76,7 +76,7 @@ class AirlightComponent:
                reference_height: float | None = None,
                medium: vtkParticipatingMedium | None = None, shadows: bool | str = True,
                lamp: bool | None = None, white: float = 1.0,
-               anti_aliasing: bool | None = None, tone_mapping: str | None = None,
+               anti_aliasing: bool | str | None = None, tone_mapping: str | None = None,
                color_space: str = "linear", frames: int = 1,
                progressive: bool = False) -> AirlightComponent:
         """Put the active subplot into a medium.
@@ -127,9 +127,12 @@ class AirlightComponent:
             The radiance, W/(m^2 sr), or luminance, cd/m^2, that is drawn white: the exposure. With
             neutral tone mapping it is drawn nearly white, 0.87.
             Above 0. The lights of add_lamp() and add_sun() have their power divided by it.
-        anti_aliasing : bool, optional
-            Whether edges are smoothed by FXAA instead of the window's multisampling, which has no
-            effect on a medium. None: yes, unless PyVista's SSAA is on.
+        anti_aliasing : bool | str, optional
+            How edges of a single frame are smoothed. True: by FXAA, which guesses shapes.
+            ``"msaa"``: by multisampling, four samples of pixels at edges, also of shadows in the
+            air; a frame takes about twice as long. False: not at all. None: by FXAA, unless
+            PyVista's SSAA is on. ``plotter.enable_anti_aliasing("msaa")`` after this call means
+            multisampling, too. PyVista's default does not, for its time.
         tone_mapping : str, optional
             How radiances become colours: ``"neutral"`` keeps hues below 0.8, takes up to 0.04 of
             grey away, and fades brighter ones to white; ``"clamp"`` cuts those off; ``"filmic"``,

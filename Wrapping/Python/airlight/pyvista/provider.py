@@ -35,7 +35,7 @@ PROPERTIES = (
     "SurfaceShadows", "TranslucentShadows", "ScatteredSurfaceLight", "LinearInput",
     "Exposure", "AutomaticExposure", "ToneMapping", "OutputColorSpace", "Dithering",
     "Annotations", "DebugView", "LightRadius", "MemoryLimit", "RecordBuffers", "SubpixelFrames",
-    "ProgressiveRefinement",
+    "Multisampling", "ProgressiveRefinement",
 )
 
 

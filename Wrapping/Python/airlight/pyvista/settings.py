@@ -59,7 +59,7 @@ class Settings:
     shadows: Any = True
     lamp: bool | None = None
     white: float = 1.0
-    anti_aliasing: bool | None = None
+    anti_aliasing: bool | str | None = None
     tone_mapping: str | None = None
     color_space: str = "linear"
     frames: int = 1
@@ -82,9 +82,11 @@ class Settings:
             raise TypeError(f"multiple_scattering is {self.multiple_scattering!r}: give True or "
                             "False.")
         self.white = arguments.positive("white", self.white, "the radiance that is drawn white")
-        for name in ("lamp", "anti_aliasing"):
-            if getattr(self, name) not in (None, True, False):
-                raise TypeError(f"{name} is {getattr(self, name)!r}: give True, False or None.")
+        if self.lamp not in (None, True, False):
+            raise TypeError(f"lamp is {self.lamp!r}: give True, False or None.")
+        if self.anti_aliasing not in (None, True, False, "msaa"):
+            raise TypeError(f"anti_aliasing is {self.anti_aliasing!r}: give True, False, None or "
+                            "'msaa'.")
         if self.tone_mapping is not None:
             self.tone_mapping = arguments.one_of("tone_mapping", self.tone_mapping,
                                                  list(TONE_MAPPINGS))
@@ -202,6 +204,7 @@ class Settings:
         render_pass.SetShadowTechnique(SHADOWS[self.shadows])
         render_pass.SetSurfaceShadows(self.shadows != "none")
         render_pass.SetSubpixelFrames(self.frames)
+        render_pass.MultisamplingOff()
         if not self.progressive:
             render_pass.ProgressiveRefinementOff()
         render_pass.SetOutputColorSpace(COLOR_SPACES[self.color_space])

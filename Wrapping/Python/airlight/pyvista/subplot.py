@@ -95,6 +95,8 @@ class Subplot:
             lamp.expose(settings.white)
         if settings.anti_aliasing is False:
             self._edges.release(renderer)
+        elif settings.anti_aliasing == "msaa":
+            self._edges.acquire_samples(renderer)
         else:
             self._edges.acquire(renderer)
         if self._observer is None:
