@@ -7,8 +7,6 @@
 #include "Medium/AirlightMediaList.h"
 #include "Pass/AirlightSceneSupport.h"
 #include "Photometry/AirlightLightProperties.h"
-#include "Scene/AirlightLampShapes.h"
-#include "Scene/AirlightSunDiscs.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
@@ -113,15 +111,6 @@ void PassMessages::CheckLights(
           "from its position.");
     }
   }
-  if (std::any_of(sceneLights.begin(), sceneLights.end(), [](const SceneLight& sceneLight) {
-        return IsInvisiblePoint(sceneLight.Light) || IsInvisibleSun(sceneLight.Light);
-      }))
-  {
-    this->WarnOnce(InvisiblePoint,
-      "vtkAirlightLight::SetVisible() was called for a point, of which nothing is seen: call "
-      "SetRadius(), or SetSize() with a width and a height above 0, for that light, or for a "
-      "directional one SetAngularDiameter().");
-  }
   if (static_cast<int>(sceneLights.size()) > MaximumShadowingLights)
   {
     this->WarnOnce(ManyLights,
@@ -135,6 +124,19 @@ void PassMessages::CheckLights(
     this->WarnOnce(ManyScatteredLights,
       "The medium scatters " + std::to_string(scattered) + " lights; those after the first " +
         std::to_string(MaximumScatteringLights) + " light surfaces directly only.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PassMessages::CheckVisibleLights(const std::vector<SceneLight>& sceneLights, vtkCamera* camera,
+  const std::vector<vtkParticipatingMedium*>& media)
+{
+  for (const UnseenLight& light : FindUnseenLights(sceneLights, camera, media))
+  {
+    if (this->UnseenGiven.insert(light.Reason).second)
+    {
+      vtkWarningWithObjectMacro(this->Pass, << light.Text);
+    }
   }
 }
 

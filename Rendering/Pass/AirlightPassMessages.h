@@ -11,11 +11,14 @@
 #include "Frame/AirlightFramePlan.h"
 #include "Inscatter/AirlightLightShadows.h"
 #include "Scene/AirlightSceneLights.h"
+#include "Scene/AirlightUnseenLights.h"
 
 #include <bitset>
+#include <set>
 #include <string>
 #include <vector>
 
+class vtkCamera;
 class vtkObject;
 class vtkOpenGLRenderWindow;
 class vtkVolume;
@@ -40,6 +43,10 @@ public:
   // Lights that are left out, or lack a requested effect. `scattering`: a medium scatters.
   void CheckLights(
     const std::vector<SceneLight>& sceneLights, bool scattering, bool scatteredSurfaceLight);
+
+  // Lights that are set to be visible and are not; once for each reason.
+  void CheckVisibleLights(const std::vector<SceneLight>& sceneLights, vtkCamera* camera,
+    const std::vector<vtkParticipatingMedium*>& media);
 
   // Lights whose light is scattered once, where it should be more often.
   void CheckMultiple(int lightsLeftOut);
@@ -88,7 +95,6 @@ private:
     OcclusionOutside,
     OldOpenGL,
     PhotometryUnused,
-    InvisiblePoint,
     PlanesOverMemory,
     RecordsOverMemory,
     ScatteredLightInImage,
@@ -102,6 +108,7 @@ private:
 
   vtkObject* Pass;
   std::bitset<NumberOfMessages> Given;
+  std::set<UnseenReason> UnseenGiven;
   std::string FrameError;
   std::string CasterError;
 };

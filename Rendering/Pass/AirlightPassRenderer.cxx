@@ -416,6 +416,7 @@ bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& setting
     CollectSceneLights(s->GetRenderer(), scene.Converted, scene.Rays, settings.LightRadius, true);
   this->Messages.CheckLights(
     scene.Lights, HasScattering(scene.Converted), settings.Properties.ScatteredSurfaceLight);
+  this->Messages.CheckVisibleLights(scene.Lights, s->GetRenderer()->GetActiveCamera(), scene.Media);
   this->Messages.CheckMultiple(AddMultipleLamps(scene.Lights, scene.Converted));
   return true;
 }

@@ -12,6 +12,7 @@ airlight_sources(
     AirlightLightGrid
     AirlightSceneData
     AirlightSunDiscs
+    AirlightUnseenLights
     AirlightUnshadowedLights
   GLSL
     glsl/AirlightCameraShader.glsl

@@ -143,6 +143,56 @@ void TestNeighbours()
 }
 
 //------------------------------------------------------------------------------
+// A sun that is set to be visible and is not: one warning for each reason, with the remedy.
+void TestUnseen()
+{
+  SunScene scene;
+  ErrorListener warnings(scene.Pass, vtkCommand::WarningEvent);
+  const auto check = [&](const std::string& name, const std::string& remedy) {
+    scene.Render();
+    scene.Render();
+    const int count = warnings.Take();
+    const std::string text = warnings.GetText();
+    Check(count == 1 && text.find(remedy) != std::string::npos, Text(name, ": ", count, " ", text));
+    Check(text.find("light 0 (") != std::string::npos, name + ": the light");
+  };
+  scene.Medium->SetRegionToUnbounded();
+  check("unbounded", "SetRegionToBox()");
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  check("parallel", "ParallelProjectionOff()");
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
+  scene.Sun->SetLightTypeToCameraLight();
+  vtkAirlightLight::SetScatters(scene.Sun, false);
+  check("camera light", "SetLightTypeToSceneLight()");
+  SunScene seen;
+  ErrorListener others(seen.Pass, vtkCommand::WarningEvent);
+  seen.Medium->SetRegionToUnbounded();
+  seen.Medium->SetUp(0.0, 0.0, -1.0);
+  seen.Medium->SetDensityToExponentialHeight();
+  seen.Medium->SetScaleHeight(2.0);
+  seen.Render();
+  seen.Medium->SetUp(0.0, 0.0, 1.0);
+  Check(others.Take() == 0, "none where height fog ends: " + others.GetText());
+  seen.Render();
+  Check(others.Take() == 1, "but where it grows denser");
+  seen.Medium->SetRegionToBox();
+  for (std::size_t i = 1; i < 16; ++i)
+  {
+    vtkLight* light = seen.AddDirectionalLight({ 0, 0, -1 }, Irradiance);
+    vtkAirlightLight::SetAngularDiameter(light, 5.0);
+    vtkAirlightLight::SetVisible(light, true);
+  }
+  seen.Render();
+  Check(others.Take() == 0, "none of sixteen suns: " + others.GetText());
+  vtkLight* last = seen.AddDirectionalLight({ 0, 0, -1 }, Irradiance);
+  vtkAirlightLight::SetAngularDiameter(last, 5.0);
+  vtkAirlightLight::SetVisible(last, true);
+  seen.Render();
+  Check(others.Take() == 1 && others.GetText().find("light 16 (") != std::string::npos,
+    "of the seventeenth: " + others.GetText());
+}
+
+//------------------------------------------------------------------------------
 void TestErrors()
 {
   SunScene scene;
@@ -176,6 +226,7 @@ int TestSunDiscs(int, char*[])
   TestRadiance();
   TestSize();
   TestNeighbours();
+  TestUnseen();
   TestErrors();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
