@@ -312,6 +312,24 @@ class TestImported(ProgramTest):
             self.check(model, [("--spot", f"0,0,5:0,0,0:{np.degrees(outer)}", (100, 100, 100),
                                 1 / 25, str(exponent))])
 
+    def test_spots_in_one_place(self):
+        """Each has the angles of its own, also beside a lamp without any."""
+        nodes = json.loads(gltf_square())["nodes"]
+        angles = ((0.0, 0.5), (0.35, 0.4))
+        lamps = [{"type": "spot", "intensity": 100,
+                  "spot": {"innerConeAngle": inner, "outerConeAngle": outer}}
+                 for inner, outer in angles]
+        lamps.insert(1, {"type": "point", "intensity": 20})
+
+        def at(light):
+            return {**nodes[2], "extensions": {"KHR_lights_punctual": {"light": light}}}
+        model = self.write("a.gltf", gltf_square(
+            nodes=[nodes[0], at(0), at(1), at(2), nodes[4]], scenes=[{"nodes": [0, 1, 2, 3, 4]}],
+            extensions={"KHR_lights_punctual": {"lights": lamps}}))
+        spots = [("--spot", f"0,0,5:0,0,0:{np.degrees(outer)}", (100, 100, 100), 1 / 25,
+                  str(spot_exponent(inner, outer))) for inner, outer in angles]
+        self.check(model, [spots[0], ("--point", "0,0,5", (20, 20, 20), 1 / 25), spots[1]])
+
     def write_balls(self):
         """A coarse ball without normals in each format that has materials."""
         points, quads = ball(12)

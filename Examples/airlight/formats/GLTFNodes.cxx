@@ -41,13 +41,15 @@ CameraSettings PlaceByNode(vtkMatrix4x4* node, double viewAngle)
   return camera;
 }
 
+}
+
+vtkStandardNewMacro(GLTFNodes);
+
+//------------------------------------------------------------------------------
 bool IsSame(vtkMatrix4x4* a, vtkMatrix4x4* b)
 {
   return a && b && std::equal(a->GetData(), a->GetData() + 16, b->GetData());
 }
-}
-
-vtkStandardNewMacro(GLTFNodes);
 
 //------------------------------------------------------------------------------
 std::optional<CameraSettings> GLTFNodes::FindCamera() const
@@ -80,23 +82,36 @@ std::optional<CameraSettings> GLTFNodes::FindCamera() const
 }
 
 //------------------------------------------------------------------------------
-double GLTFNodes::GetInnerConeAngle(vtkLight* light) const
+// In the order in which VTK makes lights: of the nodes that are left, the last one first.
+double GLTFNodes::GetInnerConeAngle(vtkLight* light, int before) const
 {
   const auto model = this->Loader ? this->Loader->GetInternalModel() : nullptr;
-  if (!model)
+  if (!model || !Holds(model->Scenes, model->DefaultScene))
   {
     return 0.0;
   }
   using Lamp = vtkGLTFDocumentLoader::Extensions::KHRLightsPunctual::Light;
   const auto& lamps = model->ExtensionMetaData.KHRLightsPunctualMetaData.Lights;
-  for (const auto& node : model->Nodes)
+  const auto& roots = model->Scenes[model->DefaultScene].Nodes;
+  std::vector<int> nodes(roots.begin(), roots.end());
+  for (std::size_t i = 0; !nodes.empty() && i < model->Nodes.size(); ++i)
   {
-    const int number = node.ExtensionMetaData.KHRLightsPunctualMetaData.Light;
-    if (Holds(lamps, number) && lamps[number].Type == Lamp::LightType::SPOT &&
-      IsSame(node.GlobalTransform, light->GetTransformMatrix()))
+    const int number = nodes.back();
+    nodes.pop_back();
+    if (!Holds(model->Nodes, number))
     {
-      return vtkMath::DegreesFromRadians(lamps[number].SpotInnerConeAngle);
+      continue;
     }
+    const auto& node = model->Nodes[number];
+    const int lamp = node.ExtensionMetaData.KHRLightsPunctualMetaData.Light;
+    if (Holds(lamps, lamp) && IsSame(node.GlobalTransform, light->GetTransformMatrix()) &&
+      before-- == 0)
+    {
+      return lamps[lamp].Type == Lamp::LightType::SPOT
+        ? vtkMath::DegreesFromRadians(lamps[lamp].SpotInnerConeAngle)
+        : 0.0;
+    }
+    nodes.insert(nodes.end(), node.Children.begin(), node.Children.end());
   }
   return 0.0;
 }

@@ -32,10 +32,16 @@ public:
 
   /**
    * The inner angle of the cone of a spot that Read() has made, degrees, from which to the outer
-   * one its intensity falls to 0. Without one 0, the default of KHR_lights_punctual.
+   * one its intensity falls to 0. Without one 0, the default of KHR_lights_punctual. `before`: how
+   * many lights in the same place Read() has made before it.
    */
-  double GetInnerConeAngle(vtkLight* light) const;
+  double GetInnerConeAngle(vtkLight* light, int before) const;
 };
+
+/**
+ * Whether both are there and equal.
+ */
+bool IsSame(vtkMatrix4x4* a, vtkMatrix4x4* b);
 
 }
 

@@ -62,8 +62,9 @@ void Place3DS(vtkLight* light, const Vector3& center, LightSource& lamp)
     lamp.Power.data(), vtkMath::Distance2BetweenPoints(lamp.Position.data(), center.data()));
 }
 
-LightSource MakeLamp(
-  vtkLight* light, vtkImporter* importer, const std::string& extension, const Vector3& center)
+// `before`: lights in the same place that come before it.
+LightSource MakeLamp(vtkLight* light, int before, vtkImporter* importer,
+  const std::string& extension, const Vector3& center)
 {
   LightSource lamp;
   for (int i = 0; i < 3; ++i)
@@ -85,7 +86,7 @@ LightSource MakeLamp(
     auto* gltf = GLTFNodes::SafeDownCast(importer);
     if (gltf && lamp.Type == LightSource::Kind::Spot)
     {
-      lamp.Exponent = FindSpotExponent(gltf->GetInnerConeAngle(light), lamp.ConeHalfAngle);
+      lamp.Exponent = FindSpotExponent(gltf->GetInnerConeAngle(light, before), lamp.ConeHalfAngle);
     }
   }
   else if (extension == "3ds")
@@ -98,6 +99,19 @@ LightSource MakeLamp(
   }
   lamp.ConeHalfAngle = std::clamp(lamp.ConeHalfAngle, SmallestConeAngle, LargestConeAngle);
   return lamp;
+}
+
+int CountBefore(vtkLightCollection* lights, vtkLight* light)
+{
+  int count = 0;
+  vtkCollectionSimpleIterator it = nullptr;
+  lights->InitTraversal(it);
+  for (vtkLight* other = lights->GetNextLight(it); other && other != light;
+       other = lights->GetNextLight(it))
+  {
+    count += IsSame(other->GetTransformMatrix(), light->GetTransformMatrix()) ? 1 : 0;
+  }
+  return count;
 }
 
 bool IsUsable(const LightSource& lamp)
@@ -155,7 +169,8 @@ std::vector<LightSource> GetImportedLights(
   lights->InitTraversal();
   while (vtkLight* light = lights->GetNextItem())
   {
-    const LightSource lamp = MakeLamp(light, importer, extension, center);
+    const LightSource lamp =
+      MakeLamp(light, CountBefore(lights, light), importer, extension, center);
     if (light->GetSwitch() && IsUsable(lamp))
     {
       lamps.push_back(lamp);
