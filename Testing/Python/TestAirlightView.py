@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 
 from midpointrule import middles
-from programtest import pixel_rays
+from programtest import pixel_rays, read_png
 from viewtest import (
     ALBEDO, CAMERA, LAMP, LINEAR, SIZE, STEP, ViewTest, dot, drag, lit_wall, moved, press,
     shown_lamp, wall_points)

@@ -69,10 +69,13 @@ class TestExampleWindows(unittest.TestCase):
             renderer.AddLight(lamp)
             fog = airlight.vtkParticipatingMedium()
             fog.SetVisibility(20)
+            drawn = []
+            renderer.AddObserver("EndEvent", lambda *_: drawn.append(1))
             made = airlight.display.show_picture(renderer, fog, options, (0, 0, 5), (0, 1, 0), 40,
                                                  up=(1, 0, 0))
             picture = read_picture(folder + "/x.png")
         self.assertEqual(picture.shape, (200, 3))
+        self.assertEqual(len(drawn), 1, "once")
         self.assertGreater(picture.max(), 2 * picture.min())
         self.assertEqual((made.GetSubpixelFrames(), made.GetAccumulatedFrames()), (3, 3))
         camera = renderer.GetActiveCamera()

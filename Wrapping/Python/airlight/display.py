@@ -57,6 +57,12 @@ def open_window(*renderers, size=(480, 320), offscreen=False):
     size: pixels. offscreen: without a place on the screen, for a picture; else with an interactor
     whose mouse moves the camera. Without multisampling, which the medium's pass does not need.
     """
+    window = _make_window(renderers, size, offscreen)
+    window.Render()
+    return window
+
+
+def _make_window(renderers, size, offscreen):
     window = vtkRenderWindow()
     window.SetMultiSamples(0)
     window.SetSize(size)
@@ -67,7 +73,6 @@ def open_window(*renderers, size=(480, 320), offscreen=False):
         interactor = vtkRenderWindowInteractor()
         interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
         interactor.SetRenderWindow(window)
-    window.Render()
     return window
 
 
@@ -80,7 +85,7 @@ def show(window):
 
 
 def write_picture(window, path):
-    """What the window shows, as a PNG. Raises OSError where the file cannot be written."""
+    """The window's scene, drawn for it, as a PNG. Raises OSError if it cannot be written."""
     with open(path, "wb"):
         pass  # Python tells why a file cannot be written, VTK only that
     shot = vtkWindowToImageFilter()
@@ -122,6 +127,8 @@ def show_picture(renderer, medium, options, eye, target, angle, up=(0, 1, 0)):
     camera.SetViewUp(up)
     camera.SetViewAngle(angle)
     renderer.ResetCameraClippingRange()
-    window = open_window(renderer, size=options.size, offscreen=bool(options.output))
+    window = _make_window([renderer], options.size, bool(options.output))
+    if not options.output:  # or all frames of the picture would be drawn twice
+        window.Render()
     show_or_write(window, options.output)
     return medium_pass
