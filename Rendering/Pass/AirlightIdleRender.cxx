@@ -5,6 +5,8 @@
 #include "vtkCommand.h"
 #include "vtkRenderWindowInteractor.h"
 
+#include <algorithm>
+
 namespace airlight
 {
 namespace
@@ -17,6 +19,9 @@ IdleRender::IdleRender()
 {
   this->Callback->SetClientData(this);
   this->Callback->SetCallback(&IdleRender::OnTimer);
+  this->Watch->SetClientData(this);
+  this->Watch->SetCallback(&IdleRender::NoteTimer);
+  this->Watch->PassiveObserverOn(); // before all others, also those that have the focus
 }
 
 IdleRender::~IdleRender() { this->Cancel(); }
@@ -32,6 +37,7 @@ void IdleRender::Request(vtkRenderWindowInteractor* interactor)
   }
   this->Interactor = interactor;
   this->Observer = interactor->AddObserver(vtkCommand::TimerEvent, this->Callback);
+  this->Watcher = interactor->AddObserver(vtkCommand::TimerEvent, this->Watch);
   this->Timer = interactor->CreateOneShotTimer(Delay);
 }
 
@@ -41,30 +47,30 @@ void IdleRender::Cancel()
   if (this->Interactor)
   {
     this->Interactor->RemoveObserver(this->Observer);
+    this->Interactor->RemoveObserver(this->Watcher);
+    if (this->Timer)
+    {
+      this->Spent.push_back(this->Timer);
+    }
     this->DestroyTimers();
   }
   this->Interactor = nullptr;
   this->Observer = 0;
+  this->Watcher = 0;
   this->Timer = 0;
 }
 
 //------------------------------------------------------------------------------
-// Interactors of VTK's own windows destroy timers that have rung but for their entries, which must
-// not be destroyed while they ring: X11's would fail. Generic interactors let them ring on.
+// An entry that is destroyed while its timer rings breaks the loop of X11's interactor over them,
+// and interactor styles render while a button is pressed, with each timer. Nobody says when it has
+// ended: the last one that rang stays until another one has.
 void IdleRender::DestroyTimers()
 {
-  if (this->Timer)
-  {
-    this->Interactor->DestroyTimer(this->Timer);
-  }
-  if (!*this->Rendering || this->Interactor->IsA("vtkGenericRenderWindowInteractor"))
-  {
-    for (const int timer : this->Spent)
-    {
-      this->Interactor->DestroyTimer(timer);
-    }
-    this->Spent.clear();
-  }
+  const auto stay = std::partition(
+    this->Spent.begin(), this->Spent.end(), [this](int timer) { return timer == this->Ringing; });
+  std::for_each(
+    stay, this->Spent.end(), [this](int timer) { this->Interactor->DestroyTimer(timer); });
+  this->Spent.erase(stay, this->Spent.end());
 }
 
 //------------------------------------------------------------------------------
@@ -76,8 +82,17 @@ bool IdleRender::TakeRinging()
 }
 
 //------------------------------------------------------------------------------
-// Generic interactors name the last timer that anybody made. This may be deleted while the window
-// renders.
+// Generic interactors name the last timer that anybody made.
+void IdleRender::NoteTimer(vtkObject* caller, unsigned long, void* self, void* timer)
+{
+  if (timer && !caller->IsA("vtkGenericRenderWindowInteractor"))
+  {
+    static_cast<IdleRender*>(self)->Ringing = *static_cast<int*>(timer);
+  }
+}
+
+//------------------------------------------------------------------------------
+// This may be deleted while the window renders.
 void IdleRender::OnTimer(vtkObject* caller, unsigned long, void* self, void* timer)
 {
   auto* idle = static_cast<IdleRender*>(self);
@@ -88,13 +103,8 @@ void IdleRender::OnTimer(vtkObject* caller, unsigned long, void* self, void* tim
   {
     return;
   }
-  idle->Spent.push_back(idle->Timer);
-  idle->Timer = 0;
   idle->Rung = true; // until the picture, which applications may draw later
-  const std::shared_ptr<bool> rendering = idle->Rendering;
-  *rendering = true;
   idle->Cancel();
   interactor->Render();
-  *rendering = false;
 }
 }

@@ -11,7 +11,6 @@
 #include "vtkNew.h"
 #include "vtkWeakPointer.h"
 
-#include <memory>
 #include <vector>
 
 class vtkObject;
@@ -37,15 +36,18 @@ public:
 
 private:
   void DestroyTimers();
+  static void NoteTimer(vtkObject* caller, unsigned long event, void* self, void* timer);
   static void OnTimer(vtkObject* caller, unsigned long event, void* self, void* timer);
 
   vtkNew<vtkCallbackCommand> Callback;
+  vtkNew<vtkCallbackCommand> Watch;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   int Timer = 0;
-  std::vector<int> Spent; // timers that have rung
+  int Ringing = 0;        // the last timer that rang, of whomever; not of generic interactors
+  std::vector<int> Spent; // timers to be destroyed
   unsigned long Observer = 0;
+  unsigned long Watcher = 0;
   bool Rung = false;
-  std::shared_ptr<bool> Rendering = std::make_shared<bool>(false);
 };
 }
 

@@ -32,12 +32,16 @@ public:
     this->Initialized = 1;
     this->Enable();
   }
+  using vtkRenderWindowInteractor::GrabFocus;
+  using vtkRenderWindowInteractor::ReleaseFocus;
   bool HasTimer() const { return !this->Timers.empty(); }
   void Ring()
   {
     int timer = this->Timers.front();
     this->Timers.erase(this->Timers.begin()); // it rings once
+    this->Ringing = timer;
     this->InvokeEvent(vtkCommand::TimerEvent, &timer);
+    this->Ringing = 0;
   }
 
 protected:
@@ -49,6 +53,7 @@ protected:
   }
   int InternalDestroyTimer(int timer) override
   {
+    Check(timer != this->Ringing, "X11's interactor fails if a timer is destroyed while it rings");
     this->Timers.erase(
       std::remove(this->Timers.begin(), this->Timers.end(), timer), this->Timers.end());
     return 1;
@@ -56,6 +61,7 @@ protected:
 
 private:
   std::vector<int> Timers;
+  int Ringing = 0;
 };
 
 vtkStandardNewMacro(TimedInteractor);
@@ -175,6 +181,41 @@ void TestToolkit()
 }
 
 //------------------------------------------------------------------------------
+// Styles render with each timer while a button is pressed, before or after the pass has, or in its
+// place.
+void TestStyle()
+{
+  vtkNew<vtkCallbackCommand> style;
+  style->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+    vtkRenderWindow* window = static_cast<vtkRenderWindowInteractor*>(caller)->GetRenderWindow();
+    window->SetDesiredUpdateRate(15.0);
+    window->Render();
+    window->SetDesiredUpdateRate(0.0001);
+    window->Render();
+  });
+  InteractiveScene before;
+  before.Interactor->AddObserver(vtkCommand::TimerEvent, style);
+  before.Interactor->Render();
+  InteractiveScene after;
+  after.Interactor->Render();
+  after.Interactor->AddObserver(vtkCommand::TimerEvent, style);
+  InteractiveScene focus;
+  focus.Interactor->Render();
+  focus.Interactor->AddObserver(vtkCommand::TimerEvent, style);
+  focus.Interactor->GrabFocus(style);
+  for (int i = 0; i < 10; ++i)
+  {
+    before.Interactor->Ring();
+    after.Interactor->Ring();
+    focus.Interactor->Ring();
+  }
+  focus.Interactor->ReleaseFocus();
+  Check(
+    before.Interactor->HasTimer() && after.Interactor->HasTimer() && focus.Interactor->HasTimer(),
+    "a restless window goes on");
+}
+
+//------------------------------------------------------------------------------
 // Timers of a pass and of an interactor that are no more.
 void TestEnd()
 {
@@ -204,6 +245,7 @@ int TestRefiningInteractors(int, char*[])
   TestRestlessScene();
   TestTwoPasses();
   TestToolkit();
+  TestStyle();
   TestEnd();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
