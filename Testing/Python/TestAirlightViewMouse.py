@@ -148,7 +148,7 @@ class TestViewMouse(ViewTest):
         (_, full), (texts, simple) = (
             self.view(scene, events, "--frame-time", limit) for limit in ("0", "0.0001"))
         ends = [re.search(r" ms(.*)$", text)[1] for text in texts]
-        self.assertEqual(ends, ["", ", 1/4 size, no shadows", ""])
+        self.assertEqual(ends, ["", ", 1/8 size, no shadows", ""])
         self.assertEqual([text[:24] for text in texts], 3 * ["technique ShadowPlanes;v"])
         np.testing.assert_array_equal(full[1], full[2])
         np.testing.assert_array_equal(simple[2], full[2])

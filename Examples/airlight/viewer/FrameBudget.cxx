@@ -13,15 +13,17 @@ using Step = FrameBudget::Step;
 
 constexpr double Reserve = 1.25; // before a finer step is tried
 
-double GetPixels(Step step) // a share
+// A share of the time of complete frames, if pixels were all. How long shadows take is not known: as
+// long as four times the pixels.
+double GetShare(Step step)
 {
   const double size = FrameBudget::GetPixelSize(step);
-  return 1.0 / (size * size);
+  return (step < Step::NoShadows ? 1.0 : 0.25) / (size * size);
 }
 
 Step GetCoarser(Step step)
 {
-  return step == Step::NoShadows ? step : static_cast<Step>(static_cast<int>(step) + 1);
+  return step == Step::EighthSize ? step : static_cast<Step>(static_cast<int>(step) + 1);
 }
 
 Step GetFiner(Step step)
@@ -39,6 +41,8 @@ int FrameBudget::GetPixelSize(Step step)
       return 1;
     case Step::HalfSize:
       return 2;
+    case Step::EighthSize:
+      return 8;
     default:
       return 4;
   }
@@ -87,7 +91,7 @@ void FrameBudget::End(double seconds)
 Step FrameBudget::FindStep(double seconds, Step drawn) const
 {
   Step step = drawn;
-  while (step != Step::NoShadows && seconds * GetPixels(step) / GetPixels(drawn) > this->Limit)
+  while (step != Step::EighthSize && seconds * GetShare(step) / GetShare(drawn) > this->Limit)
   {
     step = GetCoarser(step);
   }
@@ -97,7 +101,6 @@ Step FrameBudget::FindStep(double seconds, Step drawn) const
 //------------------------------------------------------------------------------
 bool FrameBudget::LeavesTime(double seconds) const
 {
-  // How long shadows take is not known: as long as four times the pixels.
   return 4.0 * Reserve * seconds <= this->Limit;
 }
 

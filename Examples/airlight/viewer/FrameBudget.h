@@ -23,7 +23,8 @@ public:
     Complete,
     HalfSize,    ///< half as many pixels in width and height
     QuarterSize, ///< a quarter of them
-    NoShadows    ///< a quarter, and no shadows
+    NoShadows,   ///< a quarter, and no shadows
+    EighthSize   ///< an eighth, and no shadows
   };
 
   /**

@@ -45,7 +45,7 @@ void MovingQuality::BeginFrame()
 //------------------------------------------------------------------------------
 void MovingQuality::ReturnTechnique()
 {
-  if (this->Step == FrameBudget::Step::NoShadows)
+  if (!this->HasShadows())
   {
     this->Apply(FrameBudget::Step::QuarterSize);
   }
@@ -70,14 +70,15 @@ double MovingQuality::GetFrameTime() const
 void MovingQuality::Apply(FrameBudget::Step step)
 {
   const int size = FrameBudget::GetPixelSize(step);
+  const bool shadows = step < FrameBudget::Step::NoShadows;
   this->Size->SetPixelSize(size);
   this->Pass->SetAnnotations(size == 1);
-  if (step == FrameBudget::Step::NoShadows)
+  if (!shadows && this->HasShadows())
   {
     this->Technique = this->Pass->GetShadowTechnique();
     this->Pass->SetShadowTechniqueToNone();
   }
-  else if (this->Step == FrameBudget::Step::NoShadows)
+  else if (shadows && !this->HasShadows())
   {
     this->Pass->SetShadowTechnique(this->Technique);
   }
@@ -95,6 +96,8 @@ std::string MovingQuality::GetText() const
       return "1/4 size";
     case FrameBudget::Step::NoShadows:
       return "1/4 size, no shadows";
+    case FrameBudget::Step::EighthSize:
+      return "1/8 size, no shadows";
     default:
       return "";
   }

@@ -60,7 +60,7 @@ public:
   /**
    * Whether the frame has the shadows that were chosen.
    */
-  bool HasShadows() const { return this->Step != FrameBudget::Step::NoShadows; }
+  bool HasShadows() const { return this->Step < FrameBudget::Step::NoShadows; }
 
   /**
    * How long the last frame took that was reduced as this one, or, if this is the first, the last
@@ -81,9 +81,9 @@ private:
   FrameBudget::Step Step = FrameBudget::Step::Complete;
   vtkSmartPointer<vtkAirlightPass> Pass;
   vtkNew<ReducedSizePass> Size;
-  std::array<double, 4> Times = { 0.0, 0.0, 0.0, 0.0 }; // seconds, by step; 0 is unknown
-  double LastTime = 0.0;                                // of the last frame
-  int Technique = vtkAirlightPass::AUTOMATIC;           // to return to
+  std::array<double, 5> Times = { 0.0, 0.0, 0.0, 0.0, 0.0 }; // seconds, by step; 0 is unknown
+  double LastTime = 0.0;                                     // of the last frame
+  int Technique = vtkAirlightPass::AUTOMATIC;                // to return to
 };
 
 }

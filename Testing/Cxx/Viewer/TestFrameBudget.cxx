@@ -58,6 +58,7 @@ void CheckStart()
   CheckFrames("half", { { false, Step::Complete, 0.39 }, { true, Step::HalfSize, 0.09 } });
   CheckFrames("quarter", { { false, Step::Complete, 1.59 }, { true, Step::QuarterSize, 0.09 } });
   CheckFrames("slow", { { false, Step::Complete, 1.61 }, { true, Step::NoShadows, 0.09 } });
+  CheckFrames("slowest", { { false, Step::Complete, 6.5 }, { true, Step::EighthSize, 0.09 } });
   CheckFrames("no frame before", { { true, Step::Complete, 9.0 } });
 }
 
@@ -67,7 +68,7 @@ void CheckMotion()
     { { false, Step::Complete, 0.09 }, { true, Step::Complete, 0.11 },
       { true, Step::HalfSize, 0.3 }, // the first of its step
       { true, Step::HalfSize, 0.5 }, { true, Step::NoShadows, 0.5 },
-      { true, Step::NoShadows, 0.5 } });
+      { true, Step::NoShadows, 0.5 }, { true, Step::EighthSize, 0.5 } });
   CheckFrames("finer only with time to spare",
     { { false, Step::Complete, 1.5 }, { true, Step::QuarterSize, 0.01 },
       { true, Step::QuarterSize, 0.021 }, { true, Step::QuarterSize, 0.019 },
@@ -84,7 +85,7 @@ void CheckMotion()
 void CheckRest()
 {
   CheckFrames("complete at rest, and then from the last frame at rest",
-    { { false, Step::Complete, 9.0 }, { true, Step::NoShadows, 0.2 },
+    { { false, Step::Complete, 9.0 }, { true, Step::EighthSize, 0.2 },
       { false, Step::Complete, 9.0 }, { false, Step::Complete, 0.05 },
       { true, Step::Complete, 0.05 } });
   CheckFrames("no limit",
@@ -118,6 +119,7 @@ void CheckSizes()
   Check(FrameBudget::GetPixelSize(Step::HalfSize) == 2, "half");
   Check(FrameBudget::GetPixelSize(Step::QuarterSize) == 4, "quarter");
   Check(FrameBudget::GetPixelSize(Step::NoShadows) == 4, "no shadows");
+  Check(FrameBudget::GetPixelSize(Step::EighthSize) == 8, "eighth");
 }
 }
 
