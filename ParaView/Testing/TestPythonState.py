@@ -18,7 +18,8 @@ CHANGES = (
     ("Region", "Sphere"), ("RegionRadius", 4.0),
     ("Lamp", 1), ("LampColor", [1.0, 0.8, 0.5]), ("LampBrightness", 1.5), ("LampRadius", 0.2),
     ("LampVisible", 1), ("RadianceExposure", 1.2), ("ToneMapping", "Reinhard"),
-    ("SubpixelFrames", 2), ("OutputColorSpace", "sRGB"), ("SurfaceShadows", 0),
+    ("Multisampling", 1), ("SubpixelFrames", 2), ("OutputColorSpace", "sRGB"),
+    ("SurfaceShadows", 0),
 )
 
 
