@@ -131,9 +131,9 @@ public:
    * the background in recorded buffers. Parallel projections do not show it, nor suns after the
    * first 16. A disc smaller than a pixel is seen only where a ray meets it.
    *
-   * Points, suns without a diameter and lights fixed to the camera show nothing. The pass warns once
-   * of these, and of suns that an unbounded medium, a parallel projection or their number hides, with
-   * the reason and the remedy. Default: false.
+   * Points, suns without a diameter and lights fixed to the camera show nothing. The pass warns
+   * once of these, and of suns that an unbounded medium, a parallel projection or their number
+   * hides, with the reason and the remedy. Default: false.
    */
   static void SetVisible(vtkLight* light, bool visible);
   static bool GetVisible(vtkLight* light);

@@ -13,8 +13,8 @@ using Step = FrameBudget::Step;
 
 constexpr double Reserve = 1.25; // before a finer step is tried
 
-// A share of the time of complete frames, if pixels were all. How long shadows take is not known: as
-// long as four times the pixels.
+// A share of the time of complete frames, if pixels were all. How long shadows take is not known:
+// as long as four times the pixels.
 double GetShare(Step step)
 {
   const double size = FrameBudget::GetPixelSize(step);
