@@ -152,16 +152,16 @@ class TestViewMouse(ViewTest):
         self.assertEqual([text[:24] for text in texts], 3 * ["technique ShadowPlanes;v"])
         np.testing.assert_array_equal(full[1], full[2])
         np.testing.assert_array_equal(simple[2], full[2])
-        # The blocker is where it was; its shadow is gone, and pixels are interpolated.
+        # The blocker is where it was; its shadow is gone, and eight pixels are interpolated.
         points, _ = wall_points(pixel_rays(CAMERA, *SIZE))
         eye = np.array(CAMERA["position"])
         crossing = points + (eye - points) / eye[2]
         beside = np.abs(crossing[..., :2] - 0.5).max(axis=-1)
         error = np.abs(simple[1] - full[1]).max(axis=-1)
-        self.assertLess(error[beside < 0.2].max(), 0.03)
+        self.assertLess(error[beside < 0.2].max(), 0.08)
         self.assertGreater(error[beside > 0.4].max(), 0.1)
         error = np.abs(simple[1] - lit_wall(0.05)).max(axis=-1)[beside > 0.4].max()
-        self.assertTrue(STEP < error < 0.03, error)
+        self.assertTrue(STEP < error < 0.08, error)
 
     def test_record(self):
         """A log played and recorded again does the same; screenshots do not overwrite files."""
