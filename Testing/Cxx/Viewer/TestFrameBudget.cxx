@@ -67,8 +67,8 @@ void CheckMotion()
   CheckFrames("coarser by one, and by as much as needed",
     { { false, Step::Complete, 0.09 }, { true, Step::Complete, 0.11 },
       { true, Step::HalfSize, 0.3 }, // the first of its step
-      { true, Step::HalfSize, 0.5 }, { true, Step::NoShadows, 0.5 },
-      { true, Step::NoShadows, 0.5 }, { true, Step::EighthSize, 0.5 } });
+      { true, Step::HalfSize, 0.5 }, { true, Step::NoShadows, 0.5 }, { true, Step::NoShadows, 0.5 },
+      { true, Step::EighthSize, 0.5 } });
   CheckFrames("finer only with time to spare",
     { { false, Step::Complete, 1.5 }, { true, Step::QuarterSize, 0.01 },
       { true, Step::QuarterSize, 0.021 }, { true, Step::QuarterSize, 0.019 },
