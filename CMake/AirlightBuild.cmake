@@ -93,7 +93,8 @@ if (AIRLIGHT_WRAP_PYTHON)
     pyvista/settings.py
     pyvista/smooth_edges.py
     pyvista/state.py
-    pyvista/subplot.py)
+    pyvista/subplot.py
+    windows.py)
   configure_file(Wrapping/Python/airlight/__init__.py.in
     "${AIRLIGHT_PYTHONPATH}/airlight/__init__.py" @ONLY)
   install(

@@ -55,6 +55,20 @@ class TestExampleWindows(unittest.TestCase):
             airlight.display.write_picture(window, folder + "/x.png")
             self.assertEqual(read_picture(folder + "/x.png").shape, (200, 3))
 
+    def test_no_display(self):
+        """An error, before VTK ends the program or takes another window."""
+        done = subprocess.run(
+            [sys.executable, "-c", "import airlight.display as display\n"
+             "from vtkmodules.vtkRenderingCore import vtkRenderer\n"
+             "display.open_window(vtkRenderer())\n"], check=False, text=True, timeout=60,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            env={**os.environ, "DISPLAY": ":987", "VTK_DEFAULT_OPENGL_WINDOW":
+                 "vtkXOpenGLRenderWindow"})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no X server", done.stdout)
+        self.assertIn("DISPLAY=:987", done.stdout)
+        self.assertIn("xvfb-run", done.stdout)
+
     def test_picture(self):
         """airlight.display.show_picture() does what the options say, and makes a pass for it."""
         parser = argparse.ArgumentParser()

@@ -109,6 +109,20 @@ def test_no_egl(tmp_path):
     assert "RuntimeError: The library libEGL.so.1 is missing: install it" in done.stderr
 
 
+@pytest.mark.parametrize("plot", [False, True])
+def test_no_display(plot):
+    """Neither X server nor EGL, where VTK's first frame would crash."""
+    code = ("import airlight.display\n"
+            "from vtkmodules.vtkRenderingCore import vtkRenderer\n"
+            "airlight.display.open_window(vtkRenderer(), offscreen=True)\n")
+    if plot:
+        code = "import pyvista as pv\npv.Plotter(off_screen=True).airlight.enable()\n"
+    done = run(code, DISPLAY="", VTK_DEFAULT_OPENGL_WINDOW="vtkXOpenGLRenderWindow")
+    assert done.returncode == 1
+    assert "RuntimeError: VTK has nothing to draw with: no X server" in done.stderr
+    assert "airlight.headless_window(), or run under xvfb-run" in done.stderr
+
+
 def test_window_without_context():
     """A window that VTK's users make themselves: one error, no crash."""
     done = run("import airlight\n"

@@ -22,6 +22,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
 import vtkmodules.vtkRenderingUI  # noqa: F401 its windows
 
 import airlight
+from airlight.windows import require_screen
 
 
 def parse_size(text):
@@ -56,6 +57,7 @@ def open_window(*renderers, size=(480, 320), offscreen=False):
 
     size: pixels. offscreen: without a place on the screen, for a picture; else with an interactor
     whose mouse moves the camera. Without multisampling, which the medium's pass does not need.
+    Raises RuntimeError where VTK has nothing to draw with.
     """
     window = _make_window(renderers, size, offscreen)
     window.Render()
@@ -64,6 +66,7 @@ def open_window(*renderers, size=(480, 320), offscreen=False):
 
 def _make_window(renderers, size, offscreen):
     window = vtkRenderWindow()
+    require_screen(window)
     window.SetMultiSamples(0)
     window.SetSize(size)
     for renderer in renderers:

@@ -10,6 +10,7 @@ import weakref
 import pyvista as pv
 
 from airlight import vtkAirlightPass, vtkParticipatingMedium
+from airlight.windows import require_screen
 
 from . import arguments, buffers
 from .lamp import Lamp, make_lamp, make_sun
@@ -158,9 +159,10 @@ class AirlightComponent:
         TypeError, ValueError
             If an argument is invalid; the message says what to give. Nothing changes.
         RuntimeError
-            If the plotter is closed.
+            If the plotter is closed, or VTK has nothing to draw with.
         """
         subplot = self._active()
+        require_screen(subplot.plotter.render_window)
         given = {"visibility": visibility, "anisotropy": anisotropy, "ambient": ambient,
                  "region": region, "density": density, "scale_height": scale_height,
                  "reference_height": reference_height}
