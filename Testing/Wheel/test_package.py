@@ -94,6 +94,37 @@ def test_another_vtk():
     assert 'pip install "vtk~=9.5.0"' in errors
 
 
+@pytest.mark.parametrize("cause", [
+    "vtkAirlight.so: undefined symbol: _ZN9vtkObject3NewEv",
+    "libvtkCommonCore-9.5.so: cannot open shared object file: No such file or directory"])
+def test_another_abi(cause):
+    """A VTK of the same version, as conda's, whose libraries have other names or symbols."""
+    status, _, errors = run(
+        "import sys\n"
+        "class Loader:\n"
+        "    def find_spec(self, name, *rest):\n"
+        "        if name == 'airlight.vtkAirlight':\n"
+        f"            raise ImportError({cause!r})\n"
+        "sys.meta_path.insert(0, Loader())\n"
+        "import airlight\n")
+    assert status == 1
+    assert f"ImportError: {cause}. This Python has a VTK" in errors
+    assert 'pip install --force-reinstall "vtk~=9.5.0"' in errors
+
+
+def test_system_library():
+    status, _, errors = run(
+        "import sys\n"
+        "class Loader:\n"
+        "    def find_spec(self, name, *rest):\n"
+        "        if name == 'airlight.vtkAirlight':\n"
+        "            raise ImportError('libGL.so.1: cannot open shared object file')\n"
+        "sys.meta_path.insert(0, Loader())\n"
+        "import airlight\n")
+    assert status == 1
+    assert "apt install libxrender1 libgl1 libegl1" in errors
+
+
 def test_no_vtk():
     status, _, errors = run(
         "import importlib.util as util\n"
