@@ -95,7 +95,7 @@ public:
     const double radiantIntensity[3], const double point[3], const double normal[3], double rgb[3]);
 
   /**
-   * The radiance of a black body at a temperature [K], in linear sRGB, W/(m^2 sr): Planck's law seen
+   * The radiance of a black body at a temperature [K] in linear sRGB, W/(m^2 sr): Planck's law seen
    * by the CIE 1931 observer (the fits of Wyman, Sloan and Shirley, JCGT 2013, good to some per
    * cent), so that the luminance is 683 (0.2126 r + 0.7152 g + 0.0722 b) cd/m^2. Colours outside of
    * sRGB, as those below 1900 K, lose their negative part. Times the absorption it is
@@ -112,7 +112,7 @@ public:
     vtkParticipatingMedium* medium, const double a[3], const double b[3], double rgb[3]);
 
   /**
-   * The ambient light that the medium scatters into the ray on [0, t1], and what it emits: (albedo *
+   * The ambient light that the medium scatters into the ray on [0, t1] and what it emits: (albedo *
    * L_ambient + emission / extinction) * (1 - transmittance). t1 may be infinite. Without the
    * ambient light if the medium has multiple scattering, which takes its place.
    */

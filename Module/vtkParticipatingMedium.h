@@ -244,7 +244,7 @@ public:
    * vtkAirlight::BlackbodyRadiance() (Kirchhoff's law). It lights surfaces and other media through
    * vtkEmissionLights, or in vtkAirlightReference with SetScatteringOrders(0). In an unbounded
    * medium without image a channel needs extinction to emit: its rays would be infinitely bright;
-   * otherwise an error says so and the channel emits nothing. Range: 0 to 1e100. Default: (0, 0, 0).
+   * otherwise an error says so and the channel is dark. Range: 0 to 1e100. Default: (0, 0, 0).
    */
   void SetEmission(double r, double g, double b);
   void SetEmission(const double rgb[3]);

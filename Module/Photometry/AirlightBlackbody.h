@@ -12,8 +12,8 @@
 namespace airlight
 {
 // Planck's law at this temperature, K, seen by the CIE 1931 observer, in linear sRGB, W/(m^2 sr):
-// the luminance of (r, g, b) is 683 (0.2126 r + 0.7152 g + 0.0722 b) cd/m^2. Colours outside of sRGB
-// lose what is negative.
+// the luminance of (r, g, b) is 683 (0.2126 r + 0.7152 g + 0.0722 b) cd/m^2. Colours outside of
+// sRGB lose what is negative.
 glm::dvec3 GetBlackbodyRadiance(double temperature);
 }
 

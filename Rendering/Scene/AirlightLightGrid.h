@@ -29,8 +29,8 @@ struct LightGrid
   bool IsFinest;
 
   // Of the light, for media and light relative to the world's origin. `everywhere`: also where the
-  // image is empty, for the ways of light that begin in other media. A coarser one where a finer one
-  // would take longer than this, in seconds.
+  // image is empty, for the ways of light that begin in other media. A coarser one where a finer
+  // one would take longer than this, in seconds.
   static LightGrid Build(const f64::AirlightMedium& medium, const f64::AirlightLight& light,
     bool everywhere, double seconds);
 };

@@ -1,7 +1,7 @@
-// Ambient radiance that media scatter into a ray, and what they emit: exact for one medium and for uniform ones,
-// otherwise by Gauss-Legendre quadrature on panels that follow the integrand. Each panel is as long
-// as its nodes serve the channel that changes fastest among those that still have light. Checked
-// against adaptive quadrature: 1e-6 in single precision, 1e-9 in double.
+// Ambient radiance that media scatter into a ray, and what they emit: exact for one medium and for
+// uniform ones, otherwise by Gauss-Legendre quadrature on panels that follow the integrand. Each
+// panel is as long as its nodes serve the channel that changes fastest among those that still have
+// light. Checked against adaptive quadrature: 1e-6 in single precision, 1e-9 in double.
 
 // A channel is dark, and a density negligible, after so many e-foldings. A medium into which a ray
 // falls is followed in steps of so many scale heights: its depth is an exponential of an

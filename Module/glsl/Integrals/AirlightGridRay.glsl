@@ -85,8 +85,9 @@ real3 airlightStepIntegrand(AirlightMedia media, AirlightLight light, AirlightRa
     }
   }
   scattered *= airlightTransmittanceOf(before + airlightLightDepth(media, light, point));
-  return sun ? scattered
-             : scattered * airlightFalloff(light, point, r) * airlightPhotometricShare(light, point);
+  return sun
+    ? scattered
+    : scattered * airlightFalloff(light, point, r) * airlightPhotometricShare(light, point);
 }
 
 // The integral over a step; `before` is the depth before it.
