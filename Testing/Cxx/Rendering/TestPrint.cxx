@@ -82,9 +82,10 @@ void TestMedium()
   medium->SetUp(0.0, 2.0, 0.0);
   CheckPrint(medium,
     { "Scattering: (0.25, 0.5, 0.75)\n", "Absorption: (0.125, 1.25, 1.5)\n",
-      "AmbientRadiance: (2, 3, 4)\n", "Emission: (5, 6, 7)\n", "Bounds: (-1, 2, -3, 4, -5, 6)\n", "Center: (7, 8, 9)\n",
-      "Radius: 10.5\n", "Height: 13.5\n", "Axis: (0, 0, 1)\n", "ScaleHeight: 11.5\n",
-      "ReferenceHeight: 12.5\n", "Up: (0, 1, 0)\n", "PhaseErrorBound: (not fitted yet)\n" });
+      "AmbientRadiance: (2, 3, 4)\n", "Emission: (5, 6, 7)\n", "Bounds: (-1, 2, -3, 4, -5, 6)\n",
+      "Center: (7, 8, 9)\n", "Radius: 10.5\n", "Height: 13.5\n", "Axis: (0, 0, 1)\n",
+      "ScaleHeight: 11.5\n", "ReferenceHeight: 12.5\n", "Up: (0, 1, 0)\n",
+      "PhaseErrorBound: (not fitted yet)\n" });
   CheckNames(medium, "PhaseFunction",
     { "Isotropic", "HenyeyGreenstein", "Rayleigh", "Schlick", "CornetteShanks", "MieHazy",
       "MieMurky", "Tabulated" },
