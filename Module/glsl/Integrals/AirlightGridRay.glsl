@@ -124,34 +124,21 @@ real3 airlightStepIntegral(AirlightMedia media, AirlightLight light, AirlightRay
   return width * sum;
 }
 
-// The integral over a part of a piece between images, cut as AirlightPieces.glsl cuts it, but not
-// halved where it is rough: the details of a cloud's shadow have no end.
-real3 airlightBetweenImages(AirlightMedia media, AirlightLight light, AirlightRay ray,
-  AirlightWay way, AirlightPiece piece)
+// Where a part between images that begins at part.from is cut, as AirlightPieces.glsl cuts pieces, up
+// to `end`. It is not halved where it is rough: the details of a cloud's shadow have no end.
+real airlightOpenPartEnd(
+  AirlightMedia media, AirlightLight light, AirlightRay ray, AirlightPiece piece, real end)
 {
+  piece.to = end;
   real3 lengths = airlightChannelLengths(media, piece, ray.origin, ray.direction);
-  real end = min(piece.to, piece.from + max(lengths.x, max(lengths.y, lengths.z)));
-  AirlightSteps none;
-  AirlightStep part;
-  part.inside = piece.inside;
-  part.inImages = 0;
-  part.to = piece.from;
-  real3 sum = real3(0.0);
-  while (part.to < end)
-  {
-    part.from = part.to;
-    part.to = airlightNextKink(media, way, part.from, end);
-    part.to = airlightNextLayerEnd(media, ray.origin, ray.direction, real2(piece.from, end),
-      airlightToSun(light), part.from, part.to);
-    part.to = airlightNextChannelEnd(piece, lengths, part.from, part.to);
-    airlightReadCells(media, none, ray.origin, ray.direction, part);
-    sum += airlightStepIntegral(media, light, ray, part,
-      airlightDepthInPiece(media, piece, ray.origin, ray.direction, part.from));
-  }
-  return sum;
+  real t = airlightNextLayerEnd(media, ray.origin, ray.direction, real2(piece.from, end),
+    airlightToSun(light), piece.from, end);
+  return airlightNextChannelEnd(piece, lengths, piece.from, t);
 }
 
-// The integral over a piece; piece.depth becomes what is before its end.
+// The integral over a piece; piece.depth becomes what is before its end. In each round one part: of
+// a step that is in a filled cell or, from `open` to there, of the air before it. There is one place
+// that integrates: software renderers go through all branches.
 real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ray, AirlightWay way,
   inout AirlightPiece piece)
 {
@@ -159,23 +146,28 @@ real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ra
   real3 clear = airlightClearChannels(media);
   real3 sum = real3(0.0);
   real kink = piece.from;
-  for (int i = 0; i < steps.most && steps.t < piece.to && !airlightIsDark(piece.depth, clear);
-       i++)
+  real open = piece.from;
+  airlightWalkToFilled(media, steps, piece);
+  int others = piece.inside & ~AIRLIGHT_GRID_MEDIA;
+  open = others == 0 ? steps.t : open;
+  for (int i = 0; i < steps.most && open < piece.to && !airlightIsDark(piece.depth, clear); i++)
   {
-    AirlightPiece between = airlightWalkToFilled(media, steps, piece, ray.origin, ray.direction);
-#if AIRLIGHT_MEDIUM_COUNT > 1
-    if (between.inside != 0)
+    AirlightStep part = airlightStepAt(steps, piece);
+    bool isOpen = open < steps.t;
+    if (open >= kink)
     {
-      sum += airlightBetweenImages(media, light, ray, way, between);
-      piece.depth =
-        airlightDepthInPiece(media, between, ray.origin, ray.direction, between.to);
+      kink = airlightNextKink(media, way, open, piece.to);
+    }
+#if AIRLIGHT_MEDIUM_COUNT > 1
+    if (isOpen)
+    {
+      part.from = open;
+      part.inImages = 0;
+      part.inside = others;
+      part.to = airlightOpenPartEnd(media, light, ray,
+        AirlightPiece(open, steps.t, others, piece.depth), steps.t);
     }
 #endif
-    AirlightStep part = airlightStepAt(steps, piece);
-    if (steps.t >= kink)
-    {
-      kink = airlightNextKink(media, way, steps.t, piece.to);
-    }
     part.to = min(part.to, kink);
     if (part.to > part.from)
     {
@@ -183,7 +175,13 @@ real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ra
       sum += airlightStepIntegral(media, light, ray, part, piece.depth);
       piece.depth += airlightStepDepth(media, part, ray.origin, ray.direction, part.to);
     }
-    airlightLeaveStep(steps, part);
+    open = part.to;
+    if (!isOpen)
+    {
+      airlightLeaveStep(steps, part);
+      airlightWalkToFilled(media, steps, piece);
+      open = others == 0 ? steps.t : open;
+    }
   }
   return sum;
 }
@@ -250,11 +248,14 @@ real3 airlightAmbientInImages(
   AirlightSteps steps = airlightSteps(media, piece, origin, direction);
   real3 clear = airlightClearChannels(media);
   real3 sum = real3(0.0);
+  int others = piece.inside & ~AIRLIGHT_GRID_MEDIA;
   for (int i = 0; i < steps.most && steps.t < piece.to && !airlightIsDark(piece.depth, clear);
        i++)
   {
-    AirlightPiece between = airlightWalkToFilled(media, steps, piece, origin, direction);
-    if (between.inside != 0)
+    AirlightPiece between = AirlightPiece(steps.t, steps.t, others, piece.depth);
+    airlightWalkToFilled(media, steps, piece);
+    between.to = steps.t;
+    if (others != 0 && between.to > between.from)
     {
       sum += airlightAmbientInPiece(media, between, origin, direction);
       piece.depth = airlightDepthInPiece(media, between, origin, direction, between.to);

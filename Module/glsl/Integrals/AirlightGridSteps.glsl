@@ -44,7 +44,7 @@ AirlightSteps airlightSteps(
   steps.most = 0;
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    steps.most += AIRLIGHT_MOST_KINKS;
+    steps.most += 2 * AIRLIGHT_MOST_KINKS;
     if (AIRLIGHT_IS_GRID(i))
     {
       real to = airlightPieceHolds(piece, i) ? piece.to : piece.from;
@@ -104,13 +104,10 @@ bool airlightIsFilled(AirlightMedia media, AirlightSteps steps, AirlightStep par
   return most > 0.0;
 }
 
-// Walks on to where an image has something, or the piece ends. Returns what is left behind: the
-// other media are there. Clouds are mostly empty, and the air between them needs no cells.
-AirlightPiece airlightWalkToFilled(AirlightMedia media, inout AirlightSteps steps,
-  AirlightPiece piece, real3 origin, real3 direction)
+// Walks on to where an image has something, or the piece ends. Clouds are mostly empty, and the air
+// between them needs no cells.
+void airlightWalkToFilled(AirlightMedia media, inout AirlightSteps steps, AirlightPiece piece)
 {
-  AirlightPiece empty = piece;
-  empty.from = steps.t;
   for (int i = 0; i < steps.most && steps.t < piece.to; i++)
   {
     AirlightStep part = airlightStepAt(steps, piece);
@@ -120,9 +117,6 @@ AirlightPiece airlightWalkToFilled(AirlightMedia media, inout AirlightSteps step
     }
     airlightLeaveStep(steps, part);
   }
-  empty.to = steps.t;
-  empty.inside = empty.to > empty.from ? piece.inside & ~AIRLIGHT_GRID_MEDIA : 0;
-  return empty;
 }
 
 // Reads the cells of a step.

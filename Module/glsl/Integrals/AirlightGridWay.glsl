@@ -3,7 +3,7 @@
 // (AirlightLightGrid.h), times the length.
 
 // So many cells of a light's grid may be crossed by the ways from a part of a ray.
-#define AIRLIGHT_PART_CELLS 1.5
+#define AIRLIGHT_PART_CELLS 4.0
 
 // The part of a way to the light that is in an image: where it begins, in cells of the light's
 // grid, and how long it is.
