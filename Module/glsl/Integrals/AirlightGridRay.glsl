@@ -124,8 +124,8 @@ real3 airlightStepIntegral(AirlightMedia media, AirlightLight light, AirlightRay
   return width * sum;
 }
 
-// Where a part between images that begins at part.from is cut, as AirlightPieces.glsl cuts pieces, up
-// to `end`. It is not halved where it is rough: the details of a cloud's shadow have no end.
+// Where a part between images that begins at piece.from is cut, as AirlightPieces.glsl cuts pieces,
+// up to `end`. It is not halved where it is rough: the details of a cloud's shadow have no end.
 real airlightOpenPartEnd(
   AirlightMedia media, AirlightLight light, AirlightRay ray, AirlightPiece piece, real end)
 {
@@ -136,9 +136,9 @@ real airlightOpenPartEnd(
   return airlightNextChannelEnd(piece, lengths, piece.from, t);
 }
 
-// The integral over a piece; piece.depth becomes what is before its end. In each round one part: of
-// a step that is in a filled cell or, from `open` to there, of the air before it. There is one place
-// that integrates: software renderers go through all branches.
+// The integral over a piece; piece.depth becomes what is before its end. Each round adds a part: a
+// step in filled cells or, from `open` on, some of the air before it. One place integrates both:
+// software renderers go through all branches.
 real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ray, AirlightWay way,
   inout AirlightPiece piece)
 {
