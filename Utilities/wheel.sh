@@ -96,7 +96,8 @@ build_wheel()
   # The wheel is made of the sdist, always in the same folder: the compiler's cache knows it. The tests
   # are added, which are no part of it.
   mkdir -p "$work/sources"
-  tar -xzf "$work"/made/*.tar.gz -C "$work/sources" --strip-components=1
+  # As of now: the archive dates all files alike, and what was compiled before would stay.
+  tar -xzmf "$work"/made/*.tar.gz -C "$work/sources" --strip-components=1
   cp -r "$root/Testing" "$work/sources/"
   build_with --wheel -C build-dir="$work/objects" \
     -C cmake.define.AIRLIGHT_PRECOMPILED_HEADER=ON \
