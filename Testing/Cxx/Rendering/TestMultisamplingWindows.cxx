@@ -4,6 +4,7 @@
 // vtkAirlightPass::SetMultisampling() in layers, in stereo and with a sun's disc: edges come closer
 // to the mean over each pixel; and the three further frames are drawn at edges alone.
 
+#include "AirlightTestDimScene.h"
 #include "AirlightTestEdges.h"
 #include "AirlightTestMeans.h"
 #include "AirlightTestTools.h"
@@ -20,22 +21,12 @@ using namespace airlight_test;
 
 namespace
 {
-constexpr int Columns = 96;
-constexpr int Rows = 72;
+constexpr int Columns = DimScene::Columns;
+constexpr int Rows = DimScene::Rows;
 
-// Nothing of it is cut off at white, so that means of pictures are pictures of means.
-class DimScene : public WindowScene
+class SmoothScene : public DimScene
 {
 public:
-  DimScene()
-    : WindowScene(Columns, Rows)
-  {
-    auto* lamp = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
-    lamp->SetPosition(3.0, 4.5, 7.0);
-    lamp->SetIntensity(4.0);
-    this->Pass->DitheringOff();
-  }
-
   void SetSmooth(bool smooth)
   {
     this->Window->SetMultiSamples(smooth ? 4 : 0);
@@ -43,7 +34,7 @@ public:
   }
 };
 
-void CheckEdges(const std::string& name, DimScene& scene, double goal)
+void CheckEdges(const std::string& name, SmoothScene& scene, double goal)
 {
   const Picture one = Capture(scene.Window);
   const Means expected = AverageByHand(scene.Window, scene.Renderer);
@@ -62,7 +53,7 @@ void CheckEdges(const std::string& name, DimScene& scene, double goal)
 //------------------------------------------------------------------------------
 void TestLayers()
 {
-  DimScene scene;
+  SmoothScene scene;
   vtkNew<vtkRenderer> other;
   other->SetBackground(0.1, 0.2, 0.3);
   scene.Window->SetNumberOfLayers(2);
@@ -80,7 +71,7 @@ void TestStereo()
 {
   for (const int type : { VTK_STEREO_LEFT, VTK_STEREO_ANAGLYPH, VTK_STEREO_INTERLACED })
   {
-    DimScene scene;
+    SmoothScene scene;
     scene.Window->SetStereoType(type);
     scene.Window->StereoRenderOn();
     CheckEdges(Text("stereo ", type), scene, 0.55);
@@ -91,7 +82,7 @@ void TestStereo()
 // Its border is an edge.
 void TestSunDisc()
 {
-  DimScene scene;
+  SmoothScene scene;
   scene.Renderer->GetLights()->RemoveAllItems();
   vtkLight* sun = scene.AddDirectionalLight({ 0.0, 0.1, -1.0 }, glm::dvec3(0.02));
   vtkAirlightLight::SetAngularDiameter(sun, 10.0);
@@ -101,7 +92,7 @@ void TestSunDisc()
 
 //------------------------------------------------------------------------------
 // The fragments that a picture draws.
-GLuint CountFragments(DimScene& scene)
+GLuint CountFragments(SmoothScene& scene)
 {
   scene.Window->Render(); // shaders and textures
   GLuint query = 0;
@@ -118,7 +109,7 @@ GLuint CountFragments(DimScene& scene)
 // With a delegate the three frames are whole.
 void TestEdgesAlone()
 {
-  DimScene scene;
+  SmoothScene scene;
   scene.SetSmooth(true);
   const double edges = CountFragments(scene);
   scene.Pass->MultisamplingOff();

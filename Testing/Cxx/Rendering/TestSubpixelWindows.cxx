@@ -5,6 +5,7 @@
 // and sRGB, in stereo and with a delegate: the mean is that of single frames by hand, and pictures
 // that are refined end as those of all frames at once.
 
+#include "AirlightTestDimScene.h"
 #include "AirlightTestMeans.h"
 #include "AirlightTestTools.h"
 #include "AirlightTestWindowScene.h"
@@ -22,23 +23,9 @@ using namespace airlight_test;
 
 namespace
 {
-constexpr int Columns = 96;
-constexpr int Rows = 72;
+constexpr int Columns = DimScene::Columns;
+constexpr int Rows = DimScene::Rows;
 constexpr int Count = 16;
-
-// Nothing of it is cut off at white, so that means of pictures are pictures of means.
-class DimScene : public WindowScene
-{
-public:
-  DimScene()
-    : WindowScene(Columns, Rows)
-  {
-    auto* lamp = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
-    lamp->SetPosition(3.0, 4.5, 7.0);
-    lamp->SetIntensity(4.0);
-    this->Pass->DitheringOff();
-  }
-};
 
 using Taker = std::function<Picture()>;
 
