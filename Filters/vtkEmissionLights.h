@@ -82,6 +82,10 @@ public:
    * Adds the lights to a renderer; those that a later Update() needs besides are added by it, too.
    */
   void AddLights(vtkRenderer* renderer);
+
+  /**
+   * Takes the lights from a renderer; its other lights stay.
+   */
   void RemoveLights(vtkRenderer* renderer);
 
 protected:
