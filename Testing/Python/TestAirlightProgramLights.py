@@ -249,7 +249,8 @@ class TestExtent(SceneTest):
         sun = {"type": "directional", "direction": [0, -1, -1], "irradiance": [5, 5, 5]}
         by_point = ("--point", "0.2,0.1,1:5")
         by_spot = ("--spot", "0.2,0.1,1:0.2,0.1,0:40:5:2")
-        more = ("--antialiasing", "8")
+        # No sun is seen through endless fog, of which a warning tells.
+        more = ("--antialiasing", "8", "--box", "-99,99,-99,99,-1,9")
         for light, *options in (
                 (dict(point, radius=0.5), *by_point, "--lamp-radius", "0.5"),
                 (dict(point, size=[1, 0.5]), *by_point, "--lamp-size", "1,0.5"),
