@@ -219,6 +219,7 @@ void vtkAirlightReference::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "LampPoints: " << this->LampPoints << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
+  os << indent << "TranslucentShadows: " << this->TranslucentShadows << "\n";
   os << indent << "ScatteringOrders: " << this->ScatteringOrders << "\n";
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
   os << indent << "TargetError: " << this->TargetError << "\n";
@@ -298,6 +299,7 @@ int vtkAirlightReference::RequestData(
   settings.LampPoints = this->LampPoints;
   settings.MultipleScattering = this->ScatteringOrders == 1;
   settings.SurfaceShadows = this->SurfaceShadows;
+  settings.TranslucentShadows = this->TranslucentShadows;
   std::vector<vtkParticipatingMedium*> media = this->Impl->Media.GetAll();
   if (media.empty())
   {

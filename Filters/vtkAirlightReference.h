@@ -138,6 +138,19 @@ public:
 
   ///@{
   /**
+   * Whether translucent casters dim light by their opacity, as with
+   * vtkAirlightPass::SetTranslucentShadows(): the property's, times the alpha of scalars and of a
+   * texture at each point, or that of vtkAirlightPass::SetShadowOpacity(). In the air, light that
+   * varying alpha lets through is constant in each of 256 parts of a triangle's shadow on a ray.
+   * Default: true.
+   */
+  vtkSetMacro(TranslucentShadows, bool);
+  vtkGetMacro(TranslucentShadows, bool);
+  vtkBooleanMacro(TranslucentShadows, bool);
+  ///@}
+
+  ///@{
+  /**
    * How many times light may be scattered by the media or reflected by surfaces on its way from a
    * lamp to the eye. 1 is single scattering and VTK's shading, as the pass draws it, without noise.
    * n > 1: at most n times. 0: any number of times. Range: at least 0. Default: 1.
@@ -244,6 +257,7 @@ private:
   double LightRadius = 0.0;
   int LampPoints = 256;
   bool SurfaceShadows = true;
+  bool TranslucentShadows = true;
   int ScatteringOrders = 1;
   int SamplesPerPixel = 64;
   double TargetError = 0.0;

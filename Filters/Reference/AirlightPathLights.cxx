@@ -114,7 +114,11 @@ glm::dvec3 PathLights::GetArriving(const ReferenceLight& light, const glm::dvec3
   }
   const double falloff = f64::airlightFalloff(values, position, GetDistance(values, position)) *
     f64::airlightPhotometricShare(values, position);
-  return values.intensity * falloff *
+  const glm::dvec3 casters = shadows && light.CastsShadows
+    ? this->Tracer.GetScene().GetTransmittance(
+        position + this->Tracer.GetEye(), light.World, margin)
+    : glm::dvec3(1.0);
+  return values.intensity * falloff * casters *
     glm::exp(-f64::airlightDepthToLight(this->Tracer.GetMedia(), values, position));
 }
 

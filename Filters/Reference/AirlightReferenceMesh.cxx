@@ -135,4 +135,20 @@ std::vector<glm::dvec4> ReferenceMesh::GetColours(vtkMapper* mapper) const
   }
   return result;
 }
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec2> ReferenceMesh::GetTextureCoordinates() const
+{
+  vtkDataArray* coordinates = this->Data->GetPointData()->GetTCoords();
+  std::vector<glm::dvec2> result;
+  if (coordinates && coordinates->GetNumberOfComponents() >= 2)
+  {
+    for (const Corner& corner : this->Corners)
+    {
+      result.emplace_back(
+        coordinates->GetComponent(corner.Point, 0), coordinates->GetComponent(corner.Point, 1));
+    }
+  }
+  return result;
+}
 }

@@ -54,6 +54,9 @@ public:
   // RGBA of the mapper's scalars at the corners; none without.
   std::vector<glm::dvec4> GetColours(vtkMapper* mapper) const;
 
+  // Texture coordinates at the corners; none without.
+  std::vector<glm::dvec2> GetTextureCoordinates() const;
+
 private:
   void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell);
 

@@ -3,6 +3,8 @@
 #include "Reference/AirlightReferenceScene.h"
 
 #include "Reference/AirlightReferenceMesh.h"
+#include "Reference/AirlightReferenceSurface.h"
+#include "Scene/AirlightCasterKeys.h"
 #include "Scene/AirlightClassTraits.h"
 #include "Scene/AirlightSceneProps.h"
 #include "Scene/AirlightVTKVersions.h"
@@ -21,6 +23,10 @@
 #include "vtkRenderer.h"
 
 #include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace airlight
 {
@@ -41,6 +47,19 @@ std::vector<glm::dvec4> GetClippingPlanes(vtkMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+static void AddTexture(vtkActor* actor, const ReferenceMesh& mesh, ReferencePart& part)
+{
+  auto texture = std::make_shared<TextureColours>(GetColourTexture(actor));
+  part.TextureCoordinates = mesh.GetTextureCoordinates();
+  if (!texture->IsEmpty() && !part.TextureCoordinates.empty())
+  {
+    part.Texture = texture;
+  }
+}
+
+static bool HasHoles(const ReferencePart& part) { return part.Texture && part.Texture->HasAlpha(); }
+
+//------------------------------------------------------------------------------
 ReferenceMaterial::ReferenceMaterial(vtkProperty* property)
   : Ambient(property->GetAmbient() * glm::make_vec3(property->GetAmbientColor()))
   , Diffuse(property->GetDiffuse() * glm::make_vec3(property->GetDiffuseColor()))
@@ -51,7 +70,8 @@ ReferenceMaterial::ReferenceMaterial(vtkProperty* property)
 }
 
 //------------------------------------------------------------------------------
-ReferenceScene::ReferenceScene(vtkRenderer* renderer)
+ReferenceScene::ReferenceScene(vtkRenderer* renderer, bool translucentShadows)
+  : TranslucentShadows(translucentShadows)
 {
   const SceneProps props(renderer);
   for (const SceneProp& prop : props.GetProps())
@@ -65,6 +85,7 @@ ReferenceScene::ReferenceScene(vtkRenderer* renderer)
   this->Opaque.Build();
   this->Casting.Build();
   this->Translucent.Build();
+  this->Dimming.Build();
 }
 
 //------------------------------------------------------------------------------
@@ -88,6 +109,11 @@ bool ReferenceScene::IsHidden(const OccluderTriangle& triangle, const glm::dvec3
     return true;
   }
   const glm::dvec4 point(origin + t * direction, 1.0);
+  if (HasHoles(part) &&
+    !(ReferenceSurface(part, triangle, glm::dvec3(point), direction).Material.Opacity > 0.0))
+  {
+    return true; // VTK's shaders discard it
+  }
   for (const glm::dvec4& plane : part.ClippingPlanes)
   {
     if (glm::dot(plane, point) < 0.0)
@@ -125,7 +151,7 @@ void ReferenceScene::AddProp(const SceneProp& prop)
   }
   for (const ScenePart& part : prop.Parts)
   {
-    this->AddActor(part.Actor, part.ToWorld, part.Casts);
+    this->AddActor(part, prop.Prop);
   }
   for (vtkProp* part : prop.OtherParts)
   {
@@ -155,7 +181,7 @@ bool ReferenceScene::CanDraw(vtkActor* actor)
       this->Unsupported.insert(name);
     }
   };
-  note(actor->GetTexture() || property->GetNumberOfTextures() > 0, "textures");
+  note(property->GetNumberOfTextures() > 0, "textures of the property");
   note(property->GetInterpolation() == VTK_PBR, "physically based shading");
   note(property->GetEdgeVisibility(), "edges of polygons");
   note(BlocksMapper::SafeDownCast(mapper), "visibility and colours of single blocks");
@@ -163,31 +189,30 @@ bool ReferenceScene::CanDraw(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-void ReferenceScene::AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool casts)
+void ReferenceScene::AddActor(const ScenePart& part, vtkProp* owner)
 {
-  vtkMapper* mapper = actor->GetMapper();
-  if (!mapper || mapper->GetNumberOfInputConnections(0) == 0 || !this->CanDraw(actor))
+  vtkMapper* mapper = part.Actor->GetMapper();
+  if (!mapper || mapper->GetNumberOfInputConnections(0) == 0 || !this->CanDraw(part.Actor))
   {
     return;
   }
   mapper->Update();
-  this->AddDataObject(mapper->GetInputDataObject(0, 0), actor, matrix, casts);
+  this->AddDataObject(mapper->GetInputDataObject(0, 0), part, owner);
 }
 
 //------------------------------------------------------------------------------
-void ReferenceScene::AddDataObject(
-  vtkDataObject* data, vtkActor* actor, vtkMatrix4x4* matrix, bool casts)
+void ReferenceScene::AddDataObject(vtkDataObject* data, const ScenePart& part, vtkProp* owner)
 {
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
-    this->AddData(mesh, actor, matrix, casts);
+    this->AddData(mesh, part, owner);
   }
   else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
     auto it = vtk::TakeSmartPointer(composite->NewIterator());
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
     {
-      this->AddDataObject(it->GetCurrentDataObject(), actor, matrix, casts);
+      this->AddDataObject(it->GetCurrentDataObject(), part, owner);
     }
   }
   else if (auto* grid = vtkDataSet::SafeDownCast(data))
@@ -196,22 +221,23 @@ void ReferenceScene::AddDataObject(
     vtkNew<vtkGeometryFilter> surface;
     surface->SetInputData(grid);
     surface->Update();
-    this->AddData(surface->GetOutput(), actor, matrix, casts);
+    this->AddData(surface->GetOutput(), part, owner);
   }
 }
 
 //------------------------------------------------------------------------------
-void ReferenceScene::AddData(vtkPolyData* data, vtkActor* actor, vtkMatrix4x4* matrix, bool casts)
+void ReferenceScene::AddData(vtkPolyData* data, const ScenePart& scenePart, vtkProp* owner)
 {
   if (data->GetNumberOfVerts() + data->GetNumberOfLines() > 0)
   {
     this->Unsupported.insert("points and lines");
   }
-  const ReferenceMesh mesh(data, matrix);
+  const ReferenceMesh mesh(data, scenePart.ToWorld);
   if (mesh.GetCorners().empty())
   {
     return;
   }
+  vtkActor* actor = scenePart.Actor;
   vtkProperty* property = actor->GetProperty();
   vtkProperty* back = actor->GetBackfaceProperty();
   vtkMapper* mapper = actor->GetMapper();
@@ -232,18 +258,69 @@ void ReferenceScene::AddData(vtkPolyData* data, vtkActor* actor, vtkMatrix4x4* m
   {
     this->Unsupported.insert("scalars interpolated before mapping");
   }
-  const int number = static_cast<int>(this->Parts.size());
+  AddTexture(actor, mesh, part);
+  if (actor->GetTexture() && !part.Texture)
+  {
+    this->Unsupported.insert("textures without an image or without coordinates");
+  }
+  part.IsDrawnOpaque = actor->HasOpaqueGeometry() != 0;
+  std::string error;
+  part.HasShadowOpacity = ReadShadowOpacity(owner, part.ShadowOpacity, error);
   this->Parts.push_back(std::move(part));
-  if (!actor->HasOpaqueGeometry())
+  this->AddTriangles(mesh.GetTriangles(), scenePart.Casts);
+}
+
+//------------------------------------------------------------------------------
+// Of the last part.
+void ReferenceScene::AddTriangles(vtkPolyData* triangles, bool casts)
+{
+  const int number = static_cast<int>(this->Parts.size()) - 1;
+  const ReferencePart& part = this->Parts.back();
+  (part.IsDrawnOpaque ? this->Opaque : this->Translucent).Add(triangles, nullptr, number);
+  const bool blocks = part.IsDrawnOpaque && !part.HasShadowOpacity && !HasHoles(part);
+  this->AllCast = this->AllCast && (!part.IsDrawnOpaque || (casts && blocks));
+  const bool cutOut = part.IsDrawnOpaque && !part.HasShadowOpacity;
+  if (casts && (cutOut || this->TranslucentShadows))
   {
-    this->Translucent.Add(mesh.GetTriangles(), nullptr, number);
-    return;
+    (blocks ? this->Casting : this->Dimming).Add(triangles, nullptr, number);
   }
-  this->Opaque.Add(mesh.GetTriangles(), nullptr, number);
-  this->AllCast = this->AllCast && casts;
-  if (casts)
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 ReferenceScene::GetTransmittance(
+  const OccluderTriangle& triangle, const glm::dvec3& point) const
+{
+  const ReferencePart& part = this->GetPart(triangle);
+  if (part.HasShadowOpacity)
   {
-    this->Casting.Add(mesh.GetTriangles(), nullptr, number);
+    return 1.0 - part.ShadowOpacity;
   }
+  const glm::dvec3 front = -glm::cross(triangle.B - triangle.A, triangle.C - triangle.A);
+  const double opacity = ReferenceSurface(part, triangle, point, front).Material.Opacity;
+  return glm::dvec3(
+    part.IsDrawnOpaque ? (opacity < 0.5 ? 1.0 : 0.0) : 1.0 - std::clamp(opacity, 0.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 ReferenceScene::GetTransmittance(
+  const glm::dvec3& point, const HomogeneousPoint& light, double margin) const
+{
+  glm::dvec3 result(1.0);
+  if (this->Dimming.GetTriangles().empty())
+  {
+    return result;
+  }
+  const glm::dvec3 way = glm::dvec3(light) - light.w * point;
+  const double length = glm::length(way);
+  const glm::dvec3 direction = way / length;
+  const double end =
+    light.w != 0.0 ? length / std::abs(light.w) - margin : std::numeric_limits<double>::infinity();
+  Occluders::Hit hit{ margin, -1 };
+  while (this->Dimming.FirstHit(point, direction, hit.T, end, hit))
+  {
+    result *=
+      this->GetTransmittance(this->Dimming.GetTriangles()[hit.Triangle], point + hit.T * direction);
+  }
+  return result;
 }
 }

@@ -9,22 +9,25 @@
 #define AirlightReferenceScene_h
 
 #include "Occlusion/AirlightOccluders.h"
+#include "Scene/AirlightTextureColours.h"
 
 #include <glm/glm.hpp>
 
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 class vtkActor;
 class vtkDataObject;
-class vtkMatrix4x4;
 class vtkPolyData;
+class vtkProp;
 class vtkProperty;
 class vtkRenderer;
 
 namespace airlight
 {
+struct ScenePart;
 struct SceneProp;
 
 // A property as VTK's Phong shading takes it, colours times their coefficients.
@@ -54,6 +57,12 @@ struct ReferencePart
   std::vector<glm::dvec4> ClippingPlanes; // of the world; what is below 0 is not drawn
   std::vector<glm::dvec3> Normals;        // three for each triangle, or none
   std::vector<glm::dvec4> Colours;        // three for each triangle, or none: RGBA of scalars
+  // By which colours are multiplied, with coordinates for three corners a triangle; else null.
+  std::shared_ptr<const TextureColours> Texture;
+  std::vector<glm::dvec2> TextureCoordinates;
+  bool IsDrawnOpaque = true;
+  bool HasShadowOpacity = false; // by a key
+  glm::dvec3 ShadowOpacity{ 1.0 };
 };
 
 struct ReferenceHit
@@ -65,8 +74,8 @@ struct ReferenceHit
 class ReferenceScene
 {
 public:
-  // Brings the props' pipelines up to date.
-  explicit ReferenceScene(vtkRenderer* renderer);
+  // Brings the props' pipelines up to date. Translucent casters cast on request.
+  ReferenceScene(vtkRenderer* renderer, bool translucentShadows);
 
   const ReferencePart& GetPart(const OccluderTriangle& triangle) const
   {
@@ -75,8 +84,18 @@ public:
 
   const Occluders& GetOpaque() const { return this->Opaque; }
   const Occluders& GetTranslucent() const { return this->Translucent; }
-  // The opaque triangles that cast shadows.
+  // The opaque triangles that cast shadows, and those that let a part of the light through.
   const Occluders& GetCasters() const { return this->AllCast ? this->Opaque : this->Casting; }
+  const Occluders& GetTranslucentCasters() const { return this->Dimming; }
+
+  // The share of light that one of the latter lets through at a point of it. Where alpha varies, it
+  // is looked up there; what is drawn as opaque is cut at an opacity of 1/2, as by the pass.
+  glm::dvec3 GetTransmittance(const OccluderTriangle& triangle, const glm::dvec3& point) const;
+
+  // The share of light that translucent casters let through to a point from a light, which they
+  // are farther from than `margin`.
+  glm::dvec3 GetTransmittance(
+    const glm::dvec3& point, const HomogeneousPoint& light, double margin) const;
 
   // What there is that is left out or drawn otherwise than VTK does; empty if nothing.
   std::string GetUnsupported() const;
@@ -91,16 +110,19 @@ public:
 
 private:
   void AddProp(const SceneProp& prop);
-  void AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool casts);
+  void AddActor(const ScenePart& part, vtkProp* owner);
   bool CanDraw(vtkActor* actor);
-  void AddDataObject(vtkDataObject* data, vtkActor* actor, vtkMatrix4x4* matrix, bool casts);
-  void AddData(vtkPolyData* data, vtkActor* actor, vtkMatrix4x4* matrix, bool casts);
+  void AddDataObject(vtkDataObject* data, const ScenePart& part, vtkProp* owner);
+  void AddData(vtkPolyData* data, const ScenePart& part, vtkProp* owner);
+  void AddTriangles(vtkPolyData* triangles, bool casts);
 
   std::vector<ReferencePart> Parts;
   Occluders Opaque;
   Occluders Casting;
   Occluders Translucent;
+  Occluders Dimming;
   bool AllCast = true;
+  bool TranslucentShadows;
   std::set<std::string> Unsupported;
 };
 }

@@ -49,6 +49,16 @@ ReferenceSurface::ReferenceSurface(const ReferencePart& part, const OccluderTria
     this->Material.Diffuse = part.DiffuseFactor * glm::dvec3(colour);
     this->Material.Opacity *= colour.a;
   }
+  if (part.Texture)
+  {
+    const glm::dvec2* c = &part.TextureCoordinates[3 * triangle.Cell];
+    const glm::dvec4 texel =
+      part.Texture->Get(weights.x * c[0] + weights.y * c[1] + weights.z * c[2]);
+    this->Material.Ambient *= glm::dvec3(texel);
+    this->Material.Diffuse *= glm::dvec3(texel);
+    this->Material.Specular *= glm::dvec3(texel);
+    this->Material.Opacity *= texel.a;
+  }
   this->Normal = GetNormal(part, triangle, weights, direction);
 }
 }

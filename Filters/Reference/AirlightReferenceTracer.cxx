@@ -3,6 +3,7 @@
 #include "Reference/AirlightReferenceTracer.h"
 
 #include "Integration/AirlightIntegrate.h"
+#include "Reference/AirlightReferenceLitParts.h"
 #include "Reference/AirlightReferenceSurface.h"
 #include "vtkMath.h"
 #include "vtkRenderer.h"
@@ -40,7 +41,7 @@ struct ReferenceTracer::PixelRay
   glm::dvec3 Direction;
   double Nearest;
   double Farthest;
-  std::vector<std::vector<Occluders::Interval>> Lit; // for each light, up to the end of the ray
+  std::vector<std::vector<ReferenceLitPart>> Lit; // for each light, up to the end of the ray
 };
 
 //------------------------------------------------------------------------------
@@ -50,7 +51,7 @@ ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
   , Rays(renderer->GetActiveCamera(), static_cast<double>(settings.Width) / settings.Height,
       settings.Width, settings.Height)
   , Media(ConvertMedia(media, this->Rays.GetEye()))
-  , Scene(renderer)
+  , Scene(renderer, settings.TranslucentShadows)
   , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius, settings.LampPoints)
 {
   this->Media.multiple.on = settings.MultipleScattering ? this->Media.multiple.on : 0;
@@ -85,32 +86,30 @@ bool ReferenceTracer::FindSurface(const Occluders& surfaces, const PixelRay& ray
 //------------------------------------------------------------------------------
 void ReferenceTracer::FindLitParts(PixelRay& ray, double end) const
 {
-  const Occluders& casters = this->Scene.GetCasters();
-  std::vector<Occluders::Shadow> shadows;
   for (const ReferenceLight& light : this->Lights.GetAll())
   {
-    shadows.clear();
-    double gap = 0.0;
-    if (light.CastsShadows)
-    {
-      casters.FindShadows(light.World, ray.World, ray.Direction, 0.0, end, shadows);
-      gap = casters.GetGap(light.World, ray.World);
-    }
-    ray.Lit.emplace_back();
-    Occluders::LitIntervals(shadows, 0.0, end, ray.Lit.back(), gap);
+    ray.Lit.push_back(light.CastsShadows
+        ? FindReferenceLitParts(this->Scene, light.World, ray.World, ray.Direction, end)
+        : std::vector<ReferenceLitPart>{ { 0.0, end } });
   }
 }
 
 //------------------------------------------------------------------------------
-bool ReferenceTracer::IsLit(const PixelRay& ray, size_t light, double t) const
+// The share of a light that casters let through to the surface that ends the ray at t.
+glm::dvec3 ReferenceTracer::GetPassing(const PixelRay& ray, size_t light, double t) const
 {
   if (!this->Settings.SurfaceShadows || !this->Lights.GetAll()[light].CastsShadows)
   {
-    return true;
+    return glm::dvec3(1.0);
   }
-  return std::any_of(ray.Lit[light].begin(), ray.Lit[light].end(), [t](const auto& part) {
-    return part.From < t * (1.0 - RelativeMargin) && part.To >= t * (1.0 - RelativeMargin);
-  });
+  for (const ReferenceLitPart& part : ray.Lit[light])
+  {
+    if (part.From < t * (1.0 - RelativeMargin) && part.To >= t * (1.0 - RelativeMargin))
+    {
+      return part.Passes;
+    }
+  }
+  return glm::dvec3(0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -130,7 +129,7 @@ glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* lit
     glm::dvec3 own(0.0);
     const f64::AirlightRay part =
       f64::airlightRay(this->Media, light.Values, ray.Origin, ray.Direction, end);
-    for (const Occluders::Interval& lit : ray.Lit[k])
+    for (const ReferenceLitPart& lit : ray.Lit[k])
     {
       const double from = std::max(lit.From, part.lit.x);
       const double to = std::min(lit.To, part.lit.y);
@@ -140,7 +139,7 @@ glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* lit
       }
       if (light.Values.intensity != glm::dvec3(0.0))
       {
-        own += IntegrateAirlight(this->Media, light.Values, part, from, to);
+        own += lit.Passes * IntegrateAirlight(this->Media, light.Values, part, from, to);
       }
       if (litLength)
       {
@@ -175,8 +174,7 @@ glm::dvec4 ReferenceTracer::Shade(const PixelRay& ray, const SurfaceHit& hit) co
       share = glm::exp(-(f64::airlightIsDirectional(light.Values)
           ? f64::airlightSunDepths(this->Media, point, position)
           : f64::airlightDepthBetween(this->Media, point, position)));
-      share *=
-        this->IsLit(ray, k, hit.T) ? f64::airlightPhotometricShare(light.Values, point) : 0.0;
+      share *= this->GetPassing(ray, k, hit.T) * f64::airlightPhotometricShare(light.Values, point);
     }
     arriving.push_back(share);
   }

@@ -39,6 +39,7 @@ struct ReferenceSettings
   double LightRadius = 0.0;
   int LampPoints = 256;
   bool SurfaceShadows = true;
+  bool TranslucentShadows = true;
   bool MultipleScattering = true; // of media that have it
 };
 
@@ -121,7 +122,7 @@ private:
   bool FindSurface(const Occluders& surfaces, const PixelRay& ray, double after, double before,
     SurfaceHit& hit) const;
   void FindLitParts(PixelRay& ray, double end) const;
-  bool IsLit(const PixelRay& ray, size_t light, double t) const;
+  glm::dvec3 GetPassing(const PixelRay& ray, size_t light, double t) const;
   glm::dvec3 Scatter(const PixelRay& ray, double end, double* litLength) const;
   glm::dvec4 Shade(const PixelRay& ray, const SurfaceHit& hit) const;
   glm::dvec3 Pass(const PixelRay& ray, double end) const;

@@ -11,6 +11,7 @@ airlight_sources(
     AirlightPathVertex
     AirlightReferenceLamp
     AirlightReferenceLights
+    AirlightReferenceLitParts
     AirlightReferenceMesh
     AirlightReferencePicture
     AirlightReferenceScene

@@ -6,6 +6,7 @@ airlight_sources(
     AirlightCasterKeys
     AirlightClassTraits
     AirlightSceneProps
+    AirlightTextureColours
   HEADERS
     AirlightGeometryTimes.h
     AirlightVTKVersions.h)

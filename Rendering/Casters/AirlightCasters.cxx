@@ -81,19 +81,32 @@ const std::vector<Caster>& CasterCache::Collect(const SceneProps& props, bool tr
   {
     surface.second.Used = false;
   }
+  this->Pieces.BeginWalk();
   for (const SceneProp& prop : props.GetProps())
   {
     this->AddProp(prop);
   }
+  this->Pieces.EndWalk();
   EraseUnused(this->Meshes);
   EraseUnused(this->Surfaces);
   return this->Casters;
 }
 
 //------------------------------------------------------------------------------
+std::shared_ptr<const std::vector<PlanarFace>> CasterCache::Entry::GetFaces()
+{
+  if (!this->Faces)
+  {
+    this->Faces = std::make_shared<std::vector<PlanarFace>>(FindPlanarFaces(*this->Mesh));
+  }
+  return this->Faces->empty() ? nullptr : this->Faces;
+}
+
+//------------------------------------------------------------------------------
 void CasterCache::Clear()
 {
   this->Meshes.clear();
+  this->Pieces.Clear();
   this->Surfaces.clear();
   this->Casters.clear();
   this->NonPolygonal.clear();
@@ -135,8 +148,7 @@ void CasterCache::AddOther(const ScenePart& part, vtkProp* owner)
 }
 
 //------------------------------------------------------------------------------
-// Where the opacity is not the property's, that of the surface's places is not known here, and the
-// actor casts nothing.
+// Where the opacity is not the property's and AddMesh() does not find it, the actor casts nothing.
 CasterCache::Appearance CasterCache::GetAppearance(vtkActor* actor, vtkProp* owner)
 {
   vtkMapper* mapper = actor->GetMapper();
@@ -184,24 +196,26 @@ void CasterCache::AddActor(const ScenePart& part, vtkProp* owner)
   appearance.ShowsAll = owner == actor && ShowsAll(input);
   if (auto* data = vtkPolyData::SafeDownCast(input))
   {
-    this->AddData(data, matrix, appearance);
+    this->AddMesh(actor, data, matrix, appearance);
   }
   else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
     for (const CasterBlock& block : GetBlocks(composite, mapper))
     {
-      Appearance own = appearance;
-      if (block.Opacity >= 0.0)
+      if (block.Opacity < 0.0)
       {
-        own.HidesFaces = appearance.Culled || block.Opacity < 1.0;
-        own.Opacity = appearance.FromKey ? appearance.Opacity : glm::dvec3(block.Opacity);
+        this->AddMesh(actor, block.Data, matrix, appearance);
+        continue;
       }
+      Appearance own = appearance;
+      own.HidesFaces = appearance.Culled || block.Opacity < 1.0;
+      own.Opacity = appearance.FromKey ? appearance.Opacity : glm::dvec3(block.Opacity);
       this->AddData(block.Data, matrix, own);
     }
   }
   else if (auto* grid = vtkDataSet::SafeDownCast(input))
   {
-    this->AddData(this->GetSurface(grid), matrix, appearance);
+    this->AddMesh(actor, this->GetSurface(grid), matrix, appearance);
   }
 }
 
@@ -233,6 +247,26 @@ vtkPolyData* CasterCache::GetSurface(vtkDataSet* grid)
 }
 
 //------------------------------------------------------------------------------
+// In pieces where textures or scalars make the opacity vary. A key is the opacity of all.
+void CasterCache::AddMesh(
+  vtkActor* actor, vtkPolyData* data, vtkMatrix4x4* matrix, const Appearance& appearance)
+{
+  const std::vector<OpacityPiece>* pieces = nullptr;
+  if (appearance.FromKey || !this->Pieces.Find(actor, data, pieces))
+  {
+    this->AddData(data, matrix, appearance);
+    return;
+  }
+  Appearance own = appearance;
+  own.HidesFaces = true;
+  for (const OpacityPiece& piece : *pieces)
+  {
+    own.Opacity = glm::dvec3(piece.Opacity);
+    this->AddData(piece.Data, matrix, own);
+  }
+}
+
+//------------------------------------------------------------------------------
 void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Appearance& appearance)
 {
   Caster caster;
@@ -258,15 +292,16 @@ void CasterCache::AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Appeara
     entry.Data = data;
     entry.Times = times;
     entry.Mesh = std::make_shared<CasterMesh>(data);
-    entry.Faces = std::make_shared<std::vector<PlanarFace>>(FindPlanarFaces(*entry.Mesh));
+    entry.Faces = nullptr;
   }
   entry.Used = true;
   if (!entry.Mesh->Triangles.empty())
   {
     caster.Mesh = entry.Mesh;
-    const bool hides =
-      appearance.ShowsAll && !appearance.HidesFaces && !translucent && !entry.Faces->empty();
-    caster.Faces = hides ? entry.Faces : nullptr;
+    if (appearance.ShowsAll && !appearance.HidesFaces && !translucent)
+    {
+      caster.Faces = entry.GetFaces();
+    }
     this->Casters.push_back(caster);
   }
 }

@@ -9,6 +9,7 @@
 
 #include "Casters/AirlightCasterOpticalThickness.h"
 #include "Casters/AirlightNonPolygonalCaster.h"
+#include "Casters/AirlightOpacityPieces.h"
 #include "Casters/AirlightPlanarFaces.h"
 #include "Scene/AirlightGeometryTimes.h"
 #include "Silhouette/AirlightCasterMesh.h"
@@ -102,8 +103,11 @@ private:
     vtkWeakPointer<vtkPolyData> Data;
     GeometryTimes Times{};
     std::shared_ptr<const CasterMesh> Mesh;
-    std::shared_ptr<const std::vector<PlanarFace>> Faces;
+    std::shared_ptr<const std::vector<PlanarFace>> Faces; // null until asked for
     bool Used = false;
+
+    // Null if there are none.
+    std::shared_ptr<const std::vector<PlanarFace>> GetFaces();
   };
 
   // The surface of a grid, extracted as vtkDataSetMapper does.
@@ -129,11 +133,14 @@ private:
   void AddActor(const ScenePart& part, vtkProp* owner);
   Appearance GetAppearance(vtkActor* actor, vtkProp* owner);
   void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, const Appearance& appearance);
+  void AddMesh(
+    vtkActor* actor, vtkPolyData* data, vtkMatrix4x4* matrix, const Appearance& appearance);
   void AddData(vtkPolyData* data, vtkMatrix4x4* matrix, const Appearance& appearance);
 
   vtkPolyData* GetSurface(vtkDataSet* grid);
 
   std::map<vtkPolyData*, Entry> Meshes;
+  OpacityPieces Pieces;
   std::map<vtkDataSet*, Surface> Surfaces;
   std::vector<Caster> Casters;
   std::vector<NonPolygonalCaster> NonPolygonal;

@@ -8,4 +8,6 @@ airlight_sources(
     AirlightPlanarFaces
     AirlightGlyphs
     AirlightNonPolygonalCaster
+    AirlightOpacityMesh
+    AirlightOpacityPieces
     AirlightCasterOpticalThickness)

@@ -280,8 +280,10 @@ int TestAirlightReference(int, char*[])
   glass->GetProperty()->SetOpacity(0.4);
   glass->GetProperty()->SetColor(0.2, 0.9, 0.5);
   scene.Renderer->AddActor(glass);
-  scene.Pass->TranslucentShadowsOff(); // the reference knows of none
   CompareScene("two media and a pane", scene, reference);
+  scene.Pass->TranslucentShadowsOff();
+  reference->TranslucentShadowsOff();
+  CompareScene("two media and a pane without a shadow", scene, reference);
 
   scene.Renderer->RemoveAllLights();
   vtkNew<vtkLight> headlight;

@@ -123,7 +123,6 @@ void TestUpdates()
   pane->SetPoint2(-20, 20, 0.5);
   vtkActor* glass = scene.Add(pane);
   glass->GetProperty()->SetOpacity(0.4);
-  scene.Pass->TranslucentShadowsOff(); // the reference knows of none
   scene.Compare("with a pane", median, p99);
   CheckErrors("pane in a cloud, Radiance", scene.GetBuffer("Radiance"),
     scene.Reference->GetOutput()->GetPointData()->GetArray("Radiance"), median, p99);
