@@ -12,6 +12,7 @@
 #include "vtkProperty.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,21 @@ bool AreColours(vtkTexture* texture, vtkDataArray* scalars)
     (mode == VTK_COLOR_MODE_DEFAULT && scalars->GetDataType() == VTK_UNSIGNED_CHAR);
 }
 
+vtkSmartPointer<vtkDataArray> MapColours(vtkTexture* texture, vtkDataArray* scalars)
+{
+  const vtkIdType count = scalars->GetNumberOfTuples();
+  const unsigned char* rgba = texture->MapScalarsToColors(scalars);
+  auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  colours->SetNumberOfComponents(4);
+  colours->SetNumberOfTuples(count);
+  colours->FillValue(255);
+  if (rgba)
+  {
+    std::copy(rgba, rgba + 4 * count, colours->GetPointer(0));
+  }
+  return colours;
+}
+
 // What a component's value of 1 is.
 double GetUnit(vtkDataArray* scalars)
 {
@@ -101,45 +117,28 @@ TextureColours::TextureColours(vtkTexture* texture)
   {
     this->Transform = ToGlm(transform->GetMatrix());
   }
-  this->Read(texture, scalars);
+  this->Colours = scalars;
+  if (!AreColours(texture, scalars))
+  {
+    this->Colours = MapColours(texture, scalars);
+  }
+  this->Unit = GetUnit(this->Colours);
 }
 
 //------------------------------------------------------------------------------
-void TextureColours::Read(vtkTexture* texture, vtkDataArray* scalars)
-{
-  const size_t count = static_cast<size_t>(this->Size.x) * this->Size.y;
-  this->Texels.resize(count, glm::vec4(1.0f));
-  if (!AreColours(texture, scalars))
-  {
-    const unsigned char* rgba = texture->MapScalarsToColors(scalars);
-    for (size_t i = 0; rgba && i < count; ++i)
-    {
-      this->Texels[i] =
-        glm::vec4(rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2], rgba[4 * i + 3]) / 255.0f;
-    }
-    return;
-  }
-  // Luminance, with alpha, RGB, with alpha.
-  const int components = std::min(scalars->GetNumberOfComponents(), 4);
-  const double unit = GetUnit(scalars);
-  for (size_t i = 0; i < count; ++i)
-  {
-    glm::vec4& texel = this->Texels[i];
-    for (int c = 0; c < components; ++c)
-    {
-      const int channel = components == 2 && c == 1 ? 3 : c;
-      texel[channel] =
-        static_cast<float>(scalars->GetComponent(static_cast<vtkIdType>(i), c) / unit);
-    }
-    texel = components < 3 ? glm::vec4(glm::vec3(texel.x), texel.w) : texel;
-  }
-}
+bool TextureColours::IsEmpty() const { return !this->Colours; }
 
 //------------------------------------------------------------------------------
 bool TextureColours::HasAlpha() const
 {
-  return std::any_of(this->Texels.begin(), this->Texels.end(),
-    [](const glm::vec4& texel) { return texel.w < 1.0f; });
+  const int components = this->Colours ? this->Colours->GetNumberOfComponents() : 0;
+  if (components != 2 && components < 4)
+  {
+    return false;
+  }
+  double range[2];
+  this->Colours->GetRange(range, components == 2 ? 1 : 3);
+  return range[0] < this->Unit;
 }
 
 //------------------------------------------------------------------------------
@@ -147,8 +146,19 @@ glm::dvec4 TextureColours::GetTexel(const glm::ivec2& texel) const
 {
   const int x = WrapTexel(texel.x, this->Size.x, this->Wrap);
   const int y = WrapTexel(texel.y, this->Size.y, this->Wrap);
-  return x < 0 || y < 0 ? this->Border
-                        : glm::dvec4(this->Texels[static_cast<size_t>(y) * this->Size.x + x]);
+  if (x < 0 || y < 0)
+  {
+    return this->Border;
+  }
+  const vtkIdType number = static_cast<vtkIdType>(y) * this->Size.x + x;
+  const int components = std::min(this->Colours->GetNumberOfComponents(), 4);
+  glm::dvec4 colour(this->Unit);
+  for (int c = 0; c < components; ++c)
+  {
+    colour[components == 2 && c == 1 ? 3 : c] = this->Colours->GetComponent(number, c);
+  }
+  colour = components < 3 ? glm::dvec4(glm::dvec3(colour.x), colour.w) : colour;
+  return colour / this->Unit;
 }
 
 //------------------------------------------------------------------------------

@@ -11,9 +11,9 @@
 
 #include "vtkAirlightModule.h" // for export macro
 
-#include <glm/glm.hpp>
+#include "vtkSmartPointer.h"
 
-#include <vector>
+#include <glm/glm.hpp>
 
 class vtkActor;
 class vtkDataArray;
@@ -32,7 +32,7 @@ public:
   // no scalars.
   explicit TextureColours(vtkTexture* texture);
 
-  bool IsEmpty() const { return this->Texels.empty(); }
+  bool IsEmpty() const;
 
   // Whether any texel is less than opaque.
   bool HasAlpha() const;
@@ -45,10 +45,10 @@ public:
   glm::dvec4 Get(const glm::dvec2& coordinates) const;
 
 private:
-  void Read(vtkTexture* texture, vtkDataArray* scalars);
   glm::dvec4 GetTexel(const glm::ivec2& texel) const;
 
-  std::vector<glm::vec4> Texels;
+  vtkSmartPointer<vtkDataArray> Colours; // luminance, with alpha, RGB, or with alpha
+  double Unit = 1.0;                     // what a component of 1 is in it
   glm::ivec2 Size{ 0 };
   glm::dmat4 Transform{ 1.0 };
   glm::dvec4 Border{ 0.0 };

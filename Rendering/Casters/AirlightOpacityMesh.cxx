@@ -197,7 +197,8 @@ OpacityCorner OpacityMesh::Interpolate(
     alpha += weights[i] * corners[i].Alpha;
   }
   const double texel = this->Coordinates ? this->Texture.Get(coordinates).w : 1.0;
-  const double opacity = glm::clamp(this->Opacity * alpha * texel, 0.0, 1.0);
+  const double product = this->Opacity * alpha * texel;
+  const double opacity = product > 0.0 ? std::min(product, 1.0) : 0.0; // not a number: a hole
   result.Opacity = std::round(opacity * Steps) / Steps;
   return result;
 }
