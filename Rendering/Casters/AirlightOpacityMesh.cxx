@@ -64,6 +64,16 @@ vtkSmartPointer<vtkDataArray> FindAlphas(vtkMapper* mapper, vtkAbstractArray* sc
 }
 
 //------------------------------------------------------------------------------
+vtkAbstractArray* FindMappedScalars(vtkMapper* mapper, vtkPolyData* data, int& kind)
+{
+  kind = 0;
+  return mapper->GetScalarVisibility()
+    ? vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
+        mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), kind)
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
 OpacityMesh::OpacityMesh(vtkActor* actor, vtkPolyData* data)
   : Opacity(1.0)
   , Texture(GetColourTexture(actor))
@@ -101,11 +111,8 @@ OpacityMesh::OpacityMesh(vtkActor* actor, vtkPolyData* data)
 //------------------------------------------------------------------------------
 void OpacityMesh::FindScalars(vtkMapper* mapper, vtkPolyData* data)
 {
-  int kind = 0; // 0: for points, 1: for cells
-  vtkAbstractArray* scalars = mapper->GetScalarVisibility()
-    ? vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
-        mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), kind)
-    : nullptr;
+  int kind = 0;
+  vtkAbstractArray* scalars = FindMappedScalars(mapper, data, kind);
   const vtkIdType count = kind == 1 ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   if (!scalars || kind > 1 || scalars->GetNumberOfTuples() != count)
   {

@@ -18,6 +18,7 @@
 #include <array>
 #include <functional>
 
+class vtkAbstractArray;
 class vtkActor;
 class vtkDataArray;
 class vtkIdList;
@@ -32,6 +33,10 @@ struct OpacityCorner
 };
 
 using OpacityTriangle = std::array<OpacityCorner, 3>;
+
+// The scalars that a mapper maps to colours, and what they are for: 0: points, 1: cells, 2: others;
+// null if there are none.
+vtkAbstractArray* FindMappedScalars(vtkMapper* mapper, vtkPolyData* data, int& kind);
 
 class OpacityMesh
 {

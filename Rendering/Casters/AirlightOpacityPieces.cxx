@@ -153,6 +153,14 @@ std::vector<OpacityPiece> CutToPieces(const OpacityMesh& mesh, bool opaque)
   return cutter.GetPieces();
 }
 
+// Of most actors it cannot; these need no record.
+bool MayVary(vtkActor* actor, vtkPolyData* data)
+{
+  int kind = 0;
+  return GetColourTexture(actor) ||
+    (!actor->HasOpaqueGeometry() && FindMappedScalars(actor->GetMapper(), data, kind));
+}
+
 vtkMTimeType GetTime(vtkObject* object) { return object ? object->GetMTime() : 0; }
 }
 
@@ -175,6 +183,10 @@ OpacityPieces::Stamp OpacityPieces::GetStamp(vtkActor* actor, vtkPolyData* data)
 bool OpacityPieces::Find(
   vtkActor* actor, vtkPolyData* data, const std::vector<OpacityPiece>*& pieces)
 {
+  if (!MayVary(actor, data))
+  {
+    return false;
+  }
   Entry& entry = this->Entries[{ actor, data }];
   entry.Used = true;
   const Stamp times = GetStamp(actor, data);
