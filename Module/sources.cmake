@@ -46,4 +46,5 @@ airlight_sources(
     glsl/Medium/AirlightPhase.glsl
     glsl/Medium/AirlightPieces.glsl
     glsl/Medium/AirlightRegion.glsl
+    glsl/Medium/AirlightSky.glsl
     glsl/Medium/AirlightSourceFunction.glsl)

@@ -4,15 +4,19 @@
 
 #include "Integration/AirlightIntegrate.h"
 #include "Medium/AirlightConvert.h"
+#include "Medium/AirlightConvertSky.h"
+#include "Medium/AirlightEnvironment.h"
 #include "Photometry/AirlightBlackbody.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkParticipatingMedium.h"
+#include "vtkTexture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 using namespace airlight;
 
@@ -236,11 +240,35 @@ bool vtkAirlight::Ambient(vtkParticipatingMedium* medium, const double origin[3]
   if (converted.multiple.on != 0)
   {
     // MultipleScattering() is the same light, but for emission.
-    converted.item[0].ambient = glm::dvec3(0.0);
+    RemoveAmbient(converted.item[0]);
   }
   const glm::dvec3 ambient =
     IntegrateAmbient(converted, glm::dvec3(0.0), unit, std::min(std::max(t1, 0.0), AIRLIGHT_FAR));
   Store(converted, ambient, rgb);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAirlight::EnvironmentHarmonics(
+  vtkTexture* texture, const double up[3], const double right[3], double coefficients[27])
+{
+  std::fill_n(coefficients, 27, 0.0);
+  if (!texture)
+  {
+    vtkGenericWarningMacro("vtkAirlight: the environment's texture is null; give it a vtkTexture.");
+    return false;
+  }
+  Environment environment;
+  std::string error;
+  if (!environment.Update(texture, Vector(up), Vector(right), error))
+  {
+    vtkErrorWithObjectMacro(texture, << "vtkAirlight: " << error << ".");
+    return false;
+  }
+  for (int i = 0; i < 27; ++i)
+  {
+    coefficients[i] = environment.GetHarmonics()[i / 3][i % 3];
+  }
   return true;
 }
 

@@ -35,6 +35,7 @@
 
 class vtkLight;
 class vtkParticipatingMedium;
+class vtkTexture;
 
 class VTKAIRLIGHT_EXPORT vtkAirlight : public vtkObject
 {
@@ -113,11 +114,23 @@ public:
 
   /**
    * The ambient light that the medium scatters into the ray on [0, t1] and what it emits: (albedo *
-   * L_ambient + emission / extinction) * (1 - transmittance). t1 may be infinite. Without the
-   * ambient light if the medium has multiple scattering, which takes its place.
+   * L_ambient + emission / extinction) * (1 - transmittance), with L_ambient that of the ray's
+   * direction if the medium has a sky. t1 may be infinite. Without the ambient light if the medium
+   * has multiple scattering, which takes its place.
    */
   static bool Ambient(vtkParticipatingMedium* medium, const double origin[3],
     const double direction[3], double t1, double rgb[3]);
+
+  /**
+   * The coefficients for vtkParticipatingMedium::SetSkyHarmonics() of an equirectangular texture as
+   * VTK orients it, with the renderer's EnvironmentUp and EnvironmentRight. Each texel has its
+   * radiance on its part of the sphere: floating point numbers as they are, integers as parts of
+   * their largest value, bytes decoded from sRGB if the texture's UseSRGBColorSpace is on; texels
+   * below 0 or not finite are dark. False, zeros and an error of the texture without an image, for
+   * a cube map, and for vectors that are 0, parallel or not finite.
+   */
+  static bool EnvironmentHarmonics(
+    vtkTexture* texture, const double up[3], const double right[3], double coefficients[27]);
 
   ///@{
   /**

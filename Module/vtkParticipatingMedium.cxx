@@ -4,6 +4,7 @@
 
 #include "Density/AirlightDensityGrid.h"
 #include "Medium/AirlightDerivedData.h"
+#include "Medium/AirlightMediumSky.h"
 #include "MultipleScattering/AirlightMediumSource.h"
 #include "Phase/AirlightMediumPhase.h"
 #include "Region/AirlightRegionKinds.h"
@@ -35,6 +36,7 @@ struct vtkParticipatingMedium::Internals
 {
   airlight::MediumPhase Phase;
   airlight::MediumSource Source;
+  airlight::MediumSky Sky;
   airlight::DerivedData<vtkPolyData, airlight::SurfaceTree> Surface{ "surface", "surface",
     "The region is a surface and there is none: call SetSurface(). The medium is ignored until "
     "then." };
@@ -171,6 +173,63 @@ void vtkParticipatingMedium::SetAmbientRadiance(const double rgb[3])
   this->SetAmbientRadiance(rgb[0], rgb[1], rgb[2]);
 }
 
+void vtkParticipatingMedium::SetSkyRadiance(double r, double g, double b)
+{
+  this->SetCoefficients("SkyRadiance", this->SkyRadiance, r, g, b);
+}
+
+void vtkParticipatingMedium::SetSkyRadiance(const double rgb[3])
+{
+  this->SetSkyRadiance(rgb[0], rgb[1], rgb[2]);
+}
+
+void vtkParticipatingMedium::SetGroundRadiance(double r, double g, double b)
+{
+  this->SetCoefficients("GroundRadiance", this->GroundRadiance, r, g, b);
+}
+
+void vtkParticipatingMedium::SetGroundRadiance(const double rgb[3])
+{
+  this->SetGroundRadiance(rgb[0], rgb[1], rgb[2]);
+}
+
+void vtkParticipatingMedium::SetSkyHarmonics(const double coefficients[27])
+{
+  for (int i = 0; i < 27; ++i)
+  {
+    if (!(std::abs(coefficients[i]) <= LargestCoefficient))
+    {
+      vtkErrorMacro(<< "SkyHarmonics has the coefficient " << coefficients[i] << " at " << i
+                    << ", which must be finite and from -" << LargestCoefficient << " to "
+                    << LargestCoefficient << "; the old ones stay.");
+      return;
+    }
+  }
+  if (!std::equal(coefficients, coefficients + 27, this->SkyHarmonics))
+  {
+    std::copy_n(coefficients, 27, this->SkyHarmonics);
+    this->Modified();
+  }
+}
+
+void vtkParticipatingMedium::ClearSkyHarmonics()
+{
+  const double none[27] = {};
+  this->SetSkyHarmonics(none);
+}
+
+//------------------------------------------------------------------------------
+const airlight::MediumSky& vtkParticipatingMedium::UpdateSky(bool needsHemisphere)
+{
+  // Objects and tables change by themselves.
+  this->GetPhaseShape();
+  this->Impl->Sky.Update(
+    this->Impl->Phase.GetTime(), [this](double mu) { return this->EvaluatePhaseFunction(mu); },
+    needsHemisphere);
+  return this->Impl->Sky;
+}
+
+//------------------------------------------------------------------------------
 void vtkParticipatingMedium::SetEmission(double r, double g, double b)
 {
   this->SetCoefficients("Emission", this->Emission, r, g, b);
@@ -639,6 +698,14 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   print3("Scattering", this->Scattering);
   print3("Absorption", this->Absorption);
   print3("AmbientRadiance", this->AmbientRadiance);
+  print3("SkyRadiance", this->SkyRadiance);
+  print3("GroundRadiance", this->GroundRadiance);
+  os << indent << "SkyHarmonics:";
+  for (const double coefficient : this->SkyHarmonics)
+  {
+    os << " " << coefficient;
+  }
+  os << "\n";
   print3("Emission", this->Emission);
   os << indent << "MultipleScattering: " << this->MultipleScattering << "\n";
   this->Impl->Phase.Print(os, indent);

@@ -34,6 +34,7 @@ namespace airlight
 {
 struct Change;
 class DensityGrid;
+class MediumSky;
 struct PhaseShape;
 struct SourceFit;
 class SurfaceTree;
@@ -237,6 +238,40 @@ public:
 
   ///@{
   /**
+   * A sky of two colours: the radiance per RGB channel that arrives from all directions above the
+   * horizon, within 90 degrees of SetUp(), and from all below it, W/(m^2 sr). It adds to the ambient
+   * radiance, which is then L(d) for a ray of direction d: the integral of sky times phase function
+   * over all directions w, at the scattering angle between w and d. The integral is fitted, for each
+   * phase function, to 2e-5 of the colours' difference for Henyey and Greenstein's up to 0.99 and
+   * to 1e-3 for those with narrow features, as rainbows. Nothing casts shadows from the sky, and the medium itself does not dim it.
+   * Surfaces do not receive it. Range: 0 to 1e100. Defaults: (0, 0, 0).
+   */
+  void SetSkyRadiance(double r, double g, double b);
+  void SetSkyRadiance(const double rgb[3]);
+  vtkGetVector3Macro(SkyRadiance, double);
+  void SetGroundRadiance(double r, double g, double b);
+  void SetGroundRadiance(const double rgb[3]);
+  vtkGetVector3Macro(GroundRadiance, double);
+  ///@}
+
+  ///@{
+  /**
+   * A sky by its spherical harmonics to order 2, W/(m^2 sr): nine coefficients, each for red, green
+   * and blue, of the orthonormal real harmonics in world axes, in the order 1, y, z, x, xy, yz,
+   * 3 z^2 - 1, xz, x^2 - y^2 (Ramamoorthi and Hanrahan 2001). The first is the mean radiance over
+   * 0.28209. It adds to the other ambient light as the sky of two colours does. Scattered into a ray of direction d it is the same sum in the direction d with
+   * the harmonics of order l multiplied by the l-th Legendre moment of the phase function, which is
+   * exact; of a sky that has more orders it is what these scatter. Sums below 0 count as 0.
+   * vtkAirlight::EnvironmentHarmonics() makes them of a picture. Range: finite, from -1e100 to
+   * 1e100. Default: all 0.
+   */
+  void SetSkyHarmonics(const double coefficients[27]);
+  void ClearSkyHarmonics();
+  vtkGetVectorMacro(SkyHarmonics, double, 27);
+  ///@}
+
+  ///@{
+  /**
    * Emission coefficient per RGB channel, W/(m^2 sr) per world unit at density 1: the radiance that
    * a thin layer adds to a ray per unit of length, as flames, glowing gas and phosphorescent water
    * do. It follows the density, and what is behind absorbs it: a uniform layer of length l adds
@@ -263,8 +298,8 @@ public:
    * - of directional lights in a box, or in an unbounded medium that falls with height, by the
    *   delta-Eddington approximation.
    *
-   * See Documentation/physics.md. It takes the place of the ambient radiance. Surfaces receive what
-   * arrives there. Other lights are scattered once, with a message; other media, too. Default: off.
+   * See Documentation/physics.md. It takes the place of the ambient radiance and of skies. Surfaces
+   * receive what arrives there. Other lights are scattered once, with a message; other media, too. Default: off.
    *
    * In an unbounded medium the error is that of the fit and 0.5 % of all scattered light, where the
    * lamp is 0.05 to 20 mean free paths away (nearer, 3 %). What no bound covers, see
@@ -476,6 +511,10 @@ public:
   // is not alone. For the library's own use.
   std::shared_ptr<const airlight::SourceFit> GetSourceFit(bool alone = true);
 
+  // What the phase function makes of skies, with or without that of a sky of two colours. For the
+  // module.
+  const airlight::MediumSky& UpdateSky(bool needsHemisphere);
+
   // The surface as it is used; null without a region of a surface or where that is no good. For the
   // library's own use.
   std::shared_ptr<const airlight::SurfaceTree> GetSurfaceTree();
@@ -511,6 +550,9 @@ private:
   double Extinction[3] = { 0.0, 0.0, 0.0 }; // returned by GetExtinction()
   double Albedo[3] = { 1.0, 1.0, 1.0 };     // returned by GetAlbedo()
   double AmbientRadiance[3] = { 0.0, 0.0, 0.0 };
+  double SkyRadiance[3] = { 0.0, 0.0, 0.0 };
+  double GroundRadiance[3] = { 0.0, 0.0, 0.0 };
+  double SkyHarmonics[27] = {};
   double Emission[3] = { 0.0, 0.0, 0.0 };
   vtkMTimeType EmissionProblemTime = 0; // of the medium when it was last said that it is infinite
   bool MultipleScattering = false;

@@ -56,6 +56,7 @@
 #include "Medium/AirlightPhase.glsl"
 #include "Light/AirlightPointLight.glsl"
 #include "Medium/AirlightRegion.glsl"
+#include "Medium/AirlightSky.glsl"
 #include "Medium/AirlightMedium.glsl"
 #include "Medium/AirlightClosedSurface.glsl"
 #include "Medium/AirlightPath.glsl"

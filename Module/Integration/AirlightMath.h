@@ -40,6 +40,8 @@
 #define AIRLIGHT_COUNT_ROUND
 #define AIRLIGHT_HAS_TABLE 1
 #define AIRLIGHT_HAS_PHOTOMETRY 1
+#define AIRLIGHT_HAS_SKY
+#define AIRLIGHT_SKY_MEMBER AirlightSky sky;
 // So do images of density, in world coordinates.
 #define AIRLIGHT_HAS_GRID 1
 #define AIRLIGHT_GRID_MEMBER                                          \
@@ -93,6 +95,8 @@ using namespace glm;
 #undef AIRLIGHT_MULTIPLE_OUT
 #undef AIRLIGHT_DATA_MEMBER
 #undef AIRLIGHT_FETCH
+#undef AIRLIGHT_HAS_SKY
+#undef AIRLIGHT_SKY_MEMBER
 #undef AIRLIGHT_GRID_MEMBER
 #undef AIRLIGHT_LIGHT_GRID_MEMBERS
 #undef AIRLIGHT_GRID_DENSITY

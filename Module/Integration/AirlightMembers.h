@@ -60,6 +60,19 @@ void VisitRegion(Visitor&& visit, Region&... region)
   visit(Member{ "nodes" }, region.nodes...);
 }
 
+template <typename Visitor, typename... Sky>
+void VisitSky(Visitor&& visit, Sky&... sky)
+{
+  visit(Member{ "on" }, sky.on...);
+  visit(Member{ "linear" }, sky.linear...);
+  visit(Member{ "quadratic" }, sky.quadratic...);
+  visit(Member{ "contrast" }, sky.contrast...);
+  visit(Member{ "up" }, sky.up...);
+  visit(Member{ "angle" }, sky.angle...);
+  visit(Member{ "odd" }, sky.odd...);
+}
+
+// Without the sky, which in shaders is there where any medium has one.
 template <typename Visitor, typename... Medium>
 void VisitMedium(Visitor&& visit, Medium&... medium)
 {
@@ -119,6 +132,13 @@ void VisitMultiple(Visitor&& visit, Multiple&... multiple)
   visit(Member{ "layerRate" }, multiple.layerRate...);
   visit(Member{ "layerFlux" }, multiple.layerFlux...);
   visit(Member{ "sun" }, multiple.sun...);
+}
+
+// Whether any medium has a sky. Then all have the members in shaders.
+inline bool HasSky(const f64::AirlightMedia& media)
+{
+  return std::any_of(media.item, media.item + media.count,
+    [](const f64::AirlightMedium& medium) { return medium.sky.on != 0; });
 }
 
 // Without `multiple`, which in shaders is a uniform of its own.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Medium/AirlightConvert.h"
 
+#include "Medium/AirlightConvertSky.h"
 #include "MultipleScattering/AirlightFirstCollisions.h"
 #include "MultipleScattering/AirlightLayeredSolution.h"
 #include "MultipleScattering/AirlightSourceFit.h"
@@ -61,12 +62,13 @@ void ConvertGrid(
   }
 }
 
-f64::AirlightMedium ConvertMedium(vtkParticipatingMedium* medium, const glm::dvec3& origin)
+f64::AirlightMedium ConvertMedium(
+  vtkParticipatingMedium* medium, const glm::dvec3& origin, const SkyHarmonics* environment)
 {
   f64::AirlightMedium result{};
   medium->GetScattering(&result.sigmaS.x);
   medium->GetExtinction(&result.sigmaT.x);
-  medium->GetAmbientRadiance(&result.ambient.x);
+  ConvertAmbient(medium, environment, result);
   medium->GetFiniteEmission(&result.emission.x);
   const std::shared_ptr<const PhaseShape> phase = medium->GetPhaseShape();
   result.phase = Convert(phase->Fit);
@@ -124,7 +126,7 @@ bool AddEvenLamp(
   multiple.lamp[lamp] = glm::dvec4(position, radius);
   multiple.power[lamp] = power;
   ++multiple.count;
-  media.item[0].ambient = glm::dvec3(0.0); // which stands for the same light
+  RemoveAmbient(media.item[0]); // which stands for the same light
   return true;
 }
 
@@ -135,14 +137,14 @@ glm::dvec4 GetLampPower(const f64::AirlightLight& light)
 }
 
 //------------------------------------------------------------------------------
-f64::AirlightMedia ConvertMedia(
-  const std::vector<vtkParticipatingMedium*>& media, const glm::dvec3& origin)
+f64::AirlightMedia ConvertMedia(const std::vector<vtkParticipatingMedium*>& media,
+  const glm::dvec3& origin, const SkyHarmonics* environment)
 {
   f64::AirlightMedia result{};
   result.count = static_cast<int>(std::min<size_t>(media.size(), AIRLIGHT_MAX_MEDIA));
   for (int i = 0; i < result.count; ++i)
   {
-    result.item[i] = ConvertMedium(media[i], origin);
+    result.item[i] = ConvertMedium(media[i], origin, environment);
   }
   std::shared_ptr<const SourceFit> fit;
   for (int i = 0; i < result.count; ++i)
@@ -284,7 +286,9 @@ bool HasScattering(const f64::AirlightMedia& media)
 bool Shines(const f64::AirlightMedia& media)
 {
   return std::any_of(media.item, media.item + media.count, [](const f64::AirlightMedium& medium) {
-    return f64::airlightSource(medium) != glm::dvec3(0.0);
+    return medium.sigmaS * medium.ambient != glm::dvec3(0.0) ||
+      medium.emission != glm::dvec3(0.0) ||
+      (medium.sky.on != 0 && medium.sigmaS != glm::dvec3(0.0));
   });
 }
 

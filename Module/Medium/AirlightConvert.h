@@ -9,6 +9,7 @@
 #define AirlightConvert_h
 
 #include "Integration/AirlightMath.h"
+#include "Medium/AirlightSkyHarmonics.h"
 #include "vtkAirlightModule.h" // for export macro
 
 #include <string>
@@ -25,9 +26,11 @@ inline bool IsModerate(const glm::dvec3& v)
   return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(1e100)));
 }
 
-// Media with positions relative to `origin`; those beyond AIRLIGHT_MAX_MEDIA are left out.
+// Media with positions relative to `origin`; those beyond AIRLIGHT_MAX_MEDIA are left out. An
+// environment is added to the ambient light of each.
 VTKAIRLIGHT_EXPORT f64::AirlightMedia ConvertMedia(
-  const std::vector<vtkParticipatingMedium*>& media, const glm::dvec3& origin);
+  const std::vector<vtkParticipatingMedium*>& media, const glm::dvec3& origin,
+  const SkyHarmonics* environment = nullptr);
 
 // Whether any of the media scatters light.
 VTKAIRLIGHT_EXPORT bool HasScattering(const f64::AirlightMedia& media);

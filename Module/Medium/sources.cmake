@@ -3,8 +3,12 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightConvert
+    AirlightConvertSky
+    AirlightEnvironment
+    AirlightMediumSky
   HEADERS
     AirlightChange.h
     AirlightDerivedData.h
     AirlightMediaList.h
-    AirlightMediaMethods.h)
+    AirlightMediaMethods.h
+    AirlightSkyHarmonics.h)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MultipleScattering/AirlightLayeredSolution.h"
 
+#include "Medium/AirlightConvertSky.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -171,7 +172,7 @@ bool AddMultipleSun(f64::AirlightMedia& media, const f64::AirlightLight& light)
   }
   ++multiple.suns;
   ++multiple.count;
-  media.item[0].ambient = glm::dvec3(0.0); // which stands for the same light
+  RemoveAmbient(media.item[0]); // which stands for the same light
   return true;
 }
 }

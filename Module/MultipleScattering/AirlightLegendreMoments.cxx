@@ -41,9 +41,10 @@ void AddPanel(const std::function<double(double)>& phaseFunction, double from, d
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> GetLegendreMoments(const std::function<double(double)>& phaseFunction)
+std::vector<double> GetLegendreMomentsTo(
+  int degree, const std::function<double(double)>& phaseFunction)
 {
-  std::vector<double> moments(MaximumLegendreDegree + 1, 0.0);
+  std::vector<double> moments(degree + 1, 0.0);
   // Panels that are fine beside the forward and the backward direction, and elsewhere as wide as
   // the highest polynomial allows.
   constexpr double finest = 1e-3;
@@ -60,6 +61,13 @@ std::vector<double> GetLegendreMoments(const std::function<double(double)>& phas
   const double norm = moments[0] > 0.0 ? moments[0] : 1.0;
   std::for_each(moments.begin(), moments.end(), [norm](double& moment) { moment /= norm; });
   moments[0] = 1.0;
+  return moments;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> GetLegendreMoments(const std::function<double(double)>& phaseFunction)
+{
+  std::vector<double> moments = GetLegendreMomentsTo(MaximumLegendreDegree, phaseFunction);
   int last = MaximumLegendreDegree;
   while (last > 0 && std::abs(moments[last]) < Negligible)
   {

@@ -22,6 +22,10 @@ constexpr int MaximumLegendreDegree = 260;
 // by MaximumLegendreDegree: such a phase function has too narrow a peak.
 VTKAIRLIGHT_EXPORT std::vector<double> GetLegendreMoments(
   const std::function<double(double)>& phaseFunction);
+
+// Those from 0 to a degree, however large they are.
+VTKAIRLIGHT_EXPORT std::vector<double> GetLegendreMomentsTo(
+  int degree, const std::function<double(double)>& phaseFunction);
 }
 
 #endif

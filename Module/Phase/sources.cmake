@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 airlight_sources(
   PRIVATE_CLASSES
+    AirlightHemisphereFit
     AirlightMediumPhase
     AirlightPhaseFit
     AirlightPhaseFunctions

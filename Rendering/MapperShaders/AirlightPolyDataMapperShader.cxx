@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperShaders/AirlightPolyDataMapperShader.h"
 
+#include "Integration/AirlightMembers.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkActor.h"
@@ -17,13 +18,14 @@ namespace
 {
 // Shaders that are too large do not link, and VTK's mappers do not survive that. Counts, from
 // above, what members of structures take where each has a register of four components.
-bool HasRoom(const SurfaceShaderOptions& options, int mediaCount)
+bool HasRoom(const SurfaceShaderOptions& options, const f64::AirlightMedia& media)
 {
+  const int perMedium = HasSky(media) ? 128 + 60 : 128;
   GLint fragment = 0;
   GLint vertex = 0;
   glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &fragment);
   glGetIntegerv(GL_MAX_VERTEX_UNIFORM_COMPONENTS, &vertex);
-  return 256 + 128 * mediaCount + 72 * options.SceneLightCount <= std::min(fragment, vertex);
+  return 256 + perMedium * media.count + 72 * options.SceneLightCount <= std::min(fragment, vertex);
 }
 }
 
@@ -69,7 +71,7 @@ bool PolyDataMapperShader::Prepare(vtkRenderer* renderer, double radius)
   {
     ++this->OptionsVersion;
   }
-  if (!HasRoom(this->Options, this->Converted.count))
+  if (!HasRoom(this->Options, this->Converted))
   {
     this->Error = "the graphics card's shaders have no room for " +
       std::to_string(this->SceneLights.size()) + " lights and " +

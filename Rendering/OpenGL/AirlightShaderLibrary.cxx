@@ -30,6 +30,7 @@
 #include "AirlightRegion.h"
 #include "AirlightScatteredIrradiance.h"
 #include "AirlightScattering.h"
+#include "AirlightSky.h"
 #include "AirlightSourceFunction.h"
 #include "Integration/AirlightIntegrate.h"
 #include "OpenGL/AirlightProgram.h"
@@ -183,10 +184,11 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     grids |= media.item[i].density == AIRLIGHT_DENSITY_GRID ? 1 << i : 0;
   }
   const bool grid = grids != 0;
+  const bool sky = HasSky(media);
   const bool multiple = media.multiple.count > 0;
   return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_GRID", grid) +
     Define("AIRLIGHT_GRID_MEDIA", grids) + Define("AIRLIGHT_HAS_TABLE", table) +
-    Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
+    Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) + (sky ? Define("AIRLIGHT_HAS_SKY", 1) : "") +
     Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
     Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", media.count) +
     Define("AIRLIGHT_MEDIUM_COUNT", media.count) + Define("AIRLIGHT_MULTIPLE", multiple) +
@@ -198,8 +200,8 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
                       : "") +
     DefineCommon(media) + (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") +
     AirlightExponentialIntegral + AirlightGauss + AirlightGoniometric + AirlightPhase +
-    AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + AirlightMedium +
-    AirlightClosedSurface + AirlightPath + AirlightHeightFog +
+    AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + (sky ? AirlightSky : "") +
+    AirlightMedium + AirlightClosedSurface + AirlightPath + AirlightHeightFog +
     (multiple ? AirlightSourceFunction : "") + AirlightMedia + AirlightAmbient + AirlightLight +
     AirlightKinks + AirlightQuadrature +
     (multiple ? std::string(AirlightLayeredScattering) + AirlightMultipleScattering : "") +

@@ -47,13 +47,17 @@ void VisitGrid(Visitor&& visit, const GridUniforms& grid)
   visit(Member{ "first" }, grid.first);
 }
 
-// VisitMedia() and, in place of what C++ alone has of images, what shaders have of them.
+// VisitMedia(), the skies and, in place of what C++ alone has of images, what shaders have of them.
 template <typename Visitor>
 void VisitMediaUniforms(Visitor&& visit, const f64::AirlightMedia& media)
 {
   VisitMedia(visit, media);
   for (int i = 0; i < media.count; ++i)
   {
+    if (HasSky(media))
+    {
+      VisitSky(VisitIn("item[" + std::to_string(i) + "].sky", visit), media.item[i].sky);
+    }
     if (media.item[i].density == AIRLIGHT_DENSITY_GRID)
     {
       VisitGrid(

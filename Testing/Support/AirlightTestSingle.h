@@ -32,6 +32,10 @@ inline airlight::f32::AirlightMedia ToSingle(const airlight::f64::AirlightMedia&
 {
   airlight::f32::AirlightMedia result{};
   airlight::VisitMedia(SingleCopy(), result, media);
+  for (int i = 0; i < media.count; ++i)
+  {
+    airlight::VisitSky(SingleCopy(), result.item[i].sky, media.item[i].sky);
+  }
   airlight::VisitMultiple(SingleCopy(), result.multiple, media.multiple);
   return result;
 }

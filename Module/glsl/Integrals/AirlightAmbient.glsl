@@ -53,7 +53,7 @@ AIRLIGHT_FN real airlightAmbientReach(AIRLIGHT_IN(AirlightMedia) media,
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     real sigma = media.item[i].sigmaT[channel];
-    bool shines = airlightSource(media.item[i])[channel] > real(0.0);
+    bool shines = airlightSource(media.item[i], direction)[channel] > real(0.0);
     if (airlightPieceHolds(piece, i) && (sigma > real(0.0) || shines))
     {
       // A density that does not dim is followed, too, where it shines.
@@ -99,7 +99,7 @@ AIRLIGHT_FN real3 airlightAmbientPanel(AIRLIGHT_IN(AirlightMedia) media,
     {
       if (airlightPieceHolds(piece, i))
       {
-        source += airlightSource(media.item[i]) *
+        source += airlightSource(media.item[i], direction) *
           airlightDensity(media.item[i], origin + t * direction);
       }
     }
@@ -142,7 +142,7 @@ AIRLIGHT_FN real3 airlightAmbientInPiece(AIRLIGHT_IN(AirlightMedia) media,
     {
       uniformly = uniformly && AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_UNIFORM;
       sigmaT += media.item[i].sigmaT;
-      source += airlightSource(media.item[i]);
+      source += airlightSource(media.item[i], direction);
     }
   }
   return uniformly ? source * airlightFading3(piece.depth, sigmaT, piece.to - piece.from)
@@ -161,7 +161,7 @@ AIRLIGHT_FN real3 airlightAmbient(
   real3 source = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    source += airlightSource(media.item[i]);
+    source += airlightSource(media.item[i], direction);
   }
   if (dot(source, real3(real(1.0))) <= real(0.0))
   {

@@ -232,7 +232,7 @@ real3 airlightAmbientInStep(AirlightMedia media, AirlightStep part, real3 origin
     {
       if (airlightIsInside(part, i))
       {
-        source += airlightSource(media.item[i]) *
+        source += airlightSource(media.item[i], direction) *
           airlightStepDensity(media, i, part, origin, direction, t).x;
       }
     }

@@ -45,6 +45,12 @@ uniform int airlightZero;
 #define AIRLIGHT_GRID_MEMBER
 #define AIRLIGHT_LIGHT_GRID_MEMBERS
 #endif
+// Ambient light that differs by direction, see AirlightSky.glsl.
+#ifdef AIRLIGHT_HAS_SKY
+#define AIRLIGHT_SKY_MEMBER AirlightSky sky;
+#else
+#define AIRLIGHT_SKY_MEMBER
+#endif
 // Triangles, tables: what does not fit into uniforms.
 #define AIRLIGHT_DATA_MEMBER
 #define AIRLIGHT_FETCH(owner, i) texelFetch(airlightData, i)

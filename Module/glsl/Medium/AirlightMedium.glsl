@@ -8,7 +8,7 @@ struct AirlightMedium
 {
   real3 sigmaS;  // scattering coefficient at density 1, 1/world
   real3 sigmaT;  // extinction coefficient at density 1, 1/world
-  real3 ambient; // ambient radiance
+  real3 ambient; // ambient radiance, the mean of all directions
   real3 emission; // emission coefficient at density 1
   AirlightPhase phase;
   AirlightRegion region;
@@ -16,6 +16,7 @@ struct AirlightMedium
   real3 up;               // unit vector
   real inverseScaleHeight;
   real originHeight;      // of the origin of coordinates above the height of density 1
+  AIRLIGHT_SKY_MEMBER
   AIRLIGHT_GRID_MEMBER
 };
 
@@ -56,11 +57,23 @@ AIRLIGHT_FN real3 airlightFading3(real3 depth, real3 rate, real l)
     airlightFading(depth.z, rate.z, l));
 }
 
-// What shines by itself at density 1, per unit of length: ambient light that is scattered, and
-// emission.
-AIRLIGHT_FN real3 airlightSource(AIRLIGHT_IN(AirlightMedium) medium)
+// The ambient radiance that is scattered into a ray of this direction. Harmonics may be below 0.
+AIRLIGHT_FN real3 airlightAmbientRadiance(AIRLIGHT_IN(AirlightMedium) medium, real3 direction)
 {
-  return medium.sigmaS * medium.ambient + medium.emission;
+#ifdef AIRLIGHT_HAS_SKY
+  if (medium.sky.on != 0)
+  {
+    return max(medium.ambient + airlightSkyPart(medium.sky, direction), real3(real(0.0)));
+  }
+#endif
+  return medium.ambient;
+}
+
+// What shines by itself at density 1 into a ray of this direction, per unit of length: ambient light
+// that is scattered, and emission.
+AIRLIGHT_FN real3 airlightSource(AIRLIGHT_IN(AirlightMedium) medium, real3 direction)
+{
+  return medium.sigmaS * airlightAmbientRadiance(medium, direction) + medium.emission;
 }
 
 AIRLIGHT_FN real airlightHeight(AIRLIGHT_IN(AirlightMedium) medium, real3 point)
