@@ -18,6 +18,10 @@
  * "What shares code with what" in Documentation/trust.md. Lights, casters and limits are in
  * Documentation/guide.md.
  *
+ * Light of a medium's sky is integrated over all directions with the phase function itself, to 1e-4
+ * of the brightest; paths have the closed form of vtkAirlight. The renderer's environment texture
+ * lights no media here: give them vtkAirlight::EnvironmentHarmonics().
+ *
  * With SetScatteringOrders() it also follows light that is scattered in the media and reflected by
  * surfaces several times, which the pass approximates for some lamps: a volumetric path tracer
  * adds it, unbiased for a given number of paths.
@@ -164,7 +168,7 @@ public:
    * - Surfaces reflect as Lambertian ones, of the diffuse colour of VTK's material (times its
    *   coefficient, or the colours of scalars), at most 1, as albedo. Their highlights reflect only
    *   the lamps that the eye sees in them. Those with lighting switched off reflect nothing.
-   * - The ambient radiance of media and the ambient colour of surfaces are light of order 1 that
+   * - The ambient radiance and skies of media and the ambient colour of surfaces are light of order 1 that
    *   shines on, as do unlit surfaces. A constant that was to stand for multiple scattering must be
    *   set to 0, else that light counts twice.
    * - Backgrounds shine on nothing. Lights that do not scatter

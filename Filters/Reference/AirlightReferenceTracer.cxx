@@ -4,6 +4,7 @@
 
 #include "Integration/AirlightIntegrate.h"
 #include "Reference/AirlightReferenceLitParts.h"
+#include "Integration/AirlightMembers.h"
 #include "Reference/AirlightReferenceSurface.h"
 #include "vtkMath.h"
 #include "vtkRenderer.h"
@@ -61,6 +62,10 @@ ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
     {
       ++this->ScatteredOnce;
     }
+  }
+  for (int i = 0; i < this->Media.count && HasSky(this->Media); ++i)
+  {
+    this->Skies.emplace_back(media[i]);
   }
   renderer->GetBackground(&this->Bottom.x);
   this->Top = this->Bottom;
@@ -153,8 +158,11 @@ glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* lit
       sum += IntegrateMultiple(this->Media, lamp, ray.Origin, ray.Direction, end, own);
     }
   }
-  sum += IntegrateAmbient(this->Media, ray.Origin, ray.Direction, end) +
-    IntegrateCollisions(this->Media, ray.Origin, ray.Direction, end);
+  const glm::dvec3 ambient = this->Skies.empty()
+    ? IntegrateAmbient(this->Media, ray.Origin, ray.Direction, end)
+    : IntegrateAmbient(
+        WithSkies(this->Media, this->Skies, ray.Direction), ray.Origin, ray.Direction, end);
+  sum += ambient + IntegrateCollisions(this->Media, ray.Origin, ray.Direction, end);
   // A channel that neither scatters nor emits is dark, whatever the limit of its integral.
   return KeepBright(this->Media, sum);
 }

@@ -9,6 +9,7 @@
 
 #include "Reference/AirlightReferenceLights.h"
 #include "Reference/AirlightReferenceScene.h"
+#include "Reference/AirlightReferenceSky.h"
 #include "Reference/AirlightReferenceSurface.h"
 #include "Scene/AirlightCameraRays.h"
 #include "vtkAirlightModule.h" // for export macro
@@ -132,7 +133,8 @@ private:
   ReferenceSettings Settings;
   CameraRays Rays;
   f64::AirlightMedia Media;
-  int ScatteredOnce = 0; // lights that multiple scattering leaves out
+  std::vector<ReferenceSky> Skies; // of all media, if any has one
+  int ScatteredOnce = 0;           // lights that multiple scattering leaves out
   ReferenceScene Scene;
   ReferenceLights Lights;
   glm::dvec3 Bottom{ 0.0 }; // of the background

@@ -15,5 +15,6 @@ airlight_sources(
     AirlightReferenceMesh
     AirlightReferencePicture
     AirlightReferenceScene
+    AirlightReferenceSky
     AirlightReferenceSurface
     AirlightReferenceTracer)
