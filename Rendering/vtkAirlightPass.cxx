@@ -261,6 +261,7 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
     this->InvokeEvent(vtkCommand::ProgressEvent, &done);
     return window->CheckAbortStatus() == 0 && !HasInput(window);
   };
+  settings.Environment = this->UseEnvironmentTexture;
   settings.Delegate = this->DelegatePass;
   PassProperties& properties = settings.Properties;
   properties.Technique = static_cast<airlight::ShadowTechnique>(this->ShadowTechnique);
@@ -497,6 +498,7 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
   os << indent << "TranslucentShadows: " << this->TranslucentShadows << "\n";
   os << indent << "ScatteredSurfaceLight: " << this->ScatteredSurfaceLight << "\n";
+  os << indent << "UseEnvironmentTexture: " << this->UseEnvironmentTexture << "\n";
   os << indent << "LinearInput: " << this->LinearInput << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "AutomaticExposure: " << this->AutomaticExposure << "\n";

@@ -218,6 +218,21 @@ public:
 
   ///@{
   /**
+   * Whether the media also scatter the light of the renderer's environment
+   * (vtkRenderer::SetEnvironmentTexture(), EnvironmentUp and EnvironmentRight), by its spherical
+   * harmonics to order 2: as if each had them by vtkParticipatingMedium::SetSkyHarmonics(), see
+   * there for what is neglected and vtkAirlight::EnvironmentHarmonics() for the texels' units. The
+   * texture must be equirectangular; a cube map, or none, gives an error once, and no light. The
+   * renderer's UseImageBasedLighting lights surfaces with it and is independent of this; pictures of
+   * surfaces that it lights stay as they are unless this is on. Default: false.
+   */
+  vtkSetMacro(UseEnvironmentTexture, bool);
+  vtkGetMacro(UseEnvironmentTexture, bool);
+  vtkBooleanMacro(UseEnvironmentTexture, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether the colours of VTK's mappers and backgrounds are linear radiances, as those of Phong
    * shading are. Off, they are decoded with a gamma of 2.2 before the medium is added, as
    * physically based materials need it, and the picture is encoded again
@@ -600,6 +615,7 @@ private:
   bool SurfaceShadows = true;
   bool TranslucentShadows = true;
   bool ScatteredSurfaceLight = false;
+  bool UseEnvironmentTexture = false;
   bool LinearInput = true;
   double Exposure = 1.0;
   bool AutomaticExposure = false;

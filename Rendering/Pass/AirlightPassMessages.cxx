@@ -76,6 +76,20 @@ void PassMessages::ErrorOnce(Message message, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+void PassMessages::CheckEnvironment(const std::string& error)
+{
+  if (this->EnvironmentError != error)
+  {
+    this->EnvironmentError = error;
+    if (!error.empty())
+    {
+      vtkErrorWithObjectMacro(
+        this->Pass, << "The media scatter no light of the environment: " << error << ".");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void PassMessages::CheckMedia(const MediaList& media)
 {
   const std::string text = media.Check();

@@ -40,6 +40,9 @@ public:
   // An error if the media cannot all be drawn.
   void CheckMedia(const MediaList& media);
 
+  // An error of the environment, or none.
+  void CheckEnvironment(const std::string& error);
+
   // Lights that are left out, or lack a requested effect. `scattering`: a medium scatters.
   void CheckLights(
     const std::vector<SceneLight>& sceneLights, bool scattering, bool scatteredSurfaceLight);
@@ -111,6 +114,7 @@ private:
   std::set<UnseenReason> UnseenGiven;
   std::string FrameError;
   std::string CasterError;
+  std::string EnvironmentError;
 };
 }
 

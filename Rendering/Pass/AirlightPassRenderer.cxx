@@ -394,6 +394,23 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
 }
 
 //------------------------------------------------------------------------------
+// Null without one.
+const SkyHarmonics* PassRenderer::FindEnvironment(vtkRenderer* renderer, const Settings& settings)
+{
+  if (!settings.Environment)
+  {
+    return nullptr;
+  }
+  const double* up = renderer->GetEnvironmentUp();
+  const double* right = renderer->GetEnvironmentRight();
+  std::string error;
+  const bool found = this->Sky.Update(renderer->GetEnvironmentTexture(),
+    glm::dvec3(up[0], up[1], up[2]), glm::dvec3(right[0], right[1], right[2]), error);
+  this->Messages.CheckEnvironment(error);
+  return found ? &this->Sky.GetHarmonics() : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& settings, Scene& scene)
 {
   if (!scene.Rays.IsValid())
@@ -411,7 +428,8 @@ bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& setting
   {
     scene.Media.push_back(this->Vacuum);
   }
-  scene.Converted = ConvertMedia(scene.Media, scene.Rays.GetEye());
+  scene.Converted = ConvertMedia(
+    scene.Media, scene.Rays.GetEye(), this->FindEnvironment(s->GetRenderer(), settings));
   scene.Lights =
     CollectSceneLights(s->GetRenderer(), scene.Converted, scene.Rays, settings.LightRadius, true);
   this->Messages.CheckLights(

@@ -10,6 +10,7 @@
 #include "Frame/AirlightExposureMeter.h"
 #include "Frame/AirlightFrame.h"
 #include "Frame/AirlightFramePlan.h"
+#include "Medium/AirlightEnvironment.h"
 #include "Medium/AirlightMediaList.h"
 #include "Pass/AirlightContext.h"
 #include "Pass/AirlightEdgeSamples.h"
@@ -44,6 +45,7 @@ public:
   {
     PassProperties Properties;
     double LightRadius = 0.0;
+    bool Environment = false;   // the media scatter the renderer's environment
     int SubpixelFrames = 1;     // the picture is the mean of so many
     bool Progressive = false;   // each picture adds one of them
     bool Requested = false;     // by the pass, for the next of them
@@ -106,6 +108,7 @@ private:
   bool RenderFrame(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderPlan(const vtkRenderState* s, const Settings& settings, const Viewport& viewport,
     const FrameLimits& limits, Scene& scene);
+  const SkyHarmonics* FindEnvironment(vtkRenderer* renderer, const Settings& settings);
   bool CollectScene(const vtkRenderState* s, const Settings& settings, Scene& scene);
   void CollectProps(const vtkRenderState* s, const Settings& settings, Scene& scene);
   SceneFacts GetFacts(const Scene& scene) const;
@@ -125,6 +128,7 @@ private:
   int AccumulatedFrames = 0;
   bool Unfinished = false;
   ExposureMeter Exposure;
+  Environment Sky;
   LampShapes Lamps;
   std::vector<SunDisc> Suns; // of the picture, which the frames of a mean move
   double EffectiveExposure = 1.0;

@@ -60,6 +60,8 @@ void TestRebuilds(Comparison& comparison)
     { "nothing", false, [](MapperScene&) {} },
     { "denser", false, [](MapperScene& s) { s.Medium->SetScattering(0.1, 0.1, 0.1); } },
     { "ambient", false, [](MapperScene& s) { s.Medium->SetAmbientRadiance(0.5, 0.4, 0.1); } },
+    { "sky", true, [](MapperScene& s) { s.Medium->SetSkyRadiance(0.3, 0.6, 0.9); } },
+    { "ground", false, [](MapperScene& s) { s.Medium->SetGroundRadiance(0.2, 0.1, 0.0); } },
     { "light moves", false, [&](MapperScene&) { light->SetPosition(-1.0, 0.4, 0.9); } },
     { "light dims", false, [&](MapperScene&) { light->SetIntensity(0.3); } },
     { "camera", false, [](MapperScene& s) { s.Renderer->GetActiveCamera()->Azimuth(10.0); } },

@@ -33,7 +33,8 @@ public:
   explicit Structures(const std::string& source)
   {
     std::string text = std::regex_replace(source, std::regex("//[^\n]*"), "");
-    for (const char* name : { "AIRLIGHT_GRID_MEMBER", "AIRLIGHT_LIGHT_GRID_MEMBERS" })
+    for (const char* name :
+      { "AIRLIGHT_GRID_MEMBER", "AIRLIGHT_LIGHT_GRID_MEMBERS", "AIRLIGHT_SKY_MEMBER" })
     {
       std::smatch members;
       const std::string word = name;
@@ -139,6 +140,7 @@ int TestAirlightShaderLibrary(int, char*[])
   vtkNew<vtkParticipatingMedium> medium;
   medium->SetDensityToImage();
   medium->SetDensityImage(image);
+  medium->SetSkyRadiance(1.0, 1.0, 1.0);
   const f64::AirlightMedia media = ConvertMedia({ medium }, glm::dvec3(0.0));
   Check(media.item[0].density == AIRLIGHT_DENSITY_GRID, "the medium has an image");
 

@@ -72,6 +72,8 @@ void TestMedium()
   medium->SetAbsorption(0.125, 1.25, 1.5);
   medium->SetAmbientRadiance(2.0, 3.0, 4.0);
   medium->SetEmission(5.0, 6.0, 7.0);
+  medium->SetSkyRadiance(1.5, 2.5, 3.5);
+  medium->SetGroundRadiance(0.5, 0.25, 0.125);
   medium->SetBounds(-1.0, 2.0, -3.0, 4.0, -5.0, 6.0);
   medium->SetCenter(7.0, 8.0, 9.0);
   medium->SetRadius(10.5);
@@ -82,9 +84,10 @@ void TestMedium()
   medium->SetUp(0.0, 2.0, 0.0);
   CheckPrint(medium,
     { "Scattering: (0.25, 0.5, 0.75)\n", "Absorption: (0.125, 1.25, 1.5)\n",
-      "AmbientRadiance: (2, 3, 4)\n", "Emission: (5, 6, 7)\n", "Bounds: (-1, 2, -3, 4, -5, 6)\n",
-      "Center: (7, 8, 9)\n", "Radius: 10.5\n", "Height: 13.5\n", "Axis: (0, 0, 1)\n",
-      "ScaleHeight: 11.5\n", "ReferenceHeight: 12.5\n", "Up: (0, 1, 0)\n",
+      "AmbientRadiance: (2, 3, 4)\n", "Emission: (5, 6, 7)\n", "SkyRadiance: (1.5, 2.5, 3.5)\n",
+      "GroundRadiance: (0.5, 0.25, 0.125)\n", "SkyHarmonics: 0 0 ",
+      "Bounds: (-1, 2, -3, 4, -5, 6)\n", "Center: (7, 8, 9)\n", "Radius: 10.5\n", "Height: 13.5\n",
+      "Axis: (0, 0, 1)\n", "ScaleHeight: 11.5\n", "ReferenceHeight: 12.5\n", "Up: (0, 1, 0)\n",
       "PhaseErrorBound: (not fitted yet)\n" });
   CheckNames(medium, "PhaseFunction",
     { "Isotropic", "HenyeyGreenstein", "Rayleigh", "Schlick", "CornetteShanks", "MieHazy",
