@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The media of the command line and of scene files: regions, ambient light and height fog.
+"""The media of the command line and of scene files: regions, ambient light, skies and height fog.
 
 Run it like TestAirlightProgram.py.
 """
@@ -146,6 +146,43 @@ class TestRegions(SceneTest):
                 np.testing.assert_array_equal(by_option, by_file)
                 over_other = self.render(self.scene(**{key: other[key]}), "c.pfm", *sun, *options)
                 np.testing.assert_array_equal(over_other, by_file)
+
+
+class TestSky(SceneTest):
+    SKY = {"radiance": [1, 2, 3], "ground_radiance": [0.5, 0, 4], "up": [0, 1, -2]}
+
+    def test_sky(self):
+        """The mean of both colours and half their difference times what Henyey and Greenstein's
+        function scatters of a sky that is 1 above and -1 below, by quadrature over directions."""
+        g, up = 0.5, np.array([0, 1, -2]) / 5**0.5
+        nodes, weights = np.polynomial.legendre.leggauss(60)
+        azimuth = 2 * np.pi * (np.arange(200) + 0.5) / 200
+        z = np.concatenate([0.5 * nodes - 0.5, 0.5 * nodes + 0.5])[:, None]
+        area = np.tile(0.5 * weights, 2)[:, None] * 2 * np.pi / 200
+
+        def scatter(x):
+            cosine = x * z + np.sqrt((1 - x * x) * (1 - z * z)) * np.cos(azimuth)
+            return (area * np.sign(z) * henyey_greenstein(g, cosine)).sum()
+
+        heights = pixel_rays(self.CAMERA, *self.SIZE) @ up
+        x = np.linspace(heights.min(), heights.max(), 200)
+        share = np.interp(heights, x, [scatter(one) for one in x])[..., None]
+        self.assertGreater(np.ptp(share), 0.2)
+        scene = self.scene(sky=self.SKY, phase={"type": "henyey_greenstein", "g": g})
+        seen = self.render(scene, "a.pfm", *DARK, "--buffer", "Airlight")
+        expected = np.array([1, 1, 0.8]) * ([0.75, 1, 3.5] + share * [0.25, 1, -0.5])
+        np.testing.assert_allclose(seen, expected, rtol=1e-3)
+
+    def test_errors(self):
+        fog = {"type": "exponential_height", "reference_height": 0, "scale_height": 1}
+        for sky, changes, what in (
+                ({"ground_radiance": [1, 1, 1]}, {}, "radiance"),
+                ({"radiance": [1, -1, 1]}, {}, "medium.sky.radiance"),
+                (dict(self.SKY, up=[0, 0, 0]), {}, "medium.sky.up"),
+                (self.SKY, {"density": fog}, "medium.sky.up is that of medium.density")):
+            with self.subTest(sky=sky):
+                self.fail_with([what], "render", self.scene(sky=sky, **changes), "-o",
+                               self.path("a.png"))
 
 
 class TestHeightFog(SceneTest):

@@ -137,6 +137,24 @@ void ReadDensity(const LocatedJson& json, vtkParticipatingMedium* medium)
   }
 }
 
+void ReadSky(const LocatedJson& json, vtkParticipatingMedium* medium)
+{
+  json.CheckKeys({ "radiance" }, { "ground_radiance", "up" });
+  medium->SetSkyRadiance(json["radiance"].GetVector(0.0, LargestNumber).data());
+  if (json.Has("ground_radiance"))
+  {
+    medium->SetGroundRadiance(json["ground_radiance"].GetVector(0.0, LargestNumber).data());
+  }
+  if (json.Has("up"))
+  {
+    if (medium->GetDensity() == vtkParticipatingMedium::EXPONENTIAL_HEIGHT)
+    {
+      json["up"].Fail("is that of medium.density, where the density falls with height");
+    }
+    medium->SetUp(ReadSceneDirection(json["up"]).data());
+  }
+}
+
 // The mesh that bounds the medium, if one does.
 bool HasBoundary(const LocatedJson& json)
 {
@@ -160,7 +178,7 @@ vtkSmartPointer<vtkParticipatingMedium> ReadMedium(
   const LocatedJson& json, const std::string& sceneFile)
 {
   json.CheckKeys({ "sigma_s", "sigma_a", "phase" },
-    { "bounds", "density", "ambient_radiance", "emission", "multiple_scattering" });
+    { "bounds", "density", "ambient_radiance", "sky", "emission", "multiple_scattering" });
   auto medium = vtkSmartPointer<vtkParticipatingMedium>::New();
   medium->SetScattering(json["sigma_s"].GetVector(0.0, LargestNumber).data());
   medium->SetAbsorption(json["sigma_a"].GetVector(0.0, LargestNumber).data());
@@ -176,6 +194,10 @@ vtkSmartPointer<vtkParticipatingMedium> ReadMedium(
   if (json.Has("ambient_radiance"))
   {
     medium->SetAmbientRadiance(json["ambient_radiance"].GetVector(0.0, LargestNumber).data());
+  }
+  if (json.Has("sky"))
+  {
+    ReadSky(json["sky"], medium);
   }
   if (json.Has("emission"))
   {

@@ -26,7 +26,9 @@ namespace airlight
  *    {type: exponential_height, reference_height, scale_height, up} (up may be left out: 0, 1, 0;
  *    and with multiple scattering of suns may go `ground_height` and `ground_albedo`, r, g, b, see
  *    vtkParticipatingMedium::SetGround()),
- *    `ambient_radiance`, `emission`, and `multiple_scattering`, true or false (false), see
+ *    `ambient_radiance`, `sky` {radiance, ground_radiance, up} (0, 0, 0 and, if the density does
+ *    not fall with height, 0, 1, 0), see vtkParticipatingMedium::SetSkyRadiance(), `emission`, and
+ *    `multiple_scattering`, true or false (false), see
  *    vtkParticipatingMedium::SetMultipleScattering();
  *  - `lights`, a list of {type: point, position, intensity},
  *    {type: spot, position, direction, cone_half_angle_deg, exponent, intensity} and

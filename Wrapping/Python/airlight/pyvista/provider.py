@@ -35,7 +35,7 @@ PROPERTIES = (
     "SurfaceShadows", "TranslucentShadows", "ScatteredSurfaceLight", "LinearInput",
     "Exposure", "AutomaticExposure", "ToneMapping", "OutputColorSpace", "Dithering",
     "Annotations", "DebugView", "LightRadius", "MemoryLimit", "RecordBuffers", "SubpixelFrames",
-    "Multisampling", "ProgressiveRefinement",
+    "Multisampling", "ProgressiveRefinement", "UseEnvironmentTexture",
 )
 
 

@@ -12,9 +12,13 @@ from .messages import Messages
 
 # Properties with a Set and a Get method; the phase function and the coefficients go first.
 PROPERTIES = ("Scattering", "Absorption", "PhaseFunction", "Anisotropy", "PhaseTolerance",
-              "AmbientRadiance", "Emission", "MultipleScattering",
+              "AmbientRadiance", "SkyRadiance", "GroundRadiance", "SkyHarmonics", "Emission",
+              "MultipleScattering",
               "Ground", "GroundHeight", "GroundAlbedo", "Bounds", "Center", "Radius", "Height", "Axis", "Region",
               "ScaleHeight", "ReferenceHeight", "Up", "Density")
+
+# Those that dicts of earlier versions do not have.
+ADDED = {"SkyRadiance", "GroundRadiance", "SkyHarmonics"}
 
 
 def medium_to_dict(medium: vtkParticipatingMedium) -> dict[str, Any]:
@@ -37,11 +41,12 @@ def medium_to_dict(medium: vtkParticipatingMedium) -> dict[str, Any]:
 
 def medium_from_dict(values: dict[str, Any]) -> vtkParticipatingMedium:
     """A medium from the dict of medium_to_dict(); ValueError if it is none."""
-    if not isinstance(values, dict) or set(values) != set(PROPERTIES):
+    if not isinstance(values, dict) or set(values) | ADDED != set(PROPERTIES):
         raise ValueError(f"state: medium is {values!r}; give what get_state() returned.")
     medium = vtkParticipatingMedium()
     with Messages(medium) as messages:
         for name in PROPERTIES:
-            getattr(medium, "Set" + name)(values[name])
+            if name in values:
+                getattr(medium, "Set" + name)(values[name])
     messages.raise_if_any(ValueError)
     return medium
