@@ -168,9 +168,9 @@ public:
    * - Surfaces reflect as Lambertian ones, of the diffuse colour of VTK's material (times its
    *   coefficient, or the colours of scalars), at most 1, as albedo. Their highlights reflect only
    *   the lamps that the eye sees in them. Those with lighting switched off reflect nothing.
-   * - The ambient radiance and skies of media and the ambient colour of surfaces are light of order 1 that
-   *   shines on, as do unlit surfaces. A constant that was to stand for multiple scattering must be
-   *   set to 0, else that light counts twice.
+   * - The ambient light of media, skies included, and the ambient colour of surfaces are light of
+   *   order 1 that shines on, as do unlit surfaces. A constant that was to stand for multiple
+   *   scattering must be set to 0, else that light counts twice.
    * - Backgrounds shine on nothing. Lights that do not scatter
    *   (vtkAirlightLight::SetScatters()) have order 1 alone.
    * - Translucent surfaces dim what is behind them for the eye; they neither stop nor reflect light

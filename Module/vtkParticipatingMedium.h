@@ -239,12 +239,12 @@ public:
   ///@{
   /**
    * A sky of two colours: the radiance per RGB channel that arrives from all directions above the
-   * horizon, within 90 degrees of SetUp(), and from all below it, W/(m^2 sr). It adds to the ambient
-   * radiance, which is then L(d) for a ray of direction d: the integral of sky times phase function
-   * over all directions w, at the scattering angle between w and d. The integral is fitted, for each
-   * phase function, to 2e-5 of the colours' difference for Henyey and Greenstein's up to 0.99 and
-   * to 1e-3 for those with narrow features, as rainbows. Nothing casts shadows from the sky, and the medium itself does not dim it.
-   * Surfaces do not receive it. Range: 0 to 1e100. Defaults: (0, 0, 0).
+   * horizon, within 90 degrees of SetUp(), and from all below it, W/(m^2 sr). It adds to ambient
+   * radiance: a ray of direction d gets the integral of sky times phase function over all
+   * directions w, at the angle between w and d; to 2e-5 of the colours' difference for Henyey and
+   * Greenstein's functions up to 0.99 and 1e-3 for those with narrow features, as rainbows. Nothing
+   * casts shadows from the sky, and the medium itself does not dim it; surfaces do not receive it.
+   * Range: 0 to 1e100. Defaults: (0, 0, 0).
    */
   void SetSkyRadiance(double r, double g, double b);
   void SetSkyRadiance(const double rgb[3]);
@@ -259,9 +259,9 @@ public:
    * A sky by its spherical harmonics to order 2, W/(m^2 sr): nine coefficients, each for red, green
    * and blue, of the orthonormal real harmonics in world axes, in the order 1, y, z, x, xy, yz,
    * 3 z^2 - 1, xz, x^2 - y^2 (Ramamoorthi and Hanrahan 2001). The first is the mean radiance over
-   * 0.28209. It adds to the other ambient light as the sky of two colours does. Scattered into a ray of direction d it is the same sum in the direction d with
-   * the harmonics of order l multiplied by the l-th Legendre moment of the phase function, which is
-   * exact; of a sky that has more orders it is what these scatter. Sums below 0 count as 0.
+   * 0.28209. It adds to ambient light, too: a ray of direction d gets the same sum in d, those of
+   * order l times the l-th Legendre moment of the phase function, which is exact; of a sky that has
+   * more orders it is what these scatter. Sums below 0 count as 0.
    * vtkAirlight::EnvironmentHarmonics() makes them of a picture. Range: finite, from -1e100 to
    * 1e100. Default: all 0.
    */
@@ -298,8 +298,8 @@ public:
    * - of directional lights in a box, or in an unbounded medium that falls with height, by the
    *   delta-Eddington approximation.
    *
-   * See Documentation/physics.md. It takes the place of the ambient radiance and of skies. Surfaces
-   * receive what arrives there. Other lights are scattered once, with a message; other media, too. Default: off.
+   * See Documentation/physics.md. It replaces ambient radiance and skies. Surfaces receive what
+   * arrives there. Other lights are scattered once, with a message; other media, too. Default: off.
    *
    * In an unbounded medium the error is that of the fit and 0.5 % of all scattered light, where the
    * lamp is 0.05 to 20 mean free paths away (nearer, 3 %). What no bound covers, see

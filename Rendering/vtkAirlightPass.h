@@ -223,8 +223,8 @@ public:
    * harmonics to order 2: as if each had them by vtkParticipatingMedium::SetSkyHarmonics(), see
    * there for what is neglected and vtkAirlight::EnvironmentHarmonics() for the texels' units. The
    * texture must be equirectangular; a cube map, or none, gives an error once, and no light. The
-   * renderer's UseImageBasedLighting lights surfaces with it and is independent of this; pictures of
-   * surfaces that it lights stay as they are unless this is on. Default: false.
+   * renderer's UseImageBasedLighting lights surfaces with it and is independent of this: renderers
+   * that have an environment draw what they drew before unless this is on. Default: false.
    */
   vtkSetMacro(UseEnvironmentTexture, bool);
   vtkGetMacro(UseEnvironmentTexture, bool);

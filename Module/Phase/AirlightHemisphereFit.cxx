@@ -15,8 +15,8 @@ namespace
 {
 constexpr double Pi = vtkMath::Pi();
 
-// Of panels of scattering angles: the finest beside peaks and beside the angles at which rings begin
-// to cross the horizon; the widest for bumps of tables.
+// Of panels of scattering angles: the finest beside peaks and beside the angles at which rings
+// begin to cross the horizon; the widest for bumps of tables.
 constexpr double FinestPanel = 1e-4;
 constexpr double WidestPanel = 0.2;
 

@@ -17,13 +17,13 @@
 namespace airlight
 {
 // The integral over [0, pi] of the phase function times sin(theta) times the light on the ring of
-// directions at the scattering angle theta from the ray, where x is the sine of the ray's elevation.
+// directions at the scattering angle theta from the ray; x is the sine of the ray's elevation.
 VTKAIRLIGHT_EXPORT double IntegrateHemisphere(
   const std::function<double(double)>& phaseFunction, double x);
 
 // It as a sum of Chebyshev polynomials of odd degree, Odd[k] T_(2k+1)(y), of the angle
-// y = atan(x/Width)/atan(1/Width): a peak of the phase function makes it steep at the horizon, where
-// it is about an arcus tangent.
+// y = atan(x/Width)/atan(1/Width): a peak of the phase function makes it steep at the horizon,
+// where it is about an arcus tangent.
 struct HemisphereFit
 {
   double Width = 1.0;

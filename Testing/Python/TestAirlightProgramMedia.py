@@ -11,7 +11,7 @@ import numpy as np
 
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
-from programtest import TETRAHEDRON, SceneTest, pixel_rays, write_mesh
+from programtest import TETRAHEDRON, SceneTest, henyey_greenstein, pixel_rays, write_mesh
 
 DARK = ("--point", "0,0,0:0")
 COEFFICIENTS = ("--scattering", "0.3,0.6,0", "--absorption", "0.1,0,0.2")

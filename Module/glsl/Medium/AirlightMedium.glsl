@@ -69,8 +69,8 @@ AIRLIGHT_FN real3 airlightAmbientRadiance(AIRLIGHT_IN(AirlightMedium) medium, re
   return medium.ambient;
 }
 
-// What shines by itself at density 1 into a ray of this direction, per unit of length: ambient light
-// that is scattered, and emission.
+// What shines by itself at density 1 into a ray of this direction, per unit of length: ambient
+// light that is scattered, and emission.
 AIRLIGHT_FN real3 airlightSource(AIRLIGHT_IN(AirlightMedium) medium, real3 direction)
 {
   return medium.sigmaS * airlightAmbientRadiance(medium, direction) + medium.emission;

@@ -16,9 +16,9 @@
 #include "OpenGL/AirlightShaderLibrary.h"
 #include "vtkAirlight.h"
 
-#include "vtkFloatArray.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRPrefilterTexture.h"
 #include "vtkTexture.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <cstdlib>
 
@@ -63,7 +63,8 @@ void ComparePixels(PixelScene& scene, const SkyRadiance& sky, double limit, cons
     for (int i = 3; i < PixelScene::Width; i += 19)
     {
       const glm::dvec3 expected = sigmaS / sigmaT *
-        ScatterSky(ReferencePhase(scene.Medium), sky, scene.GetRay(i, j).Direction);
+        glm::max(ScatterSky(ReferencePhase(scene.Medium), sky, scene.GetRay(i, j).Direction),
+          glm::dvec3(0.0));
       const float* seen = scene.GetPixel("Airlight", i, j);
       for (int c = 0; c < 3; ++c)
       {
@@ -90,7 +91,7 @@ void TestPixels()
   }
   const SkyRadiance sky = MakeSky(random);
   SetSky(scene.Medium, sky);
-  scene.Medium->SetPhaseTable(MakeTable(TABLE_RAINBOW));
+  scene.Medium->SetPhaseTable(MakeTable(TABLE_SMOOTH));
   scene.Medium->SetPhaseFunctionToTabulated();
   ComparePixels(scene, sky, 2e-5, "uniform, a table");
 }
@@ -247,24 +248,24 @@ void TestEnvironment()
   Check(scene.GetPixel("Airlight", 3, 5)[0] == 0.0f, "without the property nothing is scattered");
   scene.Pass->UseEnvironmentTextureOn();
   SkyRadiance sky = LookUp(texture, axes[1], axes[0], false);
-  ComparePixels(scene, sky, 1e-3, "environment");
+  ComparePixels(scene, sky, 2e-4, "environment");
   const glm::dvec3 up = -axes[0];
   scene.Renderer->SetEnvironmentUp(&up.x);
   scene.Renderer->SetEnvironmentRight(&axes[1].x);
   sky = LookUp(texture, up, axes[1], false);
-  ComparePixels(scene, sky, 1e-3, "environment that is turned");
+  ComparePixels(scene, sky, 2e-4, "environment that is turned");
   vtkImageData* image = texture->GetInput();
   image->SetScalarComponentFromDouble(6, 0, 0, 1, 3.0);
   image->Modified();
   sky = LookUp(texture, up, axes[1], false);
-  ComparePixels(scene, sky, 3e-3, "environment that has changed");
+  ComparePixels(scene, sky, 2e-4, "environment that has changed");
   // Of the renderer and of the medium add.
   scene.Medium->SetSkyHarmonics(sky.Harmonics.data());
   for (double& harmonic : sky.Harmonics)
   {
     harmonic *= 2.0;
   }
-  ComparePixels(scene, sky, 6e-3, "both");
+  ComparePixels(scene, sky, 4e-4, "both");
 }
 
 //------------------------------------------------------------------------------
@@ -282,6 +283,8 @@ void TestOrientation()
   scene.Renderer->SetEnvironmentRight(&axes[0].x);
   scene.Renderer->UseImageBasedLightingOn();
   scene.Renderer->AutomaticLightCreationOff();
+  // Highlights that VTK 9.1 fails to draw into smaller faces of the map.
+  vtkOpenGLRenderer::SafeDownCast(scene.Renderer)->GetEnvMapPrefiltered()->SetPrefilterLevels(1);
   vtkNew<vtkPolyDataMapper> mapper;
   const vtkSmartPointer<vtkPolyData> ball = MakeSphere(1.0);
   mapper->SetInputData(ball);
