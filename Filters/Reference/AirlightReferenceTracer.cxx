@@ -3,8 +3,8 @@
 #include "Reference/AirlightReferenceTracer.h"
 
 #include "Integration/AirlightIntegrate.h"
-#include "Reference/AirlightReferenceLitParts.h"
 #include "Integration/AirlightMembers.h"
+#include "Reference/AirlightReferenceLitParts.h"
 #include "Reference/AirlightReferenceSurface.h"
 #include "vtkMath.h"
 #include "vtkRenderer.h"
