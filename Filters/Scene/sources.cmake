@@ -7,6 +7,9 @@ airlight_sources(
     AirlightClassTraits
     AirlightSceneProps
     AirlightTextureColours
+    AirlightVolumeCheck
+    AirlightVolumeExtinction
+    AirlightVolumeOpacity
   HEADERS
     AirlightGeometryTimes.h
     AirlightVTKVersions.h)

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A volume's extinction, as VTK's ray casting has it: on a way of length l passes exp(-sigma l), with
+ *
+ *   sigma(s) = -ln(1 - alpha(s)) / ScalarOpacityUnitDistance,
+ *
+ * alpha the scalar opacity function and s the scalar, interpolated between the image's points. The
+ * unit distance is a length of the data's coordinates: a matrix that scales these divides sigma by
+ * the mean of its three scales. What VTK draws as opaque has a depth of 12 between two samples.
+ *
+ * Scalars are interpolated linearly, also where the vtkVolumeProperty asks for the nearest. Not
+ * installed.
+ */
+
+#ifndef AirlightVolumeOpacity_h
+#define AirlightVolumeOpacity_h
+
+#include "Scene/AirlightVolumeCheck.h"
+
+#include "vtkSmartPointer.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+class vtkMatrix4x4;
+
+namespace airlight
+{
+// Keeps the volume's scalars; many threads may use it at once.
+class VolumeOpacity
+{
+public:
+  // Of scalars that FindVolumeScalars() has found.
+  VolumeOpacity(vtkVolume* volume, const VolumeScalars& scalars, vtkMatrix4x4* toWorld);
+
+  // Numbers of the volume's points.
+  const glm::ivec3& GetSize() const { return this->Size; }
+
+  // From places counted in points.
+  const glm::dmat4& GetToWorld() const { return this->ToWorld; }
+
+  // The extinction, 1/world, at a place counted in points, which is moved into the volume.
+  double GetExtinction(const glm::dvec3& place) const;
+
+private:
+  double Classify(double scalar) const;
+
+  vtkSmartPointer<vtkDataArray> Values;
+  glm::ivec3 Size{ 0 };
+  glm::dmat4 ToWorld{ 1.0 };
+  std::vector<double> Table; // extinctions of equally spaced scalars
+  double Lowest = 0.0;       // scalar
+  double PerScalar = 0.0;    // entries
+};
+}
+
+#endif
