@@ -220,6 +220,7 @@ void vtkAirlightReference::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LampPoints: " << this->LampPoints << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
   os << indent << "TranslucentShadows: " << this->TranslucentShadows << "\n";
+  os << indent << "VolumeShadows: " << this->VolumeShadows << "\n";
   os << indent << "ScatteringOrders: " << this->ScatteringOrders << "\n";
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
   os << indent << "TargetError: " << this->TargetError << "\n";
@@ -300,6 +301,7 @@ int vtkAirlightReference::RequestData(
   settings.MultipleScattering = this->ScatteringOrders == 1;
   settings.SurfaceShadows = this->SurfaceShadows;
   settings.TranslucentShadows = this->TranslucentShadows;
+  settings.VolumeShadows = this->VolumeShadows;
   std::vector<vtkParticipatingMedium*> media = this->Impl->Media.GetAll();
   if (media.empty())
   {
@@ -316,6 +318,10 @@ int vtkAirlightReference::RequestData(
   if (!unsupported.empty())
   {
     vtkWarningMacro(<< "Not computed, or not as VTK draws it: " << unsupported << ".");
+  }
+  for (const std::string& text : tracer.GetScene().GetVolumes().GetErrors())
+  {
+    vtkWarningMacro(<< text);
   }
   if (tracer.GetLights().HasInvalid())
   {

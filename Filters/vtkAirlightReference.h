@@ -155,6 +155,18 @@ public:
 
   ///@{
   /**
+   * Whether volumes dim the lights, as with vtkAirlightPass::SetVolumeShadows(): in the air and on
+   * surfaces, by midpoint sums of eight steps between points of the volume. The volumes themselves
+   * are not drawn. With ScatteringOrders other than 1 the light that is scattered several times
+   * passes volumes undimmed. A volume that cannot cast a shadow gives a warning. Default: false.
+   */
+  vtkSetMacro(VolumeShadows, bool);
+  vtkGetMacro(VolumeShadows, bool);
+  vtkBooleanMacro(VolumeShadows, bool);
+  ///@}
+
+  ///@{
+  /**
    * How many times light may be scattered by the media or reflected by surfaces on its way from a
    * lamp to the eye. 1 is single scattering and VTK's shading, as the pass draws it, without noise.
    * n > 1: at most n times. 0: any number of times. Range: at least 0. Default: 1.
@@ -262,6 +274,7 @@ private:
   int LampPoints = 256;
   bool SurfaceShadows = true;
   bool TranslucentShadows = true;
+  bool VolumeShadows = false;
   int ScatteringOrders = 1;
   int SamplesPerPixel = 64;
   double TargetError = 0.0;

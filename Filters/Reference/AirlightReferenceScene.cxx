@@ -70,13 +70,20 @@ ReferenceMaterial::ReferenceMaterial(vtkProperty* property)
 }
 
 //------------------------------------------------------------------------------
-ReferenceScene::ReferenceScene(vtkRenderer* renderer, bool translucentShadows)
+ReferenceScene::ReferenceScene(vtkRenderer* renderer, bool translucentShadows, bool volumeShadows)
   : TranslucentShadows(translucentShadows)
 {
   const SceneProps props(renderer);
   for (const SceneProp& prop : props.GetProps())
   {
     this->AddProp(prop);
+    for (const SceneVolume& part : prop.VolumeParts)
+    {
+      if (volumeShadows && part.Casts)
+      {
+        this->Volumes.Add(part.Volume, part.ToWorld);
+      }
+    }
   }
   if (renderer->GetTexturedBackground())
   {

@@ -9,6 +9,7 @@
 #define AirlightReferenceScene_h
 
 #include "Occlusion/AirlightOccluders.h"
+#include "Reference/AirlightReferenceVolumes.h"
 #include "Scene/AirlightTextureColours.h"
 
 #include <glm/glm.hpp>
@@ -74,8 +75,9 @@ struct ReferenceHit
 class ReferenceScene
 {
 public:
-  // Brings the props' pipelines up to date. Translucent casters cast on request.
-  ReferenceScene(vtkRenderer* renderer, bool translucentShadows);
+  // Brings the props' pipelines up to date. Translucent casters cast, and volumes dim lights, on
+  // request.
+  ReferenceScene(vtkRenderer* renderer, bool translucentShadows, bool volumeShadows);
 
   const ReferencePart& GetPart(const OccluderTriangle& triangle) const
   {
@@ -96,6 +98,9 @@ public:
   // are farther from than `margin`.
   glm::dvec3 GetTransmittance(
     const glm::dvec3& point, const HomogeneousPoint& light, double margin) const;
+
+  // Those that cast shadows.
+  const ReferenceVolumes& GetVolumes() const { return this->Volumes; }
 
   // What there is that is left out or drawn otherwise than VTK does; empty if nothing.
   std::string GetUnsupported() const;
@@ -121,6 +126,7 @@ private:
   Occluders Casting;
   Occluders Translucent;
   Occluders Dimming;
+  ReferenceVolumes Volumes;
   bool AllCast = true;
   bool TranslucentShadows;
   std::set<std::string> Unsupported;

@@ -52,7 +52,7 @@ ReferenceTracer::ReferenceTracer(vtkRenderer* renderer,
   , Rays(renderer->GetActiveCamera(), static_cast<double>(settings.Width) / settings.Height,
       settings.Width, settings.Height)
   , Media(ConvertMedia(media, this->Rays.GetEye()))
-  , Scene(renderer, settings.TranslucentShadows)
+  , Scene(renderer, settings.TranslucentShadows, settings.VolumeShadows)
   , Lights(renderer, this->Media, this->Rays.GetEye(), settings.LightRadius, settings.LampPoints)
 {
   this->Media.multiple.on = settings.MultipleScattering ? this->Media.multiple.on : 0;
@@ -118,6 +118,25 @@ glm::dvec3 ReferenceTracer::GetPassing(const PixelRay& ray, size_t light, double
 }
 
 //------------------------------------------------------------------------------
+// The share of the light that volumes let through to a point, relative to the eye.
+double ReferenceTracer::PassVolumes(const ReferenceLight& light, const glm::dvec3& point) const
+{
+  return std::exp(-this->Scene.GetVolumes().GetDepth(light.World, point + this->Rays.GetEye()));
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 ReferenceTracer::ScatterLight(
+  const ReferenceLight& light, const f64::AirlightRay& ray, double from, double to) const
+{
+  if (this->Scene.GetVolumes().IsEmpty())
+  {
+    return IntegrateAirlight(this->Media, light.Values, ray, from, to);
+  }
+  return IntegrateDimmed(this->Media, light.Values, ray, from, to,
+    [&](const glm::dvec3& point) { return this->PassVolumes(light, point); });
+}
+
+//------------------------------------------------------------------------------
 // Scattered into the ray before `end`, and the length of it that is lit, inside media, for all
 // lights together.
 glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* litLength) const
@@ -144,7 +163,7 @@ glm::dvec3 ReferenceTracer::Scatter(const PixelRay& ray, double end, double* lit
       }
       if (light.Values.intensity != glm::dvec3(0.0))
       {
-        own += lit.Passes * IntegrateAirlight(this->Media, light.Values, part, from, to);
+        own += lit.Passes * this->ScatterLight(light, part, from, to);
       }
       if (litLength)
       {
@@ -182,7 +201,8 @@ glm::dvec4 ReferenceTracer::Shade(const PixelRay& ray, const SurfaceHit& hit) co
       share = glm::exp(-(f64::airlightIsDirectional(light.Values)
           ? f64::airlightSunDepths(this->Media, point, position)
           : f64::airlightDepthBetween(this->Media, point, position)));
-      share *= this->GetPassing(ray, k, hit.T) * f64::airlightPhotometricShare(light.Values, point);
+      share *= this->GetPassing(ray, k, hit.T) * this->PassVolumes(light, point) *
+        f64::airlightPhotometricShare(light.Values, point);
     }
     arriving.push_back(share);
   }

@@ -42,6 +42,7 @@ struct ReferenceSettings
   bool SurfaceShadows = true;
   bool TranslucentShadows = true;
   bool MultipleScattering = true; // of media that have it
+  bool VolumeShadows = false;
 };
 
 // What is otherwise on a ray, to find out what rounding does to pictures.
@@ -124,6 +125,9 @@ private:
     SurfaceHit& hit) const;
   void FindLitParts(PixelRay& ray, double end) const;
   glm::dvec3 GetPassing(const PixelRay& ray, size_t light, double t) const;
+  double PassVolumes(const ReferenceLight& light, const glm::dvec3& point) const;
+  glm::dvec3 ScatterLight(
+    const ReferenceLight& light, const f64::AirlightRay& ray, double from, double to) const;
   glm::dvec3 Scatter(const PixelRay& ray, double end, double* litLength) const;
   glm::dvec4 Shade(const PixelRay& ray, const SurfaceHit& hit) const;
   glm::dvec3 Pass(const PixelRay& ray, double end) const;

@@ -17,4 +17,5 @@ airlight_sources(
     AirlightReferenceScene
     AirlightReferenceSky
     AirlightReferenceSurface
-    AirlightReferenceTracer)
+    AirlightReferenceTracer
+    AirlightReferenceVolumes)

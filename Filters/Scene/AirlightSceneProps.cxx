@@ -75,6 +75,11 @@ void AddPart(SceneProp& to, vtkProp* part, vtkMatrix4x4* toWorld)
   else
   {
     to.OtherParts.push_back(part);
+    auto* volume = vtkVolume::SafeDownCast(part);
+    if (volume && volume->GetMapper())
+    {
+      to.VolumeParts.push_back({ volume, Copy(toWorld), to.Casts && CastsShadow(volume) });
+    }
   }
 }
 
@@ -157,6 +162,7 @@ SceneProps::SceneProps(vtkRenderer* renderer, vtkProp** inView, int count)
       this->Add(inView[i], true);
       this->Props.back().Casts = false;
       this->Props.back().Parts.clear();
+      this->Props.back().VolumeParts.clear();
     }
   }
 }

@@ -31,6 +31,14 @@ struct ScenePart
   bool Casts = true; // its key and that of its prop allow it
 };
 
+// A volume that a prop draws, likewise. Only vtkVolume, not what a vtkLODProp3D shows.
+struct SceneVolume
+{
+  vtkVolume* Volume = nullptr;
+  vtkSmartPointer<vtkMatrix4x4> ToWorld;
+  bool Casts = true;
+};
+
 // A visible prop of the renderer.
 struct SceneProp
 {
@@ -42,6 +50,8 @@ struct SceneProp
   std::vector<ScenePart> Parts;
   // What draws no actor: volumes, annotations, a vtkLODProp3D that shows a volume or an image.
   std::vector<vtkProp*> OtherParts;
+  // Those of them that are volumes with a mapper.
+  std::vector<SceneVolume> VolumeParts;
   // Of props in view alone: visible volumes with a mapper, and all actors that it can draw, hidden
   // parts and all levels of detail included.
   std::vector<vtkVolume*> Volumes;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Integration/AirlightAdaptiveQuadrature.h"
 
-#include "Integration/AirlightIntegrate.h"
 #include "Integration/AirlightRayCuts.h"
 
 #include <algorithm>
@@ -60,11 +59,12 @@ constexpr double Gain = 0.1;
 }
 
 //------------------------------------------------------------------------------
-AdaptiveQuadrature::AdaptiveQuadrature(
-  const f64::AirlightMedia& media, const f64::AirlightLight& light, const f64::AirlightRay& ray)
+AdaptiveQuadrature::AdaptiveQuadrature(const f64::AirlightMedia& media,
+  const f64::AirlightLight& light, const f64::AirlightRay& ray, LightShare share)
   : Media(media)
   , Light(light)
   , Ray(ray)
+  , Share(std::move(share))
 {
   const bool images = HasGrid(media);
   this->Tolerance = images ? 1e-6 : 1e-12;
@@ -75,6 +75,14 @@ AdaptiveQuadrature::AdaptiveQuadrature(
   const bool surfaces = std::any_of(media.item, media.item + media.count,
     [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
   this->Fineness = surfaces && !images ? 8 : 1;
+  if (this->Share)
+  {
+    // Its kinks are at places that are not known, and small shadows must not fall between nodes.
+    this->Tolerance = 1e-5;
+    this->PanelTolerance = 1e-8;
+    this->FirstRule = 1;
+    this->Fineness = 8;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -163,14 +171,25 @@ AdaptiveQuadrature::Panel AdaptiveQuadrature::MakePanel(
 }
 
 //------------------------------------------------------------------------------
+glm::dvec3 AdaptiveQuadrature::Evaluate(const Panel& panel, double v) const
+{
+  const glm::dvec3 value = f64::airlightPanelValue(
+    this->Media, this->Light, this->Ray, *panel.Piece, panel.Straight, v);
+  if (!this->Share)
+  {
+    return value;
+  }
+  const double tL = this->Ray.range.x + this->Ray.foot.tL;
+  const double t = panel.Straight ? v : tL + this->Ray.foot.h * std::sinh(v);
+  return value * this->Share(this->Ray.origin + t * this->Ray.direction);
+}
+
+//------------------------------------------------------------------------------
 void AdaptiveQuadrature::UseNextRule(Panel& panel)
 {
   const double middle = 0.5 * (panel.From + panel.To);
   const double reach = 0.5 * (panel.To - panel.From);
-  const auto integrand = [&](double v) {
-    return f64::airlightPanelValue(
-      this->Media, this->Light, this->Ray, *panel.Piece, panel.Straight, v);
-  };
+  const auto integrand = [&](double v) { return this->Evaluate(panel, v); };
   const int known = panel.Rule == 0 ? 0 : PairCounts[panel.Rule];
   ++panel.Rule;
   glm::dvec3 fine(0.0);

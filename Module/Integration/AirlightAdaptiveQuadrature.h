@@ -8,7 +8,7 @@
 #ifndef AirlightAdaptiveQuadrature_h
 #define AirlightAdaptiveQuadrature_h
 
-#include "Integration/AirlightMath.h"
+#include "Integration/AirlightIntegrate.h"
 
 #include <vector>
 
@@ -19,12 +19,13 @@ namespace airlight
 class AdaptiveQuadrature
 {
 public:
-  AdaptiveQuadrature(
-    const f64::AirlightMedia& media, const f64::AirlightLight& light, const f64::AirlightRay& ray);
+  // `share`: IntegrateDimmed(), or none for all of the light.
+  AdaptiveQuadrature(const f64::AirlightMedia& media, const f64::AirlightLight& light,
+    const f64::AirlightRay& ray, LightShare share = nullptr);
 
   // The integral over [t0, t1] that f64::airlightQuadrature() approximates. The error is 1e-12 of
-  // it where the integrand is smooth between finitely many kinks, and 1e-6 with images among the
-  // densities. Panels are halved at most 20 000 times.
+  // it where the integrand is smooth between finitely many kinks, 1e-6 with images among the
+  // densities, and 1e-5 with a share. Panels are halved at most 20 000 times.
   glm::dvec3 Integrate(double t0, double t1);
 
 private:
@@ -46,6 +47,7 @@ private:
 
   bool Scatters(const f64::AirlightPiece& piece) const;
   void AddPanels(const f64::AirlightPiece& piece);
+  glm::dvec3 Evaluate(const Panel& panel, double v) const;
   Panel MakePanel(const f64::AirlightPiece& piece, bool straight, double from, double to);
   void UseNextRule(Panel& panel);
   void Halve(size_t index);
@@ -54,6 +56,7 @@ private:
   const f64::AirlightMedia& Media;
   const f64::AirlightLight& Light;
   const f64::AirlightRay& Ray;
+  LightShare Share;
   double Tolerance;      // of the errors of all panels, relative to the integral
   double PanelTolerance; // smaller errors than this are left alone
   int FirstRule;

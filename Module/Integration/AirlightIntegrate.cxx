@@ -30,6 +30,13 @@ glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::Airligh
 }
 
 //------------------------------------------------------------------------------
+glm::dvec3 IntegrateDimmed(const f64::AirlightMedia& media, const f64::AirlightLight& light,
+  const f64::AirlightRay& ray, double from, double to, const LightShare& share)
+{
+  return light.intensity * AdaptiveQuadrature(media, light, ray, share).Integrate(from, to);
+}
+
+//------------------------------------------------------------------------------
 double LeastDistance(const glm::dvec3& light, double length)
 {
   const double distance = glm::length(light);

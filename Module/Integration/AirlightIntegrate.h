@@ -10,6 +10,8 @@
 
 #include "Integration/AirlightMath.h"
 
+#include <functional>
+
 namespace airlight
 {
 // Whether the density of one of the media comes from an image.
@@ -19,7 +21,14 @@ bool HasGrid(const f64::AirlightMedia& media);
 glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::AirlightLight& light,
   const f64::AirlightRay& ray, double from, double to);
 
-// The same on [from, to] of a ray from the origin of coordinates, of any light and without a
+// The share of a light that reaches a point of a ray, of what the media leave of it.
+using LightShare = std::function<double(const glm::dvec3&)>;
+
+// The same of a light of which only a share arrives, by quadrature with an error of about 1e-5.
+glm::dvec3 IntegrateDimmed(const f64::AirlightMedia& media, const f64::AirlightLight& light,
+  const f64::AirlightRay& ray, double from, double to, const LightShare& share);
+
+// The same as IntegrateAirlight() on [from, to] of a ray from the origin of coordinates, of any light and without a
 // radius; `to` may be infinite. Channels that no medium scatters are exactly dark.
 glm::dvec3 IntegrateLight(const f64::AirlightMedia& media, f64::AirlightLight light,
   const glm::dvec3& direction, double from, double to);
