@@ -271,6 +271,7 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   properties.Steps = this->NumberOfSteps;
   properties.SurfaceShadows = this->SurfaceShadows;
   properties.TranslucentShadows = this->TranslucentShadows;
+  properties.VolumeShadows = this->VolumeShadows;
   properties.ScatteredSurfaceLight = this->ScatteredSurfaceLight;
   properties.LinearInput = this->LinearInput;
   properties.Display = this->GetDisplay(s);
@@ -497,6 +498,7 @@ void vtkAirlightPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "SurfaceShadows: " << this->SurfaceShadows << "\n";
   os << indent << "TranslucentShadows: " << this->TranslucentShadows << "\n";
+  os << indent << "VolumeShadows: " << this->VolumeShadows << "\n";
   os << indent << "ScatteredSurfaceLight: " << this->ScatteredSurfaceLight << "\n";
   os << indent << "UseEnvironmentTexture: " << this->UseEnvironmentTexture << "\n";
   os << indent << "LinearInput: " << this->LinearInput << "\n";

@@ -190,6 +190,25 @@ public:
 
   ///@{
   /**
+   * Whether volumes dim the lights behind them: in media, on surfaces and on other volumes,
+   * whatever ShadowTechnique and SurfaceShadows are. On a way of length l through a volume
+   * exp(-sigma l) of the light passes, sigma = -ln(1 - alpha)/ScalarOpacityUnitDistance as VTK
+   * draws it, alpha the scalar opacity function. A volume does not shade itself.
+   * SetCastsShadow() excludes volumes.
+   *
+   * Volumes cast if a vtkSmartVolumeMapper or vtkGPUVolumeRayCastMapper draws them, by composite
+   * blending, from point scalars of one component of a vtkImageData, without cropping, clipping
+   * planes, mask, gradient opacity or 2D transfer function; others give a warning that says so.
+   * Media and volumes that cast are at most eight together. Accuracy and costs are in
+   * Documentation/guide.md. Default: false.
+   */
+  vtkSetMacro(VolumeShadows, bool);
+  vtkGetMacro(VolumeShadows, bool);
+  vtkBooleanMacro(VolumeShadows, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether light that the medium scattered once also illuminates surfaces: the soft glow around a
    * lamp close to a wall. A surface of diffuse colour rho then emits rho E/pi more, with E the
    * integral of the airlight that arrives over the surface's hemisphere. It is added to the diffuse
@@ -614,6 +633,7 @@ private:
   int NumberOfSteps = 64;
   bool SurfaceShadows = true;
   bool TranslucentShadows = true;
+  bool VolumeShadows = false;
   bool ScatteredSurfaceLight = false;
   bool UseEnvironmentTexture = false;
   bool LinearInput = true;

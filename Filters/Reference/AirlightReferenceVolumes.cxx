@@ -65,8 +65,7 @@ double ReferenceVolumes::GetDepth(const HomogeneousPoint& light, const glm::dvec
   {
     const glm::dvec3 origin(volume.ToPlaces * glm::dvec4(point, 1.0));
     const glm::dvec3 slope = glm::dmat3(volume.ToPlaces) * way;
-    const glm::dvec2 range =
-      Clip({ 0.0, length }, origin, slope, volume.Opacity.GetSize());
+    const glm::dvec2 range = Clip({ 0.0, length }, origin, slope, volume.Opacity.GetSize());
     const double reach = range.y - range.x;
     if (!(reach > 0.0))
     {

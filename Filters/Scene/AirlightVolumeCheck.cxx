@@ -6,6 +6,7 @@
 #include "vtkDataArray.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlaneCollection.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
@@ -54,6 +55,23 @@ std::string CheckMapper(vtkVolumeMapper* mapper)
   return text.str();
 }
 
+// VTK makes a function that is 1 everywhere for those that have none.
+bool DependsOnGradient(vtkVolumeProperty* property)
+{
+  vtkPiecewiseFunction* function =
+    property->GetDisableGradientOpacity() ? nullptr : property->GetStoredGradientOpacity();
+  for (int i = 0; function && i < function->GetSize(); ++i)
+  {
+    double node[4];
+    function->GetNodeValue(i, node);
+    if (node[1] != 1.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::string CheckProperty(vtkVolumeProperty* property)
 {
   std::ostringstream text;
@@ -62,7 +80,7 @@ std::string CheckProperty(vtkVolumeProperty* property)
     text << "its opacity depends on a 2D transfer function: call SetTransferFunctionModeTo1D() and "
             "SetScalarOpacity() of its vtkVolumeProperty";
   }
-  else if (property->HasGradientOpacity() && !property->GetDisableGradientOpacity())
+  else if (DependsOnGradient(property))
   {
     text << "its opacity depends on the gradient: call DisableGradientOpacityOn() of its "
             "vtkVolumeProperty";

@@ -105,8 +105,7 @@ double GetError(const VolumeOpacity& opacity, const ExtinctionSamples& samples)
   for (int i = 1; i <= TestPoints; ++i)
   {
     const glm::dvec3 place = glm::fract(double(i) * advance) * glm::dvec3(samples.Size - 1);
-    const double error =
-      Interpolate(samples, place) - opacity.GetExtinction(place * samples.Step);
+    const double error = Interpolate(samples, place) - opacity.GetExtinction(place * samples.Step);
     squares += error * error;
   }
   return std::sqrt(squares / TestPoints);
@@ -117,8 +116,7 @@ ExtinctionSamples Refine(const VolumeOpacity& opacity, int& refinement)
 {
   const glm::ivec3& size = opacity.GetSize();
   const glm::ivec3 coarse = GetCoarseSize(size);
-  const double length =
-    glm::length(glm::dmat3(opacity.GetToWorld()) * glm::dvec3(size - 1));
+  const double length = glm::length(glm::dmat3(opacity.GetToWorld()) * glm::dvec3(size - 1));
   ExtinctionSamples samples = Sample(opacity, coarse);
   refinement = 1;
   while (coarse == size && 2 * refinement <= Finest)

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a volume takes away of the light that passes through it (AirlightVolumeOpacity.h), as an image
- * of density. Between the volume's points extinction is not linear, as the opacity function is
- * applied to interpolated scalars: so the image has up to four samples along each axis for each of
- * the volume's. Of volumes of more than 2^21 points it has fewer, each a mean.
+ * What a volume takes away of the light that passes through it (AirlightVolumeOpacity.h), as an
+ * image of density. Between the volume's points extinction is not linear, as the opacity function
+ * is applied to interpolated scalars: so the image has up to four samples along each axis for each
+ * of the volume's. Of volumes of more than 2^21 points it has fewer, each a mean.
  *
  * Not installed; exported for the module's own tests.
  */

@@ -41,8 +41,7 @@ glm::dmat4 GetPointsToData(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-VolumeOpacity::VolumeOpacity(
-  vtkVolume* volume, const VolumeScalars& scalars, vtkMatrix4x4* toWorld)
+VolumeOpacity::VolumeOpacity(vtkVolume* volume, const VolumeScalars& scalars, vtkMatrix4x4* toWorld)
   : Values(scalars.Values)
   , Table(TableSize)
 {

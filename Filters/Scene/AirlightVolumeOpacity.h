@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A volume's extinction, as VTK's ray casting has it: on a way of length l passes exp(-sigma l), with
+ * A volume's extinction, as VTK's ray casting has it: on a way of length l passes exp(-sigma l),
  *
  *   sigma(s) = -ln(1 - alpha(s)) / ScalarOpacityUnitDistance,
  *

@@ -173,8 +173,8 @@ AdaptiveQuadrature::Panel AdaptiveQuadrature::MakePanel(
 //------------------------------------------------------------------------------
 glm::dvec3 AdaptiveQuadrature::Evaluate(const Panel& panel, double v) const
 {
-  const glm::dvec3 value = f64::airlightPanelValue(
-    this->Media, this->Light, this->Ray, *panel.Piece, panel.Straight, v);
+  const glm::dvec3 value =
+    f64::airlightPanelValue(this->Media, this->Light, this->Ray, *panel.Piece, panel.Straight, v);
   if (!this->Share)
   {
     return value;

@@ -13,8 +13,9 @@ namespace airlight
 //------------------------------------------------------------------------------
 bool HasGrid(const f64::AirlightMedia& media)
 {
-  return std::any_of(media.item, media.item + media.count,
-    [](const auto& medium) { return medium.density == AIRLIGHT_DENSITY_GRID; });
+  return media.volumes > 0 ||
+    std::any_of(media.item, media.item + media.count,
+      [](const auto& medium) { return medium.density == AIRLIGHT_DENSITY_GRID; });
 }
 
 //------------------------------------------------------------------------------

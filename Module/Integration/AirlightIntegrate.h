@@ -14,7 +14,7 @@
 
 namespace airlight
 {
-// Whether the density of one of the media comes from an image.
+// Whether the density of one of the media comes from an image, or volumes dim lights.
 bool HasGrid(const f64::AirlightMedia& media);
 
 // What the light scatters into the part [from, to] of a ray that lies inside ray.lit.
@@ -28,8 +28,8 @@ using LightShare = std::function<double(const glm::dvec3&)>;
 glm::dvec3 IntegrateDimmed(const f64::AirlightMedia& media, const f64::AirlightLight& light,
   const f64::AirlightRay& ray, double from, double to, const LightShare& share);
 
-// The same as IntegrateAirlight() on [from, to] of a ray from the origin of coordinates, of any light and without a
-// radius; `to` may be infinite. Channels that no medium scatters are exactly dark.
+// IntegrateAirlight() on [from, to] of a ray from the origin of coordinates, of any light and
+// without a radius; `to` may be infinite. Channels that no medium scatters are exactly dark.
 glm::dvec3 IntegrateLight(const f64::AirlightMedia& media, f64::AirlightLight light,
   const glm::dvec3& direction, double from, double to);
 

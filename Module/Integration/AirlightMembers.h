@@ -146,7 +146,8 @@ template <typename Visitor, typename... Media>
 void VisitMedia(Visitor&& visit, Media&... media)
 {
   visit(Member{ "count" }, media.count...);
-  const int count = std::min({ media.count... });
+  visit(Member{ "volumes" }, media.volumes...);
+  const int count = std::min({ (media.count + media.volumes)... });
   for (int i = 0; i < count; ++i)
   {
     VisitMedium(VisitIn("item[" + std::to_string(i) + "]", visit), media.item[i]...);

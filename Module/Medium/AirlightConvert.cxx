@@ -94,7 +94,7 @@ f64::AirlightMedium ConvertMedium(
 
 int PointKind(const f64::AirlightMedia& media, const f64::AirlightLight& light)
 {
-  return HasUniformPaths(media, light) && HasClosedForm(media.item[0].phase)
+  return media.volumes == 0 && HasUniformPaths(media, light) && HasClosedForm(media.item[0].phase)
     ? AIRLIGHT_POINT_CLOSED
     : AIRLIGHT_POINT_QUADRATURE;
 }
@@ -103,6 +103,10 @@ int DirectionalKind(const f64::AirlightMedia& media)
 {
   const f64::AirlightMedium& first = media.item[0];
   const bool unbounded = first.region.kind == AIRLIGHT_REGION_UNBOUNDED;
+  if (media.volumes > 0)
+  {
+    return AIRLIGHT_DIRECTIONAL_QUADRATURE;
+  }
   if (media.count == 1 && first.density == AIRLIGHT_DENSITY_HEIGHT && unbounded)
   {
     return AIRLIGHT_DIRECTIONAL_HEIGHT;
@@ -164,6 +168,27 @@ f64::AirlightMedia ConvertMedia(const std::vector<vtkParticipatingMedium*>& medi
     }
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+bool AddVolume(
+  f64::AirlightMedia& media, const DensityGrid& grid, double sigmaT, const glm::dvec3& origin)
+{
+  if (media.count + media.volumes == AIRLIGHT_MAX_MEDIA)
+  {
+    return false;
+  }
+  f64::AirlightMedium& volume = media.item[media.count + media.volumes];
+  volume = f64::AirlightMedium{};
+  volume.sigmaT = glm::dvec3(sigmaT);
+  volume.density = AIRLIGHT_DENSITY_GRID;
+  volume.grid = &grid;
+  volume.gridOrigin = origin;
+  volume.region.kind = AIRLIGHT_REGION_BOX;
+  volume.region.boxMin = grid.GetLeast() - origin;
+  volume.region.boxMax = grid.GetGreatest() - origin;
+  ++media.volumes;
+  return true;
 }
 
 //------------------------------------------------------------------------------

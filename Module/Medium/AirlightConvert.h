@@ -32,6 +32,11 @@ VTKAIRLIGHT_EXPORT f64::AirlightMedia ConvertMedia(
   const std::vector<vtkParticipatingMedium*>& media, const glm::dvec3& origin,
   const SkyHarmonics* environment = nullptr);
 
+// Adds a volume that takes light away on its way from the lights, and is not seen: an image of
+// density and its extinction at density 1. False if there are AIRLIGHT_MAX_MEDIA media and volumes.
+VTKAIRLIGHT_EXPORT bool AddVolume(
+  f64::AirlightMedia& media, const DensityGrid& grid, double sigmaT, const glm::dvec3& origin);
+
 // Whether any of the media scatters light.
 VTKAIRLIGHT_EXPORT bool HasScattering(const f64::AirlightMedia& media);
 

@@ -22,7 +22,7 @@ namespace airlight
 //------------------------------------------------------------------------------
 bool IsClear(const f64::AirlightMedia& media)
 {
-  return std::all_of(media.item, media.item + media.count,
+  return std::all_of(media.item, media.item + media.count + media.volumes,
     [](const f64::AirlightMedium& medium) { return medium.sigmaT == glm::dvec3(0.0); });
 }
 
@@ -40,11 +40,11 @@ bool Frame::Fail(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-bool Frame::Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
+bool Frame::Upload(vtkOpenGLRenderWindow* window, const SceneSources& sources,
   f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights)
 {
   this->TooMuch = Excess::None;
-  return this->Arrays.Upload(window, media, converted, sceneLights) ||
+  return this->Arrays.Upload(window, sources, converted, sceneLights) ||
     this->Fail(this->Arrays.GetError());
 }
 
@@ -476,6 +476,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.Height = input.Rays.GetHeight();
   values.VolumeNodes = this->Plan.VolumeNodes;
   values.Media = &input.Media;
+  values.CastingVolumes = &input.CastingVolumes;
   values.SceneLights = &input.SceneLights;
   values.Lit = this->Textures.Scattered;
   values.MoreLit = this->HasMoreLit() ? this->Textures.Lit : this->Textures.Scattered;

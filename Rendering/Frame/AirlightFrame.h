@@ -47,15 +47,15 @@
 class vtkImageData;
 class vtkLight;
 class vtkOpenGLRenderWindow;
-class vtkParticipatingMedium;
 class vtkRenderer;
+class vtkVolume;
 class vtkWindow;
 
 namespace airlight
 {
 class SceneDrawer;
 
-// Whether the media neither scatter nor absorb.
+// Whether the media neither scatter nor absorb, and volumes cast no shadows.
 bool IsClear(const f64::AirlightMedia& media);
 
 class Frame
@@ -64,7 +64,7 @@ public:
   Frame();
 
   // SceneArrays::Upload() for the shaders, before Begin().
-  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
+  bool Upload(vtkOpenGLRenderWindow* window, const SceneSources& sources,
     f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights);
 
   // What the casters of other processes do, for all frames until it is forgotten.
@@ -103,6 +103,7 @@ public:
     std::vector<vtkProp*> Solids;
     DrawActors DrawInMap; // casters without polygons
     std::vector<SunDisc> Suns;
+    std::vector<vtkVolume*> CastingVolumes; // those after the media
   };
 
   // Draws frames at the pixels of a mask alone (EdgeMean), until it is null again. The results of

@@ -49,6 +49,7 @@ struct PassProperties
   int Steps = 64;
   bool SurfaceShadows = true;
   bool TranslucentShadows = true;
+  bool VolumeShadows = false;
   bool ScatteredSurfaceLight = false;
   bool LinearInput = true;
   DisplayStage Display;

@@ -124,10 +124,11 @@ double InscatterShader::GetIntegralError() const
 {
   const SceneLight& light = this->Scene.Lights[this->Light];
   const f64::AirlightMedia& media = this->Scene.Media;
-  const bool cut = std::any_of(media.item, media.item + media.count, [](const auto& medium) {
-    return medium.density == AIRLIGHT_DENSITY_GRID &&
-      medium.region.kind != AIRLIGHT_REGION_UNBOUNDED;
-  });
+  const bool cut =
+    media.volumes > 0 || std::any_of(media.item, media.item + media.count, [](const auto& medium) {
+      return medium.density == AIRLIGHT_DENSITY_GRID &&
+        medium.region.kind != AIRLIGHT_REGION_UNBOUNDED;
+    });
   const double integral = cut                          ? CutImageError
     : IsQuadrature(light.Values) && !this->Equiangular ? QuadratureError
                                                        : ClosedFormError;

@@ -62,7 +62,7 @@ bool PolyDataMapperShader::Prepare(vtkRenderer* renderer, double radius)
   this->Converted = ConvertMedia(media, this->Rays->GetEye());
   this->SceneLights = CollectSceneLights(renderer, this->Converted, *this->Rays, radius, false);
   this->ScatteredOnce = AddMultipleLamps(this->SceneLights, this->Converted);
-  if (!this->Arrays.Upload(window, media, this->Converted, this->SceneLights))
+  if (!this->Arrays.Upload(window, { media, {} }, this->Converted, this->SceneLights))
   {
     this->Error = this->Arrays.GetError();
     return false;

@@ -186,10 +186,11 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
   // shines; a mapper without the pass is to stay as it is.
   const std::vector<LightSpecialization> known =
     options.InPass ? SpecializeLights(sceneLights) : std::vector<LightSpecialization>();
-  const bool everywhere = std::all_of(media.item, media.item + media.count, [](const auto& medium) {
-    return medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
-      medium.density == AIRLIGHT_DENSITY_UNIFORM;
-  });
+  const bool everywhere =
+    media.volumes == 0 && std::all_of(media.item, media.item + media.count, [](const auto& medium) {
+      return medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
+        medium.density == AIRLIGHT_DENSITY_UNIFORM;
+    });
   if (sceneLightCount <= options.SceneLightCount && everywhere == options.UniformMedia &&
     source == options.Mathematics && translucent == options.Translucent && known == options.Lights)
   {

@@ -16,6 +16,7 @@
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkTextureObject;
+class vtkVolume;
 
 namespace airlight
 {
@@ -33,6 +34,7 @@ struct SurfaceUniforms
   int ViewportY = 0;
   glm::vec4 Pixels{ 1.0f, 1.0f, 0.0f, 0.0f }; // of the target (CameraUniforms::SetUniforms())
   const f64::AirlightMedia* Media = nullptr;
+  const std::vector<vtkVolume*>* CastingVolumes = nullptr; // those after the media, or null
   const std::vector<SceneLight>* SceneLights = nullptr;
   vtkTextureObject* Lit = nullptr;     // in the pass, an active texture in any case
   vtkTextureObject* MoreLit = nullptr; // likewise; the same where there are few lights

@@ -104,6 +104,25 @@ void SetSortedSceneLights(vtkShaderProgram* program, const std::vector<SceneLigh
 }
 
 //------------------------------------------------------------------------------
+// A volume shades its samples as VTK does, without its own shadow: its region is made empty, so
+// that no sample's way goes through its cells.
+void LeaveOutOwnShadow(
+  vtkShaderProgram* program, const vtkVolume* volume, const SurfaceUniforms& values)
+{
+  const float none[3] = { 0.0f, 0.0f, 0.0f };
+  for (int i = 0; i < values.Media->volumes; ++i)
+  {
+    if ((*values.CastingVolumes)[i] == volume)
+    {
+      const std::string item = "airlightMedia.item[" + std::to_string(values.Media->count + i);
+      program->SetUniform3f((item + "].sigmaT").c_str(), none);
+      program->SetUniform3f((item + "].region.boxMin").c_str(), none);
+      program->SetUniform3f((item + "].region.boxMax").c_str(), none);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void SetVolumeUniforms(vtkShaderProgram* program, vtkVolume* volume, const SurfaceUniforms& values)
 {
   glm::dmat4 shift(1.0);
@@ -114,6 +133,7 @@ void SetVolumeUniforms(vtkShaderProgram* program, vtkVolume* volume, const Surfa
   program->SetUniform2f("airlightVolumeSize", size);
   program->SetUniformi("airlightNodeCount", values.VolumeNodes);
   SetSortedSceneLights(program, *values.SceneLights);
+  LeaveOutOwnShadow(program, volume, values);
 }
 
 //------------------------------------------------------------------------------

@@ -49,10 +49,11 @@ std::string DefineCommon(const f64::AirlightMedia& media)
 {
   const auto* first = media.item;
   const auto* end = media.item + media.count;
+  const auto* last = end + media.volumes;
   const bool sameRegion = std::all_of(
-    first, end, [first](const auto& medium) { return medium.region.kind == first->region.kind; });
+    first, last, [first](const auto& medium) { return medium.region.kind == first->region.kind; });
   const bool sameDensity = std::all_of(
-    first, end, [first](const auto& medium) { return medium.density == first->density; });
+    first, last, [first](const auto& medium) { return medium.density == first->density; });
   const bool power =
     std::any_of(first, end, [](const auto& medium) { return medium.phase.power.x > 0.0; });
   const bool grey =
@@ -63,7 +64,7 @@ std::string DefineCommon(const f64::AirlightMedia& media)
       phase.pole[0].x == 1.0;
   });
   int kinds = 0; // bit i: a region is of kind i
-  for (const auto* medium = first; medium != end; ++medium)
+  for (const auto* medium = first; medium != last; ++medium)
   {
     kinds |= 1 << medium->region.kind;
   }
@@ -81,12 +82,12 @@ bool IsMultipleGrey(const f64::AirlightMedium& medium)
   return f64::airlightIsGrey(medium) && scattering == glm::dvec3(scattering.x);
 }
 
-// Replaces each loop over the media by as many copies of its block, which must not leave or restart
-// it. Compilers do not unroll blocks that hold loops themselves, and then keep each medium's walk
-// through its image in memory: frames took four times as long.
-std::string UnrollMedia(const std::string& text, int count)
+// Replaces each loop over so many media by as many copies of its block, which must not leave or
+// restart it. Compilers do not unroll blocks that hold loops themselves, and then keep each medium's
+// walk through its image in memory: frames took four times as long.
+std::string UnrollMedia(const std::string& text, const std::string& bound, int count)
 {
-  const std::string head = "for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)";
+  const std::string head = "for (int i = 0; i < " + bound + "; i++)";
   const std::size_t found = text.find(head);
   if (found == std::string::npos)
   {
@@ -104,7 +105,14 @@ std::string UnrollMedia(const std::string& text, int count)
   {
     unrolled += "{ const int i = " + std::to_string(i) + ";" + block + "}";
   }
-  return unrolled + UnrollMedia(text.substr(end), count);
+  return unrolled + UnrollMedia(text.substr(end), bound, count);
+}
+
+std::string UnrollGrids(const f64::AirlightMedia& media)
+{
+  const std::string text = std::string(AirlightGridWay) + AirlightGridSteps + AirlightGridRay;
+  return UnrollMedia(UnrollMedia(text, "AIRLIGHT_MEDIUM_COUNT", media.count),
+    "AIRLIGHT_DIMMING_COUNT", media.count + media.volumes);
 }
 
 // Sets the members of a uniform of this name.
@@ -179,7 +187,8 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
   const bool table =
     std::any_of(media.item, end, [](const auto& medium) { return medium.phase.rows > 0; });
   int grids = 0; // bit i: medium i has an image
-  for (int i = 0; i < media.count; ++i)
+  const int dimming = media.count + media.volumes;
+  for (int i = 0; i < dimming; ++i)
   {
     grids |= media.item[i].density == AIRLIGHT_DENSITY_GRID ? 1 << i : 0;
   }
@@ -190,8 +199,12 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     Define("AIRLIGHT_GRID_MEDIA", grids) + Define("AIRLIGHT_HAS_TABLE", table) +
     Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) + (sky ? Define("AIRLIGHT_HAS_SKY", 1) : "") +
     Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
-    Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", media.count) +
-    Define("AIRLIGHT_MEDIUM_COUNT", media.count) + Define("AIRLIGHT_MULTIPLE", multiple) +
+    Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", dimming) +
+    Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
+    (media.volumes > 0
+        ? Define("AIRLIGHT_HAS_VOLUMES", 1) + Define("AIRLIGHT_DIMMING_COUNT", dimming)
+        : "") +
+    Define("AIRLIGHT_MULTIPLE", multiple) +
     Define("AIRLIGHT_MULTIPLE_GREY", multiple && IsMultipleGrey(media.item[0])) +
     Define("AIRLIGHT_MULTIPLE_LIGHTS", media.multiple.count) +
     Define("AIRLIGHT_MULTIPLE_NODES", AIRLIGHT_MULTIPLE_NODES) +
@@ -205,10 +218,7 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     (multiple ? AirlightSourceFunction : "") + AirlightMedia + AirlightAmbient + AirlightLight +
     AirlightKinks + AirlightQuadrature +
     (multiple ? std::string(AirlightLayeredScattering) + AirlightMultipleScattering : "") +
-    AirlightGoniometricRay + AirlightPieces +
-    (grid ? UnrollMedia(
-              std::string(AirlightGridWay) + AirlightGridSteps + AirlightGridRay, media.count)
-          : "") +
+    AirlightGoniometricRay + AirlightPieces + (grid ? UnrollGrids(media) : "") +
     AirlightScattering + AirlightDiffuseLight;
 }
 

@@ -52,7 +52,7 @@ template <typename Visitor>
 void VisitMediaUniforms(Visitor&& visit, const f64::AirlightMedia& media)
 {
   VisitMedia(visit, media);
-  for (int i = 0; i < media.count; ++i)
+  for (int i = 0; i < media.count + media.volumes; ++i)
   {
     if (HasSky(media))
     {

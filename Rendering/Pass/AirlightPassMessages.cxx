@@ -204,7 +204,8 @@ void PassMessages::CheckPlan(const FramePlan& plan, const PassProperties& proper
   if (!plan.Plain && properties.ScatteredSurfaceLight && !plan.ScatteredSurfaceLight)
   {
     this->WarnOnce(ScatteredLightInImage,
-      "ScatteredSurfaceLight has no effect: the medium's density comes from an image. Surfaces are "
+      "ScatteredSurfaceLight has no effect: the medium's density comes from an image, or volumes "
+      "cast shadows (SetVolumeShadows()). Surfaces are "
       "lit directly only.");
   }
 }
@@ -294,6 +295,15 @@ void PassMessages::ReportVolumeMapper(vtkVolume* volume)
       volume->GetMapper()->GetClassName() +
       " does not draw it with the graphics card's ray casting. Use vtkGPUVolumeRayCastMapper, or "
       "vtkSmartVolumeMapper with SetRequestedRenderModeToGPU(), for image data.");
+}
+
+//------------------------------------------------------------------------------
+void PassMessages::ReportVolumeShadow(const std::string& text)
+{
+  if (!text.empty() && this->VolumeShadowsGiven.insert(text).second)
+  {
+    vtkWarningWithObjectMacro(this->Pass, << text);
+  }
 }
 
 //------------------------------------------------------------------------------

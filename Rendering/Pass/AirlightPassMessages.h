@@ -70,6 +70,9 @@ public:
   void ReportVolumeShader(vtkVolume* volume);
   void ReportVolumeMapper(vtkVolume* volume);
 
+  // A volume that cannot cast a shadow; once for each text.
+  void ReportVolumeShadow(const std::string& text);
+
   // A pass outside that needs what this one does not give.
   void CheckSupport(const SceneSupport& support);
 
@@ -112,6 +115,7 @@ private:
   vtkObject* Pass;
   std::bitset<NumberOfMessages> Given;
   std::set<UnseenReason> UnseenGiven;
+  std::set<std::string> VolumeShadowsGiven;
   std::string FrameError;
   std::string CasterError;
   std::string EnvironmentError;

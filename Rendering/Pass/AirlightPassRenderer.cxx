@@ -11,6 +11,7 @@
 #include "Pass/AirlightStateSaver.h"
 #include "Pass/AirlightWiderRange.h"
 #include "Scene/AirlightSceneProps.h"
+#include "Scene/AirlightVolumeCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -35,7 +36,8 @@ struct PassRenderer::Scene
 
   vtkOpenGLRenderWindow* Window;
   CameraUniforms Rays;
-  std::vector<vtkParticipatingMedium*> Media;
+  SceneSources Sources;
+  std::vector<vtkVolume*> CastingVolumes;
   f64::AirlightMedia Converted{};
   std::vector<SceneLight> Lights;
   SceneProps Props;
@@ -423,27 +425,63 @@ bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& setting
   {
     return false;
   }
-  scene.Media = this->Media.GetAll();
-  if (scene.Media.empty())
+  scene.Sources.Media = this->Media.GetAll();
+  if (scene.Sources.Media.empty())
   {
-    scene.Media.push_back(this->Vacuum);
+    scene.Sources.Media.push_back(this->Vacuum);
   }
   scene.Converted = ConvertMedia(
-    scene.Media, scene.Rays.GetEye(), this->FindEnvironment(s->GetRenderer(), settings));
+    scene.Sources.Media, scene.Rays.GetEye(), this->FindEnvironment(s->GetRenderer(), settings));
+  scene.Props = SceneProps(s->GetRenderer(), s->GetPropArray(), s->GetPropArrayCount());
+  if (settings.Properties.VolumeShadows)
+  {
+    this->CollectVolumes(scene);
+  }
   scene.Lights =
     CollectSceneLights(s->GetRenderer(), scene.Converted, scene.Rays, settings.LightRadius, true);
   this->Messages.CheckLights(
     scene.Lights, HasScattering(scene.Converted), settings.Properties.ScatteredSurfaceLight);
-  this->Messages.CheckVisibleLights(scene.Lights, s->GetRenderer()->GetActiveCamera(), scene.Media);
+  this->Messages.CheckVisibleLights(
+    scene.Lights, s->GetRenderer()->GetActiveCamera(), scene.Sources.Media);
   this->Messages.CheckMultiple(AddMultipleLamps(scene.Lights, scene.Converted));
   return true;
+}
+
+//------------------------------------------------------------------------------
+void PassRenderer::CollectVolumes(Scene& scene)
+{
+  for (const SceneProp& prop : scene.Props.GetProps())
+  {
+    for (const SceneVolume& part : prop.VolumeParts)
+    {
+      if (!part.Casts)
+      {
+        continue;
+      }
+      std::string error;
+      const auto values = this->Extinctions.Get(part.Volume, part.ToWorld, error);
+      if (values && AddVolume(scene.Converted, *values->Grid, values->SigmaT, scene.Rays.GetEye()))
+      {
+        scene.Sources.Volumes.push_back(values->Grid);
+        scene.CastingVolumes.push_back(part.Volume);
+      }
+      else if (values)
+      {
+        error = DescribeNoShadow(part.Volume,
+          "there are " + std::to_string(AIRLIGHT_MAX_MEDIA) +
+            " media and volumes that cast already: call vtkAirlightPass::SetCastsShadow(volume, "
+            "false) for others");
+      }
+      this->Messages.ReportVolumeShadow(error);
+    }
+  }
+  this->Extinctions.Forget();
 }
 
 //------------------------------------------------------------------------------
 // What casts brings its pipelines up to date, on which depends what of it is opaque.
 void PassRenderer::CollectProps(const vtkRenderState* s, const Settings& settings, Scene& scene)
 {
-  scene.Props = SceneProps(s->GetRenderer(), s->GetPropArray(), s->GetPropArrayCount());
   if (settings.Properties.Technique != ShadowTechnique::None)
   {
     this->Casters.Collect(scene.Props, settings.Properties.TranslucentShadows);
@@ -457,7 +495,7 @@ SceneFacts PassRenderer::GetFacts(const Scene& scene) const
   SceneFacts facts;
   facts.Clear = IsClear(scene.Converted);
   facts.DensityImage = HasGrid(scene.Converted);
-  for (vtkParticipatingMedium* medium : scene.Media)
+  for (vtkParticipatingMedium* medium : scene.Sources.Media)
   {
     facts.PhaseErrorBound = std::max(facts.PhaseErrorBound, medium->GetPhaseErrorBound());
     facts.MultipleErrorBound = scene.Converted.multiple.count > 0
@@ -492,8 +530,9 @@ bool PassRenderer::Draw(
     scene.Support->Solids,
     [this](const std::vector<NonPolygonalCaster>& casters, vtkCamera* camera, int x, int y,
       int side) { this->Stages.DrawInMap(casters, camera, x, y, side); },
-    this->Suns };
-  bool ok = this->CurrentFrame.Upload(scene.Window, scene.Media, input.Media, input.SceneLights) &&
+    this->Suns, scene.CastingVolumes };
+  bool ok =
+    this->CurrentFrame.Upload(scene.Window, scene.Sources, input.Media, input.SceneLights) &&
     this->CurrentFrame.Begin(input);
   if (ok)
   {

@@ -22,6 +22,7 @@
 #include "Pass/AirlightSubpixelFrames.h"
 #include "Scene/AirlightLampShapes.h"
 #include "Scene/AirlightSunDiscs.h"
+#include "Scene/AirlightVolumeExtinction.h"
 
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
@@ -110,6 +111,7 @@ private:
     const FrameLimits& limits, Scene& scene);
   const SkyHarmonics* FindEnvironment(vtkRenderer* renderer, const Settings& settings);
   bool CollectScene(const vtkRenderState* s, const Settings& settings, Scene& scene);
+  void CollectVolumes(Scene& scene);
   void CollectProps(const vtkRenderState* s, const Settings& settings, Scene& scene);
   SceneFacts GetFacts(const Scene& scene) const;
   bool Draw(const vtkRenderState* s, const FramePlan& plan, Scene& scene, const Viewport& viewport);
@@ -118,6 +120,7 @@ private:
 
   vtkObject* Pass;
   CasterCache Casters;
+  VolumeExtinctions Extinctions;
   Frame CurrentFrame;
   SubpixelFrames Mean;
   EdgeSamples Edges;

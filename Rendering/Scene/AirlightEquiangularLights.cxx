@@ -27,8 +27,9 @@ bool IsEquiangular(const FrameScene& scene, int light)
   // A power, of which there is no closed form.
   const bool power = phase.power.x > 0.0;
   phase.power.x = 0.0;
-  return power && HasClosedForm(phase) && values.kind == AIRLIGHT_POINT_QUADRATURE &&
-    values.goniometric == 0 && HasUniformPaths(scene.Media, values);
+  return power && scene.Media.volumes == 0 && HasClosedForm(phase) &&
+    values.kind == AIRLIGHT_POINT_QUADRATURE && values.goniometric == 0 &&
+    HasUniformPaths(scene.Media, values);
 }
 
 //------------------------------------------------------------------------------

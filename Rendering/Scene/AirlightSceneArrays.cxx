@@ -22,25 +22,28 @@ double GetTimeForGrid(vtkOpenGLRenderWindow* window, const f64::AirlightMedia& m
   const std::vector<SceneLight>& lights)
 {
   const double rate = window->GetDesiredUpdateRate();
-  return rate < 1.0 ? std::numeric_limits<double>::infinity()
-                    : 0.3 / (rate * std::max<double>(media.count * lights.size(), 1.0));
+  return rate < 1.0
+    ? std::numeric_limits<double>::infinity()
+    : 0.3 / (rate * std::max<double>((media.count + media.volumes) * lights.size(), 1.0));
 }
 }
 
 //------------------------------------------------------------------------------
 // The image of density and, for each light, the grid of depths from there to it.
-void SceneArrays::AddDensity(const Add& add, int index, vtkParticipatingMedium* medium,
-  f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights, double seconds)
+void SceneArrays::AddDensity(const Add& add, int index,
+  const std::shared_ptr<const DensityGrid>& image, f64::AirlightMedia& converted,
+  std::vector<SceneLight>& sceneLights, double seconds)
 {
-  LightGrids& grids = this->Grids[medium->GetDensityGrid()];
+  LightGrids& grids = this->Grids[image];
+  const bool everywhere = converted.count + converted.volumes > 1;
   f64::AirlightMedium& item = converted.item[index];
-  add(grids.GetSamples(*medium->GetDensityGrid()), item.gridFirst);
+  add(grids.GetSamples(*image), item.gridFirst);
   for (SceneLight& sceneLight : sceneLights)
   {
     if (sceneLight.Scatters())
     {
       const LightGrid& grid =
-        grids.GetLight(item, sceneLight.Values, item.gridOrigin, converted.count > 1, seconds);
+        grids.GetLight(item, sceneLight.Values, item.gridOrigin, everywhere, seconds);
       sceneLight.Values.gridSize[index] = grid.Cells;
       sceneLight.GridError += grid.Error;
       add(grid.Means, sceneLight.Values.gridFirst[index]);
@@ -58,10 +61,10 @@ void SceneArrays::ForgetGrids()
 }
 
 //------------------------------------------------------------------------------
-bool SceneArrays::Upload(vtkOpenGLRenderWindow* window,
-  const std::vector<vtkParticipatingMedium*>& media, f64::AirlightMedia& converted,
-  std::vector<SceneLight>& sceneLights)
+bool SceneArrays::Upload(vtkOpenGLRenderWindow* window, const SceneSources& sources,
+  f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights)
 {
+  const std::vector<vtkParticipatingMedium*>& media = sources.Media;
   std::vector<Texels> arrays;
   std::vector<int*> first;
   const Add add = [&](const Texels& array, int& position) {
@@ -87,8 +90,12 @@ bool SceneArrays::Upload(vtkOpenGLRenderWindow* window,
   {
     if (converted.item[i].density == AIRLIGHT_DENSITY_GRID)
     {
-      this->AddDensity(add, i, media[i], converted, sceneLights, seconds);
+      this->AddDensity(add, i, media[i]->GetDensityGrid(), converted, sceneLights, seconds);
     }
+  }
+  for (int i = 0; i < converted.volumes; ++i)
+  {
+    this->AddDensity(add, converted.count + i, sources.Volumes[i], converted, sceneLights, seconds);
   }
   this->ForgetGrids();
   for (SceneLight& sceneLight : sceneLights)

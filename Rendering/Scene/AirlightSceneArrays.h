@@ -24,12 +24,19 @@ class vtkWindow;
 
 namespace airlight
 {
+// What a frame's media were converted from.
+struct SceneSources
+{
+  std::vector<vtkParticipatingMedium*> Media;
+  std::vector<std::shared_ptr<const DensityGrid>> Volumes; // that cast shadows
+};
+
 class SceneArrays
 {
 public:
   // Brings them up to date, and puts their positions there into `converted` and `sceneLights`.
   // False with a reason in GetError() where the card has no room.
-  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<vtkParticipatingMedium*>& media,
+  bool Upload(vtkOpenGLRenderWindow* window, const SceneSources& sources,
     f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights);
 
   const std::string& GetError() const { return this->Data.GetError(); }
@@ -42,7 +49,7 @@ public:
 private:
   // Notes an array and where its position is to be put.
   using Add = std::function<void(const Texels&, int&)>;
-  void AddDensity(const Add& add, int index, vtkParticipatingMedium* medium,
+  void AddDensity(const Add& add, int index, const std::shared_ptr<const DensityGrid>& image,
     f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights, double seconds);
   void ForgetGrids();
 

@@ -158,7 +158,7 @@ real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ra
     {
       kink = airlightNextKink(media, way, open, piece.to);
     }
-#if AIRLIGHT_MEDIUM_COUNT > 1
+#if AIRLIGHT_DIMMING_COUNT > 1
     if (isOpen)
     {
       part.from = open;
@@ -191,7 +191,7 @@ real3 airlightGridInterval(
   AirlightMedia media, AirlightLight light, AirlightRay ray, real t0, real3 before, real t1)
 {
   AirlightWay way = airlightWay(light, ray);
-#if AIRLIGHT_MEDIUM_COUNT == 1
+#if AIRLIGHT_DIMMING_COUNT == 1
   // Its region is convex: all of the interval is inside.
   AirlightPiece whole = AirlightPiece(t0, t1, 1, before);
   return airlightGridPiece(media, light, ray, way, whole);

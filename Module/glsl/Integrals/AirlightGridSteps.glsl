@@ -28,7 +28,7 @@ struct AirlightStep
 // Whether medium i is there. One alone is, wherever a step is looked at.
 bool airlightIsInside(AirlightStep part, int i)
 {
-  return AIRLIGHT_MEDIUM_COUNT == 1 || ((part.inside >> i) & 1) != 0;
+  return AIRLIGHT_DIMMING_COUNT == 1 || ((part.inside >> i) & 1) != 0;
 }
 
 bool airlightIsInImage(AirlightStep part, int i)
@@ -41,7 +41,7 @@ AirlightSteps airlightSteps(
 {
   AirlightSteps steps;
   steps.t = piece.from;
-  steps.most = 0;
+  steps.most = 2 * AIRLIGHT_MOST_KINKS * (AIRLIGHT_DIMMING_COUNT - AIRLIGHT_MEDIUM_COUNT);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     steps.most += 2 * AIRLIGHT_MOST_KINKS;

@@ -37,7 +37,7 @@ AirlightGridWay airlightGridWay(AirlightMedium medium, real3 gridSize, AirlightL
 real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point)
 {
   real3 depth = real3(0.0);
-  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
     if (AIRLIGHT_IS_GRID(i))
     {
@@ -68,8 +68,8 @@ real airlightBehindImages(
   AirlightMedia media, AirlightLight light, AirlightRay ray, int inImages, real a, real b)
 {
   real most = 0.0;
-#if AIRLIGHT_MEDIUM_COUNT > 1
-  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+#if AIRLIGHT_DIMMING_COUNT > 1
+  for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
     if (AIRLIGHT_IS_GRID(i) && ((inImages >> i) & 1) == 0)
     {

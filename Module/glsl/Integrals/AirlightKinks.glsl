@@ -20,7 +20,7 @@ real airlightGridKink(AirlightMedium medium, AirlightWay way, real t0, real t1)
   way.origin = axes * way.origin + (way.directional ? medium.grid.start : real3(0.0));
   way.direction = axes * way.direction;
   way.light = axes * way.light + (way.directional ? real3(0.0) : medium.grid.start);
-#if AIRLIGHT_MEDIUM_COUNT == 1
+#if AIRLIGHT_DIMMING_COUNT == 1
   // No way from inside to inside leaves it.
   if (!way.directional && held && all(greaterThanEqual(way.light, real3(0.0))) &&
     all(lessThanEqual(way.light, medium.grid.last)))
@@ -40,9 +40,9 @@ AIRLIGHT_FN real airlightNextKink(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(
   real t0, real t1)
 {
   t0 += real(1e-6) * (t1 - t0);
-  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
-    t1 = airlightRegionKink(media.item[i].region, way, AIRLIGHT_MEDIUM_COUNT > 1, t0, t1);
+    t1 = airlightRegionKink(media.item[i].region, way, AIRLIGHT_DIMMING_COUNT > 1, t0, t1);
 #ifdef AIRLIGHT_GRID_STEPS
     if (AIRLIGHT_IS_GRID(i))
     {

@@ -1,15 +1,22 @@
-// All media of a scene. Where they overlap, their coefficients add.
+// All media of a scene. Where they overlap, their coefficients add. After them come volumes that
+// cast shadows: images that take away light on its way from the lights, and are not seen.
 
 struct AirlightMedia
 {
   AirlightMedium item[AIRLIGHT_MAX_MEDIA];
   int count;
+  int volumes; // items after `count`
   AIRLIGHT_MULTIPLE_MEMBER
 };
 
 // Where the number of media is known when a shader is compiled, its loops unroll.
 #ifndef AIRLIGHT_MEDIUM_COUNT
 #define AIRLIGHT_MEDIUM_COUNT media.count
+#endif
+
+// Media and volumes: what is on the way of lights. Double precision knows of media alone.
+#ifndef AIRLIGHT_DIMMING_COUNT
+#define AIRLIGHT_DIMMING_COUNT AIRLIGHT_MEDIUM_COUNT
 #endif
 
 // Optical depth of the straight way [0, l] of a ray, per channel.
@@ -25,11 +32,20 @@ AIRLIGHT_FN real3 airlightDepth(
   return depth;
 }
 
-// Optical depth between two points.
+// Optical depth between a point and a light.
 AIRLIGHT_FN real3 airlightDepthBetween(AIRLIGHT_IN(AirlightMedia) media, real3 a, real3 b)
 {
   real l = length(b - a);
-  return l > real(0.0) ? airlightDepth(media, a, (b - a) / l, l) : real3(real(0.0));
+  real3 depth = l > real(0.0) ? airlightDepth(media, a, (b - a) / l, l) : real3(real(0.0));
+#ifdef AIRLIGHT_HAS_VOLUMES
+  for (int i = AIRLIGHT_MEDIUM_COUNT; i < AIRLIGHT_DIMMING_COUNT; i++)
+  {
+    depth += l > real(0.0)
+      ? media.item[i].sigmaT * airlightPathDepth(media.item[i], a, (b - a) / l, l)
+      : real3(real(0.0));
+  }
+#endif
+  return depth;
 }
 
 // Optical depth on the way to a light at infinity.
@@ -37,7 +53,7 @@ AIRLIGHT_FN real3 airlightSunDepths(
   AIRLIGHT_IN(AirlightMedia) media, real3 point, real3 toLight)
 {
   real3 depth = real3(real(0.0));
-  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
     depth += media.item[i].sigmaT * airlightSunDepth(media.item[i], point, toLight);
   }
@@ -79,6 +95,14 @@ AIRLIGHT_FN AirlightPiece airlightPieceFrom(AIRLIGHT_IN(AirlightMedia) media, re
     piece.to = min(piece.to, end.x);
     piece.inside = end.y > real(0.5) ? piece.inside | (1 << i) : piece.inside;
   }
+#ifdef AIRLIGHT_HAS_VOLUMES
+  // From there on a volume is on the way to lights.
+  for (int i = AIRLIGHT_MEDIUM_COUNT; i < AIRLIGHT_DIMMING_COUNT; i++)
+  {
+    real2 end = airlightNextEnd(media.item[i], origin, direction, t0 + apart * abs(t0));
+    piece.to = min(piece.to, end.x);
+  }
+#endif
   return piece;
 }
 

@@ -66,7 +66,8 @@ void CheckDepths(const std::string& name, vtkVolume* volume, double scale, std::
     const double* box = volume->GetBounds();
     const auto between = [&](double low, double high) {
       return glm::mix(glm::dvec3(box[0], box[2], box[4]), glm::dvec3(box[1], box[3], box[5]),
-        glm::dvec3(random.Uniform(low, high), random.Uniform(low, high), random.Uniform(low, high)));
+        glm::dvec3(
+          random.Uniform(low, high), random.Uniform(low, high), random.Uniform(low, high)));
     };
     const glm::dvec3 a = between(-0.5, 1.5);
     const glm::dvec3 b = between(0.2, 0.8);
@@ -84,8 +85,8 @@ void CheckDepths(const std::string& name, vtkVolume* volume, double scale, std::
   Check(depths.size() > 50, name + ": lines through it");
   const double most = Quantile(depths, 1.0);
   std::cout << name << ": refined " << values->Refinement << ", depths up to " << most
-            << ", errors: median " << Quantile(errors, 0.5) << ", largest "
-            << Quantile(errors, 1.0) << "\n";
+            << ", errors: median " << Quantile(errors, 0.5) << ", largest " << Quantile(errors, 1.0)
+            << "\n";
   Check(most > 0.5, name + ": takes light away");
   Check(Quantile(errors, 0.5) <= median, name + ": median error");
   Check(Quantile(errors, 1.0) <= largest, name + ": largest error");
@@ -207,7 +208,11 @@ void TestReasons()
   vtkGPUVolumeRayCastMapper::SafeDownCast(volume->GetMapper())->SetMaskInput(image);
   CheckReason(volume, "SetMaskInput(nullptr)");
   volume = make();
+  volume->GetProperty()->GetGradientOpacity(); // makes one that is 1
+  Check(Build(volume) != nullptr, "VTK's own gradient opacity");
   vtkNew<vtkPiecewiseFunction> gradients;
+  gradients->AddPoint(0.0, 1.0);
+  gradients->AddPoint(10.0, 0.5);
   volume->GetProperty()->SetGradientOpacity(gradients);
   CheckReason(volume, "DisableGradientOpacityOn()");
   volume->GetProperty()->DisableGradientOpacityOn();

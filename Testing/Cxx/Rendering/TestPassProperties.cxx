@@ -43,6 +43,7 @@ void CheckSwitches()
 {
   vtkNew<vtkAirlightPass> pass;
   using Pass = vtkAirlightPass;
+  CheckSwitch<Pass>(pass, "VolumeShadows", &Pass::SetVolumeShadows, &Pass::GetVolumeShadows);
   CheckSwitch<Pass>(pass, "SurfaceShadows", &Pass::SetSurfaceShadows, &Pass::GetSurfaceShadows);
   CheckSwitch<Pass>(
     pass, "TranslucentShadows", &Pass::SetTranslucentShadows, &Pass::GetTranslucentShadows);
@@ -59,6 +60,8 @@ void CheckSwitches()
   CheckSwitch<vtkAirlightComparison>(comparison, "SkipNonFinite",
     &vtkAirlightComparison::SetSkipNonFinite, &vtkAirlightComparison::GetSkipNonFinite);
   vtkNew<vtkAirlightReference> reference;
+  CheckSwitch<vtkAirlightReference>(reference, "VolumeShadows",
+    &vtkAirlightReference::SetVolumeShadows, &vtkAirlightReference::GetVolumeShadows);
   CheckSwitch<vtkAirlightReference>(reference, "SurfaceShadows",
     &vtkAirlightReference::SetSurfaceShadows, &vtkAirlightReference::GetSurfaceShadows);
   vtkNew<vtkShadowPlanesFilter> planes;
