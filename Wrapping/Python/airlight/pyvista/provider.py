@@ -32,8 +32,8 @@ REFUSED = {
 # Properties that a new pass takes over from the one before.
 PROPERTIES = (
     "ShadowTechnique", "ShadowMapResolution", "MaximumBoundariesPerPixel", "NumberOfSteps",
-    "SurfaceShadows", "TranslucentShadows", "ScatteredSurfaceLight", "LinearInput",
-    "Exposure", "AutomaticExposure", "ToneMapping", "OutputColorSpace", "Dithering",
+    "SurfaceShadows", "TranslucentShadows", "VolumeShadows", "ScatteredSurfaceLight",
+    "LinearInput", "Exposure", "AutomaticExposure", "ToneMapping", "OutputColorSpace", "Dithering",
     "Annotations", "DebugView", "LightRadius", "MemoryLimit", "RecordBuffers", "SubpixelFrames",
     "Multisampling", "ProgressiveRefinement", "UseEnvironmentTexture",
 )
