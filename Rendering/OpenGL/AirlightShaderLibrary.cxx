@@ -83,8 +83,8 @@ bool IsMultipleGrey(const f64::AirlightMedium& medium)
 }
 
 // Replaces each loop over so many media by as many copies of its block, which must not leave or
-// restart it. Compilers do not unroll blocks that hold loops themselves, and then keep each medium's
-// walk through its image in memory: frames took four times as long.
+// restart it. Compilers do not unroll blocks that hold loops themselves, and then keep each
+// medium's walk through its image in memory: frames took four times as long.
 std::string UnrollMedia(const std::string& text, const std::string& bound, int count)
 {
   const std::string head = "for (int i = 0; i < " + bound + "; i++)";
