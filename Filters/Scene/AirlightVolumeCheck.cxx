@@ -58,8 +58,11 @@ std::string CheckMapper(vtkVolumeMapper* mapper)
 // VTK makes a function that is 1 everywhere for those that have none.
 bool DependsOnGradient(vtkVolumeProperty* property)
 {
+  // Without the first check, GetStoredGradientOpacity() would make one.
   vtkPiecewiseFunction* function =
-    property->GetDisableGradientOpacity() ? nullptr : property->GetStoredGradientOpacity();
+    property->HasGradientOpacity() && !property->GetDisableGradientOpacity()
+    ? property->GetStoredGradientOpacity()
+    : nullptr;
   for (int i = 0; function && i < function->GetSize(); ++i)
   {
     double node[4];
