@@ -15,6 +15,7 @@ CHANGES = (
     ("Thickness", "Visibility"), ("VisibilityDistance", 30.0), ("MediumColor", [0.9, 0.8, 0.7]),
     ("PhaseFunction", "Draine"), ("Anisotropy", 0.3), ("Alpha", 5.0),
     ("AmbientRadiance", [0.05, 0.1, 0.2]), ("Emission", [0.0, 0.001, 0.0]),
+    ("SkyRadiance", [0.01, 0.02, 0.04]), ("GroundRadiance", [0.02, 0.01, 0.0]),
     ("Region", "Sphere"), ("RegionRadius", 4.0),
     ("Lamp", 1), ("LampColor", [1.0, 0.8, 0.5]), ("LampBrightness", 1.5), ("LampRadius", 0.2),
     ("LampVisible", 1), ("RadianceExposure", 1.2), ("ToneMapping", "Reinhard"),

@@ -110,6 +110,12 @@ void vtkPVAirlightRenderView::SetTranslucentShadows(bool on)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetVolumeShadows(bool on)
+{
+  this->Pass->SetVolumeShadows(on);
+}
+
+//------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetScatteredSurfaceLight(bool on)
 {
   this->Pass->SetScatteredSurfaceLight(on);

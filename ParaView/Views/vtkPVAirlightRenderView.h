@@ -94,6 +94,7 @@ public:
   void SetNumberOfSteps(int steps);
   void SetSurfaceShadows(bool on);
   void SetTranslucentShadows(bool on);
+  void SetVolumeShadows(bool on);
   void SetScatteredSurfaceLight(bool on);
   void SetLinearInput(bool on);
   void SetRadianceExposure(double exposure); // SetExposure() is that of ParaView's tone mapping
