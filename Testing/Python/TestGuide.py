@@ -22,7 +22,7 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkLight, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkWindowToImageFilter
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GUIDE = ROOT / "Documentation" / "guide.md"
@@ -186,7 +186,8 @@ class TestGuide(unittest.TestCase):
         library = self.names["airlight"]
         text = GUIDE.read_text(encoding="utf-8")
         classes = [getattr(library, name) for name in dir(library) if name.startswith("vtk")]
-        methods = set().union(*map(dir, [*classes, vtkLight, vtkWindowToImageFilter]))
+        methods = set().union(*map(
+            dir, [*classes, vtkLight, vtkRenderer, vtkWindowToImageFilter]))
         named = set(re.findall(r"`(?:\w+(?:::|\.))?([A-Z]\w+)\(", text))
         self.assertGreater(len(named), 15)
         self.assertEqual(named - methods, set())

@@ -23,7 +23,7 @@ class VolumeScene : public DensityScene
 {
 public:
   explicit VolumeScene(std::uint64_t seed)
-    : DensityScene(MakeDensity(glm::ivec3(2), glm::dvec3(-4), glm::dvec3(4)))
+    : DensityScene(MakeDensity(glm::ivec3(2), glm::dvec3(-4), glm::dvec3(4)), 48, 36)
   {
     const auto image =
       MakeDensity(glm::ivec3(22, 18, 20), glm::dvec3(-1.2, -0.8, -1.0), glm::dvec3(1.2, 0.8, 1.1));
