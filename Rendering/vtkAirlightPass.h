@@ -168,9 +168,10 @@ public:
    * transmits 1 - opacity of the light in each colour, in both directions: n layers transmit
    * (1 - opacity)^n, in the medium, on surfaces and on translucent surfaces. Both walls of a closed
    * body attenuate, as in VTK's blending. The opacity is that of the actor's vtkProperty, or of a
-   * block of composite data, the same for all colours; SetShadowOpacity() colours shadows.
-   * Opacities of colours, lookup tables or textures are ignored: an actor that is translucent only
-   * by them casts no shadow unless SetShadowOpacity() was called. Default: true.
+   * block of composite data, times the alpha of scalars' colours and of a texture, the same for all
+   * colours; SetShadowOpacity() colours shadows. Where alpha varies, a mesh is cut into parts of
+   * opacity 0, 1/8, ... 1, or if nearly all of it is clear or opaque, as leaves are, at 1/2; cells
+   * of one opacity keep it. Default: true.
    *
    * With SHADOW_MAP and RAY_MARCH, translucent casters cast no shadow, with one warning.
    *

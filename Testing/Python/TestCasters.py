@@ -185,7 +185,7 @@ def make_translucent():
 
 
 def make_coloured_glass():
-    """Translucent by its colours alone: how much light passes where is not known."""
+    """Translucent by its colours alone."""
     source = make_sphere()
     source.Update()
     data = source.GetOutput()
@@ -237,14 +237,24 @@ class TestCasters(unittest.TestCase):
 
     def test_cast(self):
         for make in (make_actor, make_transformed, make_flipped, make_open, make_composite,
-                     make_translucent, make_glyphs, make_lod_prop,
+                     make_translucent, make_coloured_glass, make_glyphs, make_lod_prop,
                      lambda: make_assembly(make_actor())):
             with self.subTest(make=make.__name__):
                 self.check(make, airlight.vtkAirlightPass.SHADOW_PLANES, True)
 
+    def test_coloured_glass(self):
+        """Casts as glass of the same opacity; not in maps, which know of light and dark only."""
+        glass = make_coloured_glass()
+        technique = airlight.vtkAirlightPass.SHADOW_PLANES
+        by_colours = self.draw(glass, technique)
+        glass.GetMapper().ScalarVisibilityOff()
+        glass.GetProperty().SetOpacity(128 / 255)
+        np.testing.assert_allclose(by_colours, self.draw(glass, technique), rtol=1e-5)
+        self.check(make_coloured_glass, airlight.vtkAirlightPass.SHADOW_MAP, False)
+
     def test_cast_nothing(self):
         for make in (make_volume, make_lines, lambda: make_lines(True), make_points,
-                     make_wireframe, make_coloured_glass):
+                     make_wireframe):
             for technique in (airlight.vtkAirlightPass.SHADOW_PLANES,
                               airlight.vtkAirlightPass.SHADOW_MAP):
                 with self.subTest(make=make.__name__, technique=technique):
