@@ -54,10 +54,9 @@ static void AddTexture(vtkActor* actor, const ReferenceMesh& mesh, ReferencePart
   if (!texture->IsEmpty() && !part.TextureCoordinates.empty())
   {
     part.Texture = texture;
+    part.HasHoles = texture->HasAlpha();
   }
 }
-
-static bool HasHoles(const ReferencePart& part) { return part.Texture && part.Texture->HasAlpha(); }
 
 //------------------------------------------------------------------------------
 ReferenceMaterial::ReferenceMaterial(vtkProperty* property)
@@ -116,7 +115,7 @@ bool ReferenceScene::IsHidden(const OccluderTriangle& triangle, const glm::dvec3
     return true;
   }
   const glm::dvec4 point(origin + t * direction, 1.0);
-  if (HasHoles(part) &&
+  if (part.HasHoles &&
     !(ReferenceSurface(part, triangle, glm::dvec3(point), direction).Material.Opacity > 0.0))
   {
     return true; // VTK's shaders discard it
@@ -284,9 +283,9 @@ void ReferenceScene::AddTriangles(vtkPolyData* triangles, bool casts)
   const int number = static_cast<int>(this->Parts.size()) - 1;
   const ReferencePart& part = this->Parts.back();
   (part.IsDrawnOpaque ? this->Opaque : this->Translucent).Add(triangles, nullptr, number);
-  const bool blocks = part.IsDrawnOpaque && !part.HasShadowOpacity && !HasHoles(part);
-  this->AllCast = this->AllCast && (!part.IsDrawnOpaque || (casts && blocks));
   const bool cutOut = part.IsDrawnOpaque && !part.HasShadowOpacity;
+  const bool blocks = cutOut && !part.HasHoles;
+  this->AllCast = this->AllCast && (!part.IsDrawnOpaque || (casts && blocks));
   if (casts && (cutOut || this->TranslucentShadows))
   {
     (blocks ? this->Casting : this->Dimming).Add(triangles, nullptr, number);

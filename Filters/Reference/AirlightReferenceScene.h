@@ -61,6 +61,7 @@ struct ReferencePart
   // By which colours are multiplied, with coordinates for three corners a triangle; else null.
   std::shared_ptr<const TextureColours> Texture;
   std::vector<glm::dvec2> TextureCoordinates;
+  bool HasHoles = false; // the texture has alpha
   bool IsDrawnOpaque = true;
   bool HasShadowOpacity = false; // by a key
   glm::dvec3 ShadowOpacity{ 1.0 };
