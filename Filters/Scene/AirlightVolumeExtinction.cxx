@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/AirlightVolumeExtinction.h"
 
+#include "Density/AirlightTrilinear.h"
 #include "Integration/AirlightMatrix.h"
 #include "Scene/AirlightVolumeOpacity.h"
 
@@ -80,22 +81,6 @@ ExtinctionSamples Sample(const VolumeOpacity& opacity, const glm::ivec3& size)
   return samples;
 }
 
-double Interpolate(const ExtinctionSamples& samples, const glm::dvec3& place)
-{
-  const glm::ivec3 cell = glm::min(glm::ivec3(place), samples.Size - 2);
-  const glm::dvec3 f = place - glm::dvec3(cell);
-  double sum = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::ivec3 far(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const glm::dvec3 share = glm::mix(1.0 - f, f, glm::bvec3(far));
-    const glm::ivec3 at = cell + far;
-    sum += share.x * share.y * share.z *
-      samples.Values[(static_cast<size_t>(at.z) * samples.Size.y + at.y) * samples.Size.x + at.x];
-  }
-  return sum;
-}
-
 // The root of the mean square of what is wrong at places spread evenly: multiples, modulo 1, of the
 // inverse powers of the root of x^4 = x + 1.
 double GetError(const VolumeOpacity& opacity, const ExtinctionSamples& samples)
@@ -105,7 +90,8 @@ double GetError(const VolumeOpacity& opacity, const ExtinctionSamples& samples)
   for (int i = 1; i <= TestPoints; ++i)
   {
     const glm::dvec3 place = glm::fract(double(i) * advance) * glm::dvec3(samples.Size - 1);
-    const double error = Interpolate(samples, place) - opacity.GetExtinction(place * samples.Step);
+    const double error = InterpolateTrilinearly(samples.Values, samples.Size, place) -
+      opacity.GetExtinction(place * samples.Step);
     squares += error * error;
   }
   return std::sqrt(squares / TestPoints);

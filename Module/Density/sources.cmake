@@ -3,4 +3,6 @@
 airlight_sources(
   PRIVATE_CLASSES
     AirlightDensityGrid
-    AirlightDensitySamples)
+    AirlightDensitySamples
+  HEADERS
+    AirlightTrilinear.h)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/AirlightLightGrid.h"
 
+#include "Density/AirlightTrilinear.h"
 #include "Integration/AirlightMembers.h"
 #include "vtkSMPTools.h"
 #include "vtkType.h"
@@ -144,22 +145,6 @@ std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size, bool ev
   return means;
 }
 
-double Interpolate(const std::vector<double>& means, const glm::ivec3& size, const glm::dvec3& p)
-{
-  const glm::ivec3 cell = glm::clamp(glm::ivec3(p), glm::ivec3(0), size - 2);
-  const glm::dvec3 f = p - glm::dvec3(cell);
-  double sum = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::ivec3 far(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const glm::dvec3 share = glm::mix(1.0 - f, f, glm::bvec3(far));
-    const glm::ivec3 at = cell + far;
-    sum += share.x * share.y * share.z *
-      means[(static_cast<size_t>(at.z) * size.y + at.y) * size.x + at.x];
-  }
-  return sum;
-}
-
 // Van der Corput's sequence in this base: evenly spread and the same every time.
 double Spread(int i, int base)
 {
@@ -266,7 +251,7 @@ LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::Airligh
     result.Error = 0.0;
     for (const TestPoint& test : tests)
     {
-      const double mean = Interpolate(means, size, test.Share * glm::dvec3(size - 1));
+      const double mean = InterpolateTrilinearly(means, size, test.Share * glm::dvec3(size - 1));
       result.Error = std::max(result.Error, sigmaT * std::abs(mean - test.Mean) * test.Length);
     }
     result.IsFinest = result.Error <= Tolerance || 2 * longest - 1 > Largest;
