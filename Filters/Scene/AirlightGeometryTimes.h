@@ -19,6 +19,9 @@
 
 namespace airlight
 {
+// 0 of none.
+inline vtkMTimeType GetTime(vtkObject* object) { return object ? object->GetMTime() : 0; }
+
 using GeometryTimes = std::array<vtkMTimeType, 3>; // of points, polygons, strips
 
 inline GeometryTimes GetGeometryTimes(vtkPolyData* data)

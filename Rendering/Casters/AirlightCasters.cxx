@@ -4,6 +4,7 @@
 
 #include "Casters/AirlightCasterBlocks.h"
 #include "Casters/AirlightGlyphs.h"
+#include "Casters/AirlightUsedEntries.h"
 #include "Integration/AirlightMatrix.h"
 #include "Scene/AirlightCasterKeys.h"
 #include "Scene/AirlightClassTraits.h"
@@ -21,21 +22,11 @@
 #include "vtkProperty.h"
 
 #include <cmath>
-#include <iterator>
 
 namespace airlight
 {
 namespace
 {
-template <typename Map>
-void EraseUnused(Map& map)
-{
-  for (auto entry = map.begin(); entry != map.end();)
-  {
-    entry = entry->second.Used ? std::next(entry) : map.erase(entry);
-  }
-}
-
 // A flattened or undefined object has no shadow volume.
 bool HasVolume(const glm::dmat4& toWorld)
 {
@@ -73,14 +64,8 @@ const std::vector<Caster>& CasterCache::Collect(const SceneProps& props, bool tr
   this->Casters.clear();
   this->NonPolygonal.clear();
   this->UnsupportedProp.clear();
-  for (auto& entry : this->Meshes)
-  {
-    entry.second.Used = false;
-  }
-  for (auto& surface : this->Surfaces)
-  {
-    surface.second.Used = false;
-  }
+  MarkUnused(this->Meshes);
+  MarkUnused(this->Surfaces);
   this->Pieces.BeginWalk();
   for (const SceneProp& prop : props.GetProps())
   {

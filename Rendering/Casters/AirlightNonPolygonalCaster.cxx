@@ -4,6 +4,7 @@
 
 #include "Integration/AirlightMatrix.h"
 #include "Scene/AirlightClassTraits.h"
+#include "Scene/AirlightGeometryTimes.h"
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
@@ -22,8 +23,6 @@ namespace airlight
 {
 namespace
 {
-vtkMTimeType GetTime(vtkObject* object) { return object ? object->GetMTime() : 0; }
-
 // Whether what a mapper draws may change without a trace in its time: by blocks, sources of glyphs,
 // clipping planes that move, functions of point Gaussians, and observers that set uniforms.
 bool MayChangeUnseen(vtkMapper* mapper)

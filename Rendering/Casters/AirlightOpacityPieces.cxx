@@ -3,6 +3,8 @@
 #include "Casters/AirlightOpacityPieces.h"
 
 #include "Casters/AirlightOpacityMesh.h"
+#include "Casters/AirlightUsedEntries.h"
+#include "Scene/AirlightGeometryTimes.h"
 #include "Scene/AirlightTextureColours.h"
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
@@ -16,7 +18,6 @@
 #include "vtkScalarsToColors.h"
 #include "vtkTexture.h"
 
-#include <iterator>
 #include <set>
 
 namespace airlight
@@ -160,8 +161,6 @@ bool MayVary(vtkActor* actor, vtkPolyData* data)
   return GetColourTexture(actor) ||
     (!actor->HasOpaqueGeometry() && FindMappedScalars(actor->GetMapper(), data, kind));
 }
-
-vtkMTimeType GetTime(vtkObject* object) { return object ? object->GetMTime() : 0; }
 }
 
 //------------------------------------------------------------------------------
@@ -207,20 +206,8 @@ bool OpacityPieces::Find(
 }
 
 //------------------------------------------------------------------------------
-void OpacityPieces::BeginWalk()
-{
-  for (auto& entry : this->Entries)
-  {
-    entry.second.Used = false;
-  }
-}
+void OpacityPieces::BeginWalk() { MarkUnused(this->Entries); }
 
 //------------------------------------------------------------------------------
-void OpacityPieces::EndWalk()
-{
-  for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
-  {
-    entry = entry->second.Used ? std::next(entry) : this->Entries.erase(entry);
-  }
-}
+void OpacityPieces::EndWalk() { EraseUnused(this->Entries); }
 }

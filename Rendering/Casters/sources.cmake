@@ -10,4 +10,6 @@ airlight_sources(
     AirlightNonPolygonalCaster
     AirlightOpacityMesh
     AirlightOpacityPieces
-    AirlightCasterOpticalThickness)
+    AirlightCasterOpticalThickness
+  HEADERS
+    AirlightUsedEntries.h)
