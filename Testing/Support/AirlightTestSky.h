@@ -73,9 +73,10 @@ inline std::vector<glm::dvec2> MakeNodes(std::vector<long double> ends, double w
   return nodes;
 }
 
-// The integral of radiance times phase(1 - cosTheta, 1 + cosTheta) over all directions, for a ray of
-// unit direction d. In elevation and azimuth about the sky's axis, where the horizon is the end of a
-// panel, with panels that become finer towards d. `widest`: for tables, which are smooth in parts.
+// The integral of radiance times phase(1 - cosTheta, 1 + cosTheta) over all directions, for a ray
+// of unit direction d. In elevation and azimuth about the sky's axis, where the horizon is the end
+// of a panel, with panels that become finer towards d. `widest`: for tables, which are smooth in
+// parts.
 template <typename Phase>
 glm::dvec3 ScatterSky(
   const Phase& phase, const SkyRadiance& sky, const glm::dvec3& d, double widest = 4.0)

@@ -211,7 +211,8 @@ void CheckScenes()
   actor->SetTexture(texture);
   renderer->AddActor(actor);
   reference->Update();
-  CheckText(warnings, "textures without an image or without coordinates, vtk", "volumes and textures");
+  CheckText(
+    warnings, "textures without an image or without coordinates, vtk", "volumes and textures");
   actor->SetTexture(nullptr);
   volume->VisibilityOff();
   actor->GetProperty()->SetInterpolationToPBR();

@@ -131,7 +131,8 @@ bool TestScattering()
   Comparison singles("single precision");
   for (const Medium& medium : MakeMedia())
   {
-    // What is expected of tables is good for 1e-7; a rainbow is narrower than the fit's polynomials.
+    // What is expected of tables is good for 1e-7; a rainbow is narrower than the fit's
+    // polynomials.
     const bool table = medium->GetPhaseFunction() == vtkParticipatingMedium::TABULATED;
     const bool rainbow = table && medium->GetPhaseTable()->GetNumberOfRows() > 91;
     for (int i = 0; i < 3; ++i)
