@@ -45,8 +45,8 @@ vtk_module_add_module("${_vtk_build_module}"
   SOURCES         ${private_sources}
   PRIVATE_HEADERS ${private_headers})
 
-if (AIRLIGHT_PRECOMPILED_HEADER)
-  include("${CMAKE_CURRENT_LIST_DIR}/AirlightPrecompiledHeader.cmake")
+if (AIRLIGHT_UNITY_BUILD)
+  include("${CMAKE_CURRENT_LIST_DIR}/AirlightUnityBuild.cmake")
 endif ()
 
 foreach (folder IN ITEMS Module Filters Rendering)

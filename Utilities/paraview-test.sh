@@ -122,7 +122,7 @@ build_plugin()
   # Compiles fast rather than runs fast, for the tests.
   cmake -S "$root/ParaView" -B "$plugin" "${generator[@]}" "${python[@]}" \
     -DParaView_DIR="$package" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
-    -DAIRLIGHT_PRECOMPILED_HEADER=ON ||
+    -DAIRLIGHT_UNITY_BUILD=ON ||
     die "CMake could not configure the plugin; see its message above."
   cmake --build "$plugin" --parallel "$jobs" ||
     die "the plugin does not build; see the compiler's message above."

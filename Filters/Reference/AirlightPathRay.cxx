@@ -12,12 +12,12 @@ namespace airlight
 {
 namespace
 {
-constexpr double RelativeMargin = 1e-9; // around a surface, of the largest coordinates
+constexpr double SurfaceMargin = 1e-9; // around a surface, of the largest coordinates
 
 double GetMargin(const ReferenceTracer& tracer, const glm::dvec3& position)
 {
   const glm::dvec3 world = glm::abs(position + tracer.GetEye());
-  return RelativeMargin *
+  return SurfaceMargin *
     std::max({ tracer.GetScene().GetOpaque().GetScale(), world.x, world.y, world.z });
 }
 

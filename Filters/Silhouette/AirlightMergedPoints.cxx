@@ -16,7 +16,7 @@ namespace
 {
 // Points of a bucket: they fit a core's own cache.
 constexpr size_t BucketSize = 8192;
-constexpr size_t MaximumBuckets = 4096;
+constexpr size_t MaximumPointBuckets = 4096;
 
 // With its position, so that points are compared inside the bucket.
 struct BucketPoint
@@ -97,7 +97,7 @@ MergedPoints MergeByPosition(vtkPoints* points)
   merged.Positions = GetPositions(points);
   const size_t count = merged.Positions.size();
   merged.First.resize(count, -1);
-  const size_t bucketCount = std::min(count / BucketSize + 1, MaximumBuckets);
+  const size_t bucketCount = std::min(count / BucketSize + 1, MaximumPointBuckets);
   const Buckets<BucketPoint> buckets =
     FillBuckets<BucketPoint>(count, bucketCount, [&](size_t i, const auto& put) {
       const glm::dvec3& p = merged.Positions[i];

@@ -32,7 +32,7 @@ bool MoveScale(std::string& shader)
 }
 
 // Where VTK blends a sample with those before it.
-bool AddMedium(std::string& shader)
+bool AddMediumToSamples(std::string& shader)
 {
   const bool blends = ReplaceText(shader, MapperText::VolumeBlending,
     "$1.rgb = $1.rgb * in_scale + in_bias * $1.a;\n$1 = airlightApplyMediumToVolume($1);\n$&");
@@ -70,7 +70,7 @@ void MarkVolumeShader(std::string& fragmentShader)
 void InjectVolumeShader(std::string& fragmentShader, const SurfaceShaderOptions& options)
 {
   std::string shader = fragmentShader;
-  if (!options.Translucent || !AddMedium(shader) || !MoveScale(shader) ||
+  if (!options.Translucent || !AddMediumToSamples(shader) || !MoveScale(shader) ||
     !ReplaceFirst(shader, StartMark, "airlightStartVolume();\n") ||
     !ReplaceFirst(shader, DeclarationMark, GetVolumeDeclarations(options, AirlightVolume)))
   {

@@ -53,7 +53,7 @@ struct Lamp
   }
 };
 
-bool IsShown(vtkLight* light)
+bool IsShownLamp(vtkLight* light)
 {
   return light->GetSwitch() && light->GetPositional() && light->LightTypeIsSceneLight() &&
     GetProperties(light).Visible;
@@ -176,7 +176,7 @@ const std::vector<vtkProp*>& LampShapes::Update(vtkRenderer* renderer, bool line
   while (vtkLight* light = lights->GetNextLight(it))
   {
     const Lamp lamp = GetLamp(light);
-    if (!IsShown(light) || !(lamp.GetArea() > 0.0) || used.count(light) > 0)
+    if (!IsShownLamp(light) || !(lamp.GetArea() > 0.0) || used.count(light) > 0)
     {
       continue;
     }
@@ -234,6 +234,6 @@ void LampShapes::Release(vtkWindow* window)
 //------------------------------------------------------------------------------
 bool IsInvisiblePoint(vtkLight* light)
 {
-  return IsShown(light) && !(GetLamp(light).GetArea() > 0.0);
+  return IsShownLamp(light) && !(GetLamp(light).GetArea() > 0.0);
 }
 }

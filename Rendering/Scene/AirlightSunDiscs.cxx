@@ -22,7 +22,7 @@ namespace
 {
 constexpr double LargestRadiance = 1e30; // single precision holds no more, times an exposure
 
-bool IsShown(vtkLight* light)
+bool IsShownSun(vtkLight* light)
 {
   return light->GetSwitch() && !light->GetPositional() && light->LightTypeIsSceneLight() &&
     GetProperties(light).Visible;
@@ -58,7 +58,7 @@ std::vector<SunDisc> CollectSunDiscs(vtkRenderer* renderer)
   lights->InitTraversal(it);
   while (vtkLight* light = lights->GetNextLight(it))
   {
-    if (IsShown(light) && !IsInvisibleSun(light) && suns.size() < MaximumSunDiscs &&
+    if (IsShownSun(light) && !IsInvisibleSun(light) && suns.size() < MaximumSunDiscs &&
       !renderer->GetActiveCamera()->GetParallelProjection())
     {
       suns.push_back(MakeSunDisc(light));
@@ -70,7 +70,7 @@ std::vector<SunDisc> CollectSunDiscs(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 bool IsInvisibleSun(vtkLight* light)
 {
-  return IsShown(light) && !(GetProperties(light).Extent.AngularDiameter > 0.0);
+  return IsShownSun(light) && !(GetProperties(light).Extent.AngularDiameter > 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ namespace
 // Triangles that are sent to the graphics card at a time.
 constexpr size_t Batch = 1 << 15;
 // Of the largest distance: nearer to the light nothing is drawn.
-constexpr double RelativeNear = 1e-6;
+constexpr double RelativeNearest = 1e-6;
 // What no caster is beyond.
 constexpr float Nothing = 1e30f;
 }
@@ -150,7 +150,7 @@ bool ShadowMap::Draw(vtkOpenGLRenderWindow* window, ProgramMaker& programs)
   program->SetUniformi("resolution", this->Projection.GetSide());
   program->SetUniformi("parallel", this->Projection.IsParallel() ? 1 : 0);
   program->SetUniformf(
-    "nearest", static_cast<float>(RelativeNear * this->Projection.GetFarthest()));
+    "nearest", static_cast<float>(RelativeNearest * this->Projection.GetFarthest()));
   this->Refused = false;
   glGenVertexArrays(1, &this->VertexArray);
   glGenBuffers(1, &this->Buffer);

@@ -13,7 +13,7 @@ namespace airlight
 namespace
 {
 // Of regions beyond their ends, as roundings of what the graphics card clips ask for.
-constexpr double Margin = 0.01;
+constexpr double EndMargin = 0.01;
 
 // Above 0 where all of the points are in front of the plane.
 template <typename Points>
@@ -40,8 +40,8 @@ ClippedRegions::ClippedRegions(const CameraRays& rays, bool anyPicture)
 {
   const std::array<CameraRays::Ray, 4> corners = rays.GetCornerRays();
   const CameraRays::Ray middle = rays.GetRay(0.5 * rays.GetWidth(), 0.5 * rays.GetHeight());
-  this->InFront.End = glm::dvec4(rays.GetForward(), -(1.0 + Margin) * rays.GetNear());
-  this->Beyond.End = glm::dvec4(-rays.GetForward(), (1.0 - Margin) * rays.GetFar());
+  this->InFront.End = glm::dvec4(rays.GetForward(), -(1.0 + EndMargin) * rays.GetNear());
+  this->Beyond.End = glm::dvec4(-rays.GetForward(), (1.0 - EndMargin) * rays.GetFar());
   for (size_t i = 0; i < corners.size(); ++i)
   {
     const CameraRays::Ray& ray = corners[i];
@@ -51,8 +51,8 @@ ClippedRegions::ClippedRegions(const CameraRays& rays, bool anyPicture)
     const glm::dvec4 inside(middle.Origin + middle.Direction, 1.0);
     this->Sides[i] = glm::dot(side, inside) < 0.0 ? -side : side;
 
-    const double nearest = (1.0 + Margin) * ray.Nearest;
-    const double farthest = (1.0 - Margin) * ray.Farthest;
+    const double nearest = (1.0 + EndMargin) * ray.Nearest;
+    const double farthest = (1.0 - EndMargin) * ray.Farthest;
     this->InFront.Corners.emplace_back(ray.Origin + nearest * ray.Direction, 1.0);
     this->InFront.Corners.push_back(
       rays.IsParallel() ? glm::dvec4(-ray.Direction, 0.0) : glm::dvec4(ray.Origin, 1.0));
