@@ -50,7 +50,10 @@ step "Installing what is missing"
 install_missing cmake c++ xvfb-run xauth
 
 step "Configuring"
-configure -DAIRLIGHT_BUILD_EXAMPLES=ON -DAIRLIGHT_WRAP_PYTHON=ON
+# A newcomer waits for a first picture, not for a developer's incremental builds.
+unity=()
+[[ -e $build/CMakeCache.txt ]] || unity=(-DAIRLIGHT_UNITY_BUILD=ON)
+configure -DAIRLIGHT_BUILD_EXAMPLES=ON -DAIRLIGHT_WRAP_PYTHON=ON "${unity[@]}"
 
 step "Building"
 compile airlight AnimatedFog vtkAirlightPython

@@ -30,7 +30,8 @@ command -v apt-get > /dev/null || {
 ((installs && $# == 0)) || minimum=()
 
 step "Configuring"
-configure -DAIRLIGHT_BUILD_TESTING=ON
+# Each file by itself, so that each includes what it needs; the demo may have left a unity build.
+configure -DAIRLIGHT_BUILD_TESTING=ON -DAIRLIGHT_UNITY_BUILD=OFF
 
 step "Building, and fetching what later steps need"
 # What cannot be fetched is fetched again there, with a message.

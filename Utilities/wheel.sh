@@ -100,7 +100,6 @@ build_wheel()
   tar -xzmf "$work"/made/*.tar.gz -C "$work/sources" --strip-components=1
   cp -r "$root/Testing" "$work/sources/"
   build_with --wheel -C build-dir="$work/objects" \
-    -C cmake.define.AIRLIGHT_UNITY_BUILD=ON \
     -C cmake.define.AIRLIGHT_WHEEL_TESTING=ON \
     -C "cmake.define.AIRLIGHT_TEST_FILTER=^Test($cxx_tests)[.]cxx" "$work/sources" ||
     die "the wheel does not build; see the message above."
