@@ -32,7 +32,9 @@ build_fuzzers()
   echo 'int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long); int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |
     clang -x c -fsanitize=fuzzer,address -o /dev/null - 2> /dev/null ||
     skip "Clang has no libFuzzer: install its run-time libraries (Debian: libclang-rt-dev)."
-  configure_sanitized address -DAIRLIGHT_BUILD_FUZZERS=ON -DAIRLIGHT_UNITY_BUILD=ON
+  # Clang with strict C++, so that Apple's compiler and others accept the library, too.
+  configure_sanitized address -DAIRLIGHT_BUILD_FUZZERS=ON -DAIRLIGHT_UNITY_BUILD=ON \
+    -DCMAKE_CXX_FLAGS=-pedantic-errors
   compile fuzzers
 }
 
