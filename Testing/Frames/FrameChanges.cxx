@@ -235,6 +235,11 @@ FrameWindowEvent FrameScene::Change(int step)
         this->ChangeItem(random);
     }
   }
+  if (this->Group.Recent)
+  {
+    Random recent(Mix(500 + static_cast<std::uint64_t>(step), this->Seed));
+    this->ChangeRecent(recent);
+  }
   if (random.Index(4) != 0)
   {
     return EVENT_NONE;

@@ -101,6 +101,7 @@ FrameGroup::FrameGroup(std::uint64_t number)
   , Peeling(OneOf(3, number, 9))
   , Fxaa(OneOf(10, number, 10))
   , Layered(OneOf(9, number, 18))
+  , Recent(number >= FirstRecentFrameGroup)
 {
   Random random(Mix(11, number));
   const bool image = this->Density == Medium::IMAGE; // in no closed surface

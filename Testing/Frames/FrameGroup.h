@@ -17,6 +17,7 @@
 namespace airlight_test
 {
 constexpr std::uint64_t FrameGroupSize = 50;
+constexpr std::uint64_t FirstRecentFrameGroup = 2000; // and all after it
 
 enum FrameLight
 {
@@ -93,6 +94,7 @@ struct FrameGroup
   bool Peeling;
   bool Fxaa;
   bool Layered;             // over another renderer
+  bool Recent;              // see FrameRecent.cxx
   std::vector<int> Regions; // one for each medium
   std::vector<int> Lights;
   std::vector<int> Parts; // kinds to choose from

@@ -46,6 +46,11 @@ FrameScene::FrameScene(std::uint64_t seed, const std::string& photometry)
   {
     this->AddItem(random);
   }
+  if (this->Group.Recent)
+  {
+    Random recent(Mix(31, seed));
+    this->AddRecent(recent);
+  }
 }
 
 //------------------------------------------------------------------------------

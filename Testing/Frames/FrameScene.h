@@ -92,6 +92,12 @@ private:
   void SetImage(vtkParticipatingMedium* medium, Random& random);
   void ChangeMedium(Random& random);
 
+  // FrameRecent.cxx
+  void AddRecent(Random& random);
+  void AddCutOut(Random& random);
+  void SetSky(vtkParticipatingMedium* medium, Random& random);
+  void ChangeRecent(Random& random);
+
   // FrameChanges.cxx
   void ChangeItem(Random& random);
   void ChangeMesh(FrameItem& item, Random& random);
