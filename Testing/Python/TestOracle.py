@@ -15,7 +15,7 @@ import scenes  # noqa: E402
 import tracer  # noqa: E402
 
 SIZE = (24, 18)
-NUMBERS = np.arange(2, SIZE[0] * SIZE[1], 3)
+NUMBERS = np.arange(2, SIZE[0] * SIZE[1], 5)
 MIDDLES = np.stack([NUMBERS % SIZE[0] + 0.5, NUMBERS // SIZE[0] + 0.5], axis=1)
 BUFFERS = ("Airlight", "Surface", "Transmittance", "Radiance", "Depth")
 
