@@ -33,6 +33,7 @@ airlight_sources(
     glsl/Integrals/AirlightScattering.glsl
     glsl/Integrals/AirlightEquiangular.glsl
     glsl/Integrals/AirlightEquiangularPanel.glsl
+    glsl/Integrals/AirlightGoniometricArc.glsl
     glsl/Integrals/AirlightHalfAngle.glsl
     glsl/Light/AirlightGoniometric.glsl
     glsl/Light/AirlightLight.glsl

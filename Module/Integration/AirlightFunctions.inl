@@ -74,6 +74,7 @@
 #include "Integrals/AirlightScattering.glsl"
 #include "Integrals/AirlightEquiangular.glsl"
 #include "Integrals/AirlightEquiangularPanel.glsl"
+#include "Integrals/AirlightGoniometricArc.glsl"
 #include "Integrals/AirlightHalfAngle.glsl"
 #include "Integrals/AirlightIrradianceRay.glsl"
 #include "Integrals/AirlightScatteredIrradiance.glsl"

@@ -3,6 +3,7 @@
 #include "Photometry/AirlightPhotometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <utility>
 
@@ -24,6 +25,24 @@ bool ReadText(const std::string& file, std::string& text)
     text.append(piece.data(), static_cast<size_t>(stream.gcount()));
   }
   return stream.is_open() && !stream.bad();
+}
+
+// An interval from the pole on: its start, 1/length, and where rays leave it. At the pole and
+// opposite, in degrees 0 and 180, none does.
+glm::dvec4 Cone(double from, double to)
+{
+  const double start = from > 0.0 ? std::cos(Radians(from)) : 2.0;
+  const double end = to < 180.0 ? std::cos(Radians(to)) : -2.0;
+  return { Radians(from), 1.0 / (Radians(to) - Radians(from)), start, end };
+}
+
+// An interval around the pole.
+void AddPlane(double from, double to, bool dark, std::vector<glm::dvec4>& texels)
+{
+  const double middle = 0.5 * Radians(from + to);
+  texels.emplace_back(std::sin(Radians(from)), std::cos(Radians(from)), 0.0, 0.0);
+  texels.emplace_back(std::sin(middle), std::cos(middle),
+    dark ? 0.0 : 1.0 / (Radians(to) - Radians(from)), to - from >= 180.0 ? 1.0 : 0.0);
 }
 
 // The start of an interval, its end, and 1/length.
@@ -156,6 +175,41 @@ std::vector<glm::dvec4> Photometry::Pack() const
         this->GetValue(j + 1, i + 1));
     }
   }
+  this->PackPolar(texels);
   return texels;
+}
+
+//------------------------------------------------------------------------------
+void Photometry::PackPolar(std::vector<glm::dvec4>& texels) const
+{
+  std::vector<double> horizontal;
+  for (const Column& column : this->Columns)
+  {
+    horizontal.push_back(column.Angle);
+  }
+  const bool isB = this->Table.Type == PhotometricType::B;
+  const bool isC = this->Table.Type == PhotometricType::C;
+  const std::vector<double>& planes = isB ? this->Table.Vertical : horizontal;
+  std::vector<double> cones = isB ? horizontal : this->Table.Vertical;
+  for (double& angle : cones)
+  {
+    angle += isC ? 0.0 : 90.0; // from the pole, not from the plane across it
+  }
+  texels.emplace_back(0.0, 0.0, 2.0, cones.front() > 0.0 ? std::cos(Radians(cones.front())) : -2.0);
+  for (size_t i = 0; i + 1 < cones.size(); ++i)
+  {
+    texels.push_back(Cone(cones[i], cones[i + 1]));
+  }
+  const bool open = cones.back() < 180.0;
+  texels.emplace_back(
+    open ? Radians(cones.back()) : 4.0, 0.0, open ? std::cos(Radians(cones.back())) : 2.0, -2.0);
+  for (size_t j = 0; j + 1 < planes.size(); ++j)
+  {
+    AddPlane(planes[j], planes[j + 1], false, texels);
+  }
+  if (!isC)
+  {
+    AddPlane(planes.back(), planes.front() + 360.0, true, texels);
+  }
 }
 }

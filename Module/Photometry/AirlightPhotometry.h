@@ -88,6 +88,7 @@ private:
   void MirrorAtFirst();
   void MirrorAtLast();
   double GetValue(size_t column, size_t vertical) const;
+  void PackPolar(std::vector<glm::dvec4>& texels) const;
 
   PhotometricTable Table; // candela divided by the largest
   double Maximum = 0.0;

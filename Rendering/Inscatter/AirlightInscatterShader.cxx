@@ -5,7 +5,9 @@
 #include "AirlightBoundaryReader.h"
 #include "AirlightCameraShader.h"
 #include "AirlightEquiangularFS.h"
+#include "AirlightEquiangularPixel.h"
 #include "AirlightEquiangularRay.h"
+#include "AirlightGoniometricPixel.h"
 #include "AirlightLightPixel.h"
 #include "AirlightResolveFS.h"
 #include "AirlightResolveOutputs.h"
@@ -97,7 +99,10 @@ std::string InscatterShader::GetEquiangularSource(const InscatterDraw& draw) con
   return this->GetHead(this->Shadow.UsesStorage(), AIRLIGHT_POINT_CLOSED) +
     "uniform AirlightLight givenLight;\nAirlightLight light;\n" + airlight::GetEquiangularSource() +
     AirlightShadowCounts + AirlightBoundaryReader + this->Shadow.GetBoundarySource(draw, true) +
-    AirlightEquiangularRay + AirlightResolveOutputs + AirlightEquiangularFS;
+    AirlightEquiangularPixel +
+    (this->Scene.Lights[this->Light].Values.goniometric != 0 ? AirlightGoniometricPixel
+                                                             : AirlightEquiangularRay) +
+    AirlightResolveOutputs + AirlightEquiangularFS;
 }
 
 //------------------------------------------------------------------------------
@@ -129,9 +134,10 @@ double InscatterShader::GetIntegralError() const
       return medium.density == AIRLIGHT_DENSITY_GRID &&
         medium.region.kind != AIRLIGHT_REGION_UNBOUNDED;
     });
-  const double integral = cut                          ? CutImageError
-    : IsQuadrature(light.Values) && !this->Equiangular ? QuadratureError
-                                                       : ClosedFormError;
+  // Where a photometric table is dim, rounding counts more: it is as of a lamp that is even.
+  const bool quadrature =
+    IsQuadrature(light.Values) && (!this->Equiangular || light.Values.goniometric != 0);
+  const double integral = cut ? CutImageError : (quadrature ? QuadratureError : ClosedFormError);
   return light.GridError + integral +
     (this->Shadows.TransmitsLight() ? this->Shadow.GetThicknessError() : 0.0);
 }

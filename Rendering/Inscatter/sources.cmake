@@ -21,4 +21,6 @@ airlight_sources(
     glsl/AirlightShadowCounts.glsl
     glsl/AirlightUnshadowedFS.glsl
     glsl/AirlightEquiangularFS.glsl
-    glsl/AirlightEquiangularRay.glsl)
+    glsl/AirlightEquiangularPixel.glsl
+    glsl/AirlightEquiangularRay.glsl
+    glsl/AirlightGoniometricPixel.glsl)

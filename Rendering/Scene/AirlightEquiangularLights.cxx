@@ -5,6 +5,7 @@
 #include "AirlightConstants.h"
 #include "AirlightEquiangular.h"
 #include "AirlightEquiangularPanel.h"
+#include "AirlightGoniometricArc.h"
 #include "AirlightHalfAngle.h"
 #include "Medium/AirlightConvert.h"
 #include "Phase/AirlightPhaseFit.h"
@@ -24,12 +25,11 @@ bool IsEquiangular(const FrameScene& scene, int light)
   {
     return phase.rows == 0;
   }
-  // A power, of which there is no closed form.
-  const bool power = phase.power.x > 0.0;
+  // A power or a photometric table, of which there is no closed form.
+  const bool quadrature = phase.power.x > 0.0 || values.goniometric != 0;
   phase.power.x = 0.0;
-  return power && scene.Media.volumes == 0 && HasClosedForm(phase) &&
-    values.kind == AIRLIGHT_POINT_QUADRATURE && values.goniometric == 0 &&
-    HasUniformPaths(scene.Media, values);
+  return quadrature && scene.Media.volumes == 0 && HasClosedForm(phase) &&
+    values.kind == AIRLIGHT_POINT_QUADRATURE && HasUniformPaths(scene.Media, values);
 }
 
 //------------------------------------------------------------------------------
@@ -44,7 +44,8 @@ bool AreEquiangular(const FrameScene& scene, const std::vector<int>& lights)
 std::string GetEquiangularSource()
 {
   return std::string("uniform AirlightMedia givenMedia;\nAirlightMedia media;\n") +
-    AirlightEquiangular + AirlightEquiangularPanel + AirlightHalfAngle + AirlightConstants;
+    AirlightEquiangular + AirlightEquiangularPanel + AirlightGoniometricArc + AirlightHalfAngle +
+    AirlightConstants;
 }
 
 //------------------------------------------------------------------------------

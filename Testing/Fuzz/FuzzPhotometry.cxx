@@ -30,9 +30,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   }
   // Values come behind the head and the intervals.
   const size_t intervals = static_cast<size_t>(texels[0].x + texels[0].y);
-  Require(texels.size() == 1 + intervals + static_cast<size_t>(texels[0].x * texels[0].y),
-    "the number of texels");
-  for (size_t i = 1 + intervals; i < texels.size(); ++i)
+  const size_t end = 1 + intervals + static_cast<size_t>(texels[0].x * texels[0].y);
+  Require(texels.size() > end, "the number of texels");
+  for (size_t i = 1 + intervals; i < end; ++i)
   {
     RequirePositive(&texels[i].x, 4, "an intensity");
     Require(texels[i].x <= 1.0, "the largest intensity is 1");

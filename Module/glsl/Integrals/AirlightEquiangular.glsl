@@ -172,10 +172,10 @@ AIRLIGHT_FN real airlightMostFading(
 #endif
 }
 
-// Where the part may end that begins at psi. What limits it is where the integrand is not smooth:
+// How far the part may reach that begins at psi. What limits it is where the integrand is not smooth:
 // the asymptote, which it nears as exp(-2 tau/angle), and a phase function's peaks. Of later parts
 // the tolerance is larger where little of the angle is left, or of the light.
-AIRLIGHT_FN real airlightEquiangularPanelEnd(
+AIRLIGHT_FN real airlightEquiangularPanelLength(
   AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightEquiangular) arc, real psi)
 {
   real left = max(arc.left - psi, real(1e-6));
@@ -190,7 +190,14 @@ AIRLIGHT_FN real airlightEquiangularPanelEnd(
   real most = real(4.0) + min(tau * s, real(8.0));
   real faded = airlightTwiceAngle(tau, cotangent * tau + most);
   real length = min(left - max(ratio * left, faded), airlightSmoothAngle(medium.phase, left));
-  return min(psi + max(length, real(1e-3) * left), arc.end);
+  return max(length, real(1e-3) * left);
+}
+
+// Where it may end.
+AIRLIGHT_FN real airlightEquiangularPanelEnd(
+  AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightEquiangular) arc, real psi)
+{
+  return min(psi + airlightEquiangularPanelLength(medium, arc, psi), arc.end);
 }
 
 // The integral from `done` in s beyond the beginning of a ray on whose rest the light fades: to

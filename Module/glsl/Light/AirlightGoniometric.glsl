@@ -9,6 +9,17 @@
 //                       from), (to, from), (from, to), (to, to) of (vertical, horizontal); column
 //                       by column
 //
+// then the same intervals about the table's pole, for rays that pass from one to the next
+// (AirlightGoniometricArc.glsl). The pole is the axis for type C, the opposite of right for B and of
+// up for A; the intervals from it are cones, those around it lie between planes:
+//
+//   cones + 2 texels    angle of its beginning from the pole, 1/length, cosines of its beginning
+//                       and its end; beyond 1 and -1 where no ray passes. The first one is before
+//                       the table, the last one after it, both without a length.
+//   planes x 2 texels   sine and cosine of its beginning's angle, 0, 0; those of its middle's,
+//                       1/length, 1 if that is half a circle or more. Of types A and B there is
+//                       one more, from the table's end around to its beginning.
+//
 // So a look-up reads one texel of intensities. The macro AIRLIGHT_FETCH(photometry, i) is texel i.
 struct AirlightPhotometry
 {

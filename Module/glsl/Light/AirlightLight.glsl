@@ -52,6 +52,7 @@ struct AirlightRay
   real2 litFromFoot;
   real litWay;
   AirlightFoot foot; // of the light, from range.x
+  real3 across;      // from the light to its foot
 };
 
 // How far after the light's foot t is.
@@ -169,6 +170,7 @@ AIRLIGHT_FN AirlightRay airlightRayBeside(AIRLIGHT_IN(AirlightMedia) media,
   ray.range = real2(min(ray.range.x, t1), max(ray.range.y, min(ray.range.x, t1)));
   ray.foot.tL = dot(light.position - origin, direction) - ray.range.x;
   ray.foot.h = max(length(moment), light.radius);
+  ray.across = cross(moment, direction);
   ray.lit = ray.range;
 #ifndef AIRLIGHT_NO_CONE
   ray.litFromFoot = (ray.range - ray.range.x) - ray.foot.tL;

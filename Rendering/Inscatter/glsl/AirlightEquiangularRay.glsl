@@ -1,25 +1,5 @@
-// A point light's airlight before a pixel by AirlightEquiangular.glsl.
+// A ray between the boundaries of shadows by AirlightEquiangular.glsl.
 
-struct AirlightEquiangularPixel
-{
-  vec3 sum;   // what is lit, as radiance
-  vec3 whole; // what would be without shadows; where that is recorded or scattered more than once
-  vec3 direction; // of the ray
-  float end;      // where the ray ends
-  float litLength;
-  int boundaries;
-  bool surfaceLit;
-};
-
-void airlightBeginEquiangular(AirlightRay ray, inout float from, inout AirlightCounts shadows,
-  inout AirlightEquiangularPixel pixel)
-{
-  airlightBeginBoundaries(ray, from, shadows);
-  pixel.boundaries = airlightBoundaryCount;
-  pixel.surfaceLit = airlightPassing(airlightAdd(shadows, airlightBoundaryWeights));
-}
-
-// Below, all that depends on the pixel's boundaries alone is there.
 #ifdef AIRLIGHT_ISOTROPIC
 
 // From boundary to boundary. One loop, in which each pass ends at a boundary or where the nodes
@@ -123,22 +103,3 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
 }
 
 #endif
-
-// Of pixel p, whose ray ends at `surface` on the unit of airlightDirection(); below 0: nowhere.
-// False where the pixel is another draw's.
-bool airlightEquiangularPixel(vec2 p, float unit, float surface, out AirlightEquiangularPixel pixel)
-{
-  pixel = AirlightEquiangularPixel(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0, 0, false);
-  if (!airlightOpenBoundaries(ivec2(p), unit, surface))
-  {
-    return false;
-  }
-  vec3 origin = airlightOrigin(p);
-  vec3 direction = airlightDirection(p) / unit;
-  pixel.direction = direction;
-  pixel.end = surface >= 0.0 ? unit * surface : AIRLIGHT_FAR;
-  AirlightRay ray = airlightRayBeside(media, light, origin, direction, pixel.end,
-    airlightOwnMoment(0, p, unit, light, origin, direction));
-  airlightEquiangularRay(ray, pixel);
-  return true;
-}
