@@ -311,8 +311,7 @@ bool Frame::MayJoinOthers(int light)
   const FrameScene scene = this->GetScene();
   return !this->Plan.Record && !this->Plan.TranslucentFragments && !this->Plan.Froxels &&
     scene.Lights[light].Scatters() && scene.Lights[light].Values.goniometric == 0 &&
-    IsEquiangular(scene, light) &&
-    this->Shadows.IsUnshadowed(scene, light);
+    IsEquiangular(scene, light) && this->Shadows.IsUnshadowed(scene, light);
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,16 @@
 
 namespace airlight
 {
+namespace
+{
+// Closer to a ray than its radius, a light has no angle that tells the direction of the ray's points,
+// which a photometric table needs. True where that is less than a pixel; not of a headlight.
+bool IsApartFromRays(const f64::AirlightLight& light)
+{
+  return light.radius <= 1e-4 * glm::length(light.position);
+}
+}
+
 //------------------------------------------------------------------------------
 bool IsEquiangular(const FrameScene& scene, int light)
 {
@@ -29,7 +39,8 @@ bool IsEquiangular(const FrameScene& scene, int light)
   const bool quadrature = phase.power.x > 0.0 || values.goniometric != 0;
   phase.power.x = 0.0;
   return quadrature && scene.Media.volumes == 0 && HasClosedForm(phase) &&
-    values.kind == AIRLIGHT_POINT_QUADRATURE && HasUniformPaths(scene.Media, values);
+    values.kind == AIRLIGHT_POINT_QUADRATURE && HasUniformPaths(scene.Media, values) &&
+    (values.goniometric == 0 || IsApartFromRays(values));
 }
 
 //------------------------------------------------------------------------------
