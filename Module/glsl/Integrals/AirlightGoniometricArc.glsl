@@ -122,8 +122,8 @@ AIRLIGHT_FN real airlightGoniometricConeEnd(AIRLIGHT_INOUT(AirlightGoniometricAr
                               : real2(walk.coneCell.w, walk.coneCell.z));
   walk.leaves = walk.leaves || cosines.x >= real(1.0);
   real cosine = walk.leaves ? cosines.y : cosines.x;
-  real away = airlightAngle(
-    sqrt(max((real(1.0) - cosine) * (real(1.0) + cosine), real(0.0))), clamp(cosine, real(-1.0), real(1.0)));
+  real sine = sqrt(max((real(1.0) - cosine) * (real(1.0) + cosine), real(0.0)));
+  real away = airlightAngle(sine, clamp(cosine, real(-1.0), real(1.0)));
   return walk.leaves ? (cosine > real(-1.0) ? walk.turn + away : real(AIRLIGHT_FAR))
                      : walk.turn - away;
 }
@@ -149,7 +149,7 @@ AIRLIGHT_FN real airlightGoniometricPlaneEnd(AIRLIGHT_IN(AirlightPhotometry) pho
 }
 
 // How far a part may reach on which three nodes are enough, of what eight allow.
-#define AIRLIGHT_THREE_NODES 0.25
+#define AIRLIGHT_THREE_NODES 0.4
 
 // Where the part of the ray that begins at psi may end, in one cell, which it looks up.
 AIRLIGHT_FN real airlightGoniometricEnd(AIRLIGHT_IN(AirlightMedium) medium,

@@ -10,8 +10,8 @@
 //                       by column
 //
 // then the same intervals about the table's pole, for rays that pass from one to the next
-// (AirlightGoniometricArc.glsl). The pole is the axis for type C, the opposite of right for B and of
-// up for A; the intervals from it are cones, those around it lie between planes:
+// (AirlightGoniometricArc.glsl). The pole is the axis for type C, the opposite of right for B and
+// of up for A; the intervals from it are cones, those around it lie between planes:
 //
 //   cones + 2 texels    angle of its beginning from the pole, 1/length, cosines of its beginning
 //                       and its end; beyond 1 and -1 where no ray passes. The first one is before

@@ -1,5 +1,16 @@
 // Quadrature piece by piece of a ray.
 
+// How many panels a part has at first, by what one of them covers of v, and of a straight part. In
+// shaders eight nodes find out themselves where these are too few; not of what a panel may miss
+// altogether, the peak of a spot or a corner of a surface.
+#if defined(AIRLIGHT_NO_CONE) && !AIRLIGHT_HAS_SURFACE
+#define AIRLIGHT_PANEL_WIDTH 1.5
+#define AIRLIGHT_STRAIGHT_PANELS 1
+#else
+#define AIRLIGHT_PANEL_WIDTH 1.0
+#define AIRLIGHT_STRAIGHT_PANELS 2
+#endif
+
 // The panels from v0 to v1; where their sum turns out not to be good enough, again, and a panel
 // whose nodes are too few is then halved, which finds the kinks.
 AIRLIGHT_FN real3 airlightPanels(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light,
@@ -66,7 +77,8 @@ AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_IN(AirlightMedia) media,
     return airlightGoniometricPiece(media, light, ray, piece, straight, v0, v1);
   }
 #endif
-  int panels = straight ? 2 : airlightPanelCount(v1 - v0, real(1.0));
+  int panels = straight ? AIRLIGHT_STRAIGHT_PANELS
+                        : airlightPanelCount(v1 - v0, real(AIRLIGHT_PANEL_WIDTH));
 #if AIRLIGHT_HAS_SURFACE
   // The way to the light can pass a corner of a surface on so short a part of the ray that no node
   // of larger panels sees it.

@@ -1,5 +1,5 @@
-// A ray between the boundaries of shadows by AirlightGoniometricArc.glsl. One loop, in which each pass
-// ends at a boundary, where the ray leaves a cell of the table, or where three nodes end.
+// A ray between the boundaries of shadows by AirlightGoniometricArc.glsl. One loop, in which each
+// pass ends at a boundary, where the ray leaves a cell of the table, or where three nodes end.
 
 void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixel)
 {
