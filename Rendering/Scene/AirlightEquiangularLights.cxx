@@ -19,7 +19,8 @@ namespace airlight
 namespace
 {
 // Closer to a ray than its radius, a light has no angle that tells the direction of the ray's
-// points, which a photometric table needs. True where that is less than a pixel; not of a headlight.
+// points, which a photometric table needs. True where that is less than a pixel; not of a
+// headlight.
 bool IsApartFromRays(const f64::AirlightLight& light)
 {
   return light.radius <= 1e-4 * glm::length(light.position);

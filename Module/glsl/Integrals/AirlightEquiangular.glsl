@@ -173,8 +173,8 @@ AIRLIGHT_FN real airlightMostFading(
 }
 
 // How far the part may reach that begins at psi. What limits it is where the integrand is not
-// smooth: the asymptote, which it nears as exp(-2 tau/angle), and a phase function's peaks. Of later
-// parts the tolerance is larger where little of the angle is left, or of the light.
+// smooth: the asymptote, which it nears as exp(-2 tau/angle), and a phase function's peaks. Of
+// later parts the tolerance is larger where little of the angle is left, or of the light.
 AIRLIGHT_FN real airlightEquiangularPanelLength(
   AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightEquiangular) arc, real psi)
 {
