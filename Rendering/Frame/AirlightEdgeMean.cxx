@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/AirlightEdgeMean.h"
 
-#include "AirlightCopyFS.h"
 #include "AirlightEdgesFS.h"
 #include "OpenGL/AirlightOpenGL.h"
 
@@ -120,28 +119,17 @@ bool EdgeMean::ReadMask(std::vector<float>& mask)
 //------------------------------------------------------------------------------
 bool EdgeMean::DrawIntoViewport(const glm::ivec4& viewport, const DisplayStage& display, bool blend)
 {
-  vtkShaderProgram* program = this->CopyQuad.GetOrCompile(this->Window,
-    "#version 330\n" + Define("AIRLIGHT_MASKED", false) + Define("AIRLIGHT_MEAN", true) +
-      display.GetSource() + AirlightCopyFS);
-  if (!program)
-  {
-    return this->Fail(std::string("the shader of the frames' mean") + ProgramMaker::GetReason());
-  }
-  const int corner[2] = { viewport.x, viewport.y };
-  program->SetUniform2i("airlightViewport", corner);
-  display.SetUniforms(program);
-  program->SetUniformi("blended", blend ? 1 : 0);
-  this->CopyQuad.DrawIntoViewport(this->Window->GetState(),
-    { { "radiances", this->Textures.Scene }, { "sceneDepth", this->Textures.Depth } }, viewport,
-    blend);
-  return true;
+  const MeanPicture::Mean mean{ this->Textures.Scene, this->Textures.Depth,
+    { viewport.x, viewport.y } };
+  return this->Picture.DrawIntoViewport(this->Window, mean, viewport, display, blend) ||
+    this->Fail(MeanPicture::GetError());
 }
 
 //------------------------------------------------------------------------------
 void EdgeMean::Release(vtkWindow* window)
 {
   this->EdgesQuad.Release();
-  this->CopyQuad.Release();
+  this->Picture.Release();
   this->Textures.Release(window);
   this->Mask->ReleaseGraphicsResources(window);
 }

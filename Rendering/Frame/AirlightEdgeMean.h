@@ -13,6 +13,7 @@
 #define AirlightEdgeMean_h
 
 #include "Composite/AirlightDisplayStage.h"
+#include "Frame/AirlightMeanPicture.h"
 #include "Frame/AirlightTargets.h"
 #include "OpenGL/AirlightQuad.h"
 
@@ -72,7 +73,7 @@ private:
   Targets Textures; // Scene: the mean, at first the first frame
   vtkNew<vtkTextureObject> Mask;
   Quad EdgesQuad;
-  Quad CopyQuad;
+  MeanPicture Picture;
   std::string Error;
 };
 }

@@ -3,7 +3,6 @@
 #include "Frame/AirlightSubpixelMean.h"
 
 #include "AirlightAddFS.h"
-#include "AirlightCopyFS.h"
 #include "OpenGL/AirlightOpenGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -87,28 +86,17 @@ bool SubpixelMean::AddFrame(float weight)
 bool SubpixelMean::DrawIntoViewport(
   const glm::ivec4& viewport, const DisplayStage& display, bool blend)
 {
-  vtkShaderProgram* program = this->MeanQuad.GetOrCompile(this->Window,
-    "#version 330\n" + Define("AIRLIGHT_MASKED", false) + Define("AIRLIGHT_MEAN", true) +
-      display.GetSource() + AirlightCopyFS);
-  if (!program)
-  {
-    return this->Fail(std::string("the shader of the frames' mean") + ProgramMaker::GetReason());
-  }
-  const int corner[2] = { 0, 0 }; // the mean has the caller's pixels
-  program->SetUniform2i("airlightViewport", corner);
-  display.SetUniforms(program);
-  program->SetUniformi("blended", blend ? 1 : 0);
-  this->MeanQuad.DrawIntoViewport(this->Window->GetState(),
-    { { "radiances", this->Textures.Scattered }, { "sceneDepth", this->Textures.Depth } }, viewport,
-    blend);
-  return true;
+  // The mean has the caller's pixels.
+  const MeanPicture::Mean mean{ this->Textures.Scattered, this->Textures.Depth, { 0, 0 } };
+  return this->Picture.DrawIntoViewport(this->Window, mean, viewport, display, blend) ||
+    this->Fail(MeanPicture::GetError());
 }
 
 //------------------------------------------------------------------------------
 void SubpixelMean::Release(vtkWindow* window)
 {
   this->AddQuad.Release();
-  this->MeanQuad.Release();
+  this->Picture.Release();
   this->Textures.Release(window);
 }
 }

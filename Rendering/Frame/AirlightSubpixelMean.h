@@ -9,6 +9,7 @@
 #define AirlightSubpixelMean_h
 
 #include "Composite/AirlightDisplayStage.h"
+#include "Frame/AirlightMeanPicture.h"
 #include "Frame/AirlightTargets.h"
 #include "OpenGL/AirlightQuad.h"
 
@@ -51,7 +52,7 @@ private:
   vtkOpenGLRenderWindow* Window = nullptr;
   Targets Textures; // Scene: a frame; Scattered: the mean
   Quad AddQuad;
-  Quad MeanQuad;
+  MeanPicture Picture;
   std::string Error;
 };
 }

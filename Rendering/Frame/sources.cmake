@@ -9,6 +9,7 @@ airlight_sources(
     AirlightFrameRecorder
     AirlightFroxels
     AirlightGeometryPass
+    AirlightMeanPicture
     AirlightSubpixelMean
     AirlightTargets
   HEADERS

@@ -150,34 +150,22 @@ void PassRenderer::RenderScene(
 }
 
 //------------------------------------------------------------------------------
-bool PassRenderer::RenderMean(
-  const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
+// What pictures of several frames have in common. `draw` draws one after the framebuffer that
+// `saver` keeps is bound again.
+bool PassRenderer::RenderSeveral(const vtkRenderState* s, const Settings& settings,
+  const std::function<bool(StateSaver& saver)>& draw)
 {
-  vtkRenderer* renderer = s->GetRenderer();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(s->GetRenderer()->GetRenderWindow());
   this->Context->SetContext(window);
   if (!CheckOpenGL(window, this->Error))
   {
     return false;
   }
-  const glm::ivec4 picture(viewport.X, viewport.Y, viewport.Width, viewport.Height);
+  this->Error.clear();
   StateSaver saver(window, ShadowLists::IsSupported(window));
-  if (!this->AddFrames(s, settings, viewport))
-  {
-    this->Refined.Forget();
-    return this->Error.empty() ? this->Fail(this->Mean.GetError()) : false;
-  }
-  DisplayStage display = GetDisplay(settings.Properties, this->CurrentFrame.IsClear());
-  this->EffectiveExposure = display.Exposure;
-  if (MeasuresExposure(settings.Properties) &&
-    !this->MeasureExposure(renderer, this->Mean.GetRadiance(), picture, display))
+  if (!draw(saver))
   {
     return false;
-  }
-  saver.PopFramebuffer();
-  if (!this->Mean.DrawIntoViewport(picture, display, IsBlended(renderer)))
-  {
-    return this->Fail(this->Mean.GetError());
   }
   // Without FXAA, which would blur edges that are smooth.
   if (settings.Properties.Annotations)
@@ -185,6 +173,39 @@ bool PassRenderer::RenderMean(
     DrawAnnotations(s);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::FindDisplay(vtkRenderer* renderer, const Settings& settings,
+  vtkTextureObject* radiances, const glm::ivec4& picture, DisplayStage& display)
+{
+  display = GetDisplay(settings.Properties, this->CurrentFrame.IsClear());
+  this->EffectiveExposure = display.Exposure;
+  return !MeasuresExposure(settings.Properties) ||
+    this->MeasureExposure(renderer, radiances, picture, display);
+}
+
+//------------------------------------------------------------------------------
+bool PassRenderer::RenderMean(
+  const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  const glm::ivec4 picture(viewport.X, viewport.Y, viewport.Width, viewport.Height);
+  return this->RenderSeveral(s, settings, [&](StateSaver& saver) {
+    if (!this->AddFrames(s, settings, viewport))
+    {
+      this->Refined.Forget();
+      return this->Error.empty() ? this->Fail(this->Mean.GetError()) : false;
+    }
+    DisplayStage display;
+    if (!this->FindDisplay(renderer, settings, this->Mean.GetRadiance(), picture, display))
+    {
+      return false;
+    }
+    saver.PopFramebuffer();
+    return this->Mean.DrawIntoViewport(picture, display, IsBlended(renderer)) ||
+      this->Fail(this->Mean.GetError());
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -203,45 +224,30 @@ bool PassRenderer::RenderSamples(
   const vtkRenderState* s, const Settings& settings, const Viewport& viewport)
 {
   vtkRenderer* renderer = s->GetRenderer();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  this->Context->SetContext(window);
-  if (!CheckOpenGL(window, this->Error))
-  {
-    return false;
-  }
-  this->Error.clear();
-  StateSaver saver(window, ShadowLists::IsSupported(window));
   Settings frame = settings;
   frame.Properties.LinearFrame = true;
   frame.Properties.EdgeSample = true;
   const glm::ivec2 size(viewport.Width, viewport.Height);
   double exposure = 1.0;
   const auto getDisplay = [&](DisplayStage& display) {
-    display = GetDisplay(settings.Properties, this->CurrentFrame.IsClear());
-    const bool measured = !MeasuresExposure(settings.Properties) ||
-      this->MeasureExposure(renderer, this->Edges.GetRadiance(), { 0, 0, size.x, size.y }, display);
+    const bool found = this->FindDisplay(
+      renderer, settings, this->Edges.GetRadiance(), { 0, 0, size.x, size.y }, display);
     exposure = display.Exposure;
-    return measured;
+    return found;
   };
   const auto renderFrame = [&](vtkTextureObject* mask) {
     this->EdgeMask = mask;
     return this->RenderFrame(s, frame, { 0, 0, size.x, size.y });
   };
-  bool ok = this->Edges.Render(
-    renderer, size, IsBlended(renderer), this->CurrentFrame.GetBuffers(), getDisplay, renderFrame);
-  this->EffectiveExposure = exposure; // that of the frames is 1
-  saver.PopFramebuffer();
-  ok = ok &&
-    this->Edges.DrawIntoViewport({ viewport.X, viewport.Y, size.x, size.y }, IsBlended(renderer));
-  if (!ok)
-  {
-    return this->Error.empty() ? this->Fail(this->Edges.GetError()) : false;
-  }
-  if (settings.Properties.Annotations)
-  {
-    AirlightScenePass::RenderOverlay(s);
-  }
-  return true;
+  return this->RenderSeveral(s, settings, [&](StateSaver& saver) {
+    bool ok = this->Edges.Render(renderer, size, IsBlended(renderer),
+      this->CurrentFrame.GetBuffers(), getDisplay, renderFrame);
+    this->EffectiveExposure = exposure; // that of the frames is 1
+    saver.PopFramebuffer();
+    ok = ok &&
+      this->Edges.DrawIntoViewport({ viewport.X, viewport.Y, size.x, size.y }, IsBlended(renderer));
+    return ok || (this->Error.empty() && this->Fail(this->Edges.GetError()));
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +258,6 @@ bool PassRenderer::AddFrames(
   const glm::ivec4 picture(viewport.X, viewport.Y, viewport.Width, viewport.Height);
   Settings frame = settings;
   frame.Properties.LinearFrame = true;
-  this->Error.clear();
   const bool remote = this->CurrentFrame.HasRemoteSilhouettes();
   // Silhouettes of other processes are those of lamps in their middles.
   this->Mean.SetMovesLamps(!remote);

@@ -28,6 +28,7 @@
 #include "vtkParticipatingMedium.h"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ class vtkRenderer;
 
 namespace airlight
 {
+class StateSaver;
+
 class PassRenderer
 {
 public:
@@ -99,11 +102,15 @@ private:
 
   static std::array<size_t, 3> RecordsKey(const Scene& scene);
   void RenderScene(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
+  bool RenderSeveral(const vtkRenderState* s, const Settings& settings,
+    const std::function<bool(StateSaver& saver)>& draw);
   bool RenderMean(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderMultisampled(
     const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool RenderSamples(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
   bool AddFrames(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);
+  bool FindDisplay(vtkRenderer* renderer, const Settings& settings, vtkTextureObject* radiances,
+    const glm::ivec4& picture, DisplayStage& display);
   bool MeasureExposure(vtkRenderer* renderer, vtkTextureObject* radiances,
     const glm::ivec4& picture, DisplayStage& display);
   bool RenderFrame(const vtkRenderState* s, const Settings& settings, const Viewport& viewport);

@@ -3,10 +3,12 @@
 #include "AirlightTestMeans.h"
 
 #include "AirlightTestTools.h"
+#include "AirlightTestWindowScene.h"
 
 #include "vtkCamera.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,5 +57,79 @@ double GetEdgeError(const Means& expected, const Picture& one, const Picture& pi
   }
   Check(count > 100, Text("there are edges: ", count));
   return std::sqrt(sum / std::max(count, 1));
+}
+
+//------------------------------------------------------------------------------
+void CheckViewports(int width, int height, const Smoothing& smooth)
+{
+  WindowScene left(width, height, 1);
+  smooth(left, left.Window);
+  const Picture whole = Capture(left.Window);
+  WindowScene right(width, height, 1);
+  const auto window = MakeWindow(2 * width, height);
+  Place(left, window, 0.0, 0, 0.5, 1);
+  Place(right, window, 0.5, 0, 1.0, 1);
+  smooth(left, window);
+  smooth(right, window);
+  const Picture both = Capture(window);
+  int different = 0;
+  for (int y = 0; y < height; ++y)
+  {
+    for (int i = 0; i < 3 * width; ++i)
+    {
+      const int expected = whole[3 * width * y + i];
+      different += both[6 * width * y + i] != expected ? 1 : 0;
+      different += both[6 * width * y + 3 * width + i] != expected ? 1 : 0;
+    }
+  }
+  Check(different == 0, Text("viewports side by side: ", different, " values differ"));
+}
+
+//------------------------------------------------------------------------------
+void CheckTiles(int width, int height, const Smoothing& smooth, bool borders)
+{
+  WindowScene large(2 * width, 2 * height, 1);
+  smooth(large, large.Window);
+  const Picture whole = Capture(large.Window);
+  WindowScene small(width, height, 1);
+  smooth(small, small.Window);
+  vtkNew<vtkWindowToImageFilter> filter;
+  filter->SetInput(small.Window);
+  filter->SetScale(2);
+  filter->ReadFrontBufferOff();
+  filter->Update();
+  vtkImageData* tiled = filter->GetOutput();
+  const auto* bytes = static_cast<const unsigned char*>(tiled->GetScalarPointer());
+  Check(tiled->GetNumberOfPoints() == 4 * width * height, "four tiles");
+  int apart = 0;
+  for (size_t i = 0; i < whole.size(); ++i)
+  {
+    const int x = static_cast<int>(i / 3) % (2 * width);
+    const int y = static_cast<int>(i / 3) / (2 * width);
+    const bool border = x == width - 1 || x == width || y == height - 1 || y == height;
+    apart += (borders || !border) && std::abs(whole[i] - bytes[i]) > 1 ? 1 : 0;
+  }
+  Check(apart == 0, Text("tiles differ in ", apart, " values"));
+}
+
+//------------------------------------------------------------------------------
+void CheckBuffers(const Buffers& one, const Buffers& smooth, const Picture& picture)
+{
+  Check(one.size() == smooth.size(), "the same buffers");
+  for (const char* name : { "Depth", "BoundaryCount" })
+  {
+    Check(AreSame(one.at(name), smooth.at(name)), Text(name, " is of the middle"));
+  }
+  vtkImageData* radiance = smooth.at("Radiance");
+  Check(!AreSame(one.at("Radiance"), radiance), "radiance is a mean at edges");
+  const int width = radiance->GetDimensions()[0];
+  double most = 0.0;
+  for (size_t i = 0; i < picture.size(); ++i)
+  {
+    const int pixel = static_cast<int>(i / 3);
+    const double value = GetValue(radiance, pixel % width, pixel / width, static_cast<int>(i % 3));
+    most = std::max(most, std::abs(255.0 * std::min(value, 1.0) - picture[i]));
+  }
+  Check(most < 0.51, Text("the mean of the radiance is the picture, but for ", most));
 }
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Means of pictures over pixels by hand, to compare vtkAirlightPass::SetSubpixelFrames() with.
+ * What the tests of smooth edges share: means of pictures over pixels by hand, and what pictures
+ * of vtkAirlightPass::SetSubpixelFrames() and SetMultisampling() have in common.
  */
 
 #ifndef AirlightTestMeans_h
@@ -17,6 +18,8 @@ class vtkRenderer;
 
 namespace airlight_test
 {
+class Scene;
+
 using Means = std::vector<double>;
 
 // The mean of pictures on a grid of 16 x 16 places in each pixel of a renderer that fills its
@@ -30,6 +33,21 @@ Means AverageByHand(
 // The root mean square of the differences, over the values that one frame has wrong by more than 4
 // steps of 255: the edges.
 double GetEdgeError(const Means& expected, const Picture& one, const Picture& picture);
+
+// What makes the edges of a scene's pictures smooth, in its own window or another.
+using Smoothing = std::function<void(Scene& scene, vtkRenderWindow* window)>;
+
+// Two renderers side by side, the second of which does not begin at the window's corner, draw what
+// one draws alone, in windows of this size.
+void CheckViewports(int width, int height, const Smoothing& smooth);
+
+// A picture in four tiles of this size is that of a larger window to 1 of 255. Pixels at the borders
+// of tiles may be left out.
+void CheckTiles(int width, int height, const Smoothing& smooth, bool borders);
+
+// Buffers of a smooth picture beside those of one frame, and the 8-bit picture itself, which is not
+// dithered: what a mean is, and what is the first frame's.
+void CheckBuffers(const Buffers& one, const Buffers& smooth, const Picture& picture);
 }
 
 #endif
