@@ -400,6 +400,28 @@ void TestAutomaticExposure()
   Check(scene.Pass->GetEffectiveExposure() == before, "and says nothing of the exposure");
 }
 
+// A first frame without any light has the exposure that is set, in a mean, too.
+void TestBlackFrame()
+{
+  for (const int frames : { 1, 4 })
+  {
+    Scene scene(Width, Height);
+    scene.Add(MakeSphere(1.0));
+    scene.AddPointLight({ 1, 3, 2 });
+    SetPower(scene, 0.0);
+    scene.Medium->SetScattering(0.1, 0.1, 0.1);
+    scene.Pass->SetExposure(3.0);
+    scene.Pass->AutomaticExposureOn();
+    scene.Pass->SetSubpixelFrames(frames);
+    const Picture black = Capture(scene.Window);
+    Check(*std::max_element(black.begin(), black.end()) == 0, "a first black frame is black");
+    Check(scene.Pass->GetEffectiveExposure() == 3.0, "with the exposure that is set");
+    SetPower(scene, 1.0);
+    const Picture lit = Capture(scene.Window);
+    Check(*std::max_element(lit.begin(), lit.end()) > 100, "and the next one is exposed");
+  }
+}
+
 // What is black but for roundings says nothing of the exposure of a narrow beam.
 void TestResidues()
 {
@@ -477,6 +499,7 @@ int TestDisplayStage(int, char*[])
   TestDithering();
   TestClearAir();
   TestAutomaticExposure();
+  TestBlackFrame();
   TestResidues();
   TestBlended();
   TestErrors();

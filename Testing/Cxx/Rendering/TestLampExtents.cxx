@@ -302,10 +302,16 @@ void TestErrors()
       "a radius out of range");
   }
   Check(vtkAirlightLight::GetRadius(light) == 0.5, "the old radius stays");
-  vtkAirlightLight::SetSize(light, 1.0, -1.0);
-  Check(errors.Take() == 1, "a size out of range");
-  vtkAirlightLight::SetAngularDiameter(light, 180.0);
-  Check(errors.Take() == 1, "an angle out of range");
+  for (const glm::dvec2 size : { glm::dvec2(1.0, -1.0), glm::dvec2(nan, 1.0) })
+  {
+    vtkAirlightLight::SetSize(light, size.x, size.y);
+    Check(errors.Take() == 1, "a size out of range");
+  }
+  for (const double angle : { 180.0, -0.5, nan })
+  {
+    vtkAirlightLight::SetAngularDiameter(light, angle);
+    Check(errors.Take() == 1, "an angle out of range");
+  }
   double size[2];
   vtkAirlightLight::GetSize(light, size);
   Check(size[0] == 0.0 && size[1] == 0.0 && vtkAirlightLight::GetAngularDiameter(light) == 0.0,

@@ -90,6 +90,23 @@ void CheckNumbers()
 }
 
 //------------------------------------------------------------------------------
+// What is out of range becomes the next number that is in it.
+void CheckFrames()
+{
+  vtkNew<vtkAirlightPass> pass;
+  for (const int frames : { 0, -3, std::numeric_limits<int>::min() })
+  {
+    pass->SetSubpixelFrames(frames);
+    Check(pass->GetSubpixelFrames() == 1, "SubpixelFrames is at least 1");
+  }
+  for (const int frames : { 1025, std::numeric_limits<int>::max() })
+  {
+    pass->SetSubpixelFrames(frames);
+    Check(pass->GetSubpixelFrames() == 1024, "SubpixelFrames is at most 1024");
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckPhase()
 {
   vtkNew<vtkParticipatingMedium> medium;
@@ -144,6 +161,7 @@ int TestPassProperties(int, char*[])
 {
   CheckSwitches();
   CheckNumbers();
+  CheckFrames();
   CheckPhase();
   Scene scene(32, 24);
   scene.AddPointLight({ 1.0, 3.0, 2.0 });

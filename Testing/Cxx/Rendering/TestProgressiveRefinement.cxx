@@ -155,6 +155,58 @@ void TestChangeInProgress()
 }
 
 //------------------------------------------------------------------------------
+// A window that gets another size, or is closed and opened again, with a part of the mean in it.
+void TestWindowInProgress()
+{
+  RefinedScene scene;
+  const std::pair<const char*, std::function<void()>> changes[] = {
+    { "larger", [&] { scene.Window->SetSize(130, 101); } },
+    { "smaller", [&] { scene.Window->SetSize(31, 70); } },
+    { "closed", [&] { scene.Window->Finalize(); } },
+  };
+  for (const auto& change : changes)
+  {
+    const std::string name = change.first;
+    scene.Ball->Modified();
+    scene.Window->Render();
+    scene.Window->Render();
+    Check(scene.Pass->GetAccumulatedFrames() == 2, name + ": a part of the mean");
+    change.second();
+    scene.Window->Render();
+    Check(scene.Pass->GetAccumulatedFrames() == 1, name + ": the mean starts again");
+    scene.Finish();
+    const Picture refined = Capture(scene.Window);
+    Check(refined == scene.CaptureAtOnce(), name + ": and is that of the window");
+  }
+}
+
+// The same between two frames of one picture, as an observer may do. That picture may be broken,
+// the next one not.
+void TestWindowInPicture()
+{
+  RefinedScene scene;
+  scene.Pass->ProgressiveRefinementOff();
+  scene.Window->Render();
+  vtkNew<vtkCallbackCommand> change;
+  change->SetClientData(scene.Window);
+  change->SetCallback([](vtkObject*, unsigned long, void* window, void* share) {
+    if (*static_cast<double*>(share) > 0.4 && *static_cast<double*>(share) < 0.6)
+    {
+      static_cast<vtkRenderWindow*>(window)->SetSize(120, 50);
+    }
+  });
+  const unsigned long observer = scene.Pass->AddObserver(vtkCommand::ProgressEvent, change);
+  scene.Window->Render();
+  scene.Pass->RemoveObserver(observer);
+  const Picture after = Capture(scene.Window);
+  Check(after.size() == 3 * 120 * 50, "the window has its new size");
+  Check(scene.Pass->GetAccumulatedFrames() == Count, "all frames of it");
+  scene.Pass->ProgressiveRefinementOn();
+  scene.Finish();
+  Check(Capture(scene.Window) == after, "and the mean is the new size's");
+}
+
+//------------------------------------------------------------------------------
 // One frame while the user moves something; at rest, the mean.
 void TestMoving()
 {
@@ -250,6 +302,8 @@ int TestProgressiveRefinement(int, char*[])
   TestAnnotations();
   TestCount();
   TestChangeInProgress();
+  TestWindowInProgress();
+  TestWindowInPicture();
   TestMoving();
   TestBuffers();
   TestNoRefinement();

@@ -236,6 +236,40 @@ void TestEnd()
   other.Finish();
   Check(other.Pass->GetAccumulatedFrames() == Count, "an interactor that is no more");
 }
+
+//------------------------------------------------------------------------------
+// A window that is closed, and one that is no more, while an interactor has a timer for them.
+void TestClosedWindow()
+{
+  InteractiveScene scene;
+  scene.Interactor->Render();
+  scene.Window->Finalize();
+  scene.RingOn();
+  Check(!scene.Interactor->HasTimer(), "a closed window comes to an end");
+  scene.Window->Render();
+  scene.Finish();
+  const Picture refined = Capture(scene.Window);
+  Check(refined == scene.CaptureAtOnce(), "and has its picture when it is opened again");
+  vtkSmartPointer<vtkAirlightPass> pass;
+  vtkSmartPointer<TimedInteractor> interactor;
+  {
+    InteractiveScene closed;
+    closed.Interactor->Render();
+    pass = closed.Pass;
+    interactor = closed.Interactor;
+    Check(interactor->HasTimer(), "a timer");
+    interactor->SetRenderWindow(nullptr);
+  }
+  for (int i = 0; i < 2 && interactor->HasTimer(); ++i)
+  {
+    interactor->Ring();
+  }
+  RefinedScene next;
+  next.Renderer->SetPass(pass);
+  next.Pass = pass;
+  next.Finish();
+  Check(pass->GetAccumulatedFrames() == Count, "the pass of a window that is no more");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -247,5 +281,6 @@ int TestRefiningInteractors(int, char*[])
   TestToolkit();
   TestStyle();
   TestEnd();
+  TestClosedWindow();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
