@@ -9,10 +9,13 @@ import unittest
 
 import numpy as np
 
-from programtest import pixel_rays, read_png
+from programtest import SOURCE, pixel_rays, read_png
 from viewtest import (
     CAMERA, LAMP, LINEAR, POWER, SIZE, STEP, ViewTest, dot, drag, grab, lit_wall, mouse, moved,
     picture_axes, press, shown, shown_lamp, wall_points)
+
+
+FIGURE1 = os.path.join(SOURCE, "Examples", "Data", "figure1.json")
 
 
 class TestViewMouse(ViewTest):
@@ -162,6 +165,30 @@ class TestViewMouse(ViewTest):
         self.assertGreater(error[beside > 0.4].max(), 0.1)
         error = np.abs(simple[1] - lit_wall(0.05)).max(axis=-1)[beside > 0.4].max()
         self.assertTrue(STEP < error < 0.08, error)
+
+    def test_frame_time_by_clock(self):
+        """A motion comes down to frames that take no longer than they may, by the viewer's clock,
+        on whatever draws: the limit is a third of a complete frame."""
+        places = [(60 + 20 * i, 180) for i in range(20)]
+        events = [grab(places[0], places[1]),
+                  *(mouse("MouseMoveEvent", place) for place in places[2:]), press("s"),
+                  mouse("LeftButtonReleaseEvent", places[-1])]
+
+        def view(limit):
+            """The time of the last frame that moves, and what is left out of it."""
+            texts, _ = self.view(FIGURE1, events, "--size", "640x360", "--frame-time", str(limit))
+            spent, text = re.search(r"frame ([\d.]+) ms(.*)$", texts[0]).groups()
+            return float(spent), text
+
+        complete, _ = view(0)
+        limit = round(complete / 3, 1)
+        for _ in range(3):  # others may use the processors
+            moving, text = view(limit)
+            print(f"complete {complete} ms, limit {limit} ms, moving {moving} ms{text}")
+            if moving <= limit:
+                break
+        self.assertLessEqual(moving, limit)
+        self.assertIn("size", text)
 
     def test_record(self):
         """A log played and recorded again does the same; screenshots do not overwrite files."""
