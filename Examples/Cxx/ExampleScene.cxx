@@ -62,6 +62,7 @@ int Window::Show()
   vtkNew<vtkWindowToImageFilter> shot;
   shot->SetInput(this->RenderWindow);
   shot->ReadFrontBufferOff();
+  shot->ShouldRerenderOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(shot->GetOutputPort());
   writer->SetFileName(this->Picture.c_str());

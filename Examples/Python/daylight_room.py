@@ -136,7 +136,7 @@ def main():
     in_sun, all_of_it = (dust_pass.GetBuffer(name).GetScalarComponentAsDouble(column, row, 0, 0)
                          for name in ("LitLength", "Depth"))
     print(f"of {all_of_it:.3f} m straight ahead {in_sun:.3f} m are in the sun")
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_or_write(window, options.output, redraw=False)
 
 
 if __name__ == "__main__":

@@ -135,7 +135,7 @@ def main():
     for name, place in (("nearest", np.where(depth > 0, depth, np.inf).argmin()),
                         ("farthest", depth.argmax())):
         print(f"{name}: at {depth[place]:.3f} nm {100 * kept[place, 0]:.2f} % of the contrast")
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_or_write(window, options.output, redraw=False)
 
 
 if __name__ == "__main__":

@@ -331,7 +331,7 @@ def main():
     renderer = draw(plan, f"Visibility towards the exit sign at {EYE} m height{when} (K = 8)", options.size)
     window = airlight.display.open_window(renderer, size=options.size,
                                           offscreen=bool(options.output))
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_or_write(window, options.output, redraw=False)
 
 
 if __name__ == "__main__":

@@ -168,7 +168,7 @@ def main():
     print(f"radiance: {drawn:.4f} W/(m^2 sr), by hand "
           f"{radiance_by_hand(smoke, place, thickness):.4f} W/(m^2 sr)")
     print(f"shadow on the floor: {measure_shadow(lens):.4f} m")
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_or_write(window, options.output, redraw=False)
 
 
 if __name__ == "__main__":

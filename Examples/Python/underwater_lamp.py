@@ -148,7 +148,7 @@ def main():
     renderer.ResetCameraClippingRange()
     window = airlight.display.open_window(renderer, size=options.size,
                                           offscreen=bool(options.output))
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_or_write(window, options.output, redraw=False)
 
 
 if __name__ == "__main__":

@@ -52,8 +52,12 @@ class TestExampleWindows(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             with self.assertRaisesRegex(OSError, "missing/x.png"):
                 airlight.display.write_picture(window, folder + "/missing/x.png")
-            airlight.display.write_picture(window, folder + "/x.png")
-            self.assertEqual(read_picture(folder + "/x.png").shape, (200, 3))
+            drawn = []
+            window.AddObserver("EndEvent", lambda *_: drawn.append(1))
+            for redraw in (True, False):
+                airlight.display.write_picture(window, folder + "/x.png", redraw)
+                self.assertEqual(read_picture(folder + "/x.png").shape, (200, 3))
+                self.assertEqual(len(drawn), 1, "the second picture is the first one")
 
     def test_no_display(self):
         """An error, before VTK ends the program or takes another window."""

@@ -59,12 +59,6 @@ def open_window(*renderers, size=(480, 320), offscreen=False):
     whose mouse moves the camera. Without multisampling, which the medium's pass does not need.
     Raises RuntimeError where VTK has nothing to draw with.
     """
-    window = _make_window(renderers, size, offscreen)
-    window.Render()
-    return window
-
-
-def _make_window(renderers, size, offscreen):
     window = vtkRenderWindow()
     require_screen(window)
     window.SetMultiSamples(0)
@@ -76,6 +70,7 @@ def _make_window(renderers, size, offscreen):
         interactor = vtkRenderWindowInteractor()
         interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
         interactor.SetRenderWindow(window)
+    window.Render()
     return window
 
 
@@ -87,13 +82,17 @@ def show(window):
     interactor.Start()
 
 
-def write_picture(window, path):
-    """The window's scene, drawn for it, as a PNG. Raises OSError if it cannot be written."""
+def write_picture(window, path, redraw=True):
+    """The window's scene as a PNG. Raises OSError if it cannot be written.
+
+    redraw: draw it for the picture; else the picture is what the window has drawn last.
+    """
     with open(path, "wb"):
         pass  # Python tells why a file cannot be written, VTK only that
     shot = vtkWindowToImageFilter()
     shot.SetInput(window)
     shot.ReadFrontBufferOff()
+    shot.SetShouldRerender(redraw)
     writer = vtkPNGWriter()
     writer.SetInputConnection(shot.GetOutputPort())
     writer.SetFileName(str(path))
@@ -102,10 +101,10 @@ def write_picture(window, path):
         raise OSError(f"the picture {path} could not be written: is the disk full?")
 
 
-def show_or_write(window, path):
+def show_or_write(window, path, redraw=True):
     """write_picture() where there is a path, else show(): for an option of a script."""
     if path:
-        write_picture(window, path)
+        write_picture(window, path, redraw)
     else:
         show(window)
 
@@ -130,8 +129,6 @@ def show_picture(renderer, medium, options, eye, target, angle, up=(0, 1, 0)):
     camera.SetViewUp(up)
     camera.SetViewAngle(angle)
     renderer.ResetCameraClippingRange()
-    window = _make_window([renderer], options.size, bool(options.output))
-    if not options.output:  # or all frames of the picture would be drawn twice
-        window.Render()
-    show_or_write(window, options.output)
+    window = open_window(renderer, size=options.size, offscreen=bool(options.output))
+    show_or_write(window, options.output, redraw=False)
     return medium_pass
