@@ -14,11 +14,14 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
+#include <vtkLineSource.h>
 #include <vtkParticipatingMedium.h>
 #include <vtkSphereSource.h>
+#include <vtkTubeFilter.h>
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <cstdio>
 
 using example::Add;
@@ -30,22 +33,61 @@ constexpr double White = 10.0; // cd/m^2, shown as white
 constexpr double Intensity[3] = { 20000.0 / White, 19200.0 / White, 17200.0 / White }; // cd, axis
 constexpr double People[][2] = { { 1.0, 12.0 }, { -0.4, 22.0 }, { -2.2, 34.0 }, { 0.4, 48.0 } };
 
+using Point = std::array<double, 3>;
+
+const example::Colour Coat = { 0.22, 0.1, 0.08 };
+const example::Colour Skin = { 0.35, 0.25, 0.2 };
+
+vtkSmartPointer<vtkActor> AddBall(
+  vtkRenderer* renderer, const Point& centre, double radius, const example::Colour& colour)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetCenter(centre[0], centre[1], centre[2]);
+  source->SetRadius(radius);
+  source->SetThetaResolution(32);
+  source->SetPhiResolution(32);
+  return Add(renderer, source, colour);
+}
+
+void AddLimb(vtkRenderer* renderer, const Point& start, const Point& end, double radius,
+  const example::Colour& colour)
+{
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(start[0], start[1], start[2]);
+  line->SetPoint2(end[0], end[1], end[2]);
+  vtkNew<vtkTubeFilter> tube;
+  tube->SetInputConnection(line->GetOutputPort());
+  tube->SetRadius(radius);
+  tube->SetNumberOfSides(24);
+  tube->CappingOn();
+  Add(renderer, tube, colour);
+}
+
 void AddPerson(vtkRenderer* renderer, double x, double z)
 {
   for (const double leg : { x - 0.2, x + 0.02 })
   {
     Add(renderer, MakeBox(leg, leg + 0.16, 0.0, 0.8, z - 0.1, z + 0.1), { 0.06, 0.07, 0.1 });
   }
-  Add(renderer, MakeBox(x - 0.24, x + 0.24, 0.75, 1.45, z - 0.12, z + 0.12), { 0.22, 0.1, 0.08 });
-  vtkNew<vtkSphereSource> head;
-  head->SetCenter(x, 1.62, z);
-  head->SetRadius(0.13);
-  Add(renderer, head, { 0.35, 0.25, 0.2 });
+  const auto body = AddBall(renderer, { 0.0, 0.0, 0.0 }, 1.0, Coat);
+  body->SetPosition(x, 1.09, z);
+  body->SetScale(0.23, 0.36, 0.14);
+  for (const double side : { -1.0, 1.0 })
+  {
+    const Point shoulder = { x + 0.2 * side, 1.38, z };
+    const Point hand = { x + 0.3 * side, 0.82, z + 0.06 };
+    AddLimb(renderer, shoulder, hand, 0.065, Coat);
+    AddBall(renderer, shoulder, 0.075, Coat);
+    AddBall(renderer, hand, 0.06, Skin);
+  }
+  AddLimb(renderer, { x, 1.4, z }, { x, 1.6, z }, 0.06, Skin);
+  AddBall(renderer, { x, 1.65, z }, 0.125, Skin);
 }
 
 void AddRoad(vtkRenderer* renderer)
 {
-  Add(renderer, MakeBox(-30.0, 30.0, -0.2, 0.0, -200.0, 10.0), { 0.07, 0.07, 0.07 });
+  Add(renderer, MakeBox(-40.0, 40.0, -0.2, -0.02, -200.0, 10.0), { 0.035, 0.05, 0.025 }); // grass
+  Add(renderer, MakeBox(-5.2, 2.1, -0.2, 0.0, -200.0, 10.0), { 0.07, 0.07, 0.07 });
   Add(renderer, MakeBox(1.8, 1.95, -0.1, 0.01, -200.0, 10.0), { 0.5, 0.5, 0.48 });
   for (int z = -190; z < 10; z += 9)
   {
@@ -112,7 +154,9 @@ int main(int argc, char* argv[])
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(fog);
   pass->RecordBuffersOn();
-  pass->SetOutputColorSpaceToSRGB(); // for the eye
+  pass->SetExposure(2.5); // for the eye
+  pass->SetToneMappingToReinhard();
+  pass->SetOutputColorSpaceToSRGB();
   vtkNew<vtkRenderer> renderer;
   renderer->SetPass(pass);
   AddLamp(renderer, -0.62, low);
@@ -120,8 +164,8 @@ int main(int argc, char* argv[])
   AddRoad(renderer);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(-0.35, 1.25, 1.6);
-  camera->SetFocalPoint(-0.35, 1.19, 0.6);
-  camera->SetViewAngle(24.0);
+  camera->SetFocalPoint(-0.35, 1.205, 0.6);
+  camera->SetViewAngle(17.0);
   camera->SetClippingRange(0.5, 300.0);
 
   example::Window window(renderer, 480, 160, picture);

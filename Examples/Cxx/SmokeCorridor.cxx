@@ -10,6 +10,7 @@
 #include "ExampleScene.h"
 
 #include <vtkAirlight.h>
+#include <vtkAirlightLight.h>
 #include <vtkAirlightPass.h>
 #include <vtkAirlightProbeFilter.h>
 #include <vtkCamera.h>
@@ -53,6 +54,7 @@ void AddLamps(vtkRenderer* renderer, vtkAirlightProbeFilter* probe)
     lamp->SetFocalPoint(0.0, 0.0, z);
     lamp->SetConeAngle(80.0);
     lamp->SetExponent(0.0);
+    vtkAirlightLight::SetRadius(lamp, 0.2); // its glass, in means of frames
     renderer->AddLight(lamp);
     probe->AddLight(lamp);
   }
@@ -146,23 +148,29 @@ void AddWalls(vtkRenderer* renderer)
   }
 }
 
-void AddSignsAndLampGlasses(vtkRenderer* renderer)
+void AddSignsAndLampBodies(vtkRenderer* renderer)
 {
   vtkNew<vtkVectorText> text;
   text->SetText("EXIT");
+  text->Update();
+  double bounds[6];
+  text->GetOutput()->GetBounds(bounds);
   for (int i = 0; i < Signs; ++i)
   {
     const double z = -5.0 * (i + 1);
     AddShining(renderer, MakeBox(-0.34, 0.34, 2.12, 2.4, z - 0.04, z - 0.01), { 0.01, 0.8, 0.2 });
     auto letters = AddShining(renderer, text, { Letters, Letters, Letters });
-    letters->SetPosition(-0.25, 2.19, z);
+    letters->SetPosition(-0.15 * 0.5 * (bounds[0] + bounds[1]), 2.19, z);
     letters->SetScale(0.15);
   }
   for (int i = 0; i < Lamps; ++i)
   {
     const double z = FirstLamp + i * LampStep;
-    AddShining(
-      renderer, MakeBox(-0.2, 0.2, Ceiling + 0.03, 2.6, z - 0.2, z + 0.2), { 4.0, 3.8, 3.4 });
+    const auto makePart = [z](double low, double high) {
+      return MakeBox(-0.2, 0.2, low, high, z - 0.2, z + 0.2);
+    };
+    AddShining(renderer, makePart(Ceiling + 0.01, Ceiling + 0.03), { 4.0, 3.8, 3.4 });
+    Add(renderer, makePart(Ceiling + 0.03, 2.6), { 0.5, 0.5, 0.5 });
   }
 }
 }
@@ -181,13 +189,14 @@ int main(int argc, char* argv[])
   smoke->SetAmbientRadiance(Ambient, Ambient, Ambient);
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(smoke);
-  pass->SetToneMappingToNeutralPBR(); // for the eye
+  pass->SetShadowTechniqueToShadowPlanes(); // exact, though there are many edges
+  pass->SetToneMappingToNeutralPBR();       // for the eye
   pass->SetOutputColorSpaceToSRGB();
   vtkNew<vtkRenderer> renderer;
   renderer->UseFXAAOn();
   renderer->SetPass(pass);
   AddWalls(renderer);
-  AddSignsAndLampGlasses(renderer);
+  AddSignsAndLampBodies(renderer);
   vtkNew<vtkAirlightProbeFilter> probe;
   probe->SetMedium(smoke);
   AddLamps(renderer, probe);

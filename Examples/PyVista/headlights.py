@@ -11,9 +11,9 @@ import sys
 
 import pyvista as pv
 
-VISIBILITY = 45  # m
+VISIBILITY = 60  # m
 CANDELA = 18000  # of a low beam, in the middle
-WHITE = 35  # cd/m^2, the luminance that is drawn white
+WHITE = 60  # cd/m^2, the luminance that is drawn white
 
 
 def add_car(pl):
@@ -48,7 +48,7 @@ def add_cyclist(pl, x, y):
 
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else None
-    pl = pv.Plotter(off_screen=folder is not None, window_size=(1200, 700), lighting="none")
+    pl = pv.Plotter(off_screen=folder is not None, window_size=(1280, 720), lighting="none")
     pl.background_color = (0.06, 0.07, 0.09)
     pl.add_mesh(pv.Plane(center=(10, 0, 0), i_size=80, j_size=7), color=(0.25, 0.25, 0.26))
     pl.add_mesh(pv.Plane(center=(10, 0, -0.02), i_size=80, j_size=60), color=(0.2, 0.24, 0.15))
@@ -58,11 +58,11 @@ def main():
         pl.add_mesh(pv.Cylinder(center=(x, 3.6, 0.5), direction=(0, 0, 1), radius=0.06, height=1),
                     color="white")
 
-    pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.7, white=WHITE, ambient=1.2,
-                       color_space="srgb")
+    pl.airlight.enable(visibility=VISIBILITY, anisotropy=0.7, white=WHITE, ambient=(2.2, 2.6, 3.4),
+                       color_space="srgb", frames=8)
     for y in (-0.65, 0.65):
         pl.airlight.add_lamp((0.06, y, 0.65), CANDELA, unit="cd", color=(1, 0.95, 0.85),
-                             target=(30, y, 0.45), cone_angle=11)
+                             target=(30, y, 0.45), cone_angle=11, radius=0.08, visible=True)
 
     pl.camera_position = [(13.5, -6.5, 2.0), (5.5, 0.6, 0.9), (0, 0, 1)]
     pl.camera.view_angle = 40

@@ -13,7 +13,8 @@ veil. For the low beam, a shield in front of each lamp blocks the light that wou
 import argparse
 
 import numpy as np
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
 import airlight
@@ -27,6 +28,7 @@ EYE = (-0.35, 1.25, 1.6)
 VISIBILITY, ANISOTROPY = 100.0, 0.85  # of the fog: metres, and its droplets' mean cosine
 PEOPLE = [(1.0, 12.0), (-0.4, 22.0), (-2.2, 34.0), (0.4, 48.0)]  # m to the right, and ahead
 WHITE = 10.0  # cd/m^2, shown as white in the picture
+EXPOSURE = 2.5
 
 
 def add(renderer, source, albedo):
@@ -45,22 +47,54 @@ def box(*bounds):
     return source
 
 
+def tube(start, end, radius):
+    """A limb, from one point to another."""
+    line, rounded = vtkLineSource(), vtkTubeFilter()
+    line.SetPoint1(start)
+    line.SetPoint2(end)
+    rounded.SetInputConnection(line.GetOutputPort())
+    rounded.SetRadius(radius)
+    rounded.SetNumberOfSides(24)
+    rounded.CappingOn()
+    return rounded
+
+
+def ball(*centre, radius):
+    source = vtkSphereSource()
+    source.SetCenter(centre)
+    source.SetRadius(radius)
+    source.SetThetaResolution(32)
+    source.SetPhiResolution(32)
+    return source
+
+
+def add_person(renderer, x, z):
+    coat, skin = (0.22, 0.1, 0.08), (0.35, 0.25, 0.2)
+    for leg in (x - 0.2, x + 0.02):
+        add(renderer, box(leg, leg + 0.16, 0, 0.8, z - 0.1, z + 0.1), (0.06, 0.07, 0.1))
+    body = add(renderer, ball(0, 0, 0, radius=1), coat)
+    body.SetPosition(x, 1.09, z)
+    body.SetScale(0.23, 0.36, 0.14)
+    for side in (-1, 1):
+        shoulder, hand = (x + 0.2 * side, 1.38, z), (x + 0.3 * side, 0.82, z + 0.06)
+        add(renderer, tube(shoulder, hand, 0.065), coat)
+        add(renderer, ball(*shoulder, radius=0.075), coat)
+        add(renderer, ball(*hand, radius=0.06), skin)
+    add(renderer, tube((x, 1.4, z), (x, 1.6, z), 0.06), skin)
+    add(renderer, ball(x, 1.65, z, radius=0.125), skin)
+
+
 def add_road(renderer):
-    add(renderer, box(-30, 30, -0.2, 0, -200, 10), (0.07, 0.07, 0.07))
+    add(renderer, box(-40, 40, -0.2, -0.02, -200, 10), (0.035, 0.05, 0.025))  # grass
+    add(renderer, box(-5.2, 2.1, -0.2, 0, -200, 10), (0.07, 0.07, 0.07))
     for z in range(-190, 10, 9):
         add(renderer, box(-1.9, -1.78, -0.1, 0.01, z, z + 3), (0.5, 0.5, 0.48))
     add(renderer, box(1.8, 1.95, -0.1, 0.01, -200, 10), (0.5, 0.5, 0.48))
     for z in range(-190, 0, 10):
         for x in (-5.6, 2.4):
             add(renderer, box(x, x + 0.12, 0, 1, z, z + 0.12), (0.7, 0.7, 0.7))
-    for x, z in PEOPLE:
-        for leg in (x - 0.2, x + 0.02):
-            add(renderer, box(leg, leg + 0.16, 0, 0.8, -z - 0.1, -z + 0.1), (0.06, 0.07, 0.1))
-        add(renderer, box(x - 0.24, x + 0.24, 0.75, 1.45, -z - 0.12, -z + 0.12), (0.22, 0.1, 0.08))
-        head = vtkSphereSource()
-        head.SetCenter(x, 1.62, -z)
-        head.SetRadius(0.13)
-        add(renderer, head, (0.35, 0.25, 0.2))
+    for x, distance in PEOPLE:
+        add_person(renderer, x, -distance)
 
 
 def make_view(beam, viewport):
@@ -74,7 +108,9 @@ def make_view(beam, viewport):
     fog_pass = airlight.vtkAirlightPass()
     fog_pass.SetMedium(fog)
     fog_pass.RecordBuffersOn()
-    fog_pass.SetOutputColorSpaceToSRGB()  # for the eye
+    fog_pass.SetExposure(EXPOSURE)  # for the eye
+    fog_pass.SetToneMappingToReinhard()
+    fog_pass.SetOutputColorSpaceToSRGB()
     for x, y, z in LAMPS:
         lamp = vtkLight()
         airlight.vtkAirlight.SetRadiantIntensity(lamp, INTENSITY / WHITE * COLOUR)
@@ -91,8 +127,8 @@ def make_view(beam, viewport):
     add_road(renderer)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(EYE)
-    camera.SetFocalPoint(EYE[0], EYE[1] - 0.06, EYE[2] - 1)
-    camera.SetViewAngle(24)
+    camera.SetFocalPoint(EYE[0], EYE[1] - 0.045, EYE[2] - 1)
+    camera.SetViewAngle(17)
     camera.SetClippingRange(0.5, 300)
     return renderer, fog_pass
 
@@ -118,7 +154,7 @@ def main():
                 column, row, 0, 1) for name in ("Surface", "Airlight"))
             print(f"  {beam} beam: veil {veil:.3f} cd/m^2, contrast {surface / veil:.3f}", end="")
         print()
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_or_write(window, options.output, redraw=False)
 
 
 if __name__ == "__main__":

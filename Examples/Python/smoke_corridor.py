@@ -41,6 +41,7 @@ def make_lamps():
         lamp.SetFocalPoint(place[0], 0, place[2])
         lamp.SetConeAngle(80)
         lamp.SetExponent(0)
+        airlight.vtkAirlightLight.SetRadius(lamp, 0.2)  # its glass, in means of frames
     return lamps
 
 
@@ -89,7 +90,9 @@ def box(*bounds):
 def make_corridor():
     renderer = vtkRenderer()
     for x, y, z in LAMPS:
-        add(renderer, box(x - 0.2, x + 0.2, y + 0.03, 2.6, z - 0.2, z + 0.2), (4, 3.8, 3.4), True)
+        sides = x - 0.2, x + 0.2, z - 0.2, z + 0.2
+        add(renderer, box(*sides[:2], y + 0.01, y + 0.03, *sides[2:]), (4, 3.8, 3.4), True)
+        add(renderer, box(*sides[:2], y + 0.03, 2.6, *sides[2:]), (0.5, 0.5, 0.5), False)
     for bounds, colour in (((-1.3, -1.2, 0, 2.6), (0.6, 0.58, 0.5)),
                            ((1.2, 1.3, 0, 2.6), (0.6, 0.58, 0.5)),
                            ((-1.3, 1.3, -0.1, 0), (0.3, 0.3, 0.33)),
@@ -101,9 +104,12 @@ def make_corridor():
         add(renderer, box(*bounds, -END, 2), colour, False)
     text = vtkVectorText()
     text.SetText("EXIT")
+    text.Update()
+    left, right = text.GetOutput().GetBounds()[:2]
+    middle = 0.15 * 0.5 * (left + right)
     for z in range(-5, -43, -5):
         add(renderer, box(-0.34, 0.34, 2.12, 2.4, z - 0.04, z - 0.01), (0.01, 0.8, 0.2), True)
-        add(renderer, text, 3 * [LETTERS], True, (-0.25, 2.19, z), 0.15)
+        add(renderer, text, 3 * [LETTERS], True, (-middle, 2.19, z), 0.15)
     return renderer
 
 
@@ -132,6 +138,7 @@ def main():
     smoke_pass = airlight.vtkAirlightPass()
     smoke_pass.SetMedium(smoke)
     smoke_pass.SetSubpixelFrames(options.frames)
+    smoke_pass.SetShadowTechniqueToShadowPlanes()  # exact, though there are many edges
     smoke_pass.SetToneMappingToNeutralPBR()  # for the eye
     smoke_pass.SetOutputColorSpaceToSRGB()
     renderer.SetPass(smoke_pass)
@@ -143,7 +150,7 @@ def main():
     renderer.ResetCameraClippingRange()
     window = airlight.display.open_window(renderer, size=options.size,
                                           offscreen=bool(options.output))
-    airlight.display.show_or_write(window, options.output)
+    airlight.display.show_or_write(window, options.output, redraw=False)
 
 
 if __name__ == "__main__":

@@ -94,8 +94,8 @@ class TestUses(ExampleTest):
         scene, text = self.draw("headlights_in_fog")
         extinction = 3.912 / scene.VISIBILITY  # the people are out of each other's shadows
         eye = np.array(scene.EYE)
-        camera = {"position": eye, "focal_point": eye + (0, -0.06, -1), "view_up": (0, 1, 0),
-                  "view_angle_deg": 24}
+        camera = {"position": eye, "focal_point": eye + (0, -0.045, -1), "view_up": (0, 1, 0),
+                  "view_angle_deg": 17}
 
         def falls(points, lamp, low):
             """Irradiance on a plane that faces the lamp, without fog."""
