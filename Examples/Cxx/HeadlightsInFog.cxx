@@ -70,7 +70,7 @@ void AddPerson(vtkRenderer* renderer, double x, double z)
     Add(renderer, MakeBox(leg, leg + 0.16, 0.0, 0.8, z - 0.1, z + 0.1), { 0.06, 0.07, 0.1 });
   }
   const auto body = AddBall(renderer, { 0.0, 0.0, 0.0 }, 1.0, Coat);
-  body->SetPosition(x, 1.09, z);
+  body->SetPosition(x, 1.13, z);
   body->SetScale(0.23, 0.36, 0.14);
   for (const double side : { -1.0, 1.0 })
   {

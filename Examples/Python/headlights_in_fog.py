@@ -73,7 +73,7 @@ def add_person(renderer, x, z):
     for leg in (x - 0.2, x + 0.02):
         add(renderer, box(leg, leg + 0.16, 0, 0.8, z - 0.1, z + 0.1), (0.06, 0.07, 0.1))
     body = add(renderer, ball(0, 0, 0, radius=1), coat)
-    body.SetPosition(x, 1.09, z)
+    body.SetPosition(x, 1.13, z)
     body.SetScale(0.23, 0.36, 0.14)
     for side in (-1, 1):
         shoulder, hand = (x + 0.2 * side, 1.38, z), (x + 0.3 * side, 0.82, z + 0.06)
