@@ -7,7 +7,6 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkTable
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
 
@@ -31,14 +30,15 @@ def make_mesh(points, faces):
 
 
 def make_actor(surface):
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(make_mesh(surface["points"], surface["faces"]))
-    normals.ComputePointNormalsOff()
-    normals.ComputeCellNormalsOn()
-    normals.SplittingOff()
-    normals.ConsistencyOff()
+    mesh = make_mesh(surface["points"], surface["faces"])
+    # In double precision, which VTK's filters do not give.
+    a, b, c = (np.asarray(surface["points"], float)[np.asarray(surface["faces"])[:, i]]
+               for i in range(3))
+    normals = np.cross(b - a, c - a)
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    mesh.GetCellData().SetNormals(numpy_to_vtk(normals, deep=True))
     mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(normals.GetOutputPort())
+    mapper.SetInputData(mesh)
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
