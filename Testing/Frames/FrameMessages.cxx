@@ -17,6 +17,7 @@ const char* const Announced[] = {
   "cast no shadows on surfaces.", "No shadow planes can be drawn from what the mappers",
   "Shadow maps know of light and dark only", "light surfaces directly only.",
   "is drawn without the medium before it", "SetScatteredSurfaceLight()",
+  "Multiple scattering is left out", "Multiple scattering leaves out",
   "was deprecated for VTK", // vtkLODActor calls what VTK has given up
 };
 }
