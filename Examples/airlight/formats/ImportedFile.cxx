@@ -97,18 +97,34 @@ Vector3 UndoUnlit(const double colour[3])
   return { std::pow(colour[0], 2.2), std::pow(colour[1], 2.2), std::pow(colour[2], 2.2) };
 }
 
+constexpr const char* Albedo = "albedoTex"; // the texture of glTF's base colour, as VTK names it
+
+// A copy without textures; the original keeps that of its colour. VTK 9.1's DeepCopy() does not count
+// the copy's references to textures, which are then freed too early: they are away meanwhile.
+vtkSmartPointer<vtkProperty> CopyWithoutTextures(vtkProperty* original)
+{
+  const vtkSmartPointer<vtkTexture> albedo = original->GetTexture(Albedo);
+  original->RemoveAllTextures();
+  auto copy = vtkSmartPointer<vtkProperty>::New();
+  copy->DeepCopy(original);
+  if (albedo)
+  {
+    original->SetTexture(Albedo, albedo);
+  }
+  return copy;
+}
+
 void MakeMatt(vtkActor* actor)
 {
   // Actors of one material share its property.
-  vtkNew<vtkProperty> property;
-  property->DeepCopy(actor->GetProperty());
+  const vtkSmartPointer<vtkProperty> original = actor->GetProperty();
+  const vtkSmartPointer<vtkProperty> property = CopyWithoutTextures(original);
   actor->SetProperty(property);
   const bool linear = property->GetInterpolation() == VTK_PBR; // a glTF material
   if (linear)
   {
     property->SetInterpolationToPhong();
-    actor->SetTexture(property->GetTexture("albedoTex"));
-    property->RemoveAllTextures();
+    actor->SetTexture(original->GetTexture(Albedo));
   }
   if (!property->GetLighting())
   {
