@@ -26,7 +26,7 @@ constexpr double DefaultAlbedo = 0.7;
 }
 
 //------------------------------------------------------------------------------
-void CheckModelFile(const std::string& fileName)
+std::string CheckModelFile(const std::string& fileName)
 {
   CheckInputFile(fileName);
   if (!IsImportedFile(fileName) && !IsPolyDataFile(fileName))
@@ -34,14 +34,30 @@ void CheckModelFile(const std::string& fileName)
     throw UserError(fileName +
       ": unknown kind of model; known: gltf, glb, obj, ply, stl, vtp, vtk, vtu, wrl, 3ds");
   }
-  TryInChildProcess(fileName, [&fileName] { ReadModel(fileName); });
+  const auto tryToRead = [&fileName](bool materials) {
+    TryInChildProcess(fileName, [&] { ReadModel(fileName, false, materials); });
+  };
+  try
+  {
+    tryToRead(true);
+    return "";
+  }
+  catch (const UserError& error)
+  {
+    if (!IsImportedFile(fileName) || !IsPolyDataFile(fileName))
+    {
+      throw;
+    }
+    tryToRead(false);
+    return error.what();
+  }
 }
 
 //------------------------------------------------------------------------------
-Model ReadModel(const std::string& fileName, bool keepFacets)
+Model ReadModel(const std::string& fileName, bool keepFacets, bool materials)
 {
   Model model;
-  if (IsImportedFile(fileName))
+  if (IsImportedFile(fileName) && (materials || !IsPolyDataFile(fileName)))
   {
     ImportedScene imported = ImportFile(fileName, keepFacets);
     for (const auto& actor : imported.Actors)

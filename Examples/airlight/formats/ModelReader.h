@@ -19,8 +19,11 @@ namespace airlight
  * Throws UserError, naming file and reason, unless the file is a model that can be read: gltf, glb,
  * obj, ply, stl, vtp, vtk, vtu, wrl or 3ds. It is read in a child process, which a damaged file may
  * crash. Check all files before the first one is read: afterwards VTK may have started threads.
+ *
+ * Returns why the materials of an obj file are to be left out, as VTK's reader fails on them or
+ * misses some; mostly nothing.
  */
-void CheckModelFile(const std::string& fileName);
+std::string CheckModelFile(const std::string& fileName);
 
 /**
  * The surfaces of a model, matt, in the model's own colours where it has any, and lamps and a
@@ -35,9 +38,10 @@ struct Model
 
 /**
  * Coarse meshes without materials are curved as their normals say, see MakeCurved(), or keep their
- * facets; for others see ImportFile(). Throws UserError.
+ * facets; for others see ImportFile(). Without `materials` those of an obj file are left out. Throws
+ * UserError.
  */
-Model ReadModel(const std::string& fileName, bool keepFacets = false);
+Model ReadModel(const std::string& fileName, bool keepFacets = false, bool materials = true);
 
 /**
  * All polygons of a model as one mesh in world coordinates. Throws UserError.

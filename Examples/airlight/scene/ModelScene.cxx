@@ -12,6 +12,7 @@
 #include <vtkMath.h>
 
 #include <cmath>
+#include <iostream>
 
 namespace airlight
 {
@@ -39,10 +40,14 @@ void SeeAll(CameraSettings& camera, const Vector3& center, double diagonal)
 //------------------------------------------------------------------------------
 Scene MakeModelScene(const std::string& fileName, const ModelChoices& choices)
 {
-  CheckModelFile(fileName);
+  const std::string withoutMaterials = CheckModelFile(fileName);
+  if (!withoutMaterials.empty())
+  {
+    std::cerr << "warning: the materials are left out: " << withoutMaterials << "\n";
+  }
   Scene scene;
   scene.FileName = fileName;
-  const Model model = ReadModel(fileName, choices.KeepFacets);
+  const Model model = ReadModel(fileName, choices.KeepFacets, withoutMaterials.empty());
   scene.Surfaces = model.Surfaces;
   double box[6];
   if (!scene.GetBounds(box))
