@@ -99,8 +99,8 @@ Vector3 UndoUnlit(const double colour[3])
 
 constexpr const char* Albedo = "albedoTex"; // the texture of glTF's base colour, as VTK names it
 
-// A copy without textures; the original keeps that of its colour. VTK 9.1's DeepCopy() does not count
-// the copy's references to textures, which are then freed too early: they are away meanwhile.
+// A copy without textures; the original keeps that of its colour. VTK 9.1's DeepCopy() does not
+// count the copy's references to textures, which are then freed too early: they are away meanwhile.
 vtkSmartPointer<vtkProperty> CopyWithoutTextures(vtkProperty* original)
 {
   const vtkSmartPointer<vtkTexture> albedo = original->GetTexture(Albedo);

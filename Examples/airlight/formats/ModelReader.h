@@ -38,8 +38,8 @@ struct Model
 
 /**
  * Coarse meshes without materials are curved as their normals say, see MakeCurved(), or keep their
- * facets; for others see ImportFile(). Without `materials` those of an obj file are left out. Throws
- * UserError.
+ * facets; for others see ImportFile(). Without `materials` those of an obj file are left out.
+ * Throws UserError.
  */
 Model ReadModel(const std::string& fileName, bool keepFacets = false, bool materials = true);
 
