@@ -17,11 +17,11 @@ using namespace airlight_test;
 namespace
 {
 // Every fourth phase function from the `part`-th on, from 0: shaders of all of them take compilers
-// long. For every kind of light, with and without a plane that ends rays; in uniform media of boxes,
-// spheres and everywhere both in perspective and in parallel projection, in others in one of them
-// alternately. Of phase function, region and density each pair occurs, and every second triple, or
-// all of them. Then lights outside of boxes, spheres and surfaces, with alternating phase functions
-// and projections, and the other tables, whose fits have other poles.
+// long. For every kind of light, with and without a plane that ends rays; in uniform media of
+// boxes, spheres and everywhere both in perspective and in parallel projection, in others in one of
+// them alternately. Of phase function, region and density each pair occurs, and every second
+// triple, or all of them. Then lights outside of boxes, spheres and surfaces, with alternating phase
+// functions and projections, and the other tables, whose fits have other poles.
 int RunPart(int part, bool all)
 {
   constexpr int parts = 4;
