@@ -20,8 +20,8 @@ namespace
 // long. For every kind of light, with and without a plane that ends rays; in uniform media of
 // boxes, spheres and everywhere both in perspective and in parallel projection, in others in one of
 // them alternately. Of phase function, region and density each pair occurs, and every second
-// triple, or all of them. Then lights outside of boxes, spheres and surfaces, with alternating phase
-// functions and projections, and the other tables, whose fits have other poles.
+// triple, or all of them. Then lights outside of boxes, spheres and surfaces, with alternating
+// phase functions and projections, and the other tables, whose fits have other poles.
 int RunPart(int part, bool all)
 {
   constexpr int parts = 4;
