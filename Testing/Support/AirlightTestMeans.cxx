@@ -113,6 +113,26 @@ void CheckTiles(int width, int height, const Smoothing& smooth, bool borders)
 }
 
 //------------------------------------------------------------------------------
+std::vector<double> GetRelativeErrors(vtkImageData* image, const Means& expected)
+{
+  double mean = 0.0;
+  for (const double value : expected)
+  {
+    mean += value / static_cast<double>(expected.size());
+  }
+  const int width = image->GetDimensions()[0];
+  std::vector<double> errors;
+  for (size_t i = 0; i < expected.size(); ++i)
+  {
+    const int pixel = static_cast<int>(i / 3);
+    const double value = GetValue(image, pixel % width, pixel / width, static_cast<int>(i % 3));
+    errors.push_back(std::abs(value - expected[i]) / std::max(expected[i], mean));
+  }
+  std::sort(errors.begin(), errors.end());
+  return errors;
+}
+
+//------------------------------------------------------------------------------
 void CheckBuffers(const Buffers& one, const Buffers& smooth, const Picture& picture)
 {
   Check(one.size() == smooth.size(), "the same buffers");

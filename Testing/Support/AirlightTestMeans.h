@@ -34,6 +34,10 @@ Means AverageByHand(
 // steps of 255: the edges.
 double GetEdgeError(const Means& expected, const Picture& one, const Picture& picture);
 
+// Of all values of a colour buffer, relative to the larger of the expected value and the mean;
+// sorted.
+std::vector<double> GetRelativeErrors(vtkImageData* image, const Means& expected);
+
 // What makes the edges of a scene's pictures smooth, in its own window or another.
 using Smoothing = std::function<void(Scene& scene, vtkRenderWindow* window)>;
 
@@ -41,8 +45,8 @@ using Smoothing = std::function<void(Scene& scene, vtkRenderWindow* window)>;
 // one draws alone, in windows of this size.
 void CheckViewports(int width, int height, const Smoothing& smooth);
 
-// A picture in four tiles of this size is that of a larger window to 1 of 255. Pixels at the borders
-// of tiles may be left out.
+// A picture in four tiles of this size is that of a larger window to 1 of 255. Pixels at the
+// borders of tiles may be left out.
 void CheckTiles(int width, int height, const Smoothing& smooth, bool borders);
 
 // Buffers of a smooth picture beside those of one frame, and the 8-bit picture itself, which is not

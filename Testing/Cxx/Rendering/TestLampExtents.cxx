@@ -5,6 +5,7 @@
 // is the light of many small lamps, one by one and added by hand in the CPU reference.
 
 #include "AirlightTestErrors.h"
+#include "AirlightTestMeans.h"
 #include "AirlightTestWindowScene.h"
 #include "Scene/AirlightLampSamples.h"
 
@@ -122,26 +123,6 @@ std::vector<double> AddByHand(
   return sums;
 }
 
-// Relative to the larger of the value and the mean.
-std::vector<double> GetErrors(vtkImageData* image, const std::vector<double>& expected)
-{
-  double mean = 0.0;
-  for (const double value : expected)
-  {
-    mean += value / static_cast<double>(expected.size());
-  }
-  std::vector<double> errors;
-  for (size_t i = 0; i < expected.size(); ++i)
-  {
-    const int pixel = static_cast<int>(i / 3);
-    const double value =
-      GetValue(image, pixel % PictureWidth, pixel / PictureWidth, static_cast<int>(i % 3));
-    errors.push_back(std::abs(value - expected[i]) / std::max(expected[i], mean));
-  }
-  std::sort(errors.begin(), errors.end());
-  return errors;
-}
-
 // The reference's own points, too.
 void CheckReference(
   const std::string& name, ExtentScene& scene, const std::vector<double>& expected)
@@ -155,7 +136,7 @@ void CheckReference(
     reference->Update();
     vtkImageData* image = reference->GetOutput();
     image->GetPointData()->SetActiveScalars("Radiance");
-    return GetErrors(image, expected);
+    return GetRelativeErrors(image, expected);
   };
   const std::vector<double> point = getErrors(1);
   const std::vector<double> lamp = getErrors(256);
@@ -179,10 +160,10 @@ void CheckLamp(const std::string& name, ExtentScene& scene, const std::vector<gl
   scene.Pass->SetSubpixelFrames(1);
   scene.Window->Render();
   Check(scene.Lamp->GetMTime() == time, name + ": one frame does not move the lamp");
-  const std::vector<double> point = GetErrors(scene.GetBuffer("Radiance"), expected);
+  const std::vector<double> point = GetRelativeErrors(scene.GetBuffer("Radiance"), expected);
   scene.Pass->SetSubpixelFrames(Frames);
   scene.Window->Render();
-  const std::vector<double> mean = GetErrors(scene.GetBuffer("Radiance"), expected);
+  const std::vector<double> mean = GetRelativeErrors(scene.GetBuffer("Radiance"), expected);
   const size_t most = mean.size() * 9 / 10;
   std::cout << name << ": median " << mean[mean.size() / 2] << ", 90 % below " << mean[most]
             << "; of a point " << point[point.size() / 2] << " and " << point[most] << "\n";

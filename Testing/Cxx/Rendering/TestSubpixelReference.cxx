@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The mean of many frames beside the mean of vtkAirlightReference over other places in each pixel, at
-// all pixels: the edges of surfaces and of shadows, too.
+// The mean of many frames beside the mean of vtkAirlightReference over other places in each pixel,
+// at all pixels: the edges of surfaces and of shadows, too.
 
+#include "AirlightTestMeans.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 #include "AirlightTestWindowScene.h"
@@ -67,33 +68,14 @@ std::vector<double> AverageReference(WindowScene& scene)
   return sums;
 }
 
-// Relative to the larger of the value and the mean, sorted.
-std::vector<double> GetErrors(vtkImageData* image, const std::vector<double>& expected)
-{
-  double mean = 0.0;
-  for (const double value : expected)
-  {
-    mean += value / static_cast<double>(expected.size());
-  }
-  std::vector<double> errors;
-  for (size_t i = 0; i < expected.size(); ++i)
-  {
-    const int pixel = static_cast<int>(i / 3);
-    const double value = GetValue(image, pixel % Width, pixel / Width, static_cast<int>(i % 3));
-    errors.push_back(std::abs(value - expected[i]) / std::max(expected[i], mean));
-  }
-  std::sort(errors.begin(), errors.end());
-  return errors;
-}
-
 //------------------------------------------------------------------------------
 void CheckScene(const std::string& name, WindowScene& scene)
 {
   const std::vector<double> expected = AverageReference(scene);
   scene.Pass->SetSubpixelFrames(1);
-  const std::vector<double> one = GetErrors(scene.Render().at("Radiance"), expected);
+  const std::vector<double> one = GetRelativeErrors(scene.Render().at("Radiance"), expected);
   scene.Pass->SetSubpixelFrames(Frames);
-  const std::vector<double> mean = GetErrors(scene.Render().at("Radiance"), expected);
+  const std::vector<double> mean = GetRelativeErrors(scene.Render().at("Radiance"), expected);
   const size_t middle = mean.size() / 2;
   const size_t most = mean.size() * 99 / 100;
   std::cout << name << ": median " << mean[middle] << ", 99 % below " << mean[most] << ", largest "
