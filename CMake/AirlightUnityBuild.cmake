@@ -1,6 +1,7 @@
 # Compiles the files of a folder together, which takes a third of the compiler's time. A file that
 # forgets to include a header compiles all the same, and a change compiles a whole folder again: so
-# this is for builds beside a plain one, as those for ParaView's tests, the wheel and the fuzzers.
+# this is for fresh builds that nobody changes (demo, continuous integration, ParaView's tests, wheel,
+# fuzzers). Who changes the library compiles each file by itself, as clang-tidy does.
 # Names in the anonymous namespaces of one folder must differ.
 
 get_target_property(library "${_vtk_build_module}" ALIASED_TARGET)

@@ -8,9 +8,9 @@
 #                                                       and sources that include a changed header
 #        Utilities/static-checks.sh FILE...             these files
 #
-# clang-tidy needs a build: in build/, or in the folder AIRLIGHT_BUILD; and the ParaView plugin's, if
-# Utilities/paraview-test.sh has made one. AIRLIGHT_JOBS is the number of parallel jobs (default: one
-# per processor).
+# clang-tidy needs a build of each file by itself (AIRLIGHT_UNITY_BUILD=OFF): in build/, or in the
+# folder AIRLIGHT_BUILD; and the ParaView plugin's, if Utilities/paraview-test.sh has made one.
+# AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
 #
 # Exits with 1 if there is a finding, and with 125 if there is none but a program is missing.
 set -euo pipefail
@@ -106,7 +106,9 @@ check_tidy()
   mapfile -t sources < <(listed '*.cxx')
   ((${#sources[@]})) && has clang-tidy || return 0
   [[ -e $build/compile_commands.json ]] ||
-    die "clang-tidy needs a build: Utilities/test.sh makes one in build/; AIRLIGHT_BUILD names another."
+    die "clang-tidy needs a build, in build/ or in the folder AIRLIGHT_BUILD."
+  ! grep -q '^AIRLIGHT_UNITY_BUILD:BOOL=ON' "$build/CMakeCache.txt" ||
+    die "clang-tidy needs files that are compiled by themselves: cmake -DAIRLIGHT_UNITY_BUILD=OFF $build"
   cmake --build "$build" --parallel "$jobs" --target Airlight > /dev/null || # headers made of GLSL
     die "the library does not build."
   tidy "$build" "${sources[@]/#/$root/}"

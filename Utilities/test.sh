@@ -30,8 +30,10 @@ command -v apt-get > /dev/null || {
 ((installs && $# == 0)) || minimum=()
 
 step "Configuring"
-# Each file by itself, so that each includes what it needs; the demo may have left a unity build.
-configure -DAIRLIGHT_BUILD_TESTING=ON -DAIRLIGHT_UNITY_BUILD=OFF
+# A fresh build compiles the files of a folder together, in less time; a developer's stays as it is.
+unity=()
+[[ -e $build/CMakeCache.txt ]] || unity=(-DAIRLIGHT_UNITY_BUILD=ON)
+configure -DAIRLIGHT_BUILD_TESTING=ON "${unity[@]}"
 
 step "Building, and fetching what later steps need"
 # What cannot be fetched is fetched again there, with a message.
