@@ -14,20 +14,21 @@
 # scenes, windows without a screen) draws through EGL, then through X on a virtual display; Python are
 # the tests of Testing/Python that need no program; PyVista, Web (vedo, trame in a browser, Jupyter) and
 # Mitsuba (light of all orders against Mitsuba 3) are the folders of Testing; Site builds the site of the
-# documentation without running examples, and checks its links. The wheel is for one version of Python:
-# AIRLIGHT_PYTHON selects the interpreter, 3.11 or later (default: python3 in /usr/bin). AIRLIGHT_JOBS is
-# the number of parallel jobs (default: one per processor).
+# documentation without running examples, and checks its links; Headers compiles the library's sources
+# with the headers of VTK 9.7 (two minutes of a processor; not among CTest's tests).
+#
+# The wheel is for one version of Python: AIRLIGHT_PYTHON selects the interpreter, 3.11 or later (default:
+# python3 in /usr/bin). AIRLIGHT_JOBS is the number of parallel jobs (default: one per processor).
 #
 # --test exits with 125 if there is no wheel; the tests are then skipped.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
-step_count=7
 dependencies=(--with-wheel)
 python=${AIRLIGHT_PYTHON:-/usr/bin/python3}
 work=$build/wheel
 largest=20000000 # bytes
-suites=(Cxx Wheel Python PyVista Web Mitsuba Site)
+suites=(Cxx Wheel Python PyVista Web Mitsuba Site Headers)
 # C++ tests of each part, quick ones and those of what differs between versions of VTK.
 cxx_tests='Airlight(|Errors|Lights|PassAccuracy|PassClear|PassContexts|PassErrors|PassPicking|PassState|PassWindowLayers|PolyDataMapper|PolyDataMapperErrors|PolyDataMapperVertices|ProbeFilter|Reference|ReferenceErrors|ReferenceScenes|ShaderLibrary)'
 cxx_tests+='|CasterMesh|ClassTraits|ClosedFormLimits|ClosedSurfaceErrors|CompositionDelegate|CompositionDelegatePasses|CompositionToneMapping|ContentClear|ContentInFog'
@@ -155,6 +156,7 @@ test_suite()
     PyVista) draw_with egl "${pytest[@]}" "$root/Testing/PyVista" ;;
     Web) AIRLIGHT_REQUIRE_ALL=1 draw_with x "${pytest[@]}" "$root/Testing/Web" ;;
     Mitsuba) "${pytest[@]}" "$root/Testing/Mitsuba" ;;
+    Headers) AIRLIGHT_JOBS=$jobs "$python" "$root/Wrapping/Wheel/check_next_vtk.py" "$work/objects" ;;
     Site) "$root/Utilities/site.sh" --quick --python "$interpreter" --output "$work/site" ;;
     *) die "unknown suite '$1'; there are ${suites[*]}." ;;
   esac
@@ -214,6 +216,7 @@ case ${1:-} in
     test_library "${@:2}"
     ;;
   "")
+    step_count=$((3 + ${#suites[@]}))
     install_missing cmake c++ xvfb-run
     build_wheel
     test_wheel
