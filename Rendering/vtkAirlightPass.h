@@ -547,6 +547,8 @@ public:
    *
    * - "Radiance" (RGB): the radiance that reaches the eye, background included, W/(m^2 sr);
    * - "Airlight" (RGB): the part that the medium scattered into the ray;
+   * - "MultipleScattering" (RGB): the part of "Airlight" that was scattered more than once, 0 unless
+   *   vtkParticipatingMedium::SetMultipleScattering() is on;
    * - "Surface" (RGB): the part from opaque surfaces, attenuated; 0 without a surface;
    * - "Transmittance" (RGB): from the eye to the surface, or to the far side of the medium;
    * - "Depth": distance along the unit ray, world units; -1 without a surface;
@@ -564,8 +566,8 @@ public:
    *   largest error of the light's grid in optical depth at 500 positions between its points,
    *   measured when the grid is computed. Not included are rays within rounding of a shadow edge,
    *   some 1e-6 of its distance, and the errors of SHADOW_MAP and RAY_MARCH;
-   * - "Airlight:0", "Airlight:1", ... (RGB): the airlight of each switched-on light, in the order
-   *   of the renderer's lights.
+   * - "Airlight:0", "Airlight:1", ... (RGB): the airlight of each switched-on light that was
+   *   scattered once, in the order of the renderer's lights.
    */
   vtkImageData* GetBuffer(const char* name);
 

@@ -41,6 +41,7 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     Define("AIRLIGHT_EQUIANGULAR", equiangular) +
     (intoTextures ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
     (intoTextures && options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
+    Define("AIRLIGHT_RECORD_SEVERAL", intoTextures && options.Several) +
     Define("AIRLIGHT_MASKED", options.Masked) +
     Define("AIRLIGHT_DEBUG_VIEW", intoTextures ? 0 : options.DebugView) +
     Define("AIRLIGHT_SHADOWING_LIGHT", options.ShadowingLight) +
@@ -116,6 +117,10 @@ CompositePass::NamedTextures CompositePass::GetTextures(
   if (options.Record)
   {
     textures.emplace_back("counts", inputs.Counts);
+  }
+  if (options.Several)
+  {
+    textures.emplace_back("severalOfLights", inputs.SeveralOfLights);
   }
   return textures;
 }

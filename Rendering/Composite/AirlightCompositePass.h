@@ -35,11 +35,12 @@ public:
     int LightsPerChannel = 24;
     int DebugView = 0; // vtkAirlightPass::DebugViewType
     bool Record = false;
+    bool Several = false;      // record what is scattered more than once
     float DiffuseError = 0.0f; // of what is not scattered once, relative; recorded
     bool EncodedInput = false;
     std::vector<SunDisc> Suns; // that are seen where there is nothing else
     DisplayStage Display;      // into viewports only
-    bool Masked = false;  // the depth that is bound is a mask (Quad::MaskedDraw) and stays
+    bool Masked = false;       // the depth that is bound is a mask (Quad::MaskedDraw) and stays
   };
 
   // What earlier steps drew; null where they drew none.
@@ -52,10 +53,11 @@ public:
     vtkTextureObject* Scattered = nullptr; // the airlight of all lights, and bits of the first
     vtkTextureObject* MoreLit = nullptr;   // bits of the others
     vtkTextureObject* Counts = nullptr;    // where they are recorded
+    vtkTextureObject* SeveralOfLights = nullptr; // likewise
   };
 
-  // Into the textures that are bound: radiance, and where they are recorded airlight, surface and
-  // transmittance. False with a reason in GetError() where a shader does not compile, here and
+  // Into the textures that are bound: radiance, and where they are recorded airlight, surface,
+  // transmittance and what is scattered more than once. False with a reason in GetError() where a shader does not compile, here and
   // below.
   bool DrawIntoTextures(const FrameScene& scene, const Options& options, const Inputs& inputs);
 

@@ -64,6 +64,7 @@ bool Frame::Begin(const Input& input)
   needs.Drawn = !this->Plan.AllShadersInjectable;
   needs.WithoutLight = this->Plan.ShadowingLight >= 0;
   needs.Record = this->Plan.Record;
+  needs.Several = this->RecordsSeveral();
   needs.Radiance = this->HasRadiance();
   if (!this->Textures.Prepare(
         this->GetWindow(), input.Rays.GetWidth(), input.Rays.GetHeight(), needs))
@@ -248,6 +249,10 @@ InscatterTargets Frame::GetInscatterTargets()
   {
     targets.Scattered.push_back(this->Textures.Lit);
   }
+  if (this->RecordsSeveral())
+  {
+    targets.Scattered.push_back(this->Textures.SeveralOfLights);
+  }
   targets.Distances = this->Textures.Distances;
   targets.Depth = this->Textures.Depth;
   targets.Mask = this->Mask;
@@ -388,7 +393,8 @@ ShadowTechnique Frame::GetTechnique(const vtkLight* light) const
 //------------------------------------------------------------------------------
 bool Frame::Record()
 {
-  return this->Buffers.Record(this->Textures) || this->Fail(this->Textures.GetError());
+  return this->Buffers.Record(this->Textures, this->RecordsSeveral()) ||
+    this->Fail(this->Textures.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -401,6 +407,7 @@ CompositePass::Options Frame::GetCompositeOptions() const
   options.LightsPerChannel = BitsPerChannel;
   options.DebugView = static_cast<int>(this->Plan.View);
   options.Record = this->Plan.Record;
+  options.Several = this->RecordsSeveral();
   options.DiffuseError =
     std::max(ClosedFormError, static_cast<float>(this->Plan.MultipleErrorBound));
   options.EncodedInput = this->Plan.EncodedInput;
@@ -420,6 +427,7 @@ CompositePass::Inputs Frame::GetCompositeInputs()
   inputs.Scattered = this->Textures.Scattered;
   inputs.MoreLit = this->Textures.Lit;
   inputs.Counts = this->Textures.Counts;
+  inputs.SeveralOfLights = this->Textures.SeveralOfLights;
   return inputs;
 }
 
@@ -431,6 +439,10 @@ bool Frame::CompositeTranslucent()
   {
     targets.insert(targets.end(),
       { this->Textures.Airlight, this->Textures.Surface, this->Textures.Transmittance });
+  }
+  if (this->RecordsSeveral())
+  {
+    targets.push_back(this->Textures.Several);
   }
   if (!this->Textures.Bind(targets, this->Mask))
   {

@@ -180,6 +180,10 @@ private:
   CompositePass::Options GetCompositeOptions() const;
   CompositePass::Inputs GetCompositeInputs();
   bool HasMoreLit() const { return this->Current->SceneLights.size() > BitsPerChannel; }
+  bool RecordsSeveral() const
+  {
+    return this->Plan.Record && this->Current->Media.multiple.count > 0;
+  }
 
   Targets Textures;
   SceneArrays Arrays;

@@ -4,7 +4,9 @@
 
 #include "Frame/AirlightTargets.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -14,13 +16,26 @@ namespace airlight
 namespace
 {
 bool HasMean(const std::string& buffer) { return buffer != "Depth" && buffer != "BoundaryCount"; }
+
+vtkSmartPointer<vtkImageData> MakeBlack(vtkImageData* like)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->DeepCopy(like);
+  image->GetPointData()->GetScalars()->Fill(0.0);
+  return image;
+}
 }
 
 //------------------------------------------------------------------------------
-bool FrameRecorder::Record(Targets& targets)
+bool FrameRecorder::Record(Targets& targets, bool several)
 {
-  if (!targets.Bind(
-        { targets.Radiance, targets.Airlight, targets.Surface, targets.Transmittance }, nullptr))
+  std::vector<vtkTextureObject*> colours = { targets.Radiance, targets.Airlight, targets.Surface,
+    targets.Transmittance };
+  if (several)
+  {
+    colours.push_back(targets.Several);
+  }
+  if (!targets.Bind(colours, nullptr))
   {
     return false;
   }
@@ -30,6 +45,8 @@ bool FrameRecorder::Record(Targets& targets)
   this->Buffers["Transmittance"] = targets.Read(3, 0, 3);
   this->Buffers["Depth"] = targets.Read(3, 3, 1);
   this->Buffers["ErrorBound"] = targets.Read(1, 3, 1);
+  this->Buffers["MultipleScattering"] =
+    several ? targets.Read(4, 0, 3) : MakeBlack(this->Buffers["Airlight"]);
   if (!targets.Bind({ targets.Counts }, nullptr))
   {
     return false;

@@ -22,9 +22,10 @@ class Targets;
 class FrameRecorder
 {
 public:
-  // Reads what the composite and the lights' airlight left in the targets. False with a reason in
+  // Reads what the composite and the lights' airlight left in the targets; `several`: light that is
+  // scattered more than once, too, whose buffer is otherwise 0. False with a reason in
   // the targets' GetError(), here and below.
-  bool Record(Targets& targets);
+  bool Record(Targets& targets, bool several);
 
   // Reads one light's airlight.
   bool RecordLight(Targets& targets, int light);

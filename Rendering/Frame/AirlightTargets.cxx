@@ -84,6 +84,10 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, cons
       this->Allocate(this->Airlight, 4) && this->Allocate(this->Surface, 4) &&
       this->Allocate(this->Transmittance, 4);
   }
+  if (needs.Several)
+  {
+    ok = ok && this->Allocate(this->SeveralOfLights, 4) && this->Allocate(this->Several, 4);
+  }
   ok = ok && !IsOutOfMemory();
   this->Error = ok ? ""
                    : "no memory on the graphics card for textures of " + std::to_string(width) +
@@ -202,10 +206,11 @@ vtkSmartPointer<vtkImageData> Targets::Read(
 //------------------------------------------------------------------------------
 void Targets::Release(vtkWindow* window)
 {
-  for (vtkTextureObject* texture : { this->Distances.Get(), this->Drawn.Get(), this->Depth.Get(),
-         this->Scene.Get(), this->WithoutLight.Get(), this->Scattered.Get(), this->Lit.Get(),
-         this->Counts.Get(), this->Single.Get(), this->Radiance.Get(), this->Airlight.Get(),
-         this->Surface.Get(), this->Transmittance.Get() })
+  for (vtkTextureObject* texture :
+    { this->Distances.Get(), this->Drawn.Get(), this->Depth.Get(), this->Scene.Get(),
+      this->WithoutLight.Get(), this->Scattered.Get(), this->Lit.Get(), this->Counts.Get(),
+      this->Single.Get(), this->SeveralOfLights.Get(), this->Several.Get(), this->Radiance.Get(),
+      this->Airlight.Get(), this->Surface.Get(), this->Transmittance.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

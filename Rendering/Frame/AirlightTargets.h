@@ -35,6 +35,7 @@ public:
     bool Drawn = false;
     bool WithoutLight = false;
     bool Record = false;
+    bool Several = false; // recorded: light that is scattered more than once
     bool Radiance = false;
   };
   bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, const Needs& needs);
@@ -65,9 +66,11 @@ public:
   vtkNew<vtkTextureObject> Scene;
   vtkNew<vtkTextureObject> WithoutLight; // the scene without the light that casts shadows on it
   vtkNew<vtkTextureObject> Scattered;    // RGB: airlight, A: bits of the first 24 lights (litBit)
-  vtkNew<vtkTextureObject> Lit;      // RGB: those of others, 24 a channel; only where there are any
-  vtkNew<vtkTextureObject> Counts;   // recorded only: boundaries; error bound; lit length
-  vtkNew<vtkTextureObject> Single;   // recorded: one light's airlight
+  vtkNew<vtkTextureObject> Lit;    // RGB: those of others, 24 a channel; only where there are any
+  vtkNew<vtkTextureObject> Counts; // recorded only: boundaries; error bound; lit length
+  vtkNew<vtkTextureObject> Single; // recorded: one light's airlight
+  vtkNew<vtkTextureObject> SeveralOfLights; // recorded: what lights scatter more than once
+  vtkNew<vtkTextureObject> Several;         // and that with what collisions give
   vtkNew<vtkTextureObject> Radiance; // recorded, measured, or to draw translucent surfaces into
   vtkNew<vtkTextureObject> Airlight;
   vtkNew<vtkTextureObject> Surface;

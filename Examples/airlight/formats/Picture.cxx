@@ -50,8 +50,8 @@ vtkSmartPointer<vtkImageData> GrabWindow(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 const std::vector<std::string>& GetBufferNames()
 {
-  static const std::vector<std::string> names = { "Radiance", "Airlight", "Surface",
-    "Transmittance", "Depth", "LitLength", "BoundaryCount", "ErrorBound" };
+  static const std::vector<std::string> names = { "Radiance", "Airlight", "MultipleScattering",
+    "Surface", "Transmittance", "Depth", "LitLength", "BoundaryCount", "ErrorBound" };
   return names;
 }
 

@@ -21,7 +21,7 @@ namespace airlight
 namespace
 {
 // Buffers of the pass that the reference does not have: what they say is of the pass's own work.
-constexpr const char* PassBuffers[] = { "BoundaryCount", "ErrorBound" };
+constexpr const char* PassBuffers[] = { "BoundaryCount", "ErrorBound", "MultipleScattering" };
 
 void CheckKnown(const Scene& scene, const PictureSettings& settings, const PathChoices& paths)
 {

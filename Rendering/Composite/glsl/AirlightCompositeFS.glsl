@@ -20,6 +20,10 @@ layout(location = 1) out vec4 airlight; // radiance; error bound
 layout(location = 2) out vec4 surface;
 layout(location = 3) out vec4 transmittance; // and the distance along the unit ray
 #endif
+#if AIRLIGHT_RECORD_SEVERAL
+uniform sampler2D severalOfLights;
+layout(location = 4) out vec4 several; // scattered more than once
+#endif
 
 void main()
 {
@@ -69,6 +73,12 @@ void main()
     texelFetch(counts, pixel, 0).g + error * max(diffuse.r, max(diffuse.g, diffuse.b)));
   surface = vec4(parameter >= 0.0 ? passes * colour.rgb : vec3(0.0), 1.0);
   transmittance = vec4(passes, parameter >= 0.0 ? end : -1.0);
+#endif
+#if AIRLIGHT_RECORD_SEVERAL
+  several = texelFetch(severalOfLights, pixel, 0);
+#if AIRLIGHT_DIFFUSE
+  several.rgb += airlightMultipleOfCollisions(media, origin, direction, end);
+#endif
 #endif
 #ifndef AIRLIGHT_TRANSLUCENT
 #if AIRLIGHT_DEBUG_VIEW == 1

@@ -21,7 +21,7 @@ void main()
 #endif
   airlightGive(pixel.sum + more, pixel.surfaceLit);
 #ifdef AIRLIGHT_RECORD
-  single = vec4(pixel.sum, airlight.a);
+  airlightRecord(pixel.sum, more);
   float bound = multipleError * brightest(more) + phaseError * brightest(pixel.sum) +
     error * brightest(pixel.whole);
 #if AIRLIGHT_MULTIPLE_LAMP >= 0

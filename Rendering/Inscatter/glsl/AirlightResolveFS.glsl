@@ -143,7 +143,7 @@ void main()
   airlightGive(
     sum + more, state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)));
 #ifdef AIRLIGHT_RECORD
-  single = vec4(sum, airlight.a);
+  airlightRecord(sum, more);
   // Not less than with shadows, but where a driver ends loops early (AirlightQuadrature.glsl).
   vec3 whole = shadowless ? sum : max(unshadowed(ray), sum);
   whole = mix(vec3(0.0), whole, greaterThan(sigmaS, vec3(0.0)));

@@ -18,6 +18,11 @@ layout(location = 2) out vec4 single; // this light's own
 #if AIRLIGHT_MORE_LIT
 layout(location = 3) out vec4 lit; // those of the other channels
 #endif
+#if AIRLIGHT_MULTIPLE && AIRLIGHT_MORE_LIT
+layout(location = 4) out vec4 several; // what it scatters more than once
+#elif AIRLIGHT_MULTIPLE
+layout(location = 3) out vec4 several;
+#endif
 #elif AIRLIGHT_MORE_LIT
 layout(location = 1) out vec4 lit;
 #endif
@@ -32,6 +37,15 @@ void airlightGive(vec3 radiance, bool surfaceLit)
 }
 
 #ifdef AIRLIGHT_RECORD
+// What the light scatters once into the pixel's ray, and more than once.
+void airlightRecord(vec3 once, vec3 more)
+{
+  single = vec4(once, airlight.a);
+#if AIRLIGHT_MULTIPLE
+  several = vec4(more, 0.0);
+#endif
+}
+
 float brightest(vec3 colour)
 {
   return max(colour.r, max(colour.g, colour.b));

@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iostream>
+#include <string>
 #include <vector>
 
 using namespace airlight_test;
@@ -221,6 +223,28 @@ bool TestSunBeside()
 }
 
 //------------------------------------------------------------------------------
+// The buffer of what is scattered more than once: the airlight without what is scattered once, 0
+// where nothing else is.
+bool CheckBuffer(FoggyPlane& scene, const Buffer& once, const Buffer& air, const std::string& name)
+{
+  const Buffer several = scene.Render("MultipleScattering", true);
+  const Buffer none = scene.Render("MultipleScattering", false);
+  Comparison comparison(Text(name, ", MultipleScattering, relative to the airlight"));
+  for (size_t i = 0; i < air.size(); ++i)
+  {
+    comparison.Add(std::abs(once[i] + several[i] - air[i]) / air[i], 1e-6,
+      [&] { return Text("value ", i, ": ", several[i], " for ", air[i], " - ", once[i]); });
+  }
+  const bool dark =
+    std::all_of(none.begin(), none.end(), [](float value) { return value == 0.0f; });
+  if (!dark || none.size() != air.size())
+  {
+    std::cerr << "FAILED: " << name << ", scattered once, has light that is scattered again\n";
+  }
+  return comparison.Report() && dark && none.size() == air.size();
+}
+
+//------------------------------------------------------------------------------
 // Suns, spots and lamps outside, in the air and on surfaces, with a caster: as the reference has it.
 bool TestOtherLights()
 {
@@ -268,7 +292,7 @@ bool TestOtherLights()
       comparison.Add(std::abs(whole - found) / found, 2e-3,
         [&] { return Text("pixel ", i, " ", j, ", channel ", c, ": ", whole, " for ", found); });
     });
-    ok &= comparison.Report();
+    ok &= comparison.Report() & CheckBuffer(scene, once, air, name);
     if (more < 1e-3 || moreOnSurfaces < 1e-3 || messages.Take() != 0)
     {
       std::cerr << "FAILED: " << name << " is scattered more than once: " << more << ", "

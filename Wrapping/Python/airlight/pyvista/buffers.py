@@ -11,7 +11,7 @@ import pyvista as pv
 from .messages import Messages
 
 # Names of buffers; those that are radiances scale with what is drawn white.
-RADIANCES = ("Radiance", "Airlight", "Surface", "ErrorBound")
+RADIANCES = ("Radiance", "Airlight", "MultipleScattering", "Surface", "ErrorBound")
 NAMES = (*RADIANCES, "Transmittance", "Depth", "LitLength", "BoundaryCount")
 
 

@@ -344,7 +344,8 @@ class AirlightComponent:
         ----------
         name : str, default: "Radiance"
             ``"Radiance"``: what reaches the eye, RGB; ``"Airlight"``: the part that the medium
-            scattered into the ray, RGB; ``"Airlight:0"``: that of the first light that is on;
+            scattered into the ray, RGB; ``"Airlight:0"``: that of the first light that is on,
+            scattered once; ``"MultipleScattering"``: what was scattered more than once, RGB;
             ``"Surface"``: the part from surfaces, attenuated, RGB; ``"Transmittance"``: from
             the eye to the surface, or through all of the medium, RGB; ``"Depth"``: the distance
             of the surface, -1 without one; ``"LitLength"``: the lit length of the ray;
