@@ -182,6 +182,53 @@ void TestSums()
       Text("irradiance of two lights, point ", i));
   }
 }
+
+//------------------------------------------------------------------------------
+// Light that is scattered more than once, of lamps inside and outside of a box, as vtkAirlight has it;
+// TestMultipleScattering compares that with the exact solution.
+void TestMultipleScattering()
+{
+  Random random(1127);
+  Comparison radiance("radiance with multiple scattering, relative");
+  Comparison irradiance("irradiance with multiple scattering, relative");
+  const vtkSmartPointer<vtkPolyData> cloud = MakeCloud(random, 20, true);
+  for (const bool inside : { true, false })
+  {
+    const double intensity[3] = { 20.0, 10.0, 5.0 };
+    const double lamp[3] = { inside ? 0.3 : 4.0, -0.6, 0.9 };
+    vtkNew<vtkLight> light;
+    vtkAirlight::SetRadiantIntensity(light, intensity);
+    light->SetPosition(lamp);
+    Probing probing;
+    probing.Medium->SetRegionToBox();
+    probing.Medium->SetBounds(-3.0, 2.5, -2.0, 3.5, -2.5, 2.0);
+    probing.Medium->MultipleScatteringOn();
+    probing.Filter->ScatteredIrradianceOn();
+    probing.Filter->SetInputData(cloud);
+    probing.Filter->AddLight(light);
+    probing.Filter->Update();
+    for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+    {
+      const std::string where = Text(inside ? "inside" : "outside", ", point ", i);
+      glm::dvec3 p;
+      glm::dvec3 normal;
+      cloud->GetPoint(i, &p.x);
+      cloud->GetPointData()->GetNormals()->GetTuple(i, &normal.x);
+      normal = glm::normalize(normal);
+      const double length = glm::distance(Eye, p);
+      const glm::dvec3 direction = (p - Eye) / length;
+      glm::dvec3 expected;
+      vtkAirlight::MultipleScattering(
+        probing.Medium, lamp, intensity, &Eye.x, &direction.x, length, &expected.x);
+      expected += ExpectRadiance({}, probing.Medium, light, p);
+      AddComparison(radiance, probing.Get("Radiance", i), expected, 1e-9, where);
+      vtkAirlight::MultipleIrradiance(
+        probing.Medium, lamp, intensity, &p.x, &normal.x, &expected.x);
+      AddComparison(irradiance, probing.Get("ScatteredIrradiance", i), expected, 1e-9, where);
+    }
+  }
+  Check(radiance.Report() && irradiance.Report(), "multiple scattering");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -189,6 +236,7 @@ int TestAirlightProbeFilter(int, char*[])
 {
   TestPoints();
   TestSums();
+  TestMultipleScattering();
   std::cout << Failures << " failures\n";
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
