@@ -361,12 +361,46 @@ bool TestLimits()
   }
   return ok;
 }
+
+//------------------------------------------------------------------------------
+// Of 18 lamps 16 are scattered more than once, with a message: the light of the others is as without.
+bool TestManyLamps()
+{
+  FoggyPlane scene(vtkParticipatingMedium::UNBOUNDED);
+  std::vector<vtkSmartPointer<vtkLight>> lamps;
+  const auto addLamp = [&](int i) {
+    auto lamp = vtkSmartPointer<vtkLight>::New();
+    const double intensity[3] = { 1.0 + i, 2.0, 3.0 };
+    vtkAirlight::SetRadiantIntensity(lamp, intensity);
+    lamp->SetPosition(0.3 * i - 2.0, 0.4 * (i % 3), 1.0);
+    scene.Renderer->AddLight(lamp);
+    lamps.push_back(lamp);
+  };
+  for (int i = 0; i < 15; ++i)
+  {
+    addLamp(i);
+  }
+  ErrorListener messages(scene.Pass, vtkCommand::WarningEvent);
+  const Buffer sixteen = scene.Render("MultipleScattering", true);
+  bool ok = messages.Take() == 0;
+  addLamp(15);
+  addLamp(16);
+  const Buffer eighteen = scene.Render("MultipleScattering", true);
+  ok &= messages.Take() == 1 &&
+    messages.GetText().find("Multiple scattering leaves out 2 of the lights") != std::string::npos;
+  if (!ok || sixteen != eighteen)
+  {
+    std::cerr << "FAILED: 2 of 18 lamps are left out, with one message: " << messages.GetText()
+              << "\n";
+  }
+  return ok && sixteen == eighteen;
+}
 }
 
 //------------------------------------------------------------------------------
 int TestMultipleScatteringPass(int, char*[])
 {
   const bool ok = TestPlane() & TestShadow() & TestSunBeside() & TestOtherLights() &
-    TestTranslucent() & TestLimits();
+    TestTranslucent() & TestLimits() & TestManyLamps();
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }
