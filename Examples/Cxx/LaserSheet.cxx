@@ -86,7 +86,7 @@ vtkNew<vtkParticipatingMedium> MakeSmoke()
 
 void Add(vtkRenderer* renderer, vtkAlgorithm* source, const example::Colour& albedo)
 {
-  example::Add(renderer, source, albedo)->GetProperty()->SetAmbient(0.08); // to see the tunnel by
+  example::Add(renderer, source, albedo)->GetProperty()->SetAmbient(0.15); // to see the tunnel by
 }
 
 void AddTunnel(vtkRenderer* renderer)
@@ -184,7 +184,9 @@ int main(int argc, char* argv[])
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(smoke);
   pass->RecordBuffersOn();
-  pass->SetOutputColorSpaceToSRGB(); // for the eye
+  pass->SetExposure(2.5); // for the eye
+  pass->SetToneMappingToNeutralPBR();
+  pass->SetOutputColorSpaceToSRGB();
   vtkNew<vtkRenderer> renderer;
   renderer->UseFXAAOn();
   renderer->AddLight(lens);

@@ -54,7 +54,7 @@ void AddLamps(vtkRenderer* renderer, vtkAirlightProbeFilter* probe)
     lamp->SetFocalPoint(0.0, 0.0, z);
     lamp->SetConeAngle(80.0);
     lamp->SetExponent(0.0);
-    vtkAirlightLight::SetRadius(lamp, 0.2); // its glass, in means of frames
+    vtkAirlightLight::SetRadius(lamp, 0.15); // its glass, in means of frames
     renderer->AddLight(lamp);
     probe->AddLight(lamp);
   }

@@ -164,7 +164,9 @@ int main(int argc, char* argv[])
   lamp->SetExponent(0.0);
   vtkNew<vtkAirlightPass> pass;
   pass->SetMedium(water);
-  pass->SetOutputColorSpaceToSRGB(); // for the eye
+  pass->SetExposure(4.0); // for the eye
+  pass->SetToneMappingToReinhard();
+  pass->SetOutputColorSpaceToSRGB();
   vtkNew<vtkRenderer> renderer;
   renderer->UseFXAAOn();
   renderer->AddLight(lamp);

@@ -39,7 +39,7 @@ def add(renderer, source, albedo):
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(albedo)
-    actor.GetProperty().SetAmbient(0.08)  # to see the tunnel by
+    actor.GetProperty().SetAmbient(0.15)  # to see the tunnel by
     renderer.AddActor(actor)
     return actor
 
@@ -148,7 +148,9 @@ def main():
     smoke_pass.SetMedium(smoke)
     smoke_pass.SetSubpixelFrames(options.frames)
     smoke_pass.RecordBuffersOn()
-    smoke_pass.SetOutputColorSpaceToSRGB()  # for the eye
+    smoke_pass.SetExposure(2.5)  # for the eye
+    smoke_pass.SetToneMappingToNeutralPBR()
+    smoke_pass.SetOutputColorSpaceToSRGB()
     renderer.SetPass(smoke_pass)
     renderer.SetUseFXAA(options.frames == 1)
     camera = renderer.GetActiveCamera()

@@ -41,7 +41,7 @@ def make_lamps():
         lamp.SetFocalPoint(place[0], 0, place[2])
         lamp.SetConeAngle(80)
         lamp.SetExponent(0)
-        airlight.vtkAirlightLight.SetRadius(lamp, 0.2)  # its glass, in means of frames
+        airlight.vtkAirlightLight.SetRadius(lamp, 0.15)  # its glass, in means of frames
     return lamps
 
 

@@ -138,7 +138,9 @@ def main():
     water_pass = airlight.vtkAirlightPass()
     water_pass.SetMedium(water)
     water_pass.SetSubpixelFrames(options.frames)
-    water_pass.SetOutputColorSpaceToSRGB()  # for the eye
+    water_pass.SetExposure(4.0)  # for the eye
+    water_pass.SetToneMappingToReinhard()
+    water_pass.SetOutputColorSpaceToSRGB()
     renderer.SetPass(water_pass)
     renderer.SetUseFXAA(options.frames == 1)
     camera = renderer.GetActiveCamera()
