@@ -11,8 +11,9 @@ import struct
 import unittest
 
 import numpy as np
+from vtkmodules.vtkIOGeometry import vtkOBJReader
 
-from programtest import ProgramTest, read_pfm, scene_file, write_models
+from programtest import ProgramTest, read_pfm, scene_file, write_mesh, write_models
 
 
 def ball(count):
@@ -69,12 +70,66 @@ class TestModels(ProgramTest):
         water = pictures["underwater"].mean(axis=(0, 1))
         self.assertGreater(water[2], 2 * water[0])
 
+        depth = self.render(model, "depth.pfm", *size[:2], "--buffer", "Depth")
+        last = np.flatnonzero(depth[:, 44:52].min(axis=1) > 0).max()
+
         def contrast(picture):  # of the model's lower edge
-            return abs(picture[50:54, 44:52].mean() - picture[62:66, 44:52].mean())
+            return abs(picture[last - 4:last, 44:52].mean() - picture[last + 3:, 44:52].mean())
         self.assertLess(contrast(pictures["fog"]), 0.85 * contrast(pictures["haze"]))
         for side, other in (("left", "right"), ("right", "left")):
             half = np.s_[:, :32] if side == "left" else np.s_[:, 64:]
             self.assertGreater(pictures[side][half].mean(), 1.3 * pictures[other][half].mean())
+
+    def plate(self, name, turn):
+        """A thin plate with a wedge on it, whose points are turned to other axes."""
+        points = [(x, y, z) for x in (-2, 2) for z in (-1, 1) for y in (0, 0.1)] + [
+            (-2, 1, -1), (-2, 1, 1)]
+        faces = ["2 1 3 4", "5 6 8 7", "1 5 7 3", "1 2 6 5", "3 7 8 4", "2 4 10 9", "6 2 9",
+                 "4 8 10", "6 9 10 8"]
+        return self.write(name, "".join("v %g %g %g\n" % turn(*point) for point in points)
+                          + "".join("f " + face + "\n" for face in faces))
+
+    def test_up(self):
+        """A model that lies on another side looks the same where its file, or a person, says which
+        way is up."""
+        options = ("--size", "96x72", "--antialiasing", "2")
+        usual = self.render(self.plate("y.obj", lambda x, y, z: (x, y, z)), "y.png", *options)
+        turns = {"x": lambda x, y, z: (y, -x, z), "z": lambda x, y, z: (x, -z, y),
+                 "-x": lambda x, y, z: (-y, x, z), "-y": lambda x, y, z: (-x, -y, z),
+                 "-z": lambda x, y, z: (x, z, -y)}
+        for up, turn in turns.items():
+            model = self.plate("a.obj", turn)
+            picture = self.render(model, "a.png", *options, "--up", up)
+            self.assertLess(np.abs(picture - usual).mean(), 2e-3, up)
+            lying = self.render(model, "b.png", *options)
+            self.assertGreater(np.abs(lying - usual).mean(), 0.01, up)
+        reader = vtkOBJReader()
+        reader.SetFileName(self.plate("z.obj", turns["z"]))
+        reader.Update()
+        write_mesh(reader.GetOutput(), self.path("z.stl"))
+        np.testing.assert_array_equal(
+            *(self.render(self.path("z.stl"), "c.png", *options, *up)
+              for up in ((), ("--up", "z"))))
+        self.fail_with(["--up", "z", "-x"], "render", model, "-o", self.path("x.png"), "--up", "w")
+        scene = scene_file("S1_point_iso")
+        self.fail_with(["--up: expected a model", scene], "render", scene, "-o",
+                       self.path("x.png"), "--up", "z")
+
+    def test_fills_the_picture(self):
+        """From all around the model is seen whole, and from one side or the other close."""
+        model = self.plate("a.obj", lambda x, y, z: (x, y, z))
+        pole = self.plate("b.obj", lambda x, y, z: (0.1 * x, 5 * y, 0.1 * z))
+        for name, width, height in ((model, 96, 54), (model, 54, 96), (pole, 96, 54),
+                                    (pole, 36, 96), (self.ball(12, 1), 96, 54)):
+            self.succeed("render", name, "-o", self.path("%d.pfm"), "--orbit", "8",
+                         "--size", f"{width}x{height}", "--buffer", "Depth")
+            shares = []
+            for i in range(8):
+                depth = read_pfm(self.path(f"{i}.pfm"))
+                for seen in ((depth > 0).any(axis=axis) for axis in (0, 1)):
+                    self.assertFalse(seen[0] or seen[-1], (name, width, i))
+                    shares.append(seen.mean())
+            self.assertGreater(max(shares), 0.6, (name, width))
 
     def test_inside(self):
         """A lamp in an open box shines out of it, through the side that it lacks."""

@@ -9,6 +9,7 @@
 #include "formats/UserError.h"
 #include "scene/MediumFile.h"
 #include "scene/ModelLights.h"
+#include "scene/ModelView.h"
 #include "scene/Mood.h"
 #include "scene/PhaseName.h"
 
@@ -131,6 +132,11 @@ void SceneOptions::AddModelOptions(CLI::App* command)
       "and "
       ".obj without materials are curved as their normals say otherwise, and .gltf, .glb, .3ds and "
       ".obj with materials get smooth normals where they have none"),
+    command
+      ->add_option("--up", this->Choices.Up,
+        "Direction that is up in a model on its own whose file has no camera (default: z of .stl "
+        "and .3ds, y of all others)")
+      ->check(CLI::IsMember(GetUpNames())),
   };
 }
 
@@ -231,7 +237,13 @@ Scene SceneOptions::Load() const
   {
     throw UserError("--facets: " + this->FileName + " is drawn as it is: leave out --facets");
   }
-  Scene scene = ReadSceneOrModel(this->FileName, this->Choices);
+  ModelChoices choices = this->Choices;
+  for (const std::string& text : this->Size)
+  {
+    const auto [width, height] = ParseSize("--size", text);
+    choices.Aspect = static_cast<double>(width) / height;
+  }
+  Scene scene = ReadSceneOrModel(this->FileName, choices);
   for (const std::string& text : this->Size)
   {
     std::tie(scene.Width, scene.Height) = ParseSize("--size", text);

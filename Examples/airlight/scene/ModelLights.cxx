@@ -15,7 +15,7 @@ namespace airlight
 
 namespace
 {
-// Lengths are in diagonals of the box around the model, directions with y up and the view along -z.
+// Lengths are in multiples of the reach, directions with y up and the view along -z.
 struct Place
 {
   const char* Name;
@@ -47,12 +47,12 @@ Vector3 Scale(double factor, const Vector3& vector)
 }
 
 // A surface that faces a lamp of intensity I at distance r sends albedo/pi * I/r^2.
-LightSource MakeLamp(const Place& place, const Mood& mood, const Vector3& center, double diagonal)
+LightSource MakeLamp(const Place& place, const Mood& mood, const Vector3& center, double reach)
 {
   LightSource lamp;
-  const Vector3 offset = Scale(diagonal, place.Lamp);
+  const Vector3 offset = Scale(reach, place.Lamp);
   vtkMath::Add(center.data(), offset.data(), lamp.Position.data());
-  const double distance = std::max(vtkMath::Norm(offset.data()), InsideDistance * diagonal);
+  const double distance = std::max(vtkMath::Norm(offset.data()), InsideDistance * reach);
   lamp.Power = Scale(
     place.Radiance * mood.LampRadiance * vtkMath::Pi() * distance * distance, mood.LampColour);
   if (place.SpotAngle > 0.0)
@@ -89,7 +89,7 @@ std::vector<std::string> GetLampPlaces()
 
 //------------------------------------------------------------------------------
 ModelLights MakeModelLights(
-  const std::string& name, const Mood& mood, const Vector3& center, double diagonal)
+  const std::string& name, const Mood& mood, const Vector3& center, double reach)
 {
   const auto* place = std::find_if(
     Places.begin(), Places.end(), [&name](const Place& entry) { return entry.Name == name; });
@@ -98,7 +98,7 @@ ModelLights MakeModelLights(
     throw UserError(
       "unknown place of a lamp '" + name + "': expected " + ListNames(GetLampPlaces()));
   }
-  return { { MakeLamp(*place, mood, center, diagonal), MakeFill(*place, mood) }, place->Ambient,
+  return { { MakeLamp(*place, mood, center, reach), MakeFill(*place, mood) }, place->Ambient,
     place->Brightness };
 }
 
@@ -129,24 +129,13 @@ std::vector<LightSource> ScaleLights(
 }
 
 //------------------------------------------------------------------------------
-void TurnLights(
-  std::vector<LightSource>& lights, const Vector3& center, const CameraSettings& camera)
+void TurnLights(std::vector<LightSource>& lights, const Vector3& center, const ModelAxes& axes)
 {
-  Vector3 up = camera.GetUp();
-  Vector3 back;
-  Vector3 right;
-  vtkMath::Subtract(camera.Position.data(), camera.FocalPoint.data(), back.data());
-  vtkMath::Cross(up.data(), back.data(), right.data());
-  vtkMath::Cross(right.data(), up.data(), back.data());
-  for (Vector3* axis : { &right, &up, &back })
-  {
-    vtkMath::Normalize(axis->data());
-  }
   const auto turn = [&](const Vector3& vector) {
     Vector3 turned;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      turned[i] = vector[0] * right[i] + vector[1] * up[i] + vector[2] * back[i];
+      turned[i] = vector[0] * axes.Right[i] + vector[1] * axes.Up[i] + vector[2] * axes.Front[i];
     }
     return turned;
   };

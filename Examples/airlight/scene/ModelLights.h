@@ -3,6 +3,7 @@
 #ifndef ModelLights_h
 #define ModelLights_h
 
+#include "scene/ModelView.h"
 #include "scene/Mood.h"
 #include "scene/Scene.h"
 
@@ -30,10 +31,11 @@ struct ModelLights
 };
 
 /**
- * Throws UserError for an unknown place.
+ * Places are in multiples of `reach` from the middle, which is that of a diagonal of the box around
+ * the model or less. Throws UserError for an unknown place.
  */
 ModelLights MakeModelLights(
-  const std::string& name, const Mood& mood, const Vector3& center, double diagonal);
+  const std::string& name, const Mood& mood, const Vector3& center, double reach);
 
 /**
  * The lamps of a file, in proportion: a white surface in the middle that faces all of them would
@@ -45,11 +47,10 @@ std::vector<LightSource> ScaleLights(
   const std::vector<LightSource>& lights, const Mood& mood, const Vector3& center, double diagonal);
 
 /**
- * Turn what was placed for a camera that looks along -z, with y up, about the middle to another
- * one.
+ * Turn what was placed for a model with y up and its front towards z about the middle to another.
  */
 void TurnLights(
-  std::vector<LightSource>& lights, const Vector3& center, const CameraSettings& camera);
+  std::vector<LightSource>& lights, const Vector3& center, const ModelAxes& axes);
 
 }
 

@@ -6,11 +6,13 @@
 #include "formats/ModelReader.h"
 #include "formats/UserError.h"
 #include "scene/ModelLights.h"
+#include "scene/ModelView.h"
 #include "scene/Mood.h"
 #include "scene/SceneReader.h"
 
 #include <vtkMath.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -19,21 +21,16 @@ namespace airlight
 
 namespace
 {
-// In diagonals of the box around the model, with y up and the view along -z.
-constexpr Vector3 EyeDirection{ 0.42, 0.28, 1.0 };
-
-Vector3 Scale(double factor, const Vector3& vector)
+// How far the lamp is, for a camera at this distance: as many diagonals of the box around the model
+// as if the picture held a ball of one diagonal. Nearer to a model that fills its picture better,
+// but out of the ball around its box.
+double GetReach(const CameraSettings& camera, const Vector3& center, double diagonal)
 {
-  return { factor * vector[0], factor * vector[1], factor * vector[2] };
-}
-
-void SeeAll(CameraSettings& camera, const Vector3& center, double diagonal)
-{
+  constexpr double nearest = 0.6;
   const double distance =
-    0.5 * diagonal / std::sin(0.5 * vtkMath::RadiansFromDegrees(camera.ViewAngle));
-  const Vector3 offset = Scale(distance / vtkMath::Norm(EyeDirection.data()), EyeDirection);
-  camera.FocalPoint = center;
-  vtkMath::Add(center.data(), offset.data(), camera.Position.data());
+    std::sqrt(vtkMath::Distance2BetweenPoints(camera.Position.data(), center.data()));
+  const double reach = 2.0 * distance * std::sin(0.5 * vtkMath::RadiansFromDegrees(camera.ViewAngle));
+  return std::clamp(reach, nearest * diagonal, diagonal);
 }
 }
 
@@ -61,15 +58,22 @@ Scene MakeModelScene(const std::string& fileName, const ModelChoices& choices)
     throw UserError(fileName + ": the model has no extent");
   }
   const Vector3 center{ 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]) };
-  SeeAll(scene.Camera, center, diagonal);
-  scene.Camera = model.Camera.value_or(scene.Camera);
-  const Mood& mood = GetMood(choices.Mood);
-  const std::string& place = choices.LightFrom.empty() ? "behind" : choices.LightFrom;
-  ModelLights lights = MakeModelLights(place, mood, center, diagonal);
+  ModelAxes axes = GetModelAxes(choices.Up, fileName);
+  double reach = diagonal;
   if (model.Camera)
   {
-    TurnLights(lights.Lights, center, scene.Camera);
+    scene.Camera = *model.Camera;
+    axes = GetCameraAxes(scene.Camera);
   }
+  else
+  {
+    SeeModel(scene.Camera, scene.Surfaces, center, axes, choices.Aspect);
+    reach = GetReach(scene.Camera, center, diagonal);
+  }
+  const Mood& mood = GetMood(choices.Mood);
+  const std::string& place = choices.LightFrom.empty() ? "behind" : choices.LightFrom;
+  ModelLights lights = MakeModelLights(place, mood, center, reach);
+  TurnLights(lights.Lights, center, axes);
   if (choices.LightFrom.empty())
   {
     scene.Lights = ScaleLights(model.Lights, mood, center, diagonal);

@@ -20,12 +20,14 @@ struct ModelChoices
 
   std::string Mood = "mist"; ///< one of GetMoodNames()
   bool KeepFacets = false;   ///< see ReadModel()
+  std::string Up;            ///< see GetModelAxes()
+  double Aspect = 4.0 / 3.0; ///< of the picture, width over height
 };
 
 /**
  * A model with what it needs to be seen, unless its file has a camera and lamps: a camera in front
- * of it, to the right and above, that sees all of it (view angle 30 degrees), a lamp and a light on
- * surfaces alone, see MakeModelLights(), and an unbounded medium, see Mood.
+ * of it, see SeeModel(), a lamp and a light on surfaces alone, see MakeModelLights(), and an
+ * unbounded medium, see Mood.
  *
  * Throws UserError if the model cannot be read or has no extent.
  */
