@@ -90,7 +90,7 @@ class TestBadModels(ProgramTest):
                 ("c.ply", NOT_FINITE.replace("nan", "0").replace("3 0 1 2", "3 0 1 9"),
                  ["points that it does not hold"]),
                 ("c.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n", ["no extent"]),
-                ("c.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", ["no polygons"]),
+                ("c.obj", "v 0 0 0\nv 0 0 0\nl 1 2\n", ["no extent"]),
                 ("c.obj", TETRAHEDRON + "v nan 0 0\n", ["c.obj:", "three finite numbers"]),
                 ("c.obj", TETRAHEDRON + "v 1 2\n", ["c.obj:", "three finite numbers"]),
                 ("c.txt", TETRAHEDRON, ["unknown kind of model", "gltf"])):

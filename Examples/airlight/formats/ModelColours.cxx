@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/ModelColours.h"
 
+#include <vtkColorTransferFunction.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -34,6 +35,40 @@ vtkUnsignedCharArray* GetColours(vtkPolyData* mesh)
   auto* colours = vtkUnsignedCharArray::SafeDownCast(mesh->GetPointData()->GetScalars());
   return colours && colours->GetNumberOfComponents() >= 3 ? colours : nullptr;
 }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ColourByScalars(vtkPolyData* mesh)
+{
+  vtkDataArray* scalars = mesh->GetPointData()->GetScalars();
+  double range[2] = { 0.0, 0.0 };
+  if (scalars && scalars->GetNumberOfComponents() == 1)
+  {
+    scalars->GetFiniteRange(range, 0);
+  }
+  if (!(range[0] < range[1]) || !std::isfinite(range[1] - range[0]))
+  {
+    return mesh;
+  }
+  vtkNew<vtkColorTransferFunction> map;
+  map->SetColorSpaceToDiverging();
+  map->AddRGBPoint(range[0], 0.230, 0.299, 0.754);
+  map->AddRGBPoint(range[1], 0.706, 0.016, 0.150);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(scalars->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    const unsigned char* colour = map->MapValue(scalars->GetTuple1(i));
+    for (int c = 0; c < 3; ++c)
+    {
+      colours->SetTypedComponent(i, c, colour[c]);
+    }
+  }
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(mesh);
+  copy->GetPointData()->SetScalars(colours);
+  return copy;
 }
 
 //------------------------------------------------------------------------------

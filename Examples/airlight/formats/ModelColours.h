@@ -17,8 +17,14 @@ namespace airlight
 Vector3 DecodeSRGB(const double colour[3]);
 
 /**
+ * A mesh whose active scalars are one number a point, in the colours of K. Moreland's map from cool
+ * to warm, encoded as sRGB; any other as it is.
+ */
+vtkSmartPointer<vtkPolyData> ColourByScalars(vtkPolyData* mesh);
+
+/**
  * Whether a mesh has colours at its points, red, green and blue of 8 bits. Other arrays are
- * measurements, which say nothing about reflection.
+ * measurements, see ColourByScalars().
  */
 bool HasColours(vtkPolyData* mesh);
 

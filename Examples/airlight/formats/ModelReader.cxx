@@ -7,6 +7,7 @@
 #include "formats/ImportedFile.h"
 #include "formats/ModelColours.h"
 #include "formats/PolyDataFile.h"
+#include "formats/SolidMesh.h"
 #include "formats/UserError.h"
 #include "scene/LambertActor.h"
 
@@ -68,7 +69,8 @@ Model ReadModel(const std::string& fileName, bool keepFacets, bool materials)
     model.Camera = imported.Camera;
     return model;
   }
-  const vtkSmartPointer<vtkPolyData> mesh = DecodeColours(ReadPolyDataFile(fileName));
+  const vtkSmartPointer<vtkPolyData> mesh =
+    MakeSolid(DecodeColours(ColourByScalars(ReadPolyDataFile(fileName, Content::Any))));
   vtkSmartPointer<vtkActor> actor =
     MakeLambertActor(mesh, { DefaultAlbedo, DefaultAlbedo, DefaultAlbedo },
       keepFacets ? Shading::Smooth : Shading::Curved);

@@ -91,11 +91,16 @@ bool IsPolyDataFile(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-void CheckPolyData(vtkPolyData* mesh, const std::string& fileName)
+void CheckPolyData(vtkPolyData* mesh, const std::string& fileName, Content content)
 {
-  if (!mesh || (mesh->GetNumberOfPolys() == 0 && mesh->GetNumberOfStrips() == 0))
+  const bool surface = mesh && (mesh->GetNumberOfPolys() > 0 || mesh->GetNumberOfStrips() > 0);
+  if (content == Content::Surface && !surface)
   {
     throw UserError(fileName + ": has no polygons");
+  }
+  if (!mesh || !mesh->GetPoints() || mesh->GetNumberOfPoints() == 0)
+  {
+    throw UserError(fileName + ": has no polygons, lines or points");
   }
   for (vtkCellArray* cells :
     { mesh->GetPolys(), mesh->GetStrips(), mesh->GetLines(), mesh->GetVerts() })
@@ -114,7 +119,7 @@ void CheckPolyData(vtkPolyData* mesh, const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ReadPolyDataFile(const std::string& fileName)
+vtkSmartPointer<vtkPolyData> ReadPolyDataFile(const std::string& fileName, Content content)
 {
   CheckInputFile(fileName);
   if (GetExtension(fileName) == "ply")
@@ -149,7 +154,7 @@ vtkSmartPointer<vtkPolyData> ReadPolyDataFile(const std::string& fileName)
     surface->Update();
     mesh = surface->GetOutput();
   }
-  CheckPolyData(mesh, fileName);
+  CheckPolyData(mesh, fileName, content);
   return mesh;
 }
 

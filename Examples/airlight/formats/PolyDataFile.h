@@ -16,17 +16,25 @@ namespace airlight
  */
 bool IsPolyDataFile(const std::string& fileName);
 
-/**
- * The polygons of a mesh file; of a volume mesh, its outer surface. Throws UserError with file and
- * reason if the file is damaged. Guard the first reading of a file with TryInChildProcess().
- */
-vtkSmartPointer<vtkPolyData> ReadPolyDataFile(const std::string& fileName);
+enum class Content
+{
+  Surface, ///< polygons, or there is an error
+  Any      ///< polygons, lines or points
+};
 
 /**
- * Throws UserError unless the mesh has polygons, all of them of points that exist, and finite
- * coordinates.
+ * The cells of a mesh file; of a volume mesh, its outer surface. Throws UserError with file and
+ * reason if the file is damaged. Guard the first reading of a file with TryInChildProcess().
  */
-void CheckPolyData(vtkPolyData* mesh, const std::string& fileName);
+vtkSmartPointer<vtkPolyData> ReadPolyDataFile(
+  const std::string& fileName, Content content = Content::Surface);
+
+/**
+ * Throws UserError unless the mesh has the content, all cells are of points that exist, and
+ * coordinates are finite.
+ */
+void CheckPolyData(
+  vtkPolyData* mesh, const std::string& fileName, Content content = Content::Surface);
 
 }
 

@@ -29,7 +29,8 @@ double GetReach(const CameraSettings& camera, const Vector3& center, double diag
   constexpr double nearest = 0.6;
   const double distance =
     std::sqrt(vtkMath::Distance2BetweenPoints(camera.Position.data(), center.data()));
-  const double reach = 2.0 * distance * std::sin(0.5 * vtkMath::RadiansFromDegrees(camera.ViewAngle));
+  const double reach =
+    2.0 * distance * std::sin(0.5 * vtkMath::RadiansFromDegrees(camera.ViewAngle));
   return std::clamp(reach, nearest * diagonal, diagonal);
 }
 }
@@ -46,13 +47,10 @@ Scene MakeModelScene(const std::string& fileName, const ModelChoices& choices)
   scene.FileName = fileName;
   const Model model = ReadModel(fileName, choices.KeepFacets, withoutMaterials.empty());
   scene.Surfaces = model.Surfaces;
-  double box[6];
-  if (!scene.GetBounds(box))
-  {
-    throw UserError(fileName + ": has no polygons");
-  }
+  double box[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  const bool any = scene.GetBounds(box); // not of a line in one point
   const Vector3 size{ box[1] - box[0], box[3] - box[2], box[5] - box[4] };
-  const double diagonal = vtkMath::Norm(size.data());
+  const double diagonal = any ? vtkMath::Norm(size.data()) : 0.0;
   if (!(diagonal > 0.0) || !std::isfinite(diagonal))
   {
     throw UserError(fileName + ": the model has no extent");
