@@ -82,6 +82,18 @@ class TestMaterials(ProgramTest):
                 # Tone mapping makes bright colours paler.
                 self.assertLess(row[column][unseen], 0.4 * row[column][seen], (left, column))
 
+    def test_shared_image(self):
+        """An image may be that of a colour and of something else at once."""
+        options = (*SIZE, "--camera", "0,0,6:0,0,0:40")
+        plain = self.render(self.write("a.gltf", textured_squares()), "a.png", *options)
+        for part, name in (("pbrMetallicRoughness", "metallicRoughnessTexture"),
+                           (None, "normalTexture"), (None, "occlusionTexture")):
+            model = json.loads(textured_squares())
+            material = model["materials"][0]
+            (material[part] if part else material)[name] = {"index": 0}
+            shared = self.render(self.write("b.gltf", json.dumps(model)), "b.png", *options)
+            np.testing.assert_array_equal(shared, plain, err_msg=name)
+
     def check_left_out(self, model, reason):
         """The model is drawn in the grey of models without, with a message that says why."""
         code, _, errors = self.run_program("render", model, "-o", self.path("a.png"), *SIZE)

@@ -46,6 +46,19 @@ CameraSettings PlaceByNode(vtkMatrix4x4* node, double viewAngle)
 vtkStandardNewMacro(GLTFNodes);
 
 //------------------------------------------------------------------------------
+void GLTFNodes::ImportActors(vtkRenderer* renderer)
+{
+  for (auto& material : this->Loader->GetInternalModel()->Materials)
+  {
+    material.PbrMetallicRoughness.MetallicRoughnessTexture.Index = -1;
+    material.NormalTexture.Index = -1;
+    material.OcclusionTexture.Index = -1;
+    material.EmissiveTexture.Index = -1;
+  }
+  this->Superclass::ImportActors(renderer);
+}
+
+//------------------------------------------------------------------------------
 bool IsSame(vtkMatrix4x4* a, vtkMatrix4x4* b)
 {
   return a && b && std::equal(a->GetData(), a->GetData() + 16, b->GetData());

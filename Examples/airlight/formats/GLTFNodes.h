@@ -16,7 +16,8 @@ namespace airlight
 
 /**
  * Reads a glTF file and knows what VTK's importer does not tell of its nodes: which cameras stand
- * in the scene (VTK gives those that no node holds a place at the origin), and how spots fade.
+ * in the scene (VTK gives those that no node holds a place at the origin), and how spots fade. Of
+ * a material's textures it takes that of the colour alone.
  */
 class GLTFNodes : public vtkGLTFImporter
 {
@@ -36,6 +37,13 @@ public:
    * many lights in the same place Read() has made before it.
    */
   double GetInnerConeAngle(vtkLight* light, int before) const;
+
+protected:
+  /**
+   * VTK writes into the image of metal and roughness, and refuses textures of a measure whose image
+   * is that of a colour, too.
+   */
+  void ImportActors(vtkRenderer* renderer) override;
 };
 
 /**
