@@ -40,23 +40,23 @@ clip = Clip(Input=smooth, ClipType="Plane", Invert=1)
 clip.ClipType.Origin = [centre[0], centre[1] + 0.3 * size, centre[2]]
 clip.ClipType.Normal = [0.0, 1.0, -1.1]
 shell = Show(GenerateSurfaceNormals(Input=ExtractSurface(Input=clip)), view)
-shell.DiffuseColor = shell.AmbientColor = [0.75, 0.6, 0.5]
+shell.DiffuseColor = shell.AmbientColor = [0.4, 0.3, 0.22]  # dark: the lamp is near
 
 lamp = AddLight(view=view)  # its radiant intensity is pi times color times intensity
 lamp.Coords = "Scene"
 lamp.Type = "Positional"
-lamp.Position = [centre[0], centre[1] - 0.1 * size, centre[2] - 0.2 * size]
+lamp.Position = [centre[0], centre[1] - 0.13 * size, centre[2] - 0.15 * size]
 lamp.ConeAngle = 180
 lamp.DiffuseColor = [1, 0.8, 0.5]
 lamp.Intensity = 2.5 * size**2
 lamp.Attenuation = [0, 0, 1]
 view.UseLight = 1  # ParaView's own light shows the outside
-view.KeyLightIntensity = 1.3
+view.KeyLightIntensity = 2.6
 
 view.VisibilityDistance = 6 * size
 view.PhaseFunction = "Henyey-Greenstein"
 view.Anisotropy = 0.3
-view.RadianceExposure = 3
+view.RadianceExposure = 2.7
 view.ToneMapping = "Neutral PBR"  # bright colours fade to white
 view.SubpixelFrames = options.frames
 view.CameraPosition = [centre[0] + 2.3 * size, centre[1] + 1.1 * size, centre[2] + 0.5 * size]
