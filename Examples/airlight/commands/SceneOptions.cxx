@@ -30,10 +30,11 @@ constexpr double Smallest = std::numeric_limits<double>::min();
 
 const char* const Description = R"(Lengths are in world units, colours linear.
 A model stands on its own. Its camera and lamps are those of its file (.gltf, .glb, .3ds; .wrl has
-directional lights), or else the camera sees all of it, from the front, the right and above, a point
-lamp hangs behind it, above and to the left, and a dimmer light falls on its surfaces alone. With
-the mood mist the medium is unbounded, scatters forward and does not absorb, with a visibility of 20
-times the diagonal of the box around the model. The options change all of that.
+directional lights), or else the camera sees all of it, and would as it turns, from the front, the
+right and above, a point lamp hangs behind it, above and to the left, and a dimmer light falls on
+its surfaces alone. With the mood mist the medium is unbounded, scatters forward and does not
+absorb, with a visibility of 20 times the diagonal of the box around the model. The options change
+all of that. Lines are drawn as tubes, points as beads.
 Over a scene file, --point, --spot and --sun replace all of its lamps and add up with each other,
 and the options --ies, --ies-aim, --ies-up, --lamp-radius, --lamp-size and --sun-diameter change
 the lamp before them on the command line; any other option replaces what it names and leaves the
