@@ -27,7 +27,8 @@ class SubpixelMean
 public:
   // By how many pixels frame `number` of `count` is moved, at most half a one; the first is not. A
   // Kronecker lattice of the golden ratio: even for any count. At straight edges of all directions
-  // its error is a sixth of one frame's with 16 frames, a twentieth with 64.
+  // its error is a sixth of one frame's with 16 frames, a twentieth with 64. Lamps that move with
+  // the frames have GetPixelOffset().
   static glm::dvec2 GetOffset(int number, int count);
 
   // For pictures of this size. False with a reason in GetError(), here and below.

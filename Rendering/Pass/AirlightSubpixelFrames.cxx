@@ -4,6 +4,7 @@
 
 #include "Pass/AirlightMovedCamera.h"
 #include "Scene/AirlightLampSamples.h"
+#include "Scene/AirlightScrambledNet.h"
 
 #include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -55,10 +56,12 @@ bool SubpixelFrames::AddFrame(vtkRenderer* renderer, const glm::ivec4& picture, 
   FrameRecorder& buffers, const std::function<bool()>& renderFrame)
 {
   const int number = count - 1 - this->Done;
-  const MovedCamera camera(
-    renderer->GetActiveCamera(), SubpixelMean::GetOffset(number, count), { picture.z, picture.w });
+  const bool movesLamps = this->MovesLamps && HasMovingLamps(renderer);
+  const MovedCamera camera(renderer->GetActiveCamera(),
+    movesLamps ? GetPixelOffset(number) : SubpixelMean::GetOffset(number, count),
+    { picture.z, picture.w });
   std::optional<MovedLamps> lamps;
-  if (this->MovesLamps)
+  if (movesLamps)
   {
     lamps.emplace(renderer, number);
   }

@@ -3,6 +3,7 @@
 #include "Scene/AirlightLampSamples.h"
 
 #include "Scene/AirlightSceneLights.h"
+#include "Scene/AirlightScrambledNet.h"
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -21,6 +22,11 @@ bool HasExtent(vtkLight* light)
   const LampExtent& extent = GetProperties(light).Extent;
   return light->GetPositional() ? extent.Radius > 0.0 || extent.Size != glm::dvec2(0.0)
                                 : extent.AngularDiameter > 0.0;
+}
+
+bool IsMovingLamp(vtkLight* light)
+{
+  return light->GetSwitch() && light->LightTypeIsSceneLight() && HasExtent(light);
 }
 
 // Of an axis, whatever crosses it.
@@ -57,15 +63,6 @@ glm::dvec3 GetBallOffset(double radius, const glm::dvec3& numbers)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 GetLampNumbers(int number, int light)
-{
-  const double root = 1.2207440846057594754;
-  const glm::dvec3 steps(1.0 / root, 1.0 / (root * root), 1.0 / (root * root * root));
-  const glm::dvec3 shift = 0.5 + 0.6180339887498949 * light * glm::dvec3(1.0, 2.0, 3.0);
-  return glm::fract(shift + static_cast<double>(number) * steps);
-}
-
-//------------------------------------------------------------------------------
 glm::dvec3 GetLampOffset(
   const LampExtent& extent, const glm::dvec3& axis, const glm::dvec3& up, const glm::dvec3& numbers)
 {
@@ -97,6 +94,22 @@ glm::dvec3 GetLampAxis(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
+bool HasMovingLamps(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it = nullptr;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (IsMovingLamp(light))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 MovedLamps::MovedLamps(vtkRenderer* renderer, int number)
 {
   vtkLightCollection* lights = renderer->GetLights();
@@ -105,7 +118,7 @@ MovedLamps::MovedLamps(vtkRenderer* renderer, int number)
   int index = 0;
   while (vtkLight* light = lights->GetNextLight(it))
   {
-    if (light->GetSwitch() && light->LightTypeIsSceneLight() && HasExtent(light))
+    if (IsMovingLamp(light))
     {
       this->Move(light, GetLampNumbers(number, index));
     }

@@ -21,10 +21,6 @@ class vtkRenderer;
 
 namespace airlight
 {
-// Numbers from 0 to 1 for frame `number`, by a lattice of the root of g^4 = g + 1 in each dimension
-// (the sequence R3 of M. Roberts), of which each light has another part.
-VTKAIRLIGHT_EXPORT glm::dvec3 GetLampNumbers(int number, int light);
-
 // Where a lamp of this extent is for these numbers, from its middle. `axis`: its direction, of
 // length 1, 0 where it shines in all directions alike; `up`: its height's, across the axis.
 VTKAIRLIGHT_EXPORT glm::dvec3 GetLampOffset(const LampExtent& extent, const glm::dvec3& axis,
@@ -33,6 +29,9 @@ VTKAIRLIGHT_EXPORT glm::dvec3 GetLampOffset(const LampExtent& extent, const glm:
 // The direction of a lamp that shines along one, of length 1; 0 for a lamp that shines in all
 // directions alike, and where position and focal point are the same.
 glm::dvec3 GetLampAxis(vtkLight* light);
+
+// Whether a renderer has lamps that frames have at different points.
+bool HasMovingLamps(vtkRenderer* renderer);
 
 // The lamps of a renderer at their points for a frame, until this goes out of scope.
 class MovedLamps

@@ -11,6 +11,7 @@ airlight_sources(
     AirlightSceneLights
     AirlightLightGrid
     AirlightSceneData
+    AirlightScrambledNet
     AirlightSunDiscs
     AirlightUnseenLights
     AirlightUnshadowedLights
