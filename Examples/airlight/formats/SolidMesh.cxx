@@ -108,7 +108,7 @@ vtkSmartPointer<vtkPolyData> MakeBeads(vtkPolyData* mesh, double diagonal)
   bead->SetThetaResolution(parts);
   bead->SetPhiResolution(parts / 2 + 1);
   const double apart = 1.0 / std::sqrt(static_cast<double>(std::max<vtkIdType>(count, 1)));
-  bead->SetRadius(diagonal * std::clamp(0.5 * apart, SmallestBead, LargestBead));
+  bead->SetRadius(diagonal * std::clamp(0.8 * apart, SmallestBead, LargestBead));
   vtkNew<vtkGlyph3D> beads;
   beads->SetInputData(cloud);
   beads->SetSourceConnection(bead->GetOutputPort());

@@ -11,7 +11,7 @@ namespace airlight
 
 /**
  * Lines and points as surfaces, which are shaded and cast shadows as all others: tubes of 3/1000 of
- * the diagonal of the box around all points, and beads about as large as the points are apart if
+ * the diagonal of the box around all points, and beads somewhat larger than the points are apart if
  * they lie on a surface. Beads keep the points' own normals, so that a scan is shaded as its
  * surface; colours and other scalars of points stay.
  *
