@@ -5,23 +5,16 @@
 // two thousand pairs of a point of the lamp and a place in the pixel, at all pixels, edges too. The
 // pairs are those of another kind of rule than the pass has.
 
-#include "AirlightTestMeans.h"
 #include "AirlightTestTools.h"
-#include "AirlightTestWindowScene.h"
+#include "LampBruteForce.h"
 #include "Scene/AirlightScrambledNet.h"
 
 #include "vtkAirlight.h"
 #include "vtkAirlightLight.h"
-#include "vtkAirlightReference.h"
-#include "vtkDataArray.h"
-#include "vtkLightCollection.h"
-#include "vtkPointData.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -65,117 +58,13 @@ void CheckNet(int count)
 }
 
 //------------------------------------------------------------------------------
-// A lattice of Korobov's in a pixel and three numbers of a lamp. Folded, what is no angle has no
-// jump at its ends.
-struct Sample
-{
-  glm::dvec2 Pixel;
-  glm::dvec3 Lamp;
-};
-
-std::vector<Sample> MakeSamples()
-{
-  constexpr int Count = 2039; // a prime
-  constexpr int Generator = 67;
-  const auto fold = [](double x) { return 1.0 - std::abs(2.0 * x - 1.0); };
-  std::vector<Sample> samples;
-  for (int i = 0; i < Count; ++i)
-  {
-    std::array<double, 5> x;
-    int multiple = i;
-    for (double& coordinate : x)
-    {
-      coordinate = (multiple + 0.5) / Count;
-      multiple = multiple * Generator % Count;
-    }
-    samples.push_back({ { x[0] - 0.5, x[1] - 0.5 }, { fold(x[2]), fold(x[3]), fold(x[4]) } });
-  }
-  return samples;
-}
-
-//------------------------------------------------------------------------------
-// A lamp's offset from its middle for numbers from 0 to 1. A sun moves in a plane, and its focal
-// point stays.
-using Offset = std::function<glm::dvec3(const glm::dvec3& numbers)>;
-
-class Lamp : public WindowScene
-{
-public:
-  Lamp()
-    : WindowScene(PictureWidth, PictureHeight, 1)
-    , Light(vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0)))
-  {
-    this->Light->SetFocalPoint(0.0, 0.0, 0.0);
-    const glm::dvec3 axis = -glm::normalize(glm::dvec3(3, 4, 2));
-    this->Up = glm::normalize(glm::dvec3(0, 1, 0) - axis.y * axis);
-    this->Right = glm::cross(axis, this->Up);
-  }
-
-  glm::dvec3 OnCircle(double radius, double turn) const
-  {
-    return radius *
-      (std::cos(2.0 * Pi * turn) * this->Right + std::sin(2.0 * Pi * turn) * this->Up);
-  }
-
-  // Buffers of the reference, by name.
-  std::map<std::string, Means> AddByHand(const Offset& offset);
-
-  vtkLight* Light;
-  glm::dvec3 Right;
-  glm::dvec3 Up;
-};
-
-std::map<std::string, Means> Lamp::AddByHand(const Offset& offset)
-{
-  vtkNew<vtkAirlightReference> reference;
-  reference->SetRenderer(this->Renderer);
-  reference->SetMedium(this->Medium);
-  reference->SetSize(PictureWidth, PictureHeight);
-  reference->SetLampPoints(1);
-  std::map<std::string, Means> means;
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  glm::dvec3 middle;
-  this->Light->GetPosition(&middle.x);
-  const std::vector<Sample> samples = MakeSamples();
-  for (const Sample& sample : samples)
-  {
-    camera->SetWindowCenter(
-      2.0 * sample.Pixel.x / PictureWidth, 2.0 * sample.Pixel.y / PictureHeight);
-    const glm::dvec3 moved = offset(sample.Lamp);
-    const glm::dvec3 position = middle + moved;
-    this->Light->SetPosition(position.x, position.y, position.z);
-    if (this->Light->GetPositional())
-    {
-      this->Light->SetFocalPoint(moved.x, moved.y, moved.z);
-    }
-    reference->Modified();
-    reference->Update();
-    for (const char* name : { "Radiance", "Airlight", "Surface" })
-    {
-      vtkDataArray* array = reference->GetOutput()->GetPointData()->GetArray(name);
-      Means& mean = means[name];
-      mean.resize(3 * PictureWidth * PictureHeight);
-      for (size_t i = 0; i < mean.size(); ++i)
-      {
-        mean[i] += array->GetComponent(static_cast<vtkIdType>(i / 3), static_cast<int>(i % 3)) /
-          static_cast<double>(samples.size());
-      }
-    }
-  }
-  camera->SetWindowCenter(0.0, 0.0);
-  this->Light->SetPosition(middle.x, middle.y, middle.z);
-  this->Light->SetFocalPoint(0.0, 0.0, 0.0);
-  return means;
-}
-
-//------------------------------------------------------------------------------
 // `edges`: the radiance's error at 99 % of all pixels is this times N^-5/8, as theory has it for
 // edges in the four dimensions of a flat lamp and a pixel. `largest`: allowed there with 1024
 // frames.
 void CheckLamp(
   const std::string& name, Lamp& lamp, const Offset& offset, double edges, double largest)
 {
-  const std::map<std::string, Means> expected = lamp.AddByHand(offset);
+  const std::map<std::string, Means> expected = lamp.AddReferences(offset);
   for (const int frames : { 16, 64, 256, 1024 })
   {
     lamp.Pass->SetSubpixelFrames(frames);
@@ -204,7 +93,7 @@ void CheckLamp(
 // Spheres whose radii R sin(a) have the density r^2/sqrt(R^2 - r^2): a share of them is within a.
 void TestBall()
 {
-  Lamp lamp;
+  Lamp lamp(PictureWidth, PictureHeight);
   vtkAirlightLight::SetRadius(lamp.Light, 0.6);
   const Offset offset = [](const glm::dvec3& numbers) {
     double low = 0.0;
@@ -226,7 +115,7 @@ void TestBall()
 // A spotlight's sharp rim moves over the floor with each point: larger errors than of shadows.
 void TestDisc()
 {
-  Lamp lamp;
+  Lamp lamp(PictureWidth, PictureHeight);
   lamp.Light->SetConeAngle(40.0);
   lamp.Light->SetExponent(0.0);
   vtkAirlightLight::SetRadius(lamp.Light, 0.7);
@@ -245,7 +134,7 @@ Offset MakeRectangle(const Lamp& lamp, double width, double height)
 
 void TestRectangle()
 {
-  Lamp lamp;
+  Lamp lamp(PictureWidth, PictureHeight);
   vtkAirlightLight::SetSize(lamp.Light, 2.0, 0.4);
   CheckLamp("rectangle", lamp, MakeRectangle(lamp, 2.0, 0.4), 0.28, 1e-2);
 }
@@ -253,7 +142,7 @@ void TestRectangle()
 // A large sun: 60 degrees, by solid angle. Zones of equal height have equal solid angles.
 void TestSun()
 {
-  Lamp lamp;
+  Lamp lamp(PictureWidth, PictureHeight);
   lamp.Light->SetPositional(false);
   const double irradiance[3] = { 2.0, 2.0, 2.0 };
   vtkAirlight::SetIrradiance(lamp.Light, irradiance);
