@@ -335,8 +335,8 @@ public:
   /**
    * The colour space of the picture. LINEAR is that of VTK's Phong shading, whose colours are shown
    * as they are; with LinearInput off it is GAMMA_2_2. Use GAMMA_2_2 for a vtkToneMappingPass
-   * outside, which decodes its input, and LINEAR in a window with UseSRGBColorSpace.
-   * Default: LINEAR.
+   * outside, which decodes its input, and LINEAR in a window with UseSRGBColorSpace, which encodes
+   * on the screen, but not what is read back: others get a warning. Default: LINEAR.
    */
   void SetOutputColorSpace(int space);
   vtkGetMacro(OutputColorSpace, int);

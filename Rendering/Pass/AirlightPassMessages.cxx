@@ -164,6 +164,22 @@ void PassMessages::CheckMultiple(int lightsLeftOut)
 }
 
 //------------------------------------------------------------------------------
+// VTK's windows encode as they copy a picture onto the screen. What is read back from them, and
+// what stays off-screen, is not encoded.
+void PassMessages::CheckColorSpace(const DisplayStage& display, vtkOpenGLRenderWindow* window)
+{
+  if (display.Space != ColorSpace::Linear && window->GetUseSRGBColorSpace() &&
+    !window->GetUseOffScreenBuffers())
+  {
+    this->WarnOnce(EncodedTwice,
+      "The window has UseSRGBColorSpace and encodes colours on the screen, and OutputColorSpace "
+      "has "
+      "encoded them before: they look too bright. Call SetOutputColorSpaceToLinear(), or "
+      "UseSRGBColorSpaceOff() on the window before it is first drawn.");
+  }
+}
+
+//------------------------------------------------------------------------------
 void PassMessages::CheckPlan(const FramePlan& plan, const PassProperties& properties,
   const CasterCache& casters, vtkOpenGLRenderWindow* window)
 {

@@ -59,6 +59,9 @@ public:
   void CheckPlan(const FramePlan& plan, const PassProperties& properties,
     const CasterCache& casters, vtkOpenGLRenderWindow* window);
 
+  // A window that encodes what is encoded already.
+  void CheckColorSpace(const DisplayStage& display, vtkOpenGLRenderWindow* window);
+
   // Casters that have a shadow map or are in a froxel grid as they have too many boundaries.
   void CheckCostlyCasters(const LightShadows::CostlyCasters& casters, const FramePlan& plan);
 
@@ -91,6 +94,7 @@ private:
     CostlyCasters,
     CostlyGaussians,
     CostlyTranslucency,
+    EncodedTwice,
     InvalidLights,
     LevelsOfDetail,
     LightsScatteredOnce,

@@ -379,6 +379,7 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
   this->CurrentFrame.SetPlan(plan);
   this->EffectiveExposure = plan.Plain ? 1.0 : plan.Display.Exposure;
   this->Messages.CheckPlan(plan, properties, this->Casters, scene.Window);
+  this->Messages.CheckColorSpace(plan.Display, scene.Window);
   this->CurrentFrame.SetMask(this->EdgeMask,
     !settings.Delegate && !plan.Froxels && facts.Volumes == 0 && !s->GetRenderer()->GetUseSSAO() &&
       !s->GetRenderer()->GetUseHiddenLineRemoval());

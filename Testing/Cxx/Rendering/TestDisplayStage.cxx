@@ -94,6 +94,50 @@ void TestColorSpaces()
   }
 }
 
+// A window with UseSRGBColorSpace: what VTK reads back from it is what the pass gives, encoded once,
+// or not at all where VTK's windows encode.
+void TestWindowsOfSRGB()
+{
+  for (const int samples : { 0, 8 })
+  {
+    WindowScene scene(Width, Height, 2);
+    scene.Window->SetMultiSamples(samples);
+    scene.Window->SetUseSRGBColorSpace(true);
+    scene.Pass->SetOutputColorSpaceToLinear();
+    CheckDecoded("linear in a window of sRGB", scene, DecodeLinear, 1.0);
+    scene.Pass->SetOutputColorSpaceToSRGB();
+    scene.Pass->SetExposure(2.0);
+    CheckDecoded("sRGB in a window of sRGB", scene, DecodeSRGB, 2.0);
+    scene.Pass->DitheringOff();
+    scene.Pass->SetSubpixelFrames(2);
+    CheckDecoded("sRGB in a window of sRGB, mean", scene, DecodeSRGB, 2.0);
+  }
+}
+
+// Onto the screen, such a window encodes what it is given.
+void TestEncodedTwice()
+{
+  for (const bool uses : { false, true })
+  {
+    WindowScene scene(Width, Height, 1);
+    ErrorListener warnings(scene.Pass, vtkCommand::WarningEvent);
+    scene.Window->SetUseSRGBColorSpace(uses);
+    scene.Pass->SetOutputColorSpaceToSRGB();
+    scene.Render();
+    Check(warnings.Take() == 0, "no warning off the screen");
+    scene.Window->SetUseOffScreenBuffers(false); // as of a window on the screen
+    scene.Pass->SetOutputColorSpaceToLinear();
+    scene.Render();
+    Check(warnings.Take() == 0, "no warning of a linear picture");
+    scene.Pass->SetOutputColorSpaceToSRGB();
+    scene.Render();
+    scene.Render();
+    const bool names =
+      warnings.Take() == 1 && warnings.GetText().find("Linear") != std::string::npos;
+    Check(names == uses, "one warning of colours that are encoded twice");
+  }
+}
+
 //------------------------------------------------------------------------------
 // VTK's pass reads what the pass has encoded, maps it in linear light, and encodes it again.
 // VTK's pass leaves the background out, by its opacity.
@@ -494,6 +538,8 @@ void TestErrors()
 int TestDisplayStage(int, char*[])
 {
   TestColorSpaces();
+  TestWindowsOfSRGB();
+  TestEncodedTwice();
   TestToneMapping();
   TestNeutral();
   TestDithering();
