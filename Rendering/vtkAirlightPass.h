@@ -547,8 +547,8 @@ public:
    *
    * - "Radiance" (RGB): the radiance that reaches the eye, background included, W/(m^2 sr);
    * - "Airlight" (RGB): the part that the medium scattered into the ray;
-   * - "MultipleScattering" (RGB): the part of "Airlight" that was scattered more than once, 0 unless
-   *   vtkParticipatingMedium::SetMultipleScattering() is on;
+   * - "MultipleScattering" (RGB): the part of "Airlight" that was scattered more than once; 0
+   *   unless vtkParticipatingMedium::SetMultipleScattering() is on;
    * - "Surface" (RGB): the part from opaque surfaces, attenuated; 0 without a surface;
    * - "Transmittance" (RGB): from the eye to the surface, or to the far side of the medium;
    * - "Depth": distance along the unit ray, world units; -1 without a surface;

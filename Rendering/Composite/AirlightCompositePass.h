@@ -57,8 +57,8 @@ public:
   };
 
   // Into the textures that are bound: radiance, and where they are recorded airlight, surface,
-  // transmittance and what is scattered more than once. False with a reason in GetError() where a shader does not compile, here and
-  // below.
+  // transmittance and what is scattered more than once. False with a reason in GetError() where a
+  // shader does not compile, here and below.
   bool DrawIntoTextures(const FrameScene& scene, const Options& options, const Inputs& inputs);
 
   // Into the framebuffer that is bound, with the viewport at x, y; `blend`: over what it holds.

@@ -49,8 +49,7 @@ std::vector<LightSource> ScaleLights(
 /**
  * Turn what was placed for a model with y up and its front towards z about the middle to another.
  */
-void TurnLights(
-  std::vector<LightSource>& lights, const Vector3& center, const ModelAxes& axes);
+void TurnLights(std::vector<LightSource>& lights, const Vector3& center, const ModelAxes& axes);
 
 }
 

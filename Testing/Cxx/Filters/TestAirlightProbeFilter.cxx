@@ -184,8 +184,8 @@ void TestSums()
 }
 
 //------------------------------------------------------------------------------
-// Light that is scattered more than once, of lamps inside and outside of a box, as vtkAirlight has it;
-// TestMultipleScattering compares that with the exact solution.
+// Light that is scattered more than once, of lamps inside and outside of a box, as vtkAirlight has
+// it, which TestMultipleScattering compares with the exact solution.
 void TestMultipleScattering()
 {
   Random random(1127);

@@ -94,8 +94,8 @@ void TestColorSpaces()
   }
 }
 
-// A window with UseSRGBColorSpace: what VTK reads back from it is what the pass gives, encoded once,
-// or not at all where VTK's windows encode.
+// A window with UseSRGBColorSpace: what VTK reads back from it is what the pass gives, encoded
+// once, or not at all where VTK's windows encode.
 void TestWindowsOfSRGB()
 {
   for (const int samples : { 0, 8 })
