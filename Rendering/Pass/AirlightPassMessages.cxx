@@ -173,9 +173,8 @@ void PassMessages::CheckColorSpace(const DisplayStage& display, vtkOpenGLRenderW
   {
     this->WarnOnce(EncodedTwice,
       "The window has UseSRGBColorSpace and encodes colours on the screen, and OutputColorSpace "
-      "has "
-      "encoded them before: they look too bright. Call SetOutputColorSpaceToLinear(), or "
-      "UseSRGBColorSpaceOff() on the window before it is first drawn.");
+      "has encoded them before: they look too bright. Call SetOutputColorSpaceToLinear(), or the "
+      "window's UseSRGBColorSpaceOff() before it is first drawn.");
   }
 }
 
