@@ -41,11 +41,12 @@ vtkUnsignedCharArray* GetColours(vtkPolyData* mesh)
 vtkSmartPointer<vtkPolyData> ColourByScalars(vtkPolyData* mesh)
 {
   vtkDataArray* scalars = mesh->GetPointData()->GetScalars();
-  double range[2] = { 0.0, 0.0 };
-  if (scalars && scalars->GetNumberOfComponents() == 1)
+  if (!scalars || scalars->GetNumberOfComponents() != 1)
   {
-    scalars->GetFiniteRange(range, 0);
+    return mesh;
   }
+  double range[2];
+  scalars->GetFiniteRange(range, 0);
   if (!(range[0] < range[1]) || !std::isfinite(range[1] - range[0]))
   {
     return mesh;
