@@ -131,20 +131,12 @@ std::vector<LightSource> ScaleLights(
 //------------------------------------------------------------------------------
 void TurnLights(std::vector<LightSource>& lights, const Vector3& center, const ModelAxes& axes)
 {
-  const auto turn = [&](const Vector3& vector) {
-    Vector3 turned;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      turned[i] = vector[0] * axes.Right[i] + vector[1] * axes.Up[i] + vector[2] * axes.Front[i];
-    }
-    return turned;
-  };
   for (LightSource& light : lights)
   {
     Vector3 offset;
     vtkMath::Subtract(light.Position.data(), center.data(), offset.data());
-    vtkMath::Add(center.data(), turn(offset).data(), light.Position.data());
-    light.Direction = turn(light.Direction);
+    vtkMath::Add(center.data(), Turn(offset, axes).data(), light.Position.data());
+    light.Direction = Turn(light.Direction, axes);
   }
 }
 

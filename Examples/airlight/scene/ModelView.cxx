@@ -89,16 +89,6 @@ double GetDistance(vtkActor* actor, const Vector3& center, const Vector3& up, co
   }
   return distance;
 }
-
-Vector3 Combine(const ModelAxes& axes, const Vector3& parts)
-{
-  Vector3 sum;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    sum[i] = parts[0] * axes.Right[i] + parts[1] * axes.Up[i] + parts[2] * axes.Front[i];
-  }
-  return sum;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -144,6 +134,17 @@ ModelAxes GetCameraAxes(const CameraSettings& camera)
 }
 
 //------------------------------------------------------------------------------
+Vector3 Turn(const Vector3& vector, const ModelAxes& axes)
+{
+  Vector3 turned;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    turned[i] = vector[0] * axes.Right[i] + vector[1] * axes.Up[i] + vector[2] * axes.Front[i];
+  }
+  return turned;
+}
+
+//------------------------------------------------------------------------------
 void SeeModel(CameraSettings& camera, const std::vector<Surface>& surfaces, const Vector3& center,
   const ModelAxes& axes, double aspect)
 {
@@ -155,7 +156,7 @@ void SeeModel(CameraSettings& camera, const std::vector<Surface>& surfaces, cons
   {
     distance = std::max(distance, GetDistance(surface.Actor, center, axes.Up, turn));
   }
-  Vector3 offset = Combine(axes, EyeDirection);
+  Vector3 offset = Turn(EyeDirection, axes);
   vtkMath::MultiplyScalar(offset.data(), Margin * distance / length);
   camera.FocalPoint = center;
   camera.ViewUp = axes.Up;

@@ -40,6 +40,11 @@ ModelAxes GetModelAxes(const std::string& up, const std::string& fileName);
 ModelAxes GetCameraAxes(const CameraSettings& camera);
 
 /**
+ * A vector for a model with y up and its front towards z, turned to these axes.
+ */
+Vector3 Turn(const Vector3& vector, const ModelAxes& axes);
+
+/**
  * Moves a camera to the front of a model, to the right and above, so far away that all of the model
  * is in a picture of this aspect, width over height, however the model turns about the way up
  * through `center`.
