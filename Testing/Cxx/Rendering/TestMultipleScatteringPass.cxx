@@ -363,7 +363,7 @@ bool TestLimits()
 }
 
 //------------------------------------------------------------------------------
-// Of 18 lamps 16 are scattered more than once, with a message; the light of the others is as without.
+// Of 18 lamps 16 are scattered more than once, with a message; the others are as without.
 bool TestManyLamps()
 {
   FoggyPlane scene(vtkParticipatingMedium::UNBOUNDED);
