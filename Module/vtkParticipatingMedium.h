@@ -295,6 +295,8 @@ public:
    *   unbounded medium, fitted, with a factor for the faces of boxes and spheres; spotlights, lamps
    *   with photometric files and lamps outside as two lamps where their light first changes
    *   direction, for phase functions of mean cosines up to 0.65;
+   * - of such lamps, but no spotlights or photometric files, in an unbounded medium that falls with
+   *   height, by the same solution at the mean density between lamp and point;
    * - of directional lights in a box, or in an unbounded medium that falls with height, by the
    *   delta-Eddington approximation.
    *

@@ -134,6 +134,15 @@ bool AddEvenLamp(
   return true;
 }
 
+// Whether a lamp falls off by the inverse square in fog that falls with height.
+bool IsInFog(const f64::AirlightMedia& media, const f64::AirlightLight& light)
+{
+  const f64::AirlightMedium& medium = media.item[0];
+  return medium.density == AIRLIGHT_DENSITY_HEIGHT &&
+    medium.region.kind == AIRLIGHT_REGION_UNBOUNDED && light.attenuation.x == 0.0 &&
+    light.attenuation.y == 0.0;
+}
+
 glm::dvec4 GetLampPower(const f64::AirlightLight& light)
 {
   return { 4.0 * vtkMath::Pi() * light.intensity / light.attenuation.z, 0.0 };
@@ -203,7 +212,8 @@ bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light)
   {
     return AddMultipleSun(media, light);
   }
-  if (light.cosCone < 0.0 && light.goniometric == 0 && HasUniformPaths(media, light))
+  if (light.cosCone < 0.0 && light.goniometric == 0 &&
+    (HasUniformPaths(media, light) || IsInFog(media, light)))
   {
     return AddEvenLamp(media, light.position, light.radius, GetLampPower(light));
   }
@@ -292,9 +302,9 @@ std::string GetScatteredOnceText(int lights)
   return "Multiple scattering leaves out " + std::to_string(lights) +
     " of the lights, which are scattered once: it is computed for at most " +
     std::to_string(AIRLIGHT_MAX_MULTIPLE_LAMPS) +
-    " lamps that fall off by the inverse square in uniform media, where a spotlight, a photometric "
-    "file or a lamp outside counts twice and needs a phase function whose mean cosine is at most "
-    "0.65; and for " +
+    " lamps that fall off by the inverse square, in uniform media or fog that falls with height; a "
+    "spotlight, a photometric file or a lamp outside counts twice, and needs a uniform medium with "
+    "a mean cosine of at most 0.65; and for " +
     std::to_string(AIRLIGHT_MAX_MULTIPLE_SUNS) +
     " directional lights in a box or in fog that falls with height. See "
     "vtkAirlight::SetRadiantIntensity().";

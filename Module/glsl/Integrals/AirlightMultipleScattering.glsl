@@ -1,6 +1,8 @@
-// Light that was scattered more than once, of point lamps in one uniform medium: along a ray, and
-// where it meets a surface. By the source function of the unbounded medium
-// (AirlightSourceFunction.glsl), with a factor for the faces of the medium's region.
+// Light that was scattered more than once, of point lamps in one medium: along a ray, and where it
+// meets a surface. By the source function of the unbounded medium (AirlightSourceFunction.glsl),
+// with a factor for the faces of the medium's region. In fog that falls with height, the medium is
+// that of the mean density between lamp and point, and its face is so far above as the fog there is
+// deep.
 
 // Light that a ray loses beyond so many optical lengths is left out.
 #define AIRLIGHT_MULTIPLE_DEPTH 8.0
@@ -78,6 +80,57 @@ AIRLIGHT_FN AirlightMultipleSpectrum airlightRegionFactor(
   return factor;
 }
 
+// A point as seen from a lamp.
+struct AirlightFromLamp
+{
+  real r;      // their distance, at least the lamp's own
+  real column; // the integral of density between them
+};
+
+AIRLIGHT_FN AirlightFromLamp airlightFromLamp(
+  AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 lamp, real r)
+{
+  AirlightFromLamp result;
+  result.r = r;
+  result.column = r;
+  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_HEIGHT)
+  {
+    result.column =
+      min(airlightInsideDepth(medium, lamp, (point - lamp) / r, real(0.0), r), real(AIRLIGHT_FAR));
+  }
+  return result;
+}
+
+// Of fog that falls with height: the lamp's image behind a face that is, in optical lengths, as far
+// from lamp and point as the fog above them is deep.
+AIRLIGHT_FN AirlightMultipleSpectrum airlightFogFactor(AIRLIGHT_MULTIPLE_IN
+  AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 lamp, AirlightMultipleSpectrum optical)
+{
+  const AirlightMultipleSpectrum far = AirlightMultipleSpectrum(real(1e4)); // squares are finite
+  AirlightMultipleSpectrum depth =
+    AIRLIGHT_MULTIPLE_SPECTRUM(medium.sigmaT) / medium.inverseScaleHeight;
+  AirlightMultipleSpectrum above = min(depth * airlightDensity(medium, point), far);
+  AirlightMultipleSpectrum aboveLamp = min(depth * airlightDensity(medium, lamp), far);
+  optical = min(optical, far);
+  return airlightFaceFactor(AIRLIGHT_MULTIPLE_OUT optical,
+    sqrt(optical * optical + real(4.0) * above * aboveLamp));
+}
+
+// The part of a ray in fog that falls with height on which light is scattered, but for a small
+// share of its optical depth at both ends. sigma: the extinction of a channel at density 1.
+AIRLIGHT_FN real2 airlightFogRange(
+  AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real2 range, real sigma)
+{
+  const real share = real(0.002);
+  real3 start = origin + range.x * direction;
+  real depth = sigma * airlightInsideDepth(medium, origin, direction, range.x, range.y);
+  real begin =
+    airlightFadingLength(medium, start, direction, sigma, share * min(depth, real(1.0)));
+  real end = airlightFadingLength(medium, start, direction, sigma,
+    min(real(AIRLIGHT_MULTIPLE_DEPTH), (real(1.0) - share) * depth));
+  return min(range.x + real2(begin, end), real2(range.y));
+}
+
 // How far from the ray's entry a channel still counts: up to where the depth plus what the source
 // has fallen by exceeds the least of them by AIRLIGHT_MULTIPLE_DEPTH. sigma, fall: its extinction
 // and how fast its source falls, per length. tL: of the lamp's foot from the entry; h: its distance
@@ -107,16 +160,26 @@ AIRLIGHT_FN void airlightAddMultiple(AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMe
   real r = real(0.5) * h * (e.x + e.y);
   real mu = (e.y - e.x) / (e.x + e.y);
   real depth = max(foot + x - start, real(0.0));
+  real3 point = origin + (foot + x) * direction;
+  AirlightFromLamp from = airlightFromLamp(medium, point, real3(lamp), r);
   AirlightMultipleSpectrum sigmaT = AIRLIGHT_MULTIPLE_SPECTRUM(medium.sigmaT);
-  AirlightMultipleSpectrum optical = sigmaT * r;
+  AirlightMultipleSpectrum optical = sigmaT * from.column;
+  real mean = real(1.0);
+  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_HEIGHT)
+  {
+    depth = airlightInsideDepth(medium, origin, direction, start, max(foot + x, start));
+    weight *= airlightDensity(medium, point);
+    mean = from.column / r;
+  }
   AirlightMultipleSpectrum logarithm = airlightSourceLogarithm(AIRLIGHT_MULTIPLE_OUT
     airlightSourceX(optical), airlightSourceY(airlightMultiple.lobe, mu));
   AirlightMultipleSpectrum source =
     exp(logarithm - AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.kappa) * optical - sigmaT * depth);
-  source *= airlightRegionFactor(AIRLIGHT_MULTIPLE_OUT medium,
-    origin + (foot + x) * direction, real3(lamp), r);
-  several += weight * source;
-  once += weight * airlightPhase(medium.phase, mu) / r * exp(-sigmaT * (depth + r));
+  source *= AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_HEIGHT
+    ? airlightFogFactor(AIRLIGHT_MULTIPLE_OUT medium, point, real3(lamp), optical)
+    : airlightRegionFactor(AIRLIGHT_MULTIPLE_OUT medium, point, real3(lamp), r);
+  several += weight * mean * source;
+  once += weight * airlightPhase(medium.phase, mu) / r * exp(-sigmaT * (depth + from.column));
 }
 
 AIRLIGHT_FN AirlightMultipleRay airlightMultipleUpTo(
@@ -126,11 +189,14 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleUpTo(
   AirlightMultipleRay result;
   result.several = real3(real(0.0));
   result.once = real3(real(0.0));
-  real end = min(range.y, range.x + airlightMultipleReach(sigma, fall, foot - range.x, h));
+  real2 part = AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_HEIGHT
+    ? airlightFogRange(medium, origin, direction, range, sigma)
+    : real2(range.x,
+        min(range.y, range.x + airlightMultipleReach(sigma, fall, foot - range.x, h)));
   // With t - foot = h sinh v, dt = r dv.
   const real far = real(1e18); // likewise
-  real from = airlightAsinh(clamp((range.x - foot) / h, -far, far));
-  real reach = real(0.5) * (airlightAsinh(clamp((end - foot) / h, -far, far)) - from);
+  real from = airlightAsinh(clamp((part.x - foot) / h, -far, far));
+  real reach = real(0.5) * (airlightAsinh(clamp((part.y - foot) / h, -far, far)) - from);
   if (reach <= real(0.0))
   {
     return result;
@@ -146,13 +212,13 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleUpTo(
     real aside = exp(reach * node.x);
     real back = real(1.0) / aside;
     airlightAddMultiple(AIRLIGHT_MULTIPLE_OUT medium, origin, direction, lamp,
-      real2(middle * aside, inverse * back), node.y, foot, range.x, h, several, once);
+      real2(middle * aside, inverse * back), reach * node.y, foot, range.x, h, several, once);
     airlightAddMultiple(AIRLIGHT_MULTIPLE_OUT medium, origin, direction, lamp,
-      real2(middle * back, inverse * aside), node.y, foot, range.x, h, several, once);
+      real2(middle * back, inverse * aside), reach * node.y, foot, range.x, h, several, once);
   }
   // 0 before infinite.
-  result.several = real3(several) * (reach * medium.sigmaT) * medium.sigmaT;
-  result.once = real3(once) * (reach * real(0.079577471545947668)) * medium.sigmaS;
+  result.several = real3(several) * medium.sigmaT * medium.sigmaT;
+  result.once = real3(once) * real(0.079577471545947668) * medium.sigmaS;
   return result;
 }
 
@@ -279,7 +345,9 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
   {
     real3 away = point - real3(airlightMultiple.lamp[i]);
     real r = max(length(away), airlightMultiple.lamp[i].w);
-    AirlightMultipleSpectrum optical = sigmaT * r;
+    AirlightFromLamp from =
+      airlightFromLamp(media.item[0], point, real3(airlightMultiple.lamp[i]), r);
+    AirlightMultipleSpectrum optical = sigmaT * from.column;
     AirlightMultipleSpectrum x = airlightSourceX(optical);
     AirlightMultipleSpectrum fall = AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.kappa) * optical;
     AirlightMultipleSpectrum fluence =
@@ -295,8 +363,14 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
       sum += real3(airlightMultiple.power[i]) * (direct * exp(-optical));
     }
     // The moments are of optical lengths: a square of them is per area, and 1/r is of them, too.
+    AirlightMultipleSpectrum area = sigmaT / r;
+    if (AIRLIGHT_DENSITY_KIND(media.item[0]) == AIRLIGHT_DENSITY_HEIGHT)
+    {
+      area *= from.column / r * airlightFogFactor(AIRLIGHT_MULTIPLE_OUT media.item[0], point,
+        real3(airlightMultiple.lamp[i]), optical);
+    }
     sum += real3(airlightMultiple.power[i]) *
-      (max(share, AirlightMultipleSpectrum(real(0.0))) * sigmaT / r);
+      (max(share, AirlightMultipleSpectrum(real(0.0))) * area);
   }
   return sum;
 }

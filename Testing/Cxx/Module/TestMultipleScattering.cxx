@@ -305,6 +305,86 @@ void CheckIrradiance()
   }
 }
 
+// Fog whose scale height is far greater than all distances is uniform.
+void CheckHighFog()
+{
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetScattering(0.4, 0.3, 0.2);
+  medium->SetAbsorption(0.05, 0.2, 0.05);
+  medium->SetPhaseFunctionToHenyeyGreenstein();
+  medium->SetAnisotropy(0.5);
+  medium->MultipleScatteringOn();
+  const double lamp[3] = { 1.0, -2.0, 0.5 };
+  const double intensity[3] = { 1.0, 2.0, 3.0 };
+  const double normal[3] = { 0.0, 0.6, 0.8 };
+  std::mt19937 random(20261127);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int i = 0; i < 40; ++i)
+  {
+    const double origin[3] = { 8.0 * uniform(random), 8.0 * uniform(random),
+      8.0 * uniform(random) };
+    const double direction[3] = { uniform(random), uniform(random), uniform(random) };
+    const double t1 = i % 2 == 0 ? 12.0 : std::numeric_limits<double>::infinity();
+    double found[2][3];
+    double arriving[2][3];
+    for (const int fog : { 0, 1 })
+    {
+      medium->SetDensityToUniform();
+      if (fog == 1)
+      {
+        medium->SetDensityToExponentialHeight();
+        medium->SetScaleHeight(1e7);
+      }
+      Expect(vtkAirlight::MultipleScattering(
+               medium, lamp, intensity, origin, direction, t1, found[fog]) &&
+          vtkAirlight::MultipleIrradiance(medium, lamp, intensity, origin, normal, arriving[fog]),
+        "a lamp in fog");
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      Expect(std::abs(found[1][k] / found[0][k] - 1.0) < 0.01, "a ray in high fog", i, k,
+        found[1][k], found[0][k]);
+      Expect(std::abs(arriving[1][k] - arriving[0][k]) <= 1e-5 * arriving[0][k],
+        "a surface in high fog", i, k, arriving[1][k], arriving[0][k]);
+    }
+  }
+}
+
+// Lamps deep in fog and high above it, and eyes there.
+void CheckDeepFog()
+{
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetScattering(0.4, 0.0, 4.0);
+  medium->SetAbsorption(0.0, 0.2, 0.0);
+  medium->MultipleScatteringOn();
+  medium->SetDensityToExponentialHeight();
+  medium->SetScaleHeight(0.5);
+  const double intensity[3] = { 1.0, 1.0, 1.0 };
+  for (const double lampHeight : { -300.0, -5.0, 0.0, 5.0, 300.0 })
+  {
+    for (const double eyeHeight : { -300.0, 0.0, 5.0, 300.0 })
+    {
+      for (const double rise : { -1.0, 0.0, 1e-9, 1.0 })
+      {
+        const double lamp[3] = { 0.0, lampHeight, 0.0 };
+        const double eye[3] = { 0.3, eyeHeight, 0.0 };
+        const double direction[3] = { 1.0, rise, 0.2 };
+        double rgb[2][3];
+        Expect(vtkAirlight::MultipleScattering(medium, lamp, intensity, eye, direction,
+                 std::numeric_limits<double>::infinity(), rgb[0]) &&
+            vtkAirlight::MultipleIrradiance(medium, lamp, intensity, eye, direction, rgb[1]),
+          "a lamp in deep fog");
+        for (const auto& colour : rgb)
+        {
+          Expect(std::isfinite(colour[0]) && std::isfinite(colour[2]) && colour[0] >= 0.0 &&
+              colour[2] >= 0.0 && colour[1] == 0.0,
+            "finite", lampHeight, eyeHeight, rise, colour[0], colour[2]);
+        }
+      }
+    }
+  }
+}
+
 void CheckLimits()
 {
   vtkNew<vtkParticipatingMedium> medium;
@@ -401,6 +481,8 @@ int TestMultipleScattering(int, char*[])
   }
   CheckColours();
   CheckIrradiance();
+  CheckHighFog();
+  CheckDeepFog();
   CheckLimits();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

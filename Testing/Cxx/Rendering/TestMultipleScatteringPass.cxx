@@ -245,11 +245,12 @@ bool CheckBuffer(FoggyPlane& scene, const Buffer& once, const Buffer& air, const
 }
 
 //------------------------------------------------------------------------------
-// Suns, spots and lamps outside, in the air and on surfaces, with a caster: as the reference has it.
+// Suns, spots, lamps outside and in fog that falls with height, in the air and on surfaces, with a
+// caster: as the reference has it.
 bool TestOtherLights()
 {
   bool ok = true;
-  for (const char* kind : { "sun in a box", "sun in fog", "spot", "lamp outside" })
+  for (const char* kind : { "sun in a box", "sun in fog", "lamp in fog", "spot", "lamp outside" })
   {
     const std::string name = kind;
     FoggyPlane scene(name == "sun in a box" ? vtkParticipatingMedium::BOX
@@ -263,15 +264,15 @@ bool TestOtherLights()
     {
       scene.Light->SetConeAngle(25.0);
     }
-    else if (name != "lamp outside")
+    else if (name != "lamp outside" && name != "lamp in fog")
     {
       vtkAirlight::SetIrradiance(scene.Light, Intensity);
     }
-    if (name == "sun in fog")
+    if (name == "sun in fog" || name == "lamp in fog")
     {
       scene.Medium->SetDensityToExponentialHeight();
       scene.Medium->SetUp(0.0, 0.0, 1.0);
-      scene.Medium->GroundOn();
+      scene.Medium->SetGround(name == "sun in fog");
     }
     ErrorListener messages(scene.Pass, vtkCommand::WarningEvent);
     const Buffer once = scene.Render("Airlight", false);
