@@ -27,6 +27,17 @@ def draw(name, threshold=0):
         simple.Render(view)
         test.place_camera(view)  # the first Render() moves it
         test.picture(view, f"{name}-{step}")
+    # A surface and an image of which each rank has a part.
+    view.RegionSurface = simple.Sphere(Center=[0.2, 0.1, 0.3], Radius=1.1, ThetaResolution=24,
+                                       PhiResolution=20)
+    view.Region = "Surface"
+    test.picture(view, f"{name}-surface")
+    view.DensityImage = simple.Wavelet(WholeExtent=[-2, 2, -2, 2, -2, 2])
+    view.DensityArray = ["POINTS", "RTData"]
+    view.Region = "Unbounded"
+    view.Density = "Image"
+    view.Scattering = [0.003] * 3  # at density 1; the image has some 200
+    test.picture(view, f"{name}-image")
 
 
 if len(sys.argv) > 1:

@@ -3,10 +3,13 @@
 #include "vtkPVAirlightRenderView.h"
 
 #include "AirlightFarPass.h"
+#include "AirlightMediumSource.h"
 #include "AirlightRemoteSilhouettes.h"
 #include "AirlightViewLamp.h"
 #include "vtkAirlightPass.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCommunicator.h"
+#include "vtkImageData.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -19,6 +22,7 @@
 #include "vtkPVParticipatingMedium.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkParticipatingMedium.h"
+#include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSMViewProxy.h"
 #include "vtkToneMappingPass.h"
@@ -52,6 +56,8 @@ vtkPVAirlightRenderView::vtkPVAirlightRenderView()
   : FarPass(vtkSmartPointer<AirlightFarPass>::New())
   , Remote(new airlight::RemoteSilhouettes)
   , Lamp(new airlight::ViewLamp)
+  , SurfaceSource(new airlight::MediumSource(VTK_POLY_DATA))
+  , ImageSource(new airlight::MediumSource(VTK_IMAGE_DATA))
 {
   this->FarPass->SetDelegate(this->Pass);
   KeepFromCasting(this->CenterAxes);
@@ -77,6 +83,24 @@ void vtkPVAirlightRenderView::SetMedium(vtkParticipatingMedium* medium)
   this->Medium = medium;
   this->OwnMedium = vtkPVParticipatingMedium::SafeDownCast(medium);
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetRegionSurfaceConnection(vtkAlgorithmOutput* connection)
+{
+  this->SurfaceSource->SetConnection(connection);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetDensityImageConnection(vtkAlgorithmOutput* connection)
+{
+  this->ImageSource->SetConnection(connection);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetDensityArray(int, int, int, int, const char* name)
+{
+  this->ImageSource->SetArray(name);
 }
 
 //------------------------------------------------------------------------------
@@ -252,6 +276,51 @@ void vtkPVAirlightRenderView::Render(bool interactive, bool skip_rendering)
   this->Superclass::Render(interactive, skip_rendering);
   this->Pass->SetOutputColorSpace(space);
   this->Remote->Spread(this->GetRenderer(), false);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkPVAirlightRenderView::UpdateSource(airlight::MediumSource& source)
+{
+  vtkTypeUInt64 state = 0;
+  this->AllReduce(source.Update(this->GetViewTime()), state, vtkCommunicator::MAX_OP);
+  if (state != airlight::MediumSource::UNCHANGED)
+  {
+    source.Deliver(state);
+  }
+  return state;
+}
+
+//------------------------------------------------------------------------------
+// All processes have the same region and density here. Sources that they do not need are left.
+void vtkPVAirlightRenderView::Update()
+{
+  using Source = airlight::MediumSource;
+  this->Superclass::Update();
+  vtkPVParticipatingMedium* medium = this->OwnMedium;
+  if (medium && medium->GetRegion() == vtkParticipatingMedium::SURFACE)
+  {
+    switch (this->UpdateSource(*this->SurfaceSource))
+    {
+      case Source::REMOVED:
+        medium->SetSurface(nullptr);
+        break;
+      case Source::CHANGED:
+        medium->FollowSurface(this->SurfaceSource->GetSurface());
+        break;
+    }
+  }
+  if (medium && medium->GetDensity() == vtkParticipatingMedium::IMAGE)
+  {
+    switch (this->UpdateSource(*this->ImageSource))
+    {
+      case Source::REMOVED:
+        medium->SetDensityImage(nullptr);
+        break;
+      case Source::CHANGED:
+        medium->FollowDensityImage(this->ImageSource->GetImage());
+        break;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -30,11 +30,13 @@
 
 class AirlightFarPass;
 class vtkAirlightPass;
+class vtkAlgorithmOutput;
 class vtkParticipatingMedium;
 class vtkPVParticipatingMedium;
 
 namespace airlight
 {
+class MediumSource;
 class RemoteSilhouettes;
 class ViewLamp;
 }
@@ -83,6 +85,24 @@ public:
    * Default: none, which leaves shadows on surfaces only.
    */
   void SetMedium(vtkParticipatingMedium* medium);
+
+  ///@{
+  /**
+   * Pipeline sources of a vtkPVParticipatingMedium: the closed surface of its region SURFACE, from
+   * polygons or the outer surface of other data, and the image of its density IMAGE. Update()
+   * brings them up to date and gives all processes all of them. Where the data are none of that, as
+   * an open surface, the medium is ignored with an error when it is drawn. Default: none.
+   */
+  void SetRegionSurfaceConnection(vtkAlgorithmOutput* connection);
+  void SetDensityImageConnection(vtkAlgorithmOutput* connection);
+  ///@}
+
+  /**
+   * The name of the point array that is the density. The other arguments are those of
+   * vtkAlgorithm::SetInputArrayToProcess() and are ignored. Empty: the active scalars, or else the
+   * first array. Default: empty.
+   */
+  void SetDensityArray(int, int, int, int, const char* name);
 
   ///@{
   /**
@@ -142,6 +162,8 @@ public:
 
   void SetGridAxes3DActor(vtkPVGridAxes3DActor* axes) override;
 
+  void Update() override;
+
 protected:
   vtkPVAirlightRenderView();
   ~vtkPVAirlightRenderView() override;
@@ -158,6 +180,7 @@ private:
   void MeasureScene();
   void ChooseToneMapping();
   bool IsParallel();
+  vtkTypeUInt64 UpdateSource(airlight::MediumSource& source);
   void StartFrame();
 
   bool Airlight = true;
@@ -171,6 +194,8 @@ private:
   vtkSmartPointer<AirlightFarPass> FarPass;            // around it
   std::unique_ptr<airlight::RemoteSilhouettes> Remote;
   std::unique_ptr<airlight::ViewLamp> Lamp;
+  std::unique_ptr<airlight::MediumSource> SurfaceSource;
+  std::unique_ptr<airlight::MediumSource> ImageSource;
   bool Parallel = false; // the current frame
   unsigned long StartTag = 0;
 };

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVParticipatingMedium.h"
 
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +35,35 @@ bool HasAnisotropy(int function)
   return function == vtkParticipatingMedium::HENYEY_GREENSTEIN ||
     function == vtkParticipatingMedium::SCHLICK ||
     function == vtkParticipatingMedium::CORNETTE_SHANKS;
+}
+
+// Some valid surface.
+void MakeTetrahedron(vtkPolyData* surface)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> faces;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    points->InsertNextPoint(i == 0, i == 1, i == 2);
+  }
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    const vtkIdType face[3] = { i, (i + 1) % 4, (i + 2) % 4 };
+    faces->InsertNextCell(3, face);
+  }
+  surface->Initialize();
+  surface->SetPoints(points);
+  surface->SetPolys(faces);
+}
+
+// Some valid image.
+void MakeCell(vtkImageData* image)
+{
+  image->Initialize();
+  image->SetDimensions(2, 2, 2);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  std::fill_n(static_cast<float*>(image->GetScalarPointer()), 8, 0.0f);
 }
 }
 
@@ -242,6 +275,35 @@ void vtkPVParticipatingMedium::UpdatePhase()
   if (HasAnisotropy(this->Phase))
   {
     this->SetAnisotropy(this->PhaseAnisotropy);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Valid when it is set, which is all that the setter looks at.
+void vtkPVParticipatingMedium::FollowSurface(vtkPolyData* surface)
+{
+  if (surface && this->GetSurface() != surface)
+  {
+    vtkNew<vtkPolyData> contents;
+    contents->ShallowCopy(surface);
+    MakeTetrahedron(surface);
+    this->SetSurface(surface);
+    surface->ShallowCopy(contents);
+    surface->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::FollowDensityImage(vtkImageData* image)
+{
+  if (image && this->GetDensityImage() != image)
+  {
+    vtkNew<vtkImageData> contents;
+    contents->ShallowCopy(image);
+    MakeCell(image);
+    this->SetDensityImage(image);
+    image->ShallowCopy(contents);
+    image->Modified();
   }
 }
 
