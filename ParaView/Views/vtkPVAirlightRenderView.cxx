@@ -6,6 +6,7 @@
 #include "AirlightMediumSource.h"
 #include "AirlightRemoteSilhouettes.h"
 #include "AirlightViewLamp.h"
+#include "vtkAirlightLight.h"
 #include "vtkAirlightPass.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommunicator.h"
@@ -224,6 +225,18 @@ void vtkPVAirlightRenderView::SetLampRadius(double radius)
 void vtkPVAirlightRenderView::SetLampVisible(bool visible) { this->Lamp->Visible = visible; }
 
 //------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLampPhotometry(const char* file)
+{
+  vtkAirlightLight::SetPhotometry(this->Lamp->GetLight(), file);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetLampPhotometryUp(double x, double y, double z)
+{
+  vtkAirlightLight::SetPhotometryUp(this->Lamp->GetLight(), x, y, z);
+}
+
+//------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetDithering(bool on) { this->Pass->SetDithering(on); }
 
 //------------------------------------------------------------------------------
@@ -292,34 +305,44 @@ vtkTypeUInt64 vtkPVAirlightRenderView::UpdateSource(airlight::MediumSource& sour
 
 //------------------------------------------------------------------------------
 // All processes have the same region and density here. Sources that they do not need are left.
-void vtkPVAirlightRenderView::Update()
+void vtkPVAirlightRenderView::UpdateSources(vtkPVParticipatingMedium* medium)
 {
   using Source = airlight::MediumSource;
-  this->Superclass::Update();
-  vtkPVParticipatingMedium* medium = this->OwnMedium;
-  if (medium && medium->GetRegion() == vtkParticipatingMedium::SURFACE)
+  const bool needsSurface = medium->GetRegion() == vtkParticipatingMedium::SURFACE;
+  const bool needsImage = medium->GetDensity() == vtkParticipatingMedium::IMAGE;
+  if (needsSurface)
   {
-    switch (this->UpdateSource(*this->SurfaceSource))
+    const vtkTypeUInt64 state = this->UpdateSource(*this->SurfaceSource);
+    if (state != Source::UNCHANGED)
     {
-      case Source::REMOVED:
-        medium->SetSurface(nullptr);
-        break;
-      case Source::CHANGED:
-        medium->FollowSurface(this->SurfaceSource->GetSurface());
-        break;
+      medium->FollowSurface(state == Source::CHANGED ? this->SurfaceSource->GetSurface() : nullptr);
     }
   }
-  if (medium && medium->GetDensity() == vtkParticipatingMedium::IMAGE)
+  if (needsImage)
   {
-    switch (this->UpdateSource(*this->ImageSource))
+    const vtkTypeUInt64 state = this->UpdateSource(*this->ImageSource);
+    if (state != Source::UNCHANGED)
     {
-      case Source::REMOVED:
-        medium->SetDensityImage(nullptr);
-        break;
-      case Source::CHANGED:
-        medium->FollowDensityImage(this->ImageSource->GetImage());
-        break;
+      medium->FollowDensityImage(state == Source::CHANGED ? this->ImageSource->GetImage() : nullptr);
     }
+  }
+  // A window draws before a user has come to the list of sources: that is no error.
+  const bool lacksSource =
+    (needsSurface && !medium->GetSurface()) || (needsImage && !medium->GetDensityImage());
+  if (lacksSource == (this->Pass->GetNumberOfMedia() > 0))
+  {
+    this->Pass->RemoveAllMedia();
+    this->Pass->SetMedium(lacksSource ? nullptr : medium);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::Update()
+{
+  this->Superclass::Update();
+  if (this->OwnMedium)
+  {
+    this->UpdateSources(this->OwnMedium);
   }
 }
 

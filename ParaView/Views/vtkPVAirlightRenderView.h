@@ -72,12 +72,18 @@ public:
    * radiance of a white surface at the data's centre over 1.1, at least 0; the radius for soft
    * shadows (vtkAirlightLight::SetRadius()), world units, at least 0; whether it is seen as a ball
    * of that radius. It follows the data's bounds. Default: false, (1, 1, 1), 1, 0, false.
+   *
+   * Its light may be that of a photometric file, aimed at the data's centre, whose brightest
+   * direction has the brightness: see vtkAirlightLight::SetPhotometry() and SetPhotometryUp(). An
+   * invalid file gives an error and the old one stays. Default: none, (0, 1, 0).
    */
   void SetLamp(bool on);
   void SetLampColor(double r, double g, double b);
   void SetLampBrightness(double brightness);
   void SetLampRadius(double radius);
   void SetLampVisible(bool visible);
+  void SetLampPhotometry(const char* file);
+  void SetLampPhotometryUp(double x, double y, double z);
   ///@}
 
   /**
@@ -91,7 +97,8 @@ public:
    * Pipeline sources of a vtkPVParticipatingMedium: the closed surface of its region SURFACE, from
    * polygons or the outer surface of other data, and the image of its density IMAGE. Update()
    * brings them up to date and gives all processes all of them. Where the data are none of that, as
-   * an open surface, the medium is ignored with an error when it is drawn. Default: none.
+   * an open surface, the medium is ignored with an error when it is drawn. Without a source that it
+   * needs, it is nowhere. Default: none.
    */
   void SetRegionSurfaceConnection(vtkAlgorithmOutput* connection);
   void SetDensityImageConnection(vtkAlgorithmOutput* connection);
@@ -181,6 +188,7 @@ private:
   void ChooseToneMapping();
   bool IsParallel();
   vtkTypeUInt64 UpdateSource(airlight::MediumSource& source);
+  void UpdateSources(vtkPVParticipatingMedium* medium);
   void StartFrame();
 
   bool Airlight = true;

@@ -282,7 +282,11 @@ void vtkPVParticipatingMedium::UpdatePhase()
 // Valid when it is set, which is all that the setter looks at.
 void vtkPVParticipatingMedium::FollowSurface(vtkPolyData* surface)
 {
-  if (surface && this->GetSurface() != surface)
+  if (!surface)
+  {
+    this->SetSurface(nullptr);
+  }
+  else if (this->GetSurface() != surface)
   {
     vtkNew<vtkPolyData> contents;
     contents->ShallowCopy(surface);
@@ -296,7 +300,11 @@ void vtkPVParticipatingMedium::FollowSurface(vtkPolyData* surface)
 //------------------------------------------------------------------------------
 void vtkPVParticipatingMedium::FollowDensityImage(vtkImageData* image)
 {
-  if (image && this->GetDensityImage() != image)
+  if (!image)
+  {
+    this->SetDensityImage(nullptr);
+  }
+  else if (this->GetDensityImage() != image)
   {
     vtkNew<vtkImageData> contents;
     contents->ShallowCopy(image);

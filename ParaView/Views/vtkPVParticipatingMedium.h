@@ -123,7 +123,7 @@ public:
   /**
    * Takes a surface or an image whose contents are replaced now and then, as those of a pipeline
    * source. SetSurface() and SetDensityImage() keep the old one if the new one is invalid; here the
-   * medium is ignored while it is, with an error when the medium is used.
+   * medium is ignored while it is, with an error when the medium is used. Null: none.
    */
   void FollowSurface(vtkPolyData* surface);
   void FollowDensityImage(vtkImageData* image);
