@@ -18,14 +18,6 @@ SCATTERING = 0.6
 SIZES = np.array([2.2, 1.4, 1.8])
 
 
-def inside_box(origins, rays, low, high):
-    """Where rays enter and leave a box; two equal distances where they miss it."""
-    with np.errstate(divide="ignore"):
-        ends = (np.array([low, high])[:, None, None] - origins) / rays
-    enter = np.maximum(ends.min(axis=0).max(axis=-1), 0)
-    return enter, np.maximum(ends.max(axis=0).min(axis=-1), enter)
-
-
 def turn_y(vectors, degrees):
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     return vectors @ np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]).T
@@ -79,7 +71,7 @@ class MediumSources(unittest.TestCase):
     def box_depths(self, low, high, turn=0.0):
         rays = test.pixel_rays(*test.SIZE)
         eye = np.broadcast_to(turn_y(EYE, -turn), rays.shape)
-        enter, leave = inside_box(eye, turn_y(rays, -turn), np.array(low), np.array(high))
+        enter, leave = test.cross_box(eye, turn_y(rays, -turn), np.array(low), np.array(high))
         return SCATTERING * (leave - enter)
 
     def test_surface(self):
@@ -153,7 +145,7 @@ class MediumSources(unittest.TestCase):
         self.view.Density = "Image"
         self.view.Scattering = [SCATTERING / 4] * 3
         rays = test.pixel_rays(*test.SIZE)
-        enter, leave = inside_box(np.broadcast_to(EYE, rays.shape), rays, np.array([-2, -2, -1]),
+        enter, leave = test.cross_box(np.broadcast_to(EYE, rays.shape), rays, np.array([-2, -2, -1]),
                                   np.array([2, 2, 1]))
         middle = EYE[0] + 0.5 * (enter + leave) * rays[..., 0]
         self.check_opacity(SCATTERING / 4 * (leave - enter) * (middle + 3), "image")

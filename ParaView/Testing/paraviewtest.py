@@ -122,3 +122,11 @@ def hit_floor(origins, rays, height=-0.6, half=4.0):
         t = (height - origins[..., 1]) / rays[..., 1]
         x, z = (origins[..., i] + t * rays[..., i] for i in (0, 2))
     return np.where((t > 0) & (np.abs(x) <= half) & (np.abs(z) <= half), t, np.inf)
+
+
+def cross_box(origins, rays, low, high):
+    """Where rays enter and leave a box; two equal distances where they miss it."""
+    with np.errstate(divide="ignore"):
+        ends = (np.array([low, high])[:, None, None] - origins) / rays
+    enter = np.maximum(ends.min(axis=0).max(axis=-1), 0)
+    return enter, np.maximum(ends.max(axis=0).min(axis=-1), enter)

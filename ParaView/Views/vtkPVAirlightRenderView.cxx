@@ -19,8 +19,10 @@
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVCenterAxesActor.h"
+#include "vtkPVDataRepresentation.h"
 #include "vtkPVGridAxes3DActor.h"
 #include "vtkPVParticipatingMedium.h"
+#include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkParticipatingMedium.h"
 #include "vtkPolyData.h"
@@ -340,6 +342,7 @@ void vtkPVAirlightRenderView::UpdateSources(vtkPVParticipatingMedium* medium)
 void vtkPVAirlightRenderView::Update()
 {
   this->Superclass::Update();
+  this->MeasureData();
   if (this->OwnMedium)
   {
     this->UpdateSources(this->OwnMedium);
@@ -363,14 +366,38 @@ void vtkPVAirlightRenderView::SwitchCameraLights()
 }
 
 //------------------------------------------------------------------------------
-// ParaView keeps the bounds of the visible data the same on all ranks.
-void vtkPVAirlightRenderView::MeasureScene()
+// ParaView's own bounds also have those of props, which are still the former ones at this time: data
+// that shrink would not count before the next update.
+void vtkPVAirlightRenderView::MeasureData()
 {
-  this->Lamp->Update(this->GetRenderer(), this->GeometryBounds);
+  vtkBoundingBox own;
+  auto* delivery = vtkPVRenderViewDataDeliveryManager::SafeDownCast(this->GetDeliveryManager());
+  for (int i = 0; delivery && i < this->GetNumberOfRepresentations(); ++i)
+  {
+    auto* shown = vtkPVDataRepresentation::SafeDownCast(this->GetRepresentation(i));
+    const int ports = shown && shown->GetVisibility() ? delivery->GetNumberOfPorts(shown) : 0;
+    for (int port = 0; port < ports; ++port)
+    {
+      own.AddBox(delivery->GetTransformedGeometryBounds(shown, port));
+    }
+  }
+  this->DataBounds.Reset();
+  this->AllReduce(own, this->DataBounds);
+  if (!this->DataBounds.IsValid())
+  {
+    this->DataBounds = this->GeometryBounds;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::FollowData()
+{
+  this->Lamp->Update(this->GetRenderer(), this->DataBounds);
   if (this->OwnMedium)
   {
-    this->OwnMedium->SetSceneSize(
-      this->GeometryBounds.IsValid() ? this->GeometryBounds.GetDiagonalLength() : 0.0);
+    double bounds[6]; // of no size where there are no data
+    this->DataBounds.GetBounds(bounds);
+    this->OwnMedium->SetSceneBounds(bounds);
   }
 }
 
@@ -440,7 +467,7 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
   this->SwitchCameraLights();
-  this->MeasureScene();
+  this->FollowData();
   this->ChooseToneMapping();
   this->Parallel = this->Airlight && this->IsParallel();
   this->FarPass->SetMoves(this->Parallel);

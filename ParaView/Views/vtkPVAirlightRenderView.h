@@ -22,6 +22,7 @@
 #define vtkPVAirlightRenderView_h
 
 #include "vtkAirlightParaViewViewsModule.h" // for export macro
+#include "vtkBoundingBox.h"                 // for the data's bounds
 #include "vtkNew.h"                         // for the pass
 #include "vtkPVRenderView.h"
 #include "vtkSmartPointer.h" // for the pass around it
@@ -184,7 +185,8 @@ private:
   void operator=(const vtkPVAirlightRenderView&) = delete;
 
   void SwitchCameraLights();
-  void MeasureScene();
+  void MeasureData();
+  void FollowData();
   void ChooseToneMapping();
   bool IsParallel();
   vtkTypeUInt64 UpdateSource(airlight::MediumSource& source);
@@ -204,7 +206,8 @@ private:
   std::unique_ptr<airlight::ViewLamp> Lamp;
   std::unique_ptr<airlight::MediumSource> SurfaceSource;
   std::unique_ptr<airlight::MediumSource> ImageSource;
-  bool Parallel = false; // the current frame
+  vtkBoundingBox DataBounds; // visible, of all ranks
+  bool Parallel = false;     // the current frame
   unsigned long StartTag = 0;
 };
 

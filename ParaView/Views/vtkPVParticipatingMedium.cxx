@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVParticipatingMedium.h"
 
+#include "AirlightSceneLengths.h"
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -69,6 +70,7 @@ void MakeCell(vtkImageData* image)
 
 //------------------------------------------------------------------------------
 vtkPVParticipatingMedium::vtkPVParticipatingMedium()
+  : Lengths(std::make_unique<airlight::SceneLengths>())
 {
   this->UpdateThickness();
   this->UpdatePhase();
@@ -103,13 +105,103 @@ void vtkPVParticipatingMedium::SetVisibilityDistance(double distance)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVParticipatingMedium::SetSceneSize(double diagonal)
+void vtkPVParticipatingMedium::SetSceneBounds(const double bounds[6])
 {
-  const double size = std::isfinite(diagonal) && diagonal > 0.0 ? diagonal : 0.0;
+  this->Lengths->Scene = vtkBoundingBox();
+  if (std::all_of(bounds, bounds + 6, [](double value) { return std::isfinite(value); }))
+  {
+    this->Lengths->Scene.SetBounds(bounds);
+  }
+  const double size =
+    this->Lengths->Scene.IsValid() ? this->Lengths->Scene.GetDiagonalLength() : 0.0;
   if (this->SceneSize != size)
   {
     this->SceneSize = size;
     this->UpdateThickness();
+  }
+  this->Lengths->Apply(this);
+}
+
+//------------------------------------------------------------------------------
+// The medium's own setters refuse invalid values, and say so.
+void vtkPVParticipatingMedium::SetRegionBounds(
+  double xmin, double xmax, double ymin, double ymax, double zmin, double zmax)
+{
+  const double bounds[6] = { xmin, xmax, ymin, ymax, zmin, zmax };
+  if (std::any_of(bounds, bounds + 6, [](double value) { return value != 0.0; }))
+  {
+    this->SetBounds(bounds);
+    if (!std::equal(bounds, bounds + 6, this->GetBounds()))
+    {
+      return;
+    }
+  }
+  std::copy(bounds, bounds + 6, this->Lengths->Bounds);
+  this->Lengths->Apply(this);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetRegionCenter(double x, double y, double z)
+{
+  const double center[3] = { x, y, z };
+  this->SetCenter(center);
+  if (std::equal(center, center + 3, this->GetCenter()))
+  {
+    std::copy(center, center + 3, this->Lengths->Center);
+    this->Lengths->Apply(this);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetRegionRadius(double radius)
+{
+  if (radius != 0.0)
+  {
+    this->SetRadius(radius);
+  }
+  if (radius == 0.0 || radius == this->GetRadius())
+  {
+    this->Lengths->Radius = radius;
+    this->Lengths->Apply(this);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetRegionHeight(double height)
+{
+  if (height != 0.0)
+  {
+    this->SetHeight(height);
+  }
+  if (height == 0.0 || height == this->GetHeight())
+  {
+    this->Lengths->Height = height;
+    this->Lengths->Apply(this);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetDensityScaleHeight(double height)
+{
+  if (height != 0.0)
+  {
+    this->SetScaleHeight(height);
+  }
+  if (height == 0.0 || height == this->GetScaleHeight())
+  {
+    this->Lengths->ScaleHeight = height;
+    this->Lengths->Apply(this);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetDensityReferenceHeight(double height)
+{
+  this->SetReferenceHeight(height);
+  if (height == this->GetReferenceHeight())
+  {
+    this->Lengths->ReferenceHeight = height;
+    this->Lengths->Apply(this);
   }
 }
 

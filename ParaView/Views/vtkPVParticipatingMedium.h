@@ -22,6 +22,13 @@
 #include "vtkNew.h"                         // for the phase function
 #include "vtkParticipatingMedium.h"
 
+#include <memory> // for the lengths
+
+namespace airlight
+{
+class SceneLengths;
+}
+
 class VTKAIRLIGHTPARAVIEWVIEWS_EXPORT vtkPVParticipatingMedium : public vtkParticipatingMedium
 {
 public:
@@ -46,7 +53,7 @@ public:
   ///@{
   /**
    * The meteorological range, see vtkParticipatingMedium::SetVisibility(), in world units. 0:
-   * automatic, see SetSceneSize(). Range: finite, at least 0. Default: 10.
+   * automatic, see SetSceneBounds(). Range: finite, at least 0. Default: 10.
    */
   void SetVisibilityDistance(double distance);
   vtkGetMacro(VisibilityDistance, double);
@@ -54,12 +61,40 @@ public:
 
   ///@{
   /**
-   * The diagonal of the visible data in the medium, world units. An automatic visibility is
-   * 13.7 times this, or 10 if the size is unknown (0, infinite or NaN): half of the light of the
-   * data's far end is left at the camera's first place. Default: 0.
+   * The bounds of the visible data in the medium, world units, which automatic lengths follow: an
+   * automatic visibility is 13.7 times their diagonal, or 10 if they are unknown (infinite, NaN,
+   * empty or a point): half of the light of the data's far end is left at the camera's first place.
+   * The size is that diagonal, 0 if it is unknown. Default: unknown.
    */
-  void SetSceneSize(double diagonal);
+  void SetSceneBounds(const double bounds[6]);
   vtkGetMacro(SceneSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Lengths of the region, world units. 0 is automatic: the box of six zeros is the scene's bounds
+   * and 5 % of their diagonal on each side; the sphere is that through the corners of the bounds and
+   * the cylinder that round them, with the scene's centre in place of the given one; the cylinder's
+   * height is how long the bounds are along its axis. In an unknown scene they are -1 to 1 along
+   * each axis, the radius 1 and the height 1. Ranges: those of vtkParticipatingMedium::SetBounds(),
+   * SetCenter(), SetRadius() and SetHeight(). Defaults: 0.
+   */
+  void SetRegionBounds(
+    double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
+  void SetRegionCenter(double x, double y, double z);
+  void SetRegionRadius(double radius);
+  void SetRegionHeight(double height);
+  ///@}
+
+  ///@{
+  /**
+   * Heights of the density, world units. The scale height 0 is automatic: half of how high the scene
+   * is along SetUp(), with the scene's lower end in place of the reference height; 1 in an unknown
+   * scene. Ranges: those of vtkParticipatingMedium::SetScaleHeight() and SetReferenceHeight().
+   * Defaults: 0.
+   */
+  void SetDensityScaleHeight(double height);
+  void SetDensityReferenceHeight(double height);
   ///@}
 
   ///@{
@@ -146,6 +181,7 @@ private:
   int Thickness = VISIBILITY;
   double VisibilityDistance = 10.0;
   double SceneSize = 0.0;
+  std::unique_ptr<airlight::SceneLengths> Lengths;
   double Color[3] = { 1.0, 1.0, 1.0 };
   double ScatteringCoefficient[3] = { 0.1, 0.1, 0.1 };
   double AbsorptionCoefficient[3] = { 0.0, 0.0, 0.0 };
