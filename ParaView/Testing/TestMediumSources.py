@@ -153,6 +153,9 @@ class MediumSources(unittest.TestCase):
         self.view.DensityArray = ["POINTS", "RTData"]
         dense = test.picture(self.view, "image-dense", TransparentBackground=1)[..., 3]
         self.assertEqual(dense[75, 100], 255)
+        # Without a choice the active scalars, which are those of the Calculator.
+        self.view.DensityArray = [None, ""]
+        self.check_opacity(SCATTERING / 4 * (leave - enter) * (middle + 3), "image-scalars")
         self.view.Scattering = [SCATTERING] * 3
 
     def test_time(self):

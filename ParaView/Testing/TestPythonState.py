@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python state of the view: run again, it gives the same picture."""
 
+import re
 import sys
 import unittest
 
@@ -68,6 +69,34 @@ class PythonState(unittest.TestCase):
         simple.Render(view)
         before = test.picture(view, "before-python-state")
         self.check(smstate.get_state(), before, "python-state")
+
+    def test_surface_of_a_source(self):
+        self.check_sources("surface", Scattering=[0.5] * 3, Region="Surface")
+
+    def test_image_of_a_source(self):
+        self.check_sources("image", Scattering=[0.003] * 3, Density="Image")
+
+    def check_sources(self, name, **properties):
+        """Sources of the medium, which the script makes after the view that names them: with the
+        lines at its end that the documentation tells to move there."""
+        view = self.make_scene()
+        view.RegionSurface = simple.Box(XLength=2, YLength=1.2, ZLength=1.5)
+        view.DensityImage = simple.Wavelet(WholeExtent=[-2, 2, -2, 2, -1, 1])
+        view.DensityArray = ["POINTS", "RTData"]
+        view.Thickness = "Coefficients"
+        for key, value in properties.items():
+            setattr(view, key, value)
+        before = test.picture(view, f"before-python-{name}")
+        lines = smstate.get_state().splitlines()
+        late = [line for line in lines if re.search(
+            r"= (FindSource|GetActiveSource)\(|\.(RegionSurface|DensityImage) = ", line)]
+        self.assertEqual(len(late), 4, late)
+        del view  # ParaView crashes if the former window ends after the new one's beginning
+        script = "\n".join([line for line in lines if line not in late] + late)
+        _, after = self.draw_again(script, f"python-{name}")
+        print(f"{name}: largest difference {np.abs(after - before).max()}")
+        self.assertGreater(before.std(), 10)
+        self.assertLessEqual(np.abs(after - before).max(), 1)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The lengths of a medium's region and density, each of which follows the bounds of a scene while it
- * is 0.
+ * The lengths of a medium's region and density, each of which follows the bounds of a scene while
+ * it is 0.
  */
 
 #ifndef AirlightSceneLengths_h

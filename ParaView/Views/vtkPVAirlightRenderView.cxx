@@ -325,7 +325,8 @@ void vtkPVAirlightRenderView::UpdateSources(vtkPVParticipatingMedium* medium)
     const vtkTypeUInt64 state = this->UpdateSource(*this->ImageSource);
     if (state != Source::UNCHANGED)
     {
-      medium->FollowDensityImage(state == Source::CHANGED ? this->ImageSource->GetImage() : nullptr);
+      medium->FollowDensityImage(
+        state == Source::CHANGED ? this->ImageSource->GetImage() : nullptr);
     }
   }
   // A window draws before a user has come to the list of sources: that is no error.
@@ -366,8 +367,8 @@ void vtkPVAirlightRenderView::SwitchCameraLights()
 }
 
 //------------------------------------------------------------------------------
-// ParaView's own bounds also have those of props, which are still the former ones at this time: data
-// that shrink would not count before the next update.
+// ParaView's own bounds also have those of props, which are still the former ones at this time:
+// data that shrink would not count before the next update.
 void vtkPVAirlightRenderView::MeasureData()
 {
   vtkBoundingBox own;

@@ -73,11 +73,11 @@ public:
   ///@{
   /**
    * Lengths of the region, world units. 0 is automatic: the box of six zeros is the scene's bounds
-   * and 5 % of their diagonal on each side; the sphere is that through the corners of the bounds and
-   * the cylinder that round them, with the scene's centre in place of the given one; the cylinder's
-   * height is how long the bounds are along its axis. In an unknown scene they are -1 to 1 along
-   * each axis, the radius 1 and the height 1. Ranges: those of vtkParticipatingMedium::SetBounds(),
-   * SetCenter(), SetRadius() and SetHeight(). Defaults: 0.
+   * and 5 % of their diagonal on each side; the sphere is that through the corners of the bounds
+   * and the cylinder that round them, with the scene's centre in place of the given one; the
+   * cylinder's height is how long the bounds are along its axis. In an unknown scene they are -1 to
+   * 1 along each axis, the radius 1 and the height 1. Ranges: those of SetBounds(), SetCenter(),
+   * SetRadius() and SetHeight() of vtkParticipatingMedium. Defaults: 0.
    */
   void SetRegionBounds(
     double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
@@ -88,10 +88,10 @@ public:
 
   ///@{
   /**
-   * Heights of the density, world units. The scale height 0 is automatic: half of how high the scene
-   * is along SetUp(), with the scene's lower end in place of the reference height; 1 in an unknown
-   * scene. Ranges: those of vtkParticipatingMedium::SetScaleHeight() and SetReferenceHeight().
-   * Defaults: 0.
+   * Heights of the density, world units. The scale height 0 is automatic: half of how high the
+   * scene is along SetUp(), with the scene's lower end in place of the reference height; 1 in an
+   * unknown scene. Ranges: those of SetScaleHeight() and SetReferenceHeight() of
+   * vtkParticipatingMedium. Defaults: 0.
    */
   void SetDensityScaleHeight(double height);
   void SetDensityReferenceHeight(double height);
