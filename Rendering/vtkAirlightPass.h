@@ -562,7 +562,7 @@ public:
    *   forms) or 1e-3 (quadrature) of the ray's airlight without shadows; and 1e-4 of the ambient
    *   part, or of light that is scattered more than once
    *   vtkParticipatingMedium::GetMultipleScatteringErrorBound() and 1e-2, in an unbounded medium
-   *   (boundaries and casters add what no bound covers). With density images, the 1e-3 grow by the
+   *   (not of boundaries, height fog and casters). With density images, the 1e-3 grow by the
    *   largest error of the light's grid in optical depth at 500 positions between its points,
    *   measured when the grid is computed. Not included are rays within rounding of a shadow edge,
    *   some 1e-6 of its distance, and the errors of SHADOW_MAP and RAY_MARCH;
