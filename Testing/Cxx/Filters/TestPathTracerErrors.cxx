@@ -156,6 +156,7 @@ struct Watch
 {
   PathScene* Scene;
   double Last = 0.0;
+  double LastBeforeEnd = 0.0; // below 1
   double AbortAt = 2.0;
   bool Ascends = true;
   int Pictures = 0; // so far that differ from the one before
@@ -168,6 +169,7 @@ void Observe(vtkObject* caller, unsigned long, void* data, void* progress)
   const double now = *static_cast<double*>(progress);
   watch->Ascends = watch->Ascends && now >= watch->Last;
   watch->Last = now;
+  watch->LastBeforeEnd = now < 1.0 ? now : watch->LastBeforeEnd;
   auto* reference = vtkAirlightReference::SafeDownCast(caller);
   auto* image = vtkImageData::SafeDownCast(reference->GetOutputDataObject(0));
   vtkDataArray* radiance = image->GetPointData()->GetArray("Radiance");
@@ -201,7 +203,9 @@ void CheckProgress()
   watch = Watch();
   watch.AbortAt = 0.5;
   scene.Compute(30);
-  Check(watch.Last >= 0.5 && watch.Last < 0.8, Text("it stops soon: ", watch.Last));
+  // Newer versions of VTK say 1 after an abort, too.
+  Check(watch.LastBeforeEnd >= 0.5 && watch.LastBeforeEnd < 0.8,
+    Text("it stops soon: ", watch.LastBeforeEnd));
   Check(scene.Reference->GetOutput()->GetNumberOfPoints() == 0, "no picture after an abort");
   scene.Reference->SetAbortExecute(0);
   watch = Watch();
