@@ -149,7 +149,7 @@ class MediumSources(unittest.TestCase):
                                   np.array([2, 2, 1]))
         middle = EYE[0] + 0.5 * (enter + leave) * rays[..., 0]
         self.check_opacity(SCATTERING / 4 * (leave - enter) * (middle + 3), "image")
-        # The other array, which is nowhere below 37.
+        # The other array, whose values are at least 37.
         self.view.DensityArray = ["POINTS", "RTData"]
         dense = test.picture(self.view, "image-dense", TransparentBackground=1)[..., 3]
         self.assertEqual(dense[75, 100], 255)

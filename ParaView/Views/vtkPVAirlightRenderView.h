@@ -99,7 +99,7 @@ public:
    * polygons or the outer surface of other data, and the image of its density IMAGE. Update()
    * brings them up to date and gives all processes all of them. Where the data are none of that, as
    * an open surface, the medium is ignored with an error when it is drawn. Without a source that it
-   * needs, it is nowhere. Default: none.
+   * needs, there is no medium. Default: none.
    */
   void SetRegionSurfaceConnection(vtkAlgorithmOutput* connection);
   void SetDensityImageConnection(vtkAlgorithmOutput* connection);

@@ -153,45 +153,40 @@ void vtkPVParticipatingMedium::SetRegionCenter(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVParticipatingMedium::SetRegionRadius(double radius)
+// 0 is automatic: the medium's own setter does not see it.
+void vtkPVParticipatingMedium::TakeLength(double value, double& length,
+  void (vtkParticipatingMedium::*set)(double), double (vtkParticipatingMedium::*get)())
 {
-  if (radius != 0.0)
+  if (value != 0.0)
   {
-    this->SetRadius(radius);
+    (this->*set)(value);
   }
-  if (radius == 0.0 || radius == this->GetRadius())
+  if (value == 0.0 || value == (this->*get)())
   {
-    this->Lengths->Radius = radius;
+    length = value;
     this->Lengths->Apply(this);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetRegionRadius(double radius)
+{
+  this->TakeLength(radius, this->Lengths->Radius, &vtkParticipatingMedium::SetRadius,
+    &vtkParticipatingMedium::GetRadius);
 }
 
 //------------------------------------------------------------------------------
 void vtkPVParticipatingMedium::SetRegionHeight(double height)
 {
-  if (height != 0.0)
-  {
-    this->SetHeight(height);
-  }
-  if (height == 0.0 || height == this->GetHeight())
-  {
-    this->Lengths->Height = height;
-    this->Lengths->Apply(this);
-  }
+  this->TakeLength(height, this->Lengths->Height, &vtkParticipatingMedium::SetHeight,
+    &vtkParticipatingMedium::GetHeight);
 }
 
 //------------------------------------------------------------------------------
 void vtkPVParticipatingMedium::SetDensityScaleHeight(double height)
 {
-  if (height != 0.0)
-  {
-    this->SetScaleHeight(height);
-  }
-  if (height == 0.0 || height == this->GetScaleHeight())
-  {
-    this->Lengths->ScaleHeight = height;
-    this->Lengths->Apply(this);
-  }
+  this->TakeLength(height, this->Lengths->ScaleHeight, &vtkParticipatingMedium::SetScaleHeight,
+    &vtkParticipatingMedium::GetScaleHeight);
 }
 
 //------------------------------------------------------------------------------

@@ -173,6 +173,8 @@ private:
   void operator=(const vtkPVParticipatingMedium&) = delete;
 
   bool SetRange(const char* name, const double values[3], double most, double target[3]);
+  void TakeLength(double value, double& length, void (vtkParticipatingMedium::*set)(double),
+    double (vtkParticipatingMedium::*get)());
   double GetEffectiveVisibility();
   void UpdateThickness();
   void UpdateAmbient();
