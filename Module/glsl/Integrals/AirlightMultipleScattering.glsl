@@ -80,25 +80,14 @@ AIRLIGHT_FN AirlightMultipleSpectrum airlightRegionFactor(
   return factor;
 }
 
-// A point as seen from a lamp.
-struct AirlightFromLamp
-{
-  real r;      // their distance, at least the lamp's own
-  real column; // the integral of density between them
-};
-
-AIRLIGHT_FN AirlightFromLamp airlightFromLamp(
+// The integral of density between a lamp and a point r away, which is at least the lamp's own
+// distance.
+AIRLIGHT_FN real airlightLampColumn(
   AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 lamp, real r)
 {
-  AirlightFromLamp result;
-  result.r = r;
-  result.column = r;
-  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_HEIGHT)
-  {
-    result.column =
-      min(airlightInsideDepth(medium, lamp, (point - lamp) / r, real(0.0), r), real(AIRLIGHT_FAR));
-  }
-  return result;
+  return AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_HEIGHT
+    ? min(airlightInsideDepth(medium, lamp, (point - lamp) / r, real(0.0), r), real(AIRLIGHT_FAR))
+    : r;
 }
 
 // Of fog that falls with height: the lamp's image behind a face that is, in optical lengths, as far
@@ -161,15 +150,15 @@ AIRLIGHT_FN void airlightAddMultiple(AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMe
   real mu = (e.y - e.x) / (e.x + e.y);
   real depth = max(foot + x - start, real(0.0));
   real3 point = origin + (foot + x) * direction;
-  AirlightFromLamp from = airlightFromLamp(medium, point, real3(lamp), r);
+  real column = airlightLampColumn(medium, point, real3(lamp), r);
   AirlightMultipleSpectrum sigmaT = AIRLIGHT_MULTIPLE_SPECTRUM(medium.sigmaT);
-  AirlightMultipleSpectrum optical = sigmaT * from.column;
+  AirlightMultipleSpectrum optical = sigmaT * column;
   real mean = real(1.0);
   if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_HEIGHT)
   {
     depth = airlightInsideDepth(medium, origin, direction, start, max(foot + x, start));
     weight *= airlightDensity(medium, point);
-    mean = from.column / r;
+    mean = column / r;
   }
   AirlightMultipleSpectrum logarithm = airlightSourceLogarithm(AIRLIGHT_MULTIPLE_OUT
     airlightSourceX(optical), airlightSourceY(airlightMultiple.lobe, mu));
@@ -179,7 +168,7 @@ AIRLIGHT_FN void airlightAddMultiple(AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMe
     ? airlightFogFactor(AIRLIGHT_MULTIPLE_OUT medium, point, real3(lamp), optical)
     : airlightRegionFactor(AIRLIGHT_MULTIPLE_OUT medium, point, real3(lamp), r);
   several += weight * mean * source;
-  once += weight * airlightPhase(medium.phase, mu) / r * exp(-sigmaT * (depth + from.column));
+  once += weight * airlightPhase(medium.phase, mu) / r * exp(-sigmaT * (depth + column));
 }
 
 AIRLIGHT_FN AirlightMultipleRay airlightMultipleUpTo(
@@ -345,9 +334,9 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
   {
     real3 away = point - real3(airlightMultiple.lamp[i]);
     real r = max(length(away), airlightMultiple.lamp[i].w);
-    AirlightFromLamp from =
-      airlightFromLamp(media.item[0], point, real3(airlightMultiple.lamp[i]), r);
-    AirlightMultipleSpectrum optical = sigmaT * from.column;
+    real column =
+      airlightLampColumn(media.item[0], point, real3(airlightMultiple.lamp[i]), r);
+    AirlightMultipleSpectrum optical = sigmaT * column;
     AirlightMultipleSpectrum x = airlightSourceX(optical);
     AirlightMultipleSpectrum fall = AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.kappa) * optical;
     AirlightMultipleSpectrum fluence =
@@ -366,7 +355,7 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
     AirlightMultipleSpectrum area = sigmaT / r;
     if (AIRLIGHT_DENSITY_KIND(media.item[0]) == AIRLIGHT_DENSITY_HEIGHT)
     {
-      area *= from.column / r * airlightFogFactor(AIRLIGHT_MULTIPLE_OUT media.item[0], point,
+      area *= column / r * airlightFogFactor(AIRLIGHT_MULTIPLE_OUT media.item[0], point,
         real3(airlightMultiple.lamp[i]), optical);
     }
     sum += real3(airlightMultiple.power[i]) *
