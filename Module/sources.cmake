@@ -35,6 +35,7 @@ airlight_sources(
     glsl/Integrals/AirlightEquiangularPanel.glsl
     glsl/Integrals/AirlightGoniometricArc.glsl
     glsl/Integrals/AirlightHalfAngle.glsl
+    glsl/Integrals/AirlightHeightFogLamp.glsl
     glsl/Light/AirlightGoniometric.glsl
     glsl/Light/AirlightLight.glsl
     glsl/Light/AirlightPointLight.glsl

@@ -76,5 +76,6 @@
 #include "Integrals/AirlightEquiangularPanel.glsl"
 #include "Integrals/AirlightGoniometricArc.glsl"
 #include "Integrals/AirlightHalfAngle.glsl"
+#include "Integrals/AirlightHeightFogLamp.glsl"
 #include "Integrals/AirlightIrradianceRay.glsl"
 #include "Integrals/AirlightScatteredIrradiance.glsl"

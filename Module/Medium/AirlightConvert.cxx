@@ -92,6 +92,13 @@ f64::AirlightMedium ConvertMedium(
   return result;
 }
 
+// A light that falls off by the inverse square, the same all over its cone.
+bool IsInverseSquare(const f64::AirlightLight& light)
+{
+  return light.attenuation.x == 0.0 && light.attenuation.y == 0.0 &&
+    (light.cosCone < 0.0 || light.exponent == 0.0);
+}
+
 int PointKind(const f64::AirlightMedia& media, const f64::AirlightLight& light)
 {
   return media.volumes == 0 && HasUniformPaths(media, light) && HasClosedForm(media.item[0].phase)
@@ -132,15 +139,6 @@ bool AddEvenLamp(
   ++multiple.count;
   RemoveAmbient(media.item[0]); // which stands for the same light
   return true;
-}
-
-// Whether a lamp falls off by the inverse square in fog that falls with height.
-bool IsInFog(const f64::AirlightMedia& media, const f64::AirlightLight& light)
-{
-  const f64::AirlightMedium& medium = media.item[0];
-  return medium.density == AIRLIGHT_DENSITY_HEIGHT &&
-    medium.region.kind == AIRLIGHT_REGION_UNBOUNDED && light.attenuation.x == 0.0 &&
-    light.attenuation.y == 0.0;
 }
 
 glm::dvec4 GetLampPower(const f64::AirlightLight& light)
@@ -213,7 +211,7 @@ bool AddMultipleLamp(f64::AirlightMedia& media, const f64::AirlightLight& light)
     return AddMultipleSun(media, light);
   }
   if (light.cosCone < 0.0 && light.goniometric == 0 &&
-    (HasUniformPaths(media, light) || IsInFog(media, light)))
+    (HasUniformPaths(media, light) || IsInHeightFog(media, light)))
   {
     return AddEvenLamp(media, light.position, light.radius, GetLampPower(light));
   }
@@ -376,7 +374,7 @@ LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
   }
   result.position = position - origin;
   result.kind = PointKind(media, result);
-  if (HasUniformPaths(media, result))
+  if (IsInverseSquare(result))
   {
     result.intensity /= result.attenuation.z;
     result.attenuation.z = 1.0;
@@ -388,10 +386,16 @@ LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
 bool HasUniformPaths(const f64::AirlightMedia& media, const f64::AirlightLight& light)
 {
   const f64::AirlightMedium& first = media.item[0];
-  const bool inverseSquare = light.attenuation.x == 0.0 && light.attenuation.y == 0.0;
-  const bool evenCone = light.cosCone < 0.0 || light.exponent == 0.0;
   return media.count == 1 && first.density == AIRLIGHT_DENSITY_UNIFORM &&
     first.region.kind != AIRLIGHT_REGION_SURFACE &&
-    f64::airlightHolds(first.region, light.position) && inverseSquare && evenCone;
+    f64::airlightHolds(first.region, light.position) && IsInverseSquare(light);
+}
+
+//------------------------------------------------------------------------------
+bool IsInHeightFog(const f64::AirlightMedia& media, const f64::AirlightLight& light)
+{
+  const f64::AirlightMedium& first = media.item[0];
+  return media.count == 1 && first.density == AIRLIGHT_DENSITY_HEIGHT &&
+    first.region.kind == AIRLIGHT_REGION_UNBOUNDED && IsInverseSquare(light);
 }
 }

@@ -85,6 +85,11 @@ f64::AirlightLight ConvertPointLight(const f64::AirlightMedia& media, const glm:
 VTKAIRLIGHT_EXPORT bool HasUniformPaths(
   const f64::AirlightMedia& media, const f64::AirlightLight& light);
 
+// Whether a light falls off by the inverse square, the same all over its cone, in one unbounded
+// medium whose density falls with height.
+VTKAIRLIGHT_EXPORT bool IsInHeightFog(
+  const f64::AirlightMedia& media, const f64::AirlightLight& light);
+
 // Any vtkLight, relative to `origin`. The light's radius is left for the caller to set.
 VTKAIRLIGHT_EXPORT LightSupport ConvertLight(const f64::AirlightMedia& media, vtkLight* light,
   const glm::dvec3& origin, f64::AirlightLight& result);

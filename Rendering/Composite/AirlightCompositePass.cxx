@@ -50,7 +50,7 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     Define("AIRLIGHT_ENCODED_INPUT", options.EncodedInput) +
     Define("AIRLIGHT_PARALLEL", scene.Rays.IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
     GetScatteringSource(scene.Media, kind, false) + AirlightCameraShader + AirlightLightPixel +
-    (equiangular ? GetEquiangularSource() : "uniform AirlightMedia media;\n") +
+    (equiangular ? GetEquiangularSource(scene) : "uniform AirlightMedia media;\n") +
     (options.Unshadowed ? GetUnshadowedSource(scene, lights) : "") +
     (options.ShadowingLight >= 0 ? AirlightShadowingLight : "") + AirlightDecode +
     GetSunSource(options.Suns) + (intoTextures ? "" : options.Display.GetSource()) +

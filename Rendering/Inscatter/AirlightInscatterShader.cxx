@@ -7,12 +7,14 @@
 #include "AirlightEquiangularFS.h"
 #include "AirlightEquiangularPixel.h"
 #include "AirlightEquiangularRay.h"
-#include "AirlightGoniometricPixel.h"
+#include "AirlightGoniometricSteps.h"
+#include "AirlightHeightFogSteps.h"
 #include "AirlightLightPixel.h"
 #include "AirlightResolveFS.h"
 #include "AirlightResolveOutputs.h"
 #include "AirlightResolveTranslucent.h"
 #include "AirlightShadowCounts.h"
+#include "AirlightSteppedRay.h"
 #include "AirlightTransmittanceBuffer.h"
 #include "AirlightUnshadowedFS.h"
 #include "Inscatter/AirlightLightShadows.h"
@@ -93,16 +95,26 @@ std::string InscatterShader::GetHead(bool storage, int kind) const
 }
 
 //------------------------------------------------------------------------------
+std::string InscatterShader::GetEquiangularRaySource() const
+{
+  if (IsHeightFog(this->Scene))
+  {
+    return std::string(AirlightHeightFogSteps) + AirlightSteppedRay;
+  }
+  return this->Scene.Lights[this->Light].Values.goniometric != 0
+    ? std::string(AirlightGoniometricSteps) + AirlightSteppedRay
+    : AirlightEquiangularRay;
+}
+
+//------------------------------------------------------------------------------
 std::string InscatterShader::GetEquiangularSource(const InscatterDraw& draw) const
 {
   // AirlightConstants.glsl sets a part of the light.
   return this->GetHead(this->Shadow.UsesStorage(), AIRLIGHT_POINT_CLOSED) +
-    "uniform AirlightLight givenLight;\nAirlightLight light;\n" + airlight::GetEquiangularSource() +
-    AirlightShadowCounts + AirlightBoundaryReader + this->Shadow.GetBoundarySource(draw, true) +
-    AirlightEquiangularPixel +
-    (this->Scene.Lights[this->Light].Values.goniometric != 0 ? AirlightGoniometricPixel
-                                                             : AirlightEquiangularRay) +
-    AirlightResolveOutputs + AirlightEquiangularFS;
+    "uniform AirlightLight givenLight;\nAirlightLight light;\n" +
+    airlight::GetEquiangularSource(this->Scene) + AirlightShadowCounts + AirlightBoundaryReader +
+    this->Shadow.GetBoundarySource(draw, true) + AirlightEquiangularPixel +
+    this->GetEquiangularRaySource() + AirlightResolveOutputs + AirlightEquiangularFS;
 }
 
 //------------------------------------------------------------------------------
@@ -135,8 +147,8 @@ double InscatterShader::GetIntegralError() const
         medium.region.kind != AIRLIGHT_REGION_UNBOUNDED;
     });
   // Where a photometric table is dim, rounding counts more: it is as of a lamp that is even.
-  const bool quadrature =
-    IsQuadrature(light.Values) && (!this->Equiangular || light.Values.goniometric != 0);
+  const bool quadrature = IsQuadrature(light.Values) &&
+    (!this->Equiangular || light.Values.goniometric != 0 || IsHeightFog(this->Scene));
   const double integral = cut ? CutImageError : (quadrature ? QuadratureError : ClosedFormError);
   return light.GridError + integral +
     (this->Shadows.TransmitsLight() ? this->Shadow.GetThicknessError() : 0.0);
@@ -189,8 +201,9 @@ std::string InscatterShader::GetUnshadowedSource(
   const bool cones = std::any_of(
     lights.begin(), lights.end(), [&](int k) { return scene.Lights[k].Values.cosCone > 0.0; });
   return GetShaderVersion(false) + "#define AIRLIGHT_EQUIANGULAR 1\n" +
-    GetRaySource(scene, AIRLIGHT_POINT_CLOSED, false, cones) + airlight::GetEquiangularSource() +
-    airlight::GetUnshadowedSource(scene, lights) + AirlightResolveOutputs + AirlightUnshadowedFS;
+    GetRaySource(scene, AIRLIGHT_POINT_CLOSED, false, cones) +
+    airlight::GetEquiangularSource(scene) + airlight::GetUnshadowedSource(scene, lights) +
+    AirlightResolveOutputs + AirlightUnshadowedFS;
 }
 
 //------------------------------------------------------------------------------

@@ -68,6 +68,7 @@ public:
 private:
   std::string GetHead(bool storage, int kind) const;
   std::string GetEquiangularSource(const InscatterDraw& draw) const;
+  std::string GetEquiangularRaySource() const;
   void SetLight(vtkShaderProgram* program, bool equiangular) const;
   double GetIntegralError() const;
 

@@ -23,4 +23,6 @@ airlight_sources(
     glsl/AirlightEquiangularFS.glsl
     glsl/AirlightEquiangularPixel.glsl
     glsl/AirlightEquiangularRay.glsl
-    glsl/AirlightGoniometricPixel.glsl)
+    glsl/AirlightGoniometricSteps.glsl
+    glsl/AirlightHeightFogSteps.glsl
+    glsl/AirlightSteppedRay.glsl)

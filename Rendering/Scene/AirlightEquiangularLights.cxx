@@ -7,6 +7,7 @@
 #include "AirlightEquiangularPanel.h"
 #include "AirlightGoniometricArc.h"
 #include "AirlightHalfAngle.h"
+#include "AirlightHeightFogLamp.h"
 #include "Medium/AirlightConvert.h"
 #include "Phase/AirlightPhaseFit.h"
 
@@ -36,12 +37,19 @@ bool IsEquiangular(const FrameScene& scene, int light)
   {
     return phase.rows == 0;
   }
-  // A power or a photometric table, of which there is no closed form.
-  const bool quadrature = phase.power.x > 0.0 || values.goniometric != 0;
+  // A power, a photometric table or fog, of which there is no closed form.
+  const bool uniform = (phase.power.x > 0.0 || values.goniometric != 0) &&
+    HasUniformPaths(scene.Media, values) && (values.goniometric == 0 || IsApartFromRays(values));
+  const bool fog = values.goniometric == 0 && IsInHeightFog(scene.Media, values);
   phase.power.x = 0.0;
-  return quadrature && scene.Media.volumes == 0 && HasClosedForm(phase) &&
-    values.kind == AIRLIGHT_POINT_QUADRATURE && HasUniformPaths(scene.Media, values) &&
-    (values.goniometric == 0 || IsApartFromRays(values));
+  return (uniform || fog) && scene.Media.volumes == 0 && HasClosedForm(phase) &&
+    values.kind == AIRLIGHT_POINT_QUADRATURE;
+}
+
+//------------------------------------------------------------------------------
+bool IsHeightFog(const FrameScene& scene)
+{
+  return scene.Media.item[0].density == AIRLIGHT_DENSITY_HEIGHT;
 }
 
 //------------------------------------------------------------------------------
@@ -53,10 +61,13 @@ bool AreEquiangular(const FrameScene& scene, const std::vector<int>& lights)
 
 //------------------------------------------------------------------------------
 // AirlightConstants.glsl sets a part of the medium.
-std::string GetEquiangularSource()
+std::string GetEquiangularSource(const FrameScene& scene)
 {
   return std::string("uniform AirlightMedia givenMedia;\nAirlightMedia media;\n") +
-    AirlightEquiangular + AirlightEquiangularPanel + AirlightGoniometricArc + AirlightHalfAngle +
+    AirlightEquiangular +
+    (IsHeightFog(scene)
+        ? std::string("#define AIRLIGHT_HEIGHT_FOG 1\n") + AirlightHeightFogLamp
+        : std::string(AirlightEquiangularPanel) + AirlightGoniometricArc + AirlightHalfAngle) +
     AirlightConstants;
 }
 

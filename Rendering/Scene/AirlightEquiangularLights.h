@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Point lights in one uniform medium whose airlight is integrated by equiangular quadrature: the
- * shaders' text, and the numbers of lights and medium that are the same for all pixels.
+ * Point lights in one medium, uniform or fog that falls with height, whose airlight is integrated
+ * by equiangular or by Gaussian quadrature in one loop: the shaders' text, and the numbers of
+ * lights and medium that are the same for all pixels.
  */
 
 #ifndef AirlightEquiangularLights_h
@@ -18,12 +19,16 @@ class vtkShaderProgram;
 namespace airlight
 {
 // Whether a light has the closed form, or would have it but for a power in the medium's phase
-// function, and an integrand that is as smooth as its poles and that power make it.
+// function, a photometric table or density that falls with height, and an integrand that is as
+// smooth as these make it.
 bool IsEquiangular(const FrameScene& scene, int light);
 bool AreEquiangular(const FrameScene& scene, const std::vector<int>& lights);
 
 // The quadrature and what it takes, with the medium as a global variable.
-std::string GetEquiangularSource();
+std::string GetEquiangularSource(const FrameScene& scene);
+
+// Whether all of a frame's lights that are equiangular are in fog that falls with height.
+bool IsHeightFog(const FrameScene& scene);
 
 // As glsl/AirlightConstants.glsl takes them.
 void SetEquiangularConstants(

@@ -66,6 +66,12 @@ const Pair Pairs[] = {
       SetBox(scene, 5.0);
     },
     [](FrameScene& scene) { SetHeightFog(scene); } },
+  { "lamp-in-height-fog",
+    [](FrameScene& scene) {
+      scene.Medium->SetDensityToExponentialHeight();
+      scene.Medium->SetScaleHeight(3.0);
+    },
+    [](FrameScene&) {} },
   { "photometry", [](FrameScene& scene) { SetPhotometry(scene); }, [](FrameScene&) {} },
 };
 }

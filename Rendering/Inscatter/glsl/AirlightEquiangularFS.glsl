@@ -16,7 +16,9 @@ void main()
 #if AIRLIGHT_MULTIPLE_LAMP >= 0
   AirlightMultipleRay multiple = airlightMultipleAlong(
     media, AIRLIGHT_MULTIPLE_LAMP, airlightOrigin(p), pixel.direction, pixel.end);
-  multiple.once = pixel.whole; // closer than its nodes
+#if AIRLIGHT_MULTIPLE_OF_WHOLE
+  multiple.once = pixel.whole;
+#endif
   more = airlightMultipleShaded(multiple, pixel.sum, true);
 #endif
   airlightGive(pixel.sum + more, pixel.surfaceLit);

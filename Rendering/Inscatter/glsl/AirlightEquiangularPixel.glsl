@@ -1,9 +1,23 @@
 // A point light's airlight before a pixel by AirlightEquiangular.glsl.
 
+// Whether multiple scattering takes what would be scattered without shadows from the ray, which is
+// closer than its nodes. In fog that falls with height these are off for both alike, and are taken.
+#if AIRLIGHT_MULTIPLE_LAMP >= 0 && !defined(AIRLIGHT_HEIGHT_FOG)
+#define AIRLIGHT_MULTIPLE_OF_WHOLE 1
+#else
+#define AIRLIGHT_MULTIPLE_OF_WHOLE 0
+#endif
+// Whether it is asked for.
+#if defined(AIRLIGHT_RECORD) || AIRLIGHT_MULTIPLE_OF_WHOLE
+#define AIRLIGHT_WHOLE 1
+#else
+#define AIRLIGHT_WHOLE 0
+#endif
+
 struct AirlightEquiangularPixel
 {
   vec3 sum;   // what is lit, as radiance
-  vec3 whole; // what would be without shadows; where that is recorded or scattered more than once
+  vec3 whole; // what would be without shadows, if AIRLIGHT_WHOLE
   vec3 direction; // of the ray
   float end;      // where the ray ends
   float litLength;

@@ -47,7 +47,7 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
     sum += airlightEquiangularRest(media.item[0], arc, done);
   }
   pixel.litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
-#if defined(AIRLIGHT_RECORD) || AIRLIGHT_MULTIPLE_LAMP >= 0
+#if AIRLIGHT_WHOLE
   AirlightSpectrum all = airlightEquiangular(media.item[0], ray, ray.lit.x, ray.lit.y);
 #else
   AirlightSpectrum all = AirlightSpectrum(0.0);

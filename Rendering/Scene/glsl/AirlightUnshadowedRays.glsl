@@ -12,8 +12,12 @@ vec3 airlightUnshadowedRay(int k, vec2 p, vec3 origin, vec3 direction, float uni
   airlightTakeLight(k, light);
   AirlightRay ray = airlightRayBeside(media, light, origin, direction, end,
     airlightOwnMoment(k, p, unit, light, origin, direction));
-  return airlightEquiangularLight(
-    light, ray, airlightEquiangular(media.item[0], ray, ray.lit.x, ray.lit.y));
+#ifdef AIRLIGHT_HEIGHT_FOG
+  AirlightSpectrum sum = airlightHeightFogRay(media.item[0], light, ray, ray.lit.x, ray.lit.y);
+#else
+  AirlightSpectrum sum = airlightEquiangular(media.item[0], ray, ray.lit.x, ray.lit.y);
+#endif
+  return airlightEquiangularLight(light, ray, sum);
 }
 
 #else

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A lamp in fog that falls with height by AirlightHeightFogLamp.glsl, as the shaders' text compiled
+// in double and in single precision, against adaptive quadrature of the integrand as physics states
+// it. Whole rays, and sums over parts that end anywhere, as at shadows.
+
+#include "AirlightTestPhase.h"
+#include "AirlightTestQuadrature.h"
+#include "AirlightTestTools.h"
+
+#include "Integration/AirlightMath.h"
+#include "vtkNew.h"
+#include "vtkParticipatingMedium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+using namespace airlight;
+using namespace airlight_test;
+
+namespace
+{
+struct Setting
+{
+  glm::dvec3 SigmaT;
+  glm::dvec3 Up;
+  double ScaleHeight;
+  double OriginHeight; // of the ray's origin above the height of density 1
+  glm::dvec3 Lamp;
+  glm::dvec3 Direction;
+  double Length;
+  double Cut; // a share of the length
+
+  std::string Describe() const
+  {
+    return Text("sigmaT ", this->SigmaT.x, " ", this->SigmaT.y, " ", this->SigmaT.z,
+      ", scale height ", this->ScaleHeight, ", eye ", this->OriginHeight, ", lamp (", this->Lamp.x,
+      ", ", this->Lamp.y, ", ", this->Lamp.z, "), direction (", this->Direction.x, ", ",
+      this->Direction.y, ", ", this->Direction.z, "), up (", this->Up.x, ", ", this->Up.y, ", ",
+      this->Up.z, "), length ", this->Length, ", cut ", this->Cut);
+  }
+};
+
+// What single precision makes of it; volatile as in TestClosedForm.
+double Rounded(double v)
+{
+  const volatile float rounded = static_cast<float>(v);
+  return rounded;
+}
+
+glm::dvec3 Rounded(const glm::dvec3& v) { return { Rounded(v.x), Rounded(v.y), Rounded(v.z) }; }
+
+glm::dvec3 RandomDirection(Random& random)
+{
+  const double z = random.Uniform(-1.0, 1.0);
+  const double angle = random.Uniform(0.0, 2.0 * Pi);
+  const double r = std::sqrt(1.0 - z * z);
+  return { r * std::cos(angle), r * std::sin(angle), z };
+}
+
+Setting RandomSetting(Random& random)
+{
+  Setting s;
+  const double sigmaT = random.LogUniform(3e-3, 3.0);
+  const bool grey = random.Index(2) == 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    s.SigmaT[k] = Rounded(grey || k == 0 ? sigmaT : sigmaT * random.LogUniform(0.03, 30.0));
+  }
+  s.Up = Rounded(RandomDirection(random));
+  s.ScaleHeight = Rounded(random.LogUniform(0.3, 30.0));
+  s.OriginHeight = Rounded(s.ScaleHeight * random.Uniform(-2.0, 8.0));
+  s.Direction = Rounded(random.Index(5) == 0
+      ? glm::normalize(glm::cross(s.Up, RandomDirection(random))) // level
+      : RandomDirection(random));
+  s.Lamp = Rounded(random.Uniform(-5.0, 30.0) * s.Direction +
+    random.LogUniform(0.03, 10.0) * RandomDirection(random));
+  s.Length = Rounded(random.Index(4) == 0 ? 1e18 : random.LogUniform(0.1, 1e3));
+  s.Cut = random.Uniform(0.0, 1.0);
+  return s;
+}
+
+// One precision's whole, and its part before the cut, per unit intensity and scattering coefficient.
+struct Sums
+{
+  glm::dvec3 Whole{ 0.0 };
+  glm::dvec3 Before{ 0.0 };
+  double CutAt = 0.0;
+  int Parts = 0;
+};
+
+template <typename Media, typename Light, typename Phase>
+void Prepare(const Setting& s, const Phase& phase, Media& media, Light& light)
+{
+  using Vector = decltype(media.item[0].sigmaT);
+  media.count = 1;
+  auto& medium = media.item[0];
+  medium.phase = phase;
+  medium.sigmaT = Vector(s.SigmaT);
+  medium.sigmaS = medium.sigmaT;
+  medium.region.kind = AIRLIGHT_REGION_UNBOUNDED;
+  medium.density = AIRLIGHT_DENSITY_HEIGHT;
+  medium.up = Vector(s.Up);
+  medium.inverseScaleHeight = 1.0 / s.ScaleHeight;
+  medium.originHeight = s.OriginHeight;
+  light.kind = AIRLIGHT_POINT_QUADRATURE;
+  light.position = Vector(s.Lamp);
+  light.radius = 1e-6;
+  light.cosCone = -1.0;
+}
+
+Sums SumDouble(const Setting& s, const f64::AirlightPhase& phase)
+{
+  f64::AirlightMedia media{};
+  f64::AirlightLight light{};
+  Prepare(s, phase, media, light);
+  const f64::AirlightMedium& medium = media.item[0];
+  const f64::AirlightRay ray =
+    f64::airlightRay(media, light, glm::dvec3(0.0), s.Direction, s.Length);
+  Sums sums;
+  sums.Whole = f64::airlightHeightFogRay(medium, light, ray, 0.0, s.Length) / ray.foot.h;
+  f64::AirlightHeightFogLamp lamp = f64::airlightHeightFogLamp(medium, light, ray, 0.0, s.Length);
+  const double cut = lamp.begin + s.Cut * (lamp.end - lamp.begin);
+  sums.CutAt = ray.foot.tL + ray.foot.h * std::sinh(cut);
+  for (double v = lamp.begin; v < cut; ++sums.Parts)
+  {
+    const double end = std::min(f64::airlightHeightFogPartEnd(medium, lamp, v), cut);
+    sums.Before += f64::airlightHeightFogPart(medium, lamp, v, end) / ray.foot.h;
+    v = end;
+  }
+  return sums;
+}
+
+glm::dvec3 SumSingle(const Setting& s, const f32::AirlightPhase& phase)
+{
+  f32::AirlightMedia media{};
+  f32::AirlightLight light{};
+  Prepare(s, phase, media, light);
+  const float length = static_cast<float>(s.Length);
+  const f32::AirlightRay ray =
+    f32::airlightRay(media, light, glm::vec3(0.0f), glm::vec3(s.Direction), length);
+  return glm::dvec3(f32::airlightHeightFogRay(media.item[0], light, ray, 0.0f, length)) /
+    static_cast<double>(ray.foot.h);
+}
+
+// The integral of the density over a straight way of this length between two heights.
+double GetColumn(double height0, double height1, double length, double scaleHeight)
+{
+  const double rise = (height1 - height0) / scaleHeight;
+  const double density = std::exp(-height0 / scaleHeight);
+  return std::abs(rise) < 1e-12 ? density * length : density * length * -std::expm1(-rise) / rise;
+}
+
+double GetExact(const Setting& s, const f64::AirlightPhase& phase, double sigmaT, double to)
+{
+  const double tL = glm::dot(s.Lamp, s.Direction);
+  const double h = glm::length(glm::cross(s.Lamp, s.Direction));
+  const double lampHeight = s.OriginHeight + glm::dot(s.Up, s.Lamp);
+  const double slope = glm::dot(s.Up, s.Direction);
+  const auto integrand = [&](double x) {
+    const double t = std::max(x + tL, 0.0);
+    const double r = std::sqrt(h * h + x * x);
+    const double height = s.OriginHeight + slope * t;
+    const double columns = GetColumn(s.OriginHeight, height, t, s.ScaleHeight) +
+      GetColumn(height, lampHeight, r, s.ScaleHeight);
+    return FittedPhase(phase, 1.0 + x / r, 1.0 - x / r) / (r * r) *
+      std::exp(-height / s.ScaleHeight - sigmaT * columns);
+  };
+  // Beyond an optical depth of 100 and 60 scale heights above all nothing is left.
+  double end = to;
+  for (double way = 1.0; way < to; way *= 2.0)
+  {
+    const double height = s.OriginHeight + slope * way;
+    const bool gone = sigmaT * GetColumn(s.OriginHeight, height, way, s.ScaleHeight) > 100.0 ||
+      height > std::max(s.OriginHeight, lampHeight) + 60.0 * s.ScaleHeight;
+    if (gone && way > tL)
+    {
+      end = way;
+      break;
+    }
+  }
+  return Integrate(integrand, PeakPanels(-tL, end - tL, h), 1e-9);
+}
+
+bool ComparePhase(const std::string& name, vtkParticipatingMedium* medium, Random& random)
+{
+  Comparison inDouble(name + ", double precision");
+  Comparison inSingle(name + ", single precision");
+  Comparison before(name + ", before a cut, of the whole ray");
+  const auto phase = GetPhase<f64::AirlightPhase>(medium);
+  const auto narrowPhase = GetPhase<f32::AirlightPhase>(medium);
+  std::vector<double> errors;
+  int parts = 0;
+  for (int n = 0; n < 400; ++n)
+  {
+    const Setting s = RandomSetting(random);
+    const Sums wide = SumDouble(s, phase);
+    const glm::dvec3 narrow = SumSingle(s, narrowPhase);
+    parts = std::max(parts, wide.Parts);
+    for (int k = 0; k < 3; ++k)
+    {
+      const double exact = GetExact(s, phase, s.SigmaT[k], s.Length);
+      if (exact <= 1e-12) // darker than all that a picture shows
+      {
+        continue;
+      }
+      const auto describe = [&] { return Text(s.Describe(), ", channel ", k); };
+      const double error = std::abs(wide.Whole[k] - exact) / exact;
+      errors.push_back(error);
+      inDouble.Add(error, 1e-3, describe);
+      inSingle.Add(std::abs(narrow[k] - exact) / exact, 1e-3, describe);
+      if (k == 0)
+      {
+        const double part = GetExact(s, phase, s.SigmaT[k], std::clamp(wide.CutAt, 0.0, s.Length));
+        before.Add(std::abs(wide.Before[k] - part) / exact, 1e-3, describe);
+      }
+    }
+  }
+  std::sort(errors.begin(), errors.end());
+  const double median = errors[errors.size() / 2];
+  const double most = errors[errors.size() * 99 / 100];
+  std::cout << name << ": median " << median << ", 99 % " << most << ", at most " << parts
+            << " parts\n";
+  bool ok = inDouble.Report();
+  ok &= inSingle.Report();
+  ok &= before.Report();
+  if (median > 4e-6 || most > 3e-4)
+  {
+    std::cerr << "FAILED: " << name << ": median " << median << ", 99 % " << most << "\n";
+    ok = false;
+  }
+  return ok;
+}
+}
+
+//------------------------------------------------------------------------------
+int TestHeightFogLamp(int, char*[])
+{
+  Random random(61543);
+  vtkNew<vtkParticipatingMedium> medium;
+  bool ok = ComparePhase("isotropic", medium, random);
+  medium->SetPhaseFunctionToHenyeyGreenstein();
+  for (double g : { -0.5, 0.6, 0.9 })
+  {
+    medium->SetAnisotropy(g);
+    ok &= ComparePhase(Text("g = ", g), medium, random);
+  }
+  medium->SetPhaseFunctionToMieMurky();
+  ok &= ComparePhase("Mie, murky", medium, random);
+  return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}
