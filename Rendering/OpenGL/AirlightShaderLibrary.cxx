@@ -207,6 +207,7 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     Define("AIRLIGHT_MULTIPLE", multiple) +
     Define("AIRLIGHT_MULTIPLE_GREY", multiple && IsMultipleGrey(media.item[0])) +
     Define("AIRLIGHT_MULTIPLE_LIGHTS", media.multiple.count) +
+    Define("AIRLIGHT_MULTIPLE_SUNS", media.multiple.suns) +
     Define("AIRLIGHT_MULTIPLE_NODES", AIRLIGHT_MULTIPLE_NODES) +
     (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
           Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)

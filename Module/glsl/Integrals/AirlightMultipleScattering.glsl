@@ -267,7 +267,7 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(AIRLIGHT_MULTIPLE_IN
   AIRLIGHT_IN(AirlightMedia) media, int i, real3 origin, real3 direction, real l)
 {
   real2 range = airlightRegionRange(media.item[0].region, origin, direction, l);
-  int lamps = AIRLIGHT_MULTIPLE_LIGHTS - airlightMultiple.suns;
+  int lamps = AIRLIGHT_MULTIPLE_LIGHTS - AIRLIGHT_MULTIPLE_SUNS;
   if (i >= lamps)
   {
     return airlightMultipleOfSun(
@@ -287,7 +287,7 @@ AIRLIGHT_FN real3 airlightMultipleOfCollisions(
   AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real l)
 {
   real3 sum = real3(real(0.0));
-  for (int i = 0; i < AIRLIGHT_MULTIPLE_LIGHTS - airlightMultiple.suns; i++)
+  for (int i = 0; i < AIRLIGHT_MULTIPLE_LIGHTS - AIRLIGHT_MULTIPLE_SUNS; i++)
   {
     if (airlightMultiple.power[i].w > real(0.5))
     {
@@ -325,8 +325,8 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
   {
     return sum;
   }
-  int lamps = AIRLIGHT_MULTIPLE_LIGHTS - airlightMultiple.suns;
-  for (int i = 0; i < airlightMultiple.suns; i++)
+  int lamps = AIRLIGHT_MULTIPLE_LIGHTS - AIRLIGHT_MULTIPLE_SUNS;
+  for (int i = 0; i < AIRLIGHT_MULTIPLE_SUNS; i++)
   {
     sum += airlightSunIrradiance(AIRLIGHT_MULTIPLE_OUT media.item[0], point, normal, i);
   }
