@@ -31,6 +31,7 @@
 #define AIRLIGHT_MULTIPLE_NODES 12
 #define AIRLIGHT_MULTIPLE_LIGHTS airlightMultiple.count
 #define AIRLIGHT_MULTIPLE_SUNS airlightMultiple.suns
+#define AIRLIGHT_MULTIPLE_COLLISIONS true
 #define AIRLIGHT_ROLLED(count) (count)
 // Surfaces and tables lie in memory.
 #define AIRLIGHT_DATA_MEMBER const real4* data;

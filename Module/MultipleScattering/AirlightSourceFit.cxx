@@ -60,6 +60,28 @@ std::array<double, Count> Interpolate(const std::array<double, Count>& values)
   return coefficients;
 }
 
+// The same polynomial by powers. In [-1, 1] those of so low a degree cost no digits that count.
+std::array<double, Rows> ToPowers(const std::array<double, Rows>& chebyshev)
+{
+  std::array<double, Rows> powers{};
+  std::array<double, Rows> before{}; // T of the degree before, and of this one
+  std::array<double, Rows> current{};
+  before[1] = 1.0; // T_-1 = T_1
+  current[0] = 1.0;
+  for (int degree = 0; degree < Rows; ++degree)
+  {
+    std::array<double, Rows> next{};
+    for (int i = 0; i < Rows; ++i)
+    {
+      powers[i] += chebyshev[degree] * current[i];
+      next[i] = (i > 0 ? 2.0 * current[i - 1] : 0.0) - before[i];
+    }
+    before = current;
+    current = next;
+  }
+  return powers;
+}
+
 // The logarithm of a number that rounding may have left at or below 0.
 double GetLogarithm(double value, double brightest)
 {
@@ -104,14 +126,14 @@ public:
     }
     for (int j = 0; j < Columns; ++j)
     {
-      const std::array<double, Rows> column = Interpolate(columns[j]);
+      const std::array<double, Rows> column = ToPowers(Interpolate(columns[j]));
       for (int i = 0; i < Rows; ++i)
       {
         result.source[i * Columns + j][channel] = column[i];
       }
     }
-    fluence = Interpolate(fluence);
-    flux = Interpolate(flux);
+    fluence = ToPowers(Interpolate(fluence));
+    flux = ToPowers(Interpolate(flux));
     for (int i = 0; i < Rows; ++i)
     {
       result.moment[i][channel] = fluence[i];

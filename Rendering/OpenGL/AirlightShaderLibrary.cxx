@@ -33,6 +33,7 @@
 #include "AirlightSky.h"
 #include "AirlightSourceFunction.h"
 #include "Integration/AirlightIntegrate.h"
+#include "Medium/AirlightConvert.h"
 #include "OpenGL/AirlightProgram.h"
 
 #include "vtkShaderProgram.h"
@@ -208,6 +209,7 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     Define("AIRLIGHT_MULTIPLE_GREY", multiple && IsMultipleGrey(media.item[0])) +
     Define("AIRLIGHT_MULTIPLE_LIGHTS", media.multiple.count) +
     Define("AIRLIGHT_MULTIPLE_SUNS", media.multiple.suns) +
+    "#define AIRLIGHT_MULTIPLE_COLLISIONS " + (HasCollisions(media) ? "true\n" : "false\n") +
     Define("AIRLIGHT_MULTIPLE_NODES", AIRLIGHT_MULTIPLE_NODES) +
     (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
           Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)

@@ -275,10 +275,15 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(AIRLIGHT_MULTIPLE_IN
   }
   AirlightMultipleRay ray = airlightMultipleOfLamp(
     AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, airlightMultiple.lamp[i]);
-  // Of light that collided once before, what is scattered once is the second time.
   real4 power = airlightMultiple.power[i];
-  ray.several = real3(power) * (ray.several + power.w * ray.once);
-  ray.once *= (real(1.0) - power.w) * real3(power);
+  if (AIRLIGHT_MULTIPLE_COLLISIONS)
+  {
+    // Of light that collided once before, what is scattered once is the second time.
+    ray.several += power.w * ray.once;
+    ray.once *= real(1.0) - power.w;
+  }
+  ray.several *= real3(power);
+  ray.once *= real3(power);
   return ray;
 }
 
@@ -345,7 +350,7 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
       exp(airlightMomentLogarithm(AIRLIGHT_MULTIPLE_OUT AIRLIGHT_SOURCE_ROWS, x) - fall);
     AirlightMultipleSpectrum share =
       real(0.25) * fluence - real(0.5) * dot(away, normal) / r * flux;
-    if (airlightMultiple.power[i].w > real(0.5))
+    if (AIRLIGHT_MULTIPLE_COLLISIONS && airlightMultiple.power[i].w > real(0.5))
     {
       // And of light that collided once before, what comes directly.
       real direct = real(0.079577471545947668) * max(-dot(away, normal), real(0.0)) / (r * r * r);

@@ -1,12 +1,12 @@
 // The source function of multiply scattered light round a point lamp of power 1 in an unbounded
 // uniform medium, in optical lengths (sigma_t = 1):
 //
-//   J(r, mu) = (1/r) exp(Q(x, y) - kappa r),   Q = sum of q_ij T_i(x) T_j(y)
+//   J(r, mu) = (1/r) exp(Q(x, y) - kappa r),   Q = sum of q_ij x^i T_j(y)
 //
-// T are Chebyshev polynomials, x stands for the distance r and y for the cosine mu of the angle
-// between the scattered light and the way from the lamp. The fluence and the flux of the light that
-// was scattered at least once are fitted in the same way by x alone. AirlightSourceFit.h makes the
-// coefficients. Channels differ where their albedos do.
+// T are Chebyshev polynomials; x and y, in [-1, 1], stand for the distance r and for the cosine mu
+// of the angle between the scattered light and the way from the lamp. The fluence and the flux of
+// the light that was scattered at least once are fitted in the same way by x alone.
+// AirlightSourceFit.h makes the coefficients. Channels differ where their albedos do.
 
 #define AIRLIGHT_SOURCE_ROWS 8
 #define AIRLIGHT_SOURCE_COLUMNS 6
@@ -93,26 +93,35 @@ AIRLIGHT_FN AirlightMultipleSpectrum airlightSourceRow(
   return row;
 }
 
+// The polynomial of these coefficients in x. Pair by pair: each step of a chain waits for the one
+// before it.
+AIRLIGHT_FN AirlightMultipleSpectrum airlightSourcePolynomial(AirlightMultipleSpectrum x,
+  AirlightMultipleSpectrum q0, AirlightMultipleSpectrum q1, AirlightMultipleSpectrum q2,
+  AirlightMultipleSpectrum q3, AirlightMultipleSpectrum q4, AirlightMultipleSpectrum q5,
+  AirlightMultipleSpectrum q6, AirlightMultipleSpectrum q7)
+{
+  AirlightMultipleSpectrum x2 = x * x;
+  return ((q0 + x * q1) + x2 * (q2 + x * q3)) +
+    (x2 * x2) * ((q4 + x * q5) + x2 * (q6 + x * q7));
+}
+
 // Q of each channel.
 AIRLIGHT_FN AirlightMultipleSpectrum airlightSourceLogarithm(
   AIRLIGHT_MULTIPLE_IN AirlightMultipleSpectrum x, real y)
 {
-  // The polynomials of y, and Clenshaw's recurrence over the rows.
   real y2 = real(2.0) * y * y - real(1.0);
   real y3 = real(2.0) * y * y2 - y;
   real y4 = real(2.0) * y2 * y2 - real(1.0);
   real y5 = real(2.0) * y2 * y3 - y;
-  AirlightMultipleSpectrum twice = x + x;
-  AirlightMultipleSpectrum above = AirlightMultipleSpectrum(real(0.0));
-  AirlightMultipleSpectrum sum = AirlightMultipleSpectrum(real(0.0));
-  for (int i = AIRLIGHT_SOURCE_ROWS - 1; i > 0; i--)
-  {
-    AirlightMultipleSpectrum next =
-      airlightSourceRow(AIRLIGHT_MULTIPLE_OUT i, y, y2, y3, y4, y5) - above + twice * sum;
-    above = sum;
-    sum = next;
-  }
-  return airlightSourceRow(AIRLIGHT_MULTIPLE_OUT 0, y, y2, y3, y4, y5) - above + x * sum;
+  return airlightSourcePolynomial(x,
+    airlightSourceRow(AIRLIGHT_MULTIPLE_OUT 0, y, y2, y3, y4, y5),
+    airlightSourceRow(AIRLIGHT_MULTIPLE_OUT 1, y, y2, y3, y4, y5),
+    airlightSourceRow(AIRLIGHT_MULTIPLE_OUT 2, y, y2, y3, y4, y5),
+    airlightSourceRow(AIRLIGHT_MULTIPLE_OUT 3, y, y2, y3, y4, y5),
+    airlightSourceRow(AIRLIGHT_MULTIPLE_OUT 4, y, y2, y3, y4, y5),
+    airlightSourceRow(AIRLIGHT_MULTIPLE_OUT 5, y, y2, y3, y4, y5),
+    airlightSourceRow(AIRLIGHT_MULTIPLE_OUT 6, y, y2, y3, y4, y5),
+    airlightSourceRow(AIRLIGHT_MULTIPLE_OUT 7, y, y2, y3, y4, y5));
 }
 
 // The logarithm of r times the fluence (from row 0) or of r times the flux (from row
@@ -120,15 +129,13 @@ AIRLIGHT_FN AirlightMultipleSpectrum airlightSourceLogarithm(
 AIRLIGHT_FN AirlightMultipleSpectrum airlightMomentLogarithm(
   AIRLIGHT_MULTIPLE_IN int first, AirlightMultipleSpectrum x)
 {
-  AirlightMultipleSpectrum above = AirlightMultipleSpectrum(real(0.0));
-  AirlightMultipleSpectrum sum = AirlightMultipleSpectrum(real(0.0));
-  AirlightMultipleSpectrum twice = x + x;
-  for (int i = AIRLIGHT_SOURCE_ROWS - 1; i > 0; i--)
-  {
-    AirlightMultipleSpectrum next =
-      AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + i]) - above + twice * sum;
-    above = sum;
-    sum = next;
-  }
-  return AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first]) - above + x * sum;
+  return airlightSourcePolynomial(x,
+    AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first]),
+    AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + 1]),
+    AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + 2]),
+    AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + 3]),
+    AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + 4]),
+    AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + 5]),
+    AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + 6]),
+    AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.moment[first + 7]));
 }
