@@ -16,6 +16,7 @@ namespace
 {
 constexpr int Rows = AIRLIGHT_SOURCE_ROWS;
 constexpr int Columns = AIRLIGHT_SOURCE_COLUMNS;
+static_assert(Rows == 8 && Columns == 6, "as airlightSourceLogarithm() writes them out");
 
 // What is so much darker than the brightest direction is of no account.
 constexpr double Dark = 1e-2;

@@ -27,7 +27,8 @@ bool AreEquiangular(const FrameScene& scene, const std::vector<int>& lights);
 // The quadrature and what it takes, with the medium as a global variable.
 std::string GetEquiangularSource(const FrameScene& scene);
 
-// Whether all of a frame's lights that are equiangular are in fog that falls with height.
+// Whether the lights for which IsEquiangular() is true are in fog that falls with height. Of other
+// lights it says nothing.
 bool IsHeightFog(const FrameScene& scene);
 
 // As glsl/AirlightConstants.glsl takes them.

@@ -1,13 +1,15 @@
-// A point light's airlight before a pixel by AirlightEquiangular.glsl.
+// A point light's airlight before a pixel, by AirlightEquiangular.glsl or
+// AirlightHeightFogLamp.glsl.
 
 // Whether multiple scattering takes what would be scattered without shadows from the ray, which is
-// closer than its nodes. In fog that falls with height these are off for both alike, and are taken.
+// closer than that of its nodes. In height fog these are off for both kinds of light alike, and
+// their ratio is closer.
 #if AIRLIGHT_MULTIPLE_LAMP >= 0 && !defined(AIRLIGHT_HEIGHT_FOG)
 #define AIRLIGHT_MULTIPLE_OF_WHOLE 1
 #else
 #define AIRLIGHT_MULTIPLE_OF_WHOLE 0
 #endif
-// Whether it is asked for.
+// Whether that is needed.
 #if defined(AIRLIGHT_RECORD) || AIRLIGHT_MULTIPLE_OF_WHOLE
 #define AIRLIGHT_WHOLE 1
 #else
@@ -33,7 +35,7 @@ void airlightBeginEquiangular(AirlightRay ray, inout float from, inout AirlightC
   pixel.surfaceLit = airlightPassing(airlightAdd(shadows, airlightBoundaryWeights));
 }
 
-// AirlightEquiangularRay.glsl, or AirlightGoniometricPixel.glsl.
+// AirlightEquiangularRay.glsl, or AirlightSteppedRay.glsl.
 void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixel);
 
 // Of pixel p, whose ray ends at `surface` on the unit of airlightDirection(); below 0: nowhere.
