@@ -3,8 +3,8 @@
 //
 // A lamp in fog that falls with height by AirlightHeightFogLamp.glsl, as the shaders' text compiled
 // in double and in single precision, against adaptive quadrature of the integrand as physics states
-// it. Whole rays, and sums over parts that end anywhere, as at shadows; eyes and lamps in the fog, and
-// up to 500 scale heights above it, where single precision still knows heights.
+// it. Whole rays, and sums over parts that end anywhere, as at shadows; eyes and lamps in the fog,
+// and up to 500 scale heights above it, where single precision still knows heights.
 
 #include "AirlightTestPhase.h"
 #include "AirlightTestQuadrature.h"
@@ -100,7 +100,8 @@ Setting RandomHighSetting(Random& random)
   return s;
 }
 
-// One precision's whole, and its part before the cut, per unit intensity and scattering coefficient.
+// One precision's whole, and its part before the cut, per unit intensity and scattering
+// coefficient.
 struct Sums
 {
   glm::dvec3 Whole{ 0.0 };
