@@ -124,7 +124,8 @@ LightShadow::Textures MapShadow::GetTextures()
   {
     return { { "shadowMap", map } };
   }
-  return { { "shadowMap", map }, { "slices", map ? this->Slices.GetTexture() : nullptr } };
+  return { { "shadowMap", map }, { "slices", map ? this->Slices.GetTexture() : nullptr },
+    { "sliceRanges", map ? this->Slices.GetRanges() : nullptr } };
 }
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ struct MapPrograms
 {
   Quad Merge;
   ProgramMaker Casters;
-  Quad Slices;
+  EpipolarMap::Programs Slices;
 };
 
 class MapShadow : public LightShadow

@@ -5,6 +5,7 @@
 #include "AirlightEpipolarMapFS.h"
 #include "AirlightMapLookup.h"
 #include "AirlightSliceLayout.h"
+#include "AirlightSliceRangesFS.h"
 #include "OpenGL/AirlightOpenGL.h"
 #include "Scene/AirlightCameraUniforms.h"
 #include "ShadowMaps/AirlightShadowMap.h"
@@ -30,27 +31,26 @@ bool EpipolarMap::Fail(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-bool EpipolarMap::Allocate(vtkOpenGLRenderWindow* window)
+bool EpipolarMap::Allocate(
+  vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int width, int format, int components)
 {
   bool ok = true;
-  // Four columns a texel.
-  const int width = this->Slices.GetColumns() / 4;
   const int height = this->Slices.GetRows();
   ForgetErrors();
-  if (this->Texture->GetHandle() != 0)
+  if (texture->GetHandle() != 0)
   {
-    this->Texture->Resize(width, height);
+    texture->Resize(width, height);
   }
   else
   {
-    this->Texture->SetContext(window);
-    this->Texture->SetInternalFormat(GL_RGBA32F);
-    this->Texture->SetDataType(GL_FLOAT);
-    this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    ok = this->Texture->Allocate2D(width, height, 4, VTK_FLOAT);
+    texture->SetContext(window);
+    texture->SetInternalFormat(format);
+    texture->SetDataType(GL_FLOAT);
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+    ok = texture->Allocate2D(width, height, components, VTK_FLOAT);
   }
   return (ok && !IsOutOfMemory()) ||
     this->Fail("no memory on the graphics card for the slices of a shadow map of " +
@@ -58,27 +58,10 @@ bool EpipolarMap::Allocate(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool EpipolarMap::Draw(vtkOpenGLRenderWindow* window, ShadowMap& map, const CameraUniforms& view,
-  int columns, Quad& quad, const BindTarget& bind)
+bool EpipolarMap::Bind(
+  vtkOpenGLRenderWindow* window, vtkTextureObject* texture, const BindTarget& bind)
 {
-  const int most = vtkTextureObject::GetMaximumTextureSize(window);
-  this->Slices = EpipolarSlices(map.GetProjection(), view, columns, std::min(MaximumRows, most));
-  if (this->Slices.IsEmpty())
-  {
-    return true;
-  }
-  vtkShaderProgram* program = quad.GetOrCompile(window,
-    GetShaderVersion(false) + AirlightMapLookup + AirlightSliceLayout + AirlightEpipolarMapFS);
-  if (!program)
-  {
-    return this->Fail(
-      std::string("the shader of a shadow map's slices") + ProgramMaker::GetReason());
-  }
-  if (!this->Allocate(window))
-  {
-    return false;
-  }
-  const std::string reason = bind(this->Texture);
+  const std::string reason = bind(texture);
   if (!reason.empty())
   {
     return this->Fail(reason);
@@ -88,10 +71,60 @@ bool EpipolarMap::Draw(vtkOpenGLRenderWindow* window, ShadowMap& map, const Came
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglViewport(0, 0, this->Slices.GetColumns() / 4, this->Slices.GetRows());
+  state->vtkglViewport(
+    0, 0, static_cast<int>(texture->GetWidth()), static_cast<int>(texture->GetHeight()));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool EpipolarMap::Draw(vtkOpenGLRenderWindow* window, ShadowMap& map, const CameraUniforms& view,
+  int columns, Programs& programs, const BindTarget& bind)
+{
+  const int most = vtkTextureObject::GetMaximumTextureSize(window);
+  this->Slices = EpipolarSlices(map.GetProjection(), view, columns, std::min(MaximumRows, most));
+  return this->Slices.IsEmpty() ||
+    (this->DrawColumns(window, map, view, programs.Columns, bind) &&
+      this->DrawRanges(window, programs.Ranges, bind));
+}
+
+//------------------------------------------------------------------------------
+bool EpipolarMap::DrawColumns(vtkOpenGLRenderWindow* window, ShadowMap& map,
+  const CameraUniforms& view, Quad& quad, const BindTarget& bind)
+{
+  vtkShaderProgram* program = quad.GetOrCompile(window,
+    GetShaderVersion(false) + AirlightMapLookup + AirlightSliceLayout + AirlightEpipolarMapFS);
+  if (!program)
+  {
+    return this->Fail(
+      std::string("the shader of a shadow map's slices") + ProgramMaker::GetReason());
+  }
+  // Four columns a texel.
+  if (!this->Allocate(window, this->Texture, this->Slices.GetColumns() / 4, GL_RGBA32F, 4) ||
+    !this->Bind(window, this->Texture, bind))
+  {
+    return false;
+  }
   map.GetProjection().SetUniforms(program, view);
   this->SetUniforms(program);
   quad.Draw({ { "shadowMap", map.GetTexture() } });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool EpipolarMap::DrawRanges(vtkOpenGLRenderWindow* window, Quad& quad, const BindTarget& bind)
+{
+  if (!quad.GetOrCompile(window, GetShaderVersion(false) + AirlightSliceRangesFS))
+  {
+    return this->Fail(
+      std::string("the shader of the ranges of a shadow map's slices") + ProgramMaker::GetReason());
+  }
+  const int words = this->Slices.GetColumns() / EpipolarSlices::Word;
+  if (!this->Allocate(window, this->Ranges, words, GL_RG32F, 2) ||
+    !this->Bind(window, this->Ranges, bind))
+  {
+    return false;
+  }
+  quad.Draw({ { "slices", this->Texture } });
   return true;
 }
 }

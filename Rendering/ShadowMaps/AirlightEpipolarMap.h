@@ -3,7 +3,7 @@
 /**
  * A shadow map drawn into the epipolar slices of a view. Needs OpenGL 3.2.
  *
- * Memory: 4 bytes a column and row.
+ * Memory: 4 bytes a column and row, and 8 for each 32 of them.
  */
 
 #ifndef AirlightEpipolarMap_h
@@ -30,32 +30,56 @@ class ShadowMap;
 class EpipolarMap
 {
 public:
+  // What all maps draw their slices by.
+  struct Programs
+  {
+    Quad Columns;
+    Quad Ranges;
+    void Release()
+    {
+      this->Columns.Release();
+      this->Ranges.Release();
+    }
+  };
+
   // Binds a framebuffer over a texture. Returns a reason where that fails, else an empty text.
   using BindTarget = std::function<std::string(vtkTextureObject*)>;
 
   // Draws the slices of a map for a view, with at least so many columns. False with a reason in
   // GetError() where OpenGL refuses.
   bool Draw(vtkOpenGLRenderWindow* window, ShadowMap& map, const CameraUniforms& view, int columns,
-    Quad& quad, const BindTarget& bind);
+    Programs& programs, const BindTarget& bind);
 
   // Those of glsl/AirlightSliceLayout.glsl.
   void SetUniforms(vtkShaderProgram* program) const { this->Slices.SetUniforms(program); }
 
   // Null before there were any slices.
-  vtkTextureObject* GetTexture()
-  {
-    return this->Texture->GetHandle() != 0 ? this->Texture.Get() : nullptr;
-  }
+  vtkTextureObject* GetTexture() { return GetDrawn(this->Texture); }
+  vtkTextureObject* GetRanges() { return GetDrawn(this->Ranges); }
   const std::string& GetError() const { return this->Error; }
 
-  void Release(vtkWindow* window) { this->Texture->ReleaseGraphicsResources(window); }
+  void Release(vtkWindow* window)
+  {
+    this->Texture->ReleaseGraphicsResources(window);
+    this->Ranges->ReleaseGraphicsResources(window);
+  }
 
 private:
+  static vtkTextureObject* GetDrawn(vtkTextureObject* texture)
+  {
+    return texture->GetHandle() != 0 ? texture : nullptr;
+  }
   bool Fail(const std::string& reason);
-  bool Allocate(vtkOpenGLRenderWindow* window);
+  bool Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int width, int format,
+    int components);
+  bool Bind(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, const BindTarget& bind);
+  bool DrawColumns(vtkOpenGLRenderWindow* window, ShadowMap& map, const CameraUniforms& view,
+    Quad& quad, const BindTarget& bind);
+  bool DrawRanges(vtkOpenGLRenderWindow* window, Quad& quad, const BindTarget& bind);
 
   EpipolarSlices Slices;
   vtkNew<vtkTextureObject> Texture;
+  vtkNew<vtkTextureObject> Ranges; // glsl/AirlightSliceRangesFS.glsl
   std::string Error;
 };
 }

@@ -15,4 +15,5 @@ airlight_sources(
     glsl/AirlightRayMarch.glsl
     glsl/AirlightShadowMapFS.glsl
     glsl/AirlightShadowMapVS.glsl
-    glsl/AirlightSliceLayout.glsl)
+    glsl/AirlightSliceLayout.glsl
+    glsl/AirlightSliceRangesFS.glsl)

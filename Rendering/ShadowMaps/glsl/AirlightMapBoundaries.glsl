@@ -1,8 +1,9 @@
 // The boundaries of a pixel from a shadow map, by its epipolar slices: the ray is lit in a column
-// where its own value is not below the slice's. All columns that the ray passes are looked up in
-// one loop without branches, so that the time hardly depends on what casts.
+// where its own value is not below the slice's. A first loop asks for each word of columns whether
+// all of it or none is lit; a second one looks up the columns of the words that are neither.
 
-uniform sampler2D slices; // four columns a texel
+uniform sampler2D slices;      // four columns a texel
+uniform sampler2D sliceRanges; // least and most of each word of columns
 
 // Columns at most.
 const int AIRLIGHT_SLICE_WORDS = 32;
@@ -34,9 +35,11 @@ bool sliceFlips;  // whether the surface is not as the ray before it
 float sliceError; // what may be wrong, as a share of the ray's airlight without shadows
 #define AIRLIGHT_BOUNDARY_ERROR sliceError
 
-// A bit for each column that is not as the one before it; a bit for each of these words that is
-// left and not 0; what is left of the one that is read, and its number.
+// A bit for each column that is not as the one before it, of words that are lit in part. A bit for
+// each of these words; a bit for each word that has such columns and is left; what is left of the
+// one that is read, and its number.
 uint sliceChanges[AIRLIGHT_SLICE_WORDS];
+uint sliceParts;
 uint sliceWords;
 uint sliceChange;
 int sliceWord;
@@ -137,26 +140,71 @@ uint airlightSliceBits(AirlightSliceRay slice, AirlightSliceSteps steps, int wor
   return bits;
 }
 
+// Whether light reaches each of the words between two: a bit each.
+struct AirlightSliceWords
+{
+  uint lit;   // all of it
+  uint parts; // or only a part, perhaps
+};
+
+AirlightSliceWords airlightSliceWords(AirlightSliceRay slice, ivec2 words)
+{
+  float column = slice.perUnit / sliceColumn.y;
+  float start = slice.start + column * (32.0 * float(words.x) + 0.5);
+  vec2 ends = vec2(0.0, 31.0 * column); // middles of the first and the last column
+  vec2 cosEnds = cos(ends);
+  vec2 sinEnds = sin(ends);
+  vec2 turn = vec2(cos(32.0 * column), sin(32.0 * column)); // by a word
+  vec2 at = slice.scale * vec2(cos(start), sin(start));
+  // Roundings of this and of airlightSliceBits().
+  float slack = 1e-5 * (slice.point ? slice.scale : abs(start) + abs(32.0 * 32.0 * column));
+  AirlightSliceWords result = AirlightSliceWords(0u, 0u);
+  for (int word = words.x; word <= words.y; word++)
+  {
+    vec2 u = start + 32.0 * column * float(word - words.x) + ends;
+    vec2 values = slice.point ? at.x * cosEnds - at.y * sinEnds : u;
+    float least = min(values.x, values.y) - slack;
+    float most = slice.point && u.x * u.y < 0.0 ? slice.scale : max(values.x, values.y);
+    most += slack;
+    vec2 range = texelFetch(sliceRanges, ivec2(word, slice.row), 0).xy;
+    uint bit = 1u << uint(word);
+    result.lit |= least >= range.y ? bit : 0u;
+    result.parts |= least < range.y && most >= range.x ? bit : 0u;
+    at = vec2(at.x * turn.x - at.y * turn.y, at.y * turn.x + at.x * turn.y);
+  }
+  return result;
+}
+
 // Finds and counts all changes between two columns, and whether the first one is lit.
 void airlightMarchSlice(ivec2 ends)
 {
   ivec2 words = ends / 32;
   ivec2 bit = ends % 32;
-  uint before = 0u;
+  AirlightSliceWords seen = airlightSliceWords(sliceRay, words);
   AirlightSliceSteps steps = airlightSliceSteps(sliceRay);
-  for (int word = words.x; word <= words.y; word++)
+  uint lasts = seen.lit; // whether the last column of each word is lit
+  sliceLit = (lasts >> uint(words.x) & 1u) != 0u;
+  sliceParts = seen.parts;
+  for (uint left = sliceParts; left != 0u; left &= left - 1u)
   {
+    int word = findLSB(left);
     uint bits = airlightSliceBits(sliceRay, steps, word);
     bool first = word == words.x;
     sliceLit = first ? (bits >> uint(bit.x) & 1u) != 0u : sliceLit;
+    uint before = lasts << 1u >> uint(word) & 1u;
     uint changes = bits ^ (bits << 1u | before);
     changes &= first ? 0xfffffffeu << uint(bit.x) : 0xffffffffu;
     changes &= word == words.y ? 0xffffffffu >> uint(31 - bit.y) : 0xffffffffu;
     sliceChanges[word] = changes;
     airlightBoundaryCount += bitCount(changes);
     sliceWords |= changes != 0u ? 1u << uint(word) : 0u;
-    before = bits >> 31u;
+    lasts |= bits >> 31u << uint(word);
   }
+  // Other words change where they begin, if at all.
+  uint later = 0xfffffffeu << uint(words.x) & 0xffffffffu >> uint(31 - words.y);
+  uint starts = (lasts ^ lasts << 1u) & later & ~sliceParts;
+  airlightBoundaryCount += bitCount(starts);
+  sliceWords |= starts;
 }
 
 // The distance of a place in columns.
@@ -177,7 +225,8 @@ int airlightSliceNext()
   bool read = sliceChange == 0u && sliceWords != 0u;
   sliceWord = read ? findLSB(sliceWords) : sliceWord;
   sliceWords &= read ? sliceWords - 1u : 0xffffffffu;
-  sliceChange = read ? sliceChanges[sliceWord] : sliceChange;
+  bool isPart = (sliceParts >> uint(sliceWord) & 1u) != 0u;
+  sliceChange = read ? (isPart ? sliceChanges[sliceWord] : 1u) : sliceChange;
   int column = sliceChange != 0u ? 32 * sliceWord + findLSB(sliceChange) : -1;
   sliceChange &= sliceChange - 1u;
   return column;
@@ -237,6 +286,7 @@ bool airlightOpenBoundaries(ivec2 pixel, float unit, float surface)
 void airlightBeginBoundaries(AirlightRay ray, inout float from, inout int shadows)
 {
   sliceLit = true;
+  sliceParts = 0u;
   sliceWords = 0u;
   sliceChange = 0u;
   sliceWord = 0;
