@@ -494,7 +494,6 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.MoreLit = this->HasMoreLit() ? this->Textures.Lit : this->Textures.Scattered;
   values.Data = this->Arrays.GetTexture();
   values.ScatteredIrradiance = this->Plan.ScatteredSurfaceLight;
-  values.EncodedInput = this->Plan.EncodedInput;
   values.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
   values.Transmittances = &this->Shadows.GetSurfaceTransmittance();
   values.Froxels = this->Plan.Froxels ? &this->CoarseAir.GetNodes() : nullptr;

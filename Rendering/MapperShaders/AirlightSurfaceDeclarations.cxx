@@ -101,7 +101,8 @@ std::string CommonDeclarations(const SurfaceShaderOptions& options)
       options.SingleGeometryPass && options.ViewportIsTarget && !options.Translucent) +
     define("MORE_LIT", options.SceneLightCount > BitsPerChannel) +
     define("IN_PASS", options.InPass) + define("READS_LIT", options.InPass && options.ReadsLit) +
-    define("AT_VERTICES", options.AtVertices) +
+    define("AT_VERTICES", options.AtVertices) + define("ENCODED_INPUT", options.EncodedInput) +
+    define("UNIFORM_MEDIA", options.UniformMedia) +
     (options.ViewportIsTarget
         ? define("PARALLEL", options.Parallel) + define("FRAGMENT_IS_PIXEL", 1)
         : "") +

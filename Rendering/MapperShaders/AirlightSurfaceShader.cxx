@@ -142,8 +142,9 @@ void InjectSurfaceShader(
     (early ? others : "") + find + (anyLight ? "  airlightReceive();\n" : "") + lit +
     (early ? "" : others) + split->After +
     (options.SingleGeometryPass ? MakeSingleGeometryPass(options) : "");
-  const bool positions = options.UniformMedia && HasPositions(fragmentShader, bare, options.Lights);
-  fragmentShader = split->Before + (positions ? "#define AIRLIGHT_UNIFORM_MEDIA\n" : "") +
+  const bool positions = options.UniformMedia && !options.CastingVolumes &&
+    HasPositions(fragmentShader, bare, options.Lights);
+  fragmentShader = split->Before + (positions ? "#define AIRLIGHT_HAS_POSITIONS\n" : "") +
     GetSurfaceDeclarations(options) + (hides ? "uniform int airlightHidden;\n" : "") +
     (early && options.InPass ? StageBranches(hide, records, shade) : shade);
   AddExtensions(fragmentShader, options);
@@ -186,18 +187,20 @@ bool UpdateSurfaceShaderOptions(SurfaceShaderOptions& options, const f64::Airlig
   // shines; a mapper without the pass is to stay as it is.
   const std::vector<LightSpecialization> known =
     options.InPass ? SpecializeLights(sceneLights) : std::vector<LightSpecialization>();
-  const bool everywhere =
-    media.volumes == 0 && std::all_of(media.item, media.item + media.count, [](const auto& medium) {
-      return medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
-        medium.density == AIRLIGHT_DENSITY_UNIFORM;
-    });
+  const bool everywhere = std::all_of(media.item, media.item + media.count, [](const auto& medium) {
+    return medium.region.kind == AIRLIGHT_REGION_UNBOUNDED &&
+      medium.density == AIRLIGHT_DENSITY_UNIFORM;
+  });
+  const bool volumes = media.volumes > 0;
   if (sceneLightCount <= options.SceneLightCount && everywhere == options.UniformMedia &&
-    source == options.Mathematics && translucent == options.Translucent && known == options.Lights)
+    volumes == options.CastingVolumes && source == options.Mathematics &&
+    translucent == options.Translucent && known == options.Lights)
   {
     return false;
   }
   options.Lights = known;
   options.UniformMedia = everywhere;
+  options.CastingVolumes = volumes;
   options.Translucent = translucent;
   // Some more, so that another light does not make other shaders.
   options.SceneLightCount = std::max(options.SceneLightCount, (sceneLightCount + 7) / 8 * 8);

@@ -61,9 +61,11 @@ struct SurfaceShaderOptions
   // are made.
   bool ViewportIsTarget = false;
   bool Parallel = false;
-  bool InPass = true;        // there are the pass's stages and its shadows on surfaces
-  bool AtVertices = false;   // the medium before fragments is interpolated between vertices
-  bool UniformMedia = false; // all media are unbounded and of one density
+  bool InPass = true;          // there are the pass's stages and its shadows on surfaces
+  bool AtVertices = false;     // the medium before fragments is interpolated between vertices
+  bool UniformMedia = false;   // all media are unbounded and of one density
+  bool CastingVolumes = false; // volumes take light away, too
+  bool EncodedInput = false;   // the mappers' colours are encoded for display
   std::string
     Mathematics; // GetScatteringSource() and, for scattered light, GetScatteredIrradianceSource()
 };

@@ -136,7 +136,6 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   {
     SetScatteringLights(program, values);
   }
-  program->SetUniformi("airlightEncodedInput", values.EncodedInput ? 1 : 0);
   program->SetUniformi("airlightAdditive", values.Additive ? 1 : 0);
   const bool lights = values.Stage == SurfaceStage::Translucent && !values.Records;
   for (size_t k = 0; k < values.SceneLights->size() && lights; ++k)

@@ -43,7 +43,6 @@ struct SurfaceUniforms
   const ShadowTransmittance* Transmittances =
     nullptr;                            // what casters leave of lights on opaque surfaces
   const FroxelNodes* Froxels = nullptr; // null: there is no grid
-  bool EncodedInput = false;            // the mappers' colours are encoded for display
   bool UseLit = false;                  // false: all surfaces are lit
   bool ScatteredIrradiance = false;     // the shaders were rewritten for scattered light
   bool Hides = false;                   // the shader was rewritten to draw nothing on demand

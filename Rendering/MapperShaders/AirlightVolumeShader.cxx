@@ -43,7 +43,8 @@ bool AddMediumToSamples(std::string& shader)
 }
 
 // Every mention of a light's colour in VTK's shading; where there are some, in computeLighting().
-void AddLights(std::string& shader)
+// Whether there are.
+bool AddLights(std::string& shader)
 {
   const bool headlight =
     ReplaceText(shader, MapperText::VolumeHeadlightColour, "($& * airlightReceivedLight[0])");
@@ -51,10 +52,12 @@ void AddLights(std::string& shader)
     ReplaceText(shader, MapperText::VolumeLightColour, "($& * airlightReceivedLight[lightNum])");
   const bool sorted = ReplaceText(shader, MapperText::VolumeSortedLightColour,
     "($& * airlightReceivedLight[airlightSortedSceneLights[$2]])");
-  if (headlight || numbered || sorted)
+  const bool lights = headlight || numbered || sorted;
+  if (lights)
   {
     InsertAfter(shader, MapperText::VolumeLighting, "\n  airlightReceiveSample();");
   }
+  return lights;
 }
 }
 
@@ -70,13 +73,14 @@ void MarkVolumeShader(std::string& fragmentShader)
 void InjectVolumeShader(std::string& fragmentShader, const SurfaceShaderOptions& options)
 {
   std::string shader = fragmentShader;
+  const std::string shaded =
+    "#define AIRLIGHT_SHADED_VOLUME " + std::to_string(AddLights(shader) ? 1 : 0) + "\n";
   if (!options.Translucent || !AddMediumToSamples(shader) || !MoveScale(shader) ||
     !ReplaceFirst(shader, StartMark, "airlightStartVolume();\n") ||
-    !ReplaceFirst(shader, DeclarationMark, GetVolumeDeclarations(options, AirlightVolume)))
+    !ReplaceFirst(shader, DeclarationMark, GetVolumeDeclarations(options, shaded + AirlightVolume)))
   {
     return;
   }
-  AddLights(shader);
   AddExtensions(shader, options);
   fragmentShader = shader;
 }

@@ -46,9 +46,11 @@ void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia&
   const bool other = records != options.TranslucentFragments || hides != options.Hides ||
     reads != options.ReadsLit || plan.SingleGeometryPass != options.SingleGeometryPass ||
     plan.ShadowingLight != options.ShadowingLight || known != options.ViewportIsTarget ||
-    plan.Froxels != options.Froxels || (known && input.Parallel != options.Parallel);
+    plan.Froxels != options.Froxels || plan.EncodedInput != options.EncodedInput ||
+    (known && input.Parallel != options.Parallel);
   options.TranslucentFragments = records;
   options.Froxels = plan.Froxels;
+  options.EncodedInput = plan.EncodedInput;
   options.ViewportIsTarget = known;
   options.Parallel = known && input.Parallel;
   options.Hides = hides;

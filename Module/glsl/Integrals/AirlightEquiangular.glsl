@@ -13,14 +13,6 @@
 // the polynomial's integral is off by 1e-6 of the part's, at most a few times that
 // (Testing/Cxx/Module/TestEquiangularQuadrature.cxx).
 
-#if defined(AIRLIGHT_GREY) && AIRLIGHT_GREY
-#define AirlightSpectrum real
-#define AIRLIGHT_SPECTRUM(colour) (colour).x
-#else
-#define AirlightSpectrum real3
-#define AIRLIGHT_SPECTRUM(colour) (colour)
-#endif
-
 // Optical depths after which nothing counts any more.
 #ifdef AIRLIGHT_DOUBLE
 #define AIRLIGHT_NEGLIGIBLE_DEPTH 24.0

@@ -4,6 +4,15 @@
 #define AIRLIGHT_DENSITY_HEIGHT 1 // exp(-height/scaleHeight)
 #define AIRLIGHT_DENSITY_GRID 2   // an image's samples (AirlightDensityGrid.h, AirlightGrid.glsl)
 
+// What depends on extinction: one number where all media are grey.
+#if defined(AIRLIGHT_GREY) && AIRLIGHT_GREY
+#define AirlightSpectrum real
+#define AIRLIGHT_SPECTRUM(colour) (colour).x
+#else
+#define AirlightSpectrum real3
+#define AIRLIGHT_SPECTRUM(colour) (colour)
+#endif
+
 struct AirlightMedium
 {
   real3 sigmaS;  // scattering coefficient at density 1, 1/world

@@ -74,7 +74,7 @@ vec3 airlightLightTransmittance(int k, bool sun, vec3 point)
 // the same its distance is all that counts, which the mapper's own shading asks for, too: then
 // nothing needs to be known of the pixel's ray, whose numbers take software renderers as long as
 // all of that shading.
-#ifdef AIRLIGHT_UNIFORM_MEDIA
+#ifdef AIRLIGHT_HAS_POSITIONS
 vec3 airlightTransmittanceOver(float way)
 {
   vec3 sum = vec3(0.0);

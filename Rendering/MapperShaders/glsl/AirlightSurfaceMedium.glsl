@@ -5,8 +5,7 @@
 in vec3 airlightPassesVSOutput; // named so that VTK knows it for a vertex shader's
 in vec3 airlightAddedVSOutput;
 #endif
-uniform int airlightEncodedInput; // 1: colours are encoded for display
-uniform int airlightAdditive;     // 1: for fragments that are added to what is behind
+uniform int airlightAdditive; // 1: for fragments that are added to what is behind
 
 vec3 airlightApplyMedium(vec3 colour)
 {
@@ -16,7 +15,9 @@ vec3 airlightApplyMedium(vec3 colour)
   }
   // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
   colour = min(mix(vec3(0.0), colour, equal(colour, colour)), vec3(1e30));
-  colour = airlightEncodedInput != 0 ? airlightDecode(colour) : colour;
+#if AIRLIGHT_ENCODED_INPUT
+  colour = airlightDecode(colour);
+#endif
 #if AIRLIGHT_AT_VERTICES
   return colour * airlightPassesVSOutput + airlightAddedVSOutput;
 #else

@@ -1,15 +1,14 @@
 // Added to the fragment shaders of VTK's volume ray casting: what the medium before each sample
 // makes of its colour before it is blended, and what of each light arrives at it.
 //
-// The air before the samples, scattered light and optical depth, is known at a few nodes, equally
-// spaced between where the ray enters the volume and where it ends, and interpolated by cubics that
-// rise wherever the nodes do.
+// The air before the samples, scattered light and, unless all media are uniform, optical depth, is
+// known at a few nodes, equally spaced between where the ray enters the volume and where it ends,
+// and interpolated by cubics that rise wherever the nodes do.
 
 const int AIRLIGHT_NODES = 16;
 uniform int airlightNodeCount;    // 2 to AIRLIGHT_NODES
 uniform mat4 airlightVolumeToEye; // from the data set's coordinates to those of the rays
 uniform vec2 airlightVolumeSize;  // of the viewport, pixels
-uniform int airlightEncodedInput; // 1: colours are encoded for display
 // those with a position first, as VTK may number them
 uniform int airlightSortedSceneLights[AIRLIGHT_SCENE_LIGHTS];
 
@@ -20,8 +19,10 @@ float airlightFirstNode;   // distances along the ray
 float airlightNodeStep;
 vec3 airlightNodeAir[AIRLIGHT_NODES];
 vec3 airlightNodeAirSlope[AIRLIGHT_NODES]; // a step
-vec3 airlightNodeDepth[AIRLIGHT_NODES];
-vec3 airlightNodeDepthSlope[AIRLIGHT_NODES];
+#if !AIRLIGHT_UNIFORM_MEDIA
+AirlightSpectrum airlightNodeDepth[AIRLIGHT_NODES];
+AirlightSpectrum airlightNodeDepthSlope[AIRLIGHT_NODES];
+#endif
 #if AIRLIGHT_TRANSLUCENT_FRAGMENTS
 uint airlightNodeTranslucent[AIRLIGHT_NODES]; // records, 0: none
 
@@ -103,35 +104,40 @@ vec3 airlightEndSlope(vec3 next, vec3 other)
   return clamp(1.5 * next - 0.5 * other, vec3(0.0), 3.0 * max(next, vec3(0.0)));
 }
 
+AirlightSpectrum airlightVolumeDepth(float t)
+{
+  return AIRLIGHT_SPECTRUM(
+    airlightDepth(airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t));
+}
+
 void airlightFillNodes()
 {
   for (int i = 0; i < airlightNodeCount; i++)
   {
     float t = airlightFirstNode + float(i) * airlightNodeStep;
     airlightNodeAir[i] = airlightInscatterToNode(i, t);
-    airlightNodeDepth[i] =
-      airlightDepth(airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t);
+#if !AIRLIGHT_UNIFORM_MEDIA
+    airlightNodeDepth[i] = airlightVolumeDepth(t);
+#endif
   }
   int last = airlightNodeCount - 1;
   for (int i = 0; i <= last; i++)
   {
     int low = clamp(i - 1, 0, last - 1);
     int high = min(low + 1, last - 1);
+    int other = i == 0 ? high : max(low - 1, 0);
+    bool inner = i > 0 && i < last;
     vec3 air = airlightNodeAir[low + 1] - airlightNodeAir[low];
     vec3 nextAir = airlightNodeAir[high + 1] - airlightNodeAir[high];
-    vec3 depth = airlightNodeDepth[low + 1] - airlightNodeDepth[low];
-    vec3 nextDepth = airlightNodeDepth[high + 1] - airlightNodeDepth[high];
-    if (i > 0 && i < last)
-    {
-      airlightNodeAirSlope[i] = airlightSlope(air, nextAir);
-      airlightNodeDepthSlope[i] = airlightSlope(depth, nextDepth);
-      continue;
-    }
-    int other = i == 0 ? high : max(low - 1, 0);
     vec3 otherAir = airlightNodeAir[other + 1] - airlightNodeAir[other];
-    vec3 otherDepth = airlightNodeDepth[other + 1] - airlightNodeDepth[other];
-    airlightNodeAirSlope[i] = airlightEndSlope(air, otherAir);
-    airlightNodeDepthSlope[i] = airlightEndSlope(depth, otherDepth);
+    airlightNodeAirSlope[i] = inner ? airlightSlope(air, nextAir) : airlightEndSlope(air, otherAir);
+#if !AIRLIGHT_UNIFORM_MEDIA
+    vec3 depth = vec3(airlightNodeDepth[low + 1] - airlightNodeDepth[low]);
+    vec3 nextDepth = vec3(airlightNodeDepth[high + 1] - airlightNodeDepth[high]);
+    vec3 otherDepth = vec3(airlightNodeDepth[other + 1] - airlightNodeDepth[other]);
+    airlightNodeDepthSlope[i] = AIRLIGHT_SPECTRUM(
+      inner ? airlightSlope(depth, nextDepth) : airlightEndSlope(depth, otherDepth));
+#endif
   }
 }
 
@@ -256,6 +262,18 @@ vec3 airlightCubic(vec3 a, vec3 aSlope, vec3 b, vec3 bSlope, float x)
   return y * y * ((1.0 + 2.0 * x) * a + x * aSlope) + x * x * ((1.0 + 2.0 * y) * b - y * bSlope);
 }
 
+// The optical depth before the sample at t, which is the share x behind node i.
+AirlightSpectrum airlightSampleDepth(float t, int i, float x)
+{
+#if AIRLIGHT_UNIFORM_MEDIA
+  return airlightVolumeDepth(t);
+#else
+  return AIRLIGHT_SPECTRUM(airlightCubic(vec3(airlightNodeDepth[i]),
+    vec3(airlightNodeDepthSlope[i]), vec3(airlightNodeDepth[i + 1]),
+    vec3(airlightNodeDepthSlope[i + 1]), x));
+#endif
+}
+
 // A sample's colour, times its opacity, behind the medium before it.
 vec4 airlightApplyMediumToVolume(vec4 colour)
 {
@@ -263,14 +281,17 @@ vec4 airlightApplyMediumToVolume(vec4 colour)
   {
     return colour;
   }
+#if AIRLIGHT_SHADED_VOLUME
   // A light whose numbers are not finite makes VTK shade with NaN.
   colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
-  colour.rgb = airlightEncodedInput != 0 ? colour.a * airlightDecode(colour.rgb / colour.a)
-                                         : colour.rgb;
+#endif
+#if AIRLIGHT_ENCODED_INPUT
+  colour.rgb = colour.a * airlightDecode(colour.rgb / colour.a);
+#endif
   float x;
-  int i = airlightSampleNode(airlightSampleDistance(), x);
-  vec3 depth = airlightCubic(airlightNodeDepth[i], airlightNodeDepthSlope[i],
-    airlightNodeDepth[i + 1], airlightNodeDepthSlope[i + 1], x);
+  float t = airlightSampleDistance();
+  int i = airlightSampleNode(t, x);
+  AirlightSpectrum depth = airlightSampleDepth(t, i, x);
   vec3 air = airlightCubic(airlightNodeAir[i], airlightNodeAirSlope[i], airlightNodeAir[i + 1],
     airlightNodeAirSlope[i + 1], x);
   return vec4(colour.rgb * exp(-depth) + colour.a * air, colour.a);

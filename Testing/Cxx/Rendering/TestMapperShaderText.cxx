@@ -161,7 +161,7 @@ void CheckSurfaceShader()
           "gl_FragData[0].rgb = airlightApplyMedium(gl_FragData[0].rgb);\n"
           "  //VTK::DepthPeeling::Impl"),
     "the medium before the blending");
-  Check(Has(shader, "#define AIRLIGHT_UNIFORM_MEDIA\n"), "VTK's distance to the light");
+  Check(Has(shader, "#define AIRLIGHT_HAS_POSITIONS\n"), "VTK's distance to the light");
   Check(Has(shader, "#ifdef AIRLIGHT_DEPTH_PRE_PASS\n"), "distances without shading");
   std::string again = shader;
   airlight::InjectSurfaceShader(again, options);
@@ -181,7 +181,7 @@ void CheckSurfaceShader()
     Check(Has(Inject(options, std::string("//") + late + "\n", positions), "_DEPTH_PRE_PASS"),
       std::string(late) + ": not in comments");
   }
-  Check(!Has(Inject(options, "gl_FragDepth = 0.5;", positions), "#define AIRLIGHT_UNIFORM_MEDIA"),
+  Check(!Has(Inject(options, "gl_FragDepth = 0.5;", positions), "#define AIRLIGHT_HAS_POSITIONS"),
     "no distance of another place");
 }
 
