@@ -157,13 +157,16 @@ AirlightSliceWords airlightSliceWords(AirlightSliceRay slice, ivec2 words)
   vec2 turn = vec2(cos(32.0 * column), sin(32.0 * column)); // by a word
   vec2 at = slice.scale * vec2(cos(start), sin(start));
   // Roundings of this and of airlightSliceBits().
-  float slack = 1e-5 * (slice.point ? slice.scale : abs(start) + abs(32.0 * 32.0 * column));
+  float slack =
+    slice.point ? 1e-4 * slice.scale : 1e-5 * (abs(start) + abs(32.0 * 32.0 * column));
   AirlightSliceWords result = AirlightSliceWords(0u, 0u);
   for (int word = words.x; word <= words.y; word++)
   {
     vec2 u = start + 32.0 * column * float(word - words.x) + ends;
     vec2 values = slice.point ? at.x * cosEnds - at.y * sinEnds : u;
-    float least = min(values.x, values.y) - slack;
+    // Few columns are so wide that a word goes through the lowest value, too.
+    float least = slice.point && u.y > 3.14159 ? -slice.scale : min(values.x, values.y);
+    least -= slack;
     float most = slice.point && u.x * u.y < 0.0 ? slice.scale : max(values.x, values.y);
     most += slack;
     vec2 range = texelFetch(sliceRanges, ivec2(word, slice.row), 0).xy;

@@ -170,9 +170,10 @@ void CheckSurfaceShader()
   SurfaceShaderOptions records = options;
   records.TranslucentFragments = true;
   Check(Has(Inject(records, "", ""), "#version 430\n"), "storage buffers need their version");
-  Check(!Has(Inject(options, "", "uniform vec3 lightPositionVC0;\n"), "#define AIRLIGHT_UNIFORM"),
+  Check(
+    !Has(Inject(options, "", "uniform vec3 lightPositionVC0;\n"), "#define AIRLIGHT_HAS_POSITIONS"),
     "no distance without VTK's position of the fragment");
-  Check(!Has(Inject(options, "", "in vec4 vertexVCVSOutput;\n"), "#define AIRLIGHT_UNIFORM"),
+  Check(!Has(Inject(options, "", "in vec4 vertexVCVSOutput;\n"), "#define AIRLIGHT_HAS_POSITIONS"),
     "no distance without VTK's position of the light");
   for (const char* late : { "discard; discard;", "a = texture(map, at);", "gl_FragDepth = 0.5;" })
   {
