@@ -136,8 +136,9 @@ public:
 
   ///@{
   /**
-   * Steps along each view ray for RAY_MARCH. For shadow maps, a ray is compared with the map at 12
-   * places for each step, from 32 to 1024. Range: 1 to 2048. Default: 64.
+   * Steps along each view ray for RAY_MARCH. For shadow maps, a ray is compared with the map at 16
+   * places for each step, from 32 to 1024, and rays share at least 24 rows of them for each step and
+   * 1536. Range: 1 to 2048. Default: 64.
    */
   void SetNumberOfSteps(int steps);
   vtkGetMacro(NumberOfSteps, int);

@@ -21,7 +21,7 @@ namespace airlight
 namespace
 {
 // A step of a ray march is so many columns of a slice.
-constexpr int ColumnsPerStep = 12;
+constexpr int ColumnsPerStep = 16;
 
 // The longest way on which light of any channel falls to 1/e; 1 where none does.
 double GetFadingLength(const f64::AirlightMedia& media)

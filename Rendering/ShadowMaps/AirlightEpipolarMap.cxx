@@ -31,10 +31,11 @@ bool EpipolarMap::Fail(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-bool EpipolarMap::Allocate(
-  vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int width, int format, int components)
+bool EpipolarMap::Allocate(vtkOpenGLRenderWindow* window, const Target& target)
 {
   bool ok = true;
+  vtkTextureObject* texture = target.Texture;
+  const int width = target.Width;
   const int height = this->Slices.GetRows();
   ForgetErrors();
   if (texture->GetHandle() != 0)
@@ -44,13 +45,13 @@ bool EpipolarMap::Allocate(
   else
   {
     texture->SetContext(window);
-    texture->SetInternalFormat(format);
+    texture->SetInternalFormat(target.Format);
     texture->SetDataType(GL_FLOAT);
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
     texture->SetWrapS(vtkTextureObject::ClampToEdge);
     texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    ok = texture->Allocate2D(width, height, components, VTK_FLOAT);
+    ok = texture->Allocate2D(width, height, target.Components, VTK_FLOAT);
   }
   return (ok && !IsOutOfMemory()) ||
     this->Fail("no memory on the graphics card for the slices of a shadow map of " +
@@ -58,10 +59,13 @@ bool EpipolarMap::Allocate(
 }
 
 //------------------------------------------------------------------------------
-bool EpipolarMap::Bind(
-  vtkOpenGLRenderWindow* window, vtkTextureObject* texture, const BindTarget& bind)
+bool EpipolarMap::Begin(vtkOpenGLRenderWindow* window, const Target& target, const BindTarget& bind)
 {
-  const std::string reason = bind(texture);
+  if (!this->Allocate(window, target))
+  {
+    return false;
+  }
+  const std::string reason = bind(target.Texture);
   if (!reason.empty())
   {
     return this->Fail(reason);
@@ -71,8 +75,7 @@ bool EpipolarMap::Bind(
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglViewport(
-    0, 0, static_cast<int>(texture->GetWidth()), static_cast<int>(texture->GetHeight()));
+  state->vtkglViewport(0, 0, target.Width, this->Slices.GetRows());
   return true;
 }
 
@@ -99,8 +102,7 @@ bool EpipolarMap::DrawColumns(vtkOpenGLRenderWindow* window, ShadowMap& map,
       std::string("the shader of a shadow map's slices") + ProgramMaker::GetReason());
   }
   // Four columns a texel.
-  if (!this->Allocate(window, this->Texture, this->Slices.GetColumns() / 4, GL_RGBA32F, 4) ||
-    !this->Bind(window, this->Texture, bind))
+  if (!this->Begin(window, { this->Texture, this->Slices.GetColumns() / 4, GL_RGBA32F, 4 }, bind))
   {
     return false;
   }
@@ -113,14 +115,14 @@ bool EpipolarMap::DrawColumns(vtkOpenGLRenderWindow* window, ShadowMap& map,
 //------------------------------------------------------------------------------
 bool EpipolarMap::DrawRanges(vtkOpenGLRenderWindow* window, Quad& quad, const BindTarget& bind)
 {
-  if (!quad.GetOrCompile(window, GetShaderVersion(false) + AirlightSliceRangesFS))
+  if (!quad.GetOrCompile(
+        window, GetShaderVersion(false) + AirlightSliceLayout + AirlightSliceRangesFS))
   {
     return this->Fail(
       std::string("the shader of the ranges of a shadow map's slices") + ProgramMaker::GetReason());
   }
   const int words = this->Slices.GetColumns() / EpipolarSlices::Word;
-  if (!this->Allocate(window, this->Ranges, words, GL_RG32F, 2) ||
-    !this->Bind(window, this->Ranges, bind))
+  if (!this->Begin(window, { this->Ranges, words, GL_RG32F, 2 }, bind))
   {
     return false;
   }

@@ -70,9 +70,16 @@ private:
     return texture->GetHandle() != 0 ? texture : nullptr;
   }
   bool Fail(const std::string& reason);
-  bool Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int width, int format,
-    int components);
-  bool Bind(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, const BindTarget& bind);
+  // Of floats, as high as there are rows.
+  struct Target
+  {
+    vtkTextureObject* Texture;
+    int Width;
+    int Format;
+    int Components;
+  };
+  bool Allocate(vtkOpenGLRenderWindow* window, const Target& target);
+  bool Begin(vtkOpenGLRenderWindow* window, const Target& target, const BindTarget& bind);
   bool DrawColumns(vtkOpenGLRenderWindow* window, ShadowMap& map, const CameraUniforms& view,
     Quad& quad, const BindTarget& bind);
   bool DrawRanges(vtkOpenGLRenderWindow* window, Quad& quad, const BindTarget& bind);

@@ -23,6 +23,8 @@ constexpr double OnPole = 1e-7;
 constexpr double LeastRange = 1e-6;
 // With fewer, shadows of small pictures are as coarse as those.
 constexpr int LeastRows = 1536;
+// Both limit how fine shadows are, and rows across rays more than columns along them.
+constexpr double RowsPerColumn = 1.5;
 // Points on each of the picture's borders at which angles are taken.
 constexpr int BorderPoints = 16;
 // Of angles between those, and of roundings.
@@ -85,7 +87,9 @@ EpipolarSlices::EpipolarSlices(
   }
   this->Columns = std::min((columns + Word - 1) / Word * Word, MostColumns);
   // Two pixels apart at the picture's border, if the light is in its middle.
-  this->Rows = std::min(std::max(LeastRows, view.GetWidth() + view.GetHeight()), mostRows);
+  const int perColumn = static_cast<int>(RowsPerColumn * columns);
+  this->Rows =
+    std::min(std::max({ LeastRows, view.GetWidth() + view.GetHeight(), perColumn }), mostRows);
   if (!projection.IsParallel())
   {
     this->SetAround(projection, view);

@@ -23,7 +23,7 @@ class CameraUniforms;
 class EpipolarSlices
 {
 public:
-  // `columns`: at least so many.
+  // `columns`: at least so many, up to MostColumns; more give more rows alone.
   EpipolarSlices() = default;
   EpipolarSlices(
     const ShadowMapProjection& projection, const CameraUniforms& view, int columns, int mostRows);

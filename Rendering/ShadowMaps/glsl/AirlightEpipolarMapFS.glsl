@@ -4,14 +4,12 @@
 
 layout(location = 0) out vec4 sliceValues;
 
-float getValue(float row, float column)
+// Of row a, which is a direction or a place, and column u, an angle with this cosine and sine.
+float getValue(float a, vec3 across, float u, vec2 turned)
 {
-  float a = sliceRow.x + row / sliceRow.y;
-  float u = sliceColumn.x + column / sliceColumn.y;
-  vec3 across = cos(a) * sliceAxes[0] + sin(a) * sliceAxes[1];
   vec3 point = mapKind == 3
     ? (sliceFan != 0 ? u * across : a * sliceAxes[1] + u * sliceAxes[0]) - mapOrigin
-    : cos(u) * sliceAxes[2] + sin(u) * across;
+    : turned.x * sliceAxes[2] + turned.y * across;
   AirlightMapPosition position = airlightMapPosition(point);
   ivec2 texel = clamp(ivec2(floor(position.texel)), ivec2(0), ivec2(mapResolution - 1));
   float way = position.inside ? texelFetch(shadowMap, position.face + texel, 0).r : 1e30;
@@ -24,10 +22,19 @@ float getValue(float row, float column)
 void main()
 {
   vec2 p = gl_FragCoord.xy;
+  float a = sliceRow.x + p.y / sliceRow.y;
+  vec3 across = cos(a) * sliceAxes[0] + sin(a) * sliceAxes[1];
+  float u = sliceColumn.x + (4.0 * floor(p.x) + 0.5) / sliceColumn.y;
+  float column = 1.0 / sliceColumn.y;
+  vec2 turned = vec2(cos(u), sin(u));
+  vec2 turn = vec2(cos(column), sin(column));
   vec4 values;
   for (int i = 0; i < 4; i++)
   {
-    values[i] = getValue(p.y, 4.0 * floor(p.x) + float(i) + 0.5);
+    values[i] = getValue(a, across, u, turned);
+    u += column;
+    turned = vec2(
+      turned.x * turn.x - turned.y * turn.y, turned.y * turn.x + turned.x * turn.y);
   }
   vec4 rise = abs(dFdy(values));
   vec4 most = mapKind == 3 ? vec4(0.1 * length(1.0 / mapScale)) : 0.1 * abs(values);

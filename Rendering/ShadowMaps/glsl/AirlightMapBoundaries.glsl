@@ -120,15 +120,15 @@ AirlightSliceSteps airlightSliceSteps(AirlightSliceRay slice)
 // Whether light reaches the columns of a word: a bit each.
 uint airlightSliceBits(AirlightSliceRay slice, AirlightSliceSteps steps, int word)
 {
-  float u = slice.start + 32.0 * float(word) / sliceColumn.y * slice.perUnit;
+  float u = slice.start + float(AIRLIGHT_SLICE_WORD * word) / sliceColumn.y * slice.perUnit;
   float c = slice.scale * cos(u);
   float s = slice.scale * sin(u);
   vec4 before = slice.point ? c * steps.cosBefore - s * steps.sinBefore : u + steps.before;
   vec4 value = slice.point ? c * steps.cosAfter - s * steps.sinAfter : u + steps.after;
   uint bits = 0u;
-  for (int i = 0; i < 8; i++)
+  for (int i = 0; i < AIRLIGHT_SLICE_WORD / 4; i++)
   {
-    vec4 least = texelFetch(slices, ivec2(8 * word + i, slice.row), 0);
+    vec4 least = texelFetch(slices, ivec2(AIRLIGHT_SLICE_WORD / 4 * word + i, slice.row), 0);
     // Constants to choose from: shifts of a truth value take longer.
     uint first = 1u << uint(4 * i);
     bits |= (value.x >= least.x ? first : 0u) | (value.y >= least.y ? first << 1u : 0u) |
@@ -150,19 +150,20 @@ struct AirlightSliceWords
 AirlightSliceWords airlightSliceWords(AirlightSliceRay slice, ivec2 words)
 {
   float column = slice.perUnit / sliceColumn.y;
-  float start = slice.start + column * (32.0 * float(words.x) + 0.5);
-  vec2 ends = vec2(0.0, 31.0 * column); // middles of the first and the last column
+  float width = float(AIRLIGHT_SLICE_WORD) * column; // of a word
+  float start = slice.start + column * (float(AIRLIGHT_SLICE_WORD * words.x) + 0.5);
+  vec2 ends = vec2(0.0, width - column); // middles of the first and the last column
   vec2 cosEnds = cos(ends);
   vec2 sinEnds = sin(ends);
-  vec2 turn = vec2(cos(32.0 * column), sin(32.0 * column)); // by a word
+  vec2 turn = vec2(cos(width), sin(width));
   vec2 at = slice.scale * vec2(cos(start), sin(start));
   // Roundings of this and of airlightSliceBits().
   float slack =
-    slice.point ? 1e-4 * slice.scale : 1e-5 * (abs(start) + abs(32.0 * 32.0 * column));
+    slice.point ? 1e-4 * slice.scale : 1e-5 * (abs(start) + abs(float(AIRLIGHT_SLICE_WORDS) * width));
   AirlightSliceWords result = AirlightSliceWords(0u, 0u);
   for (int word = words.x; word <= words.y; word++)
   {
-    vec2 u = start + 32.0 * column * float(word - words.x) + ends;
+    vec2 u = start + width * float(word - words.x) + ends;
     vec2 values = slice.point ? at.x * cosEnds - at.y * sinEnds : u;
     // Few columns are so wide that a word goes through the lowest value, too.
     float least = slice.point && u.y > 3.14159 ? -slice.scale : min(values.x, values.y);
@@ -181,8 +182,8 @@ AirlightSliceWords airlightSliceWords(AirlightSliceRay slice, ivec2 words)
 // Finds and counts all changes between two columns, and whether the first one is lit.
 void airlightMarchSlice(ivec2 ends)
 {
-  ivec2 words = ends / 32;
-  ivec2 bit = ends % 32;
+  ivec2 words = ends / AIRLIGHT_SLICE_WORD;
+  ivec2 bit = ends % AIRLIGHT_SLICE_WORD;
   AirlightSliceWords seen = airlightSliceWords(sliceRay, words);
   AirlightSliceSteps steps = airlightSliceSteps(sliceRay);
   uint lasts = seen.lit; // whether the last column of each word is lit
@@ -230,7 +231,7 @@ int airlightSliceNext()
   sliceWords &= read ? sliceWords - 1u : 0xffffffffu;
   bool isPart = (sliceParts >> uint(sliceWord) & 1u) != 0u;
   sliceChange = read ? (isPart ? sliceChanges[sliceWord] : 1u) : sliceChange;
-  int column = sliceChange != 0u ? 32 * sliceWord + findLSB(sliceChange) : -1;
+  int column = sliceChange != 0u ? AIRLIGHT_SLICE_WORD * sliceWord + findLSB(sliceChange) : -1;
   sliceChange &= sliceChange - 1u;
   return column;
 }

@@ -43,7 +43,8 @@ AirlightMapPosition airlightMapPosition(vec3 p)
   vec2 across = mapScale * (mapKind == 3 ? q.xy : q.xy / max(q.z, 1e-30));
   position.inside = position.inside && mapKind != 0 && all(lessThanEqual(abs(across), vec2(1.0)));
   position.texel = float(mapResolution) * (0.5 + 0.5 * clamp(across, -1.0, 1.0));
-  position.face = mapResolution * ivec2(face % 3, face / 3);
+  int row = face < 3 ? 0 : 1;
+  position.face = mapResolution * ivec2(face - 3 * row, row);
   return position;
 }
 

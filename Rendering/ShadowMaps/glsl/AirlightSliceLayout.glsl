@@ -8,6 +8,9 @@
 // A directional light: a point's place across the light. In perspective, a row is an angle around
 // the eye, a column a distance from it; in a parallel view both are lengths.
 
+// Columns of a word, whose least and most value are known (EpipolarSlices::Word): a bit each.
+const int AIRLIGHT_SLICE_WORD = 32;
+
 uniform vec3 sliceAxes[3]; // two across the pole or the light, and it
 uniform vec2 sliceRow;     // the first row's border, rows per unit
 uniform vec2 sliceColumn;  // the same of columns
