@@ -70,6 +70,19 @@ inline glm::dmat3 RandomAxes(Random& random)
   return glm::dmat3(x, y, glm::cross(x, y));
 }
 
+// What single precision makes of it. Volatile: GCC 12 at -O2 turns two neighbouring conversions
+// from double to float and back into none.
+inline double Rounded(double v)
+{
+  const volatile float rounded = static_cast<float>(v);
+  return rounded;
+}
+
+inline glm::dvec3 Rounded(const glm::dvec3& v)
+{
+  return { Rounded(v.x), Rounded(v.y), Rounded(v.z) };
+}
+
 // One kind of comparison: counts the failures, remembers the worst case, prints both.
 class Comparison
 {

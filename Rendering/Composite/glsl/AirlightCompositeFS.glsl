@@ -40,8 +40,7 @@ void main()
   float bits = texelFetch(scattered, pixel, 0).a;
   colour = parameter >= 0.0 ? airlightInShadow(pixel, bits, colour) : colour;
 #endif
-  // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
-  colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
+  colour.rgb = airlightFinite(colour.rgb);
 #if AIRLIGHT_ENCODED_INPUT
   colour.rgb = airlightDecode(colour.rgb);
 #endif

@@ -27,12 +27,44 @@ struct AirlightEquiangularPixel
   bool surfaceLit;
 };
 
-void airlightBeginEquiangular(AirlightRay ray, inout float from, inout AirlightCounts shadows,
-  inout AirlightEquiangularPixel pixel)
+// What is known of a ray up to a boundary.
+struct AirlightRayShadows
 {
-  airlightBeginBoundaries(ray, from, shadows);
+  AirlightCounts counts;
+  bool lit;
+  float litLength; // less where it is lit from
+};
+
+AirlightRayShadows airlightBeginEquiangular(AirlightRay ray, inout AirlightEquiangularPixel pixel)
+{
+  AirlightRayShadows shadows;
+  float from = ray.lit.x;
+  shadows.counts = airlightStartCounts();
+  airlightBeginBoundaries(ray, from, shadows.counts);
+  shadows.lit = airlightPassing(shadows.counts);
+  shadows.litLength = shadows.lit ? -from : 0.0;
   pixel.boundaries = airlightBoundaryCount;
-  pixel.surfaceLit = airlightPassing(airlightAdd(shadows, airlightBoundaryWeights));
+  pixel.surfaceLit = airlightPassing(airlightAdd(shadows.counts, airlightBoundaryWeights));
+  return shadows;
+}
+
+void airlightCross(AirlightRay ray, float boundary, AirlightCounts weight,
+  inout AirlightRayShadows shadows)
+{
+  float t = clamp(boundary, ray.lit.x, ray.lit.y);
+  bool was = shadows.lit;
+  shadows.counts = airlightAdd(shadows.counts, weight);
+  shadows.lit = airlightPassing(shadows.counts);
+  shadows.litLength += was == shadows.lit ? 0.0 : shadows.lit ? -t : t;
+}
+
+// `all`, `sum`: of all of the ray, and of what is lit.
+void airlightFinishEquiangular(AirlightRay ray, AirlightRayShadows shadows, AirlightSpectrum all,
+  AirlightSpectrum sum, inout AirlightEquiangularPixel pixel)
+{
+  pixel.litLength = max(shadows.litLength + (shadows.lit ? ray.lit.y : 0.0), 0.0);
+  pixel.whole = airlightEquiangularLight(light, ray, all);
+  pixel.sum = airlightEquiangularLight(light, ray, max(sum, AirlightSpectrum(0.0)));
 }
 
 // AirlightEquiangularRay.glsl, or AirlightSteppedRay.glsl.

@@ -10,11 +10,7 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
   AirlightEquiangular arc = airlightEquiangularFrom(media.item[0], ray, ray.lit.x);
   float least = airlightLeastDepthPerTangent(media.item[0], arc.h);
   float reach = airlightHalfAngleReach(arc, ray, ray.lit.y);
-  float from = ray.lit.x;
-  AirlightCounts shadows = airlightStartCounts();
-  airlightBeginEquiangular(ray, from, shadows, pixel);
-  bool lit = airlightPassing(shadows);
-  float litLength = lit ? -from : 0.0;
+  AirlightRayShadows shadows = airlightBeginEquiangular(ray, pixel);
   AirlightSpectrum sum = AirlightSpectrum(0.0);
   float done = 0.0;
   bool open = false; // what is left is taken in closed form
@@ -27,33 +23,28 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
     float t = ends ? ray.lit.y : clamp(boundary, ray.lit.x, ray.lit.y);
     float to = clamp(airlightHalfAngleReach(arc, ray, t), done, reach);
     open = ends && least * (to - done) > AIRLIGHT_NEGLIGIBLE_DEPTH;
-    bool shines = lit && least * done <= AIRLIGHT_NEGLIGIBLE_DEPTH;
+    bool shines = shadows.lit && least * done <= AIRLIGHT_NEGLIGIBLE_DEPTH;
     float next = shines ? min(done + airlightHalfAngleStep(media.item[0], arc, done), to) : to;
     sum += shines && !open ? airlightHalfAnglePanel(arc, done, next) : AirlightSpectrum(0.0);
     done = open ? done : next;
     more = !open && !(ends && next >= to);
     if (!ends && next >= to)
     {
-      shadows = airlightAdd(shadows, weight);
-      bool was = lit;
-      lit = airlightPassing(shadows);
-      litLength += was == lit ? 0.0 : lit ? -t : t;
+      airlightCross(ray, t, weight, shadows);
       ends = airlightNextBoundary(boundary, weight) == AIRLIGHT_END;
     }
   }
   sum *= airlightPhaseHalves(media.item[0].phase, 0.5, 0.5);
-  if (open && lit)
+  if (open && shadows.lit)
   {
     sum += airlightEquiangularRest(media.item[0], arc, done);
   }
-  pixel.litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
 #if AIRLIGHT_WHOLE
   AirlightSpectrum all = airlightEquiangular(media.item[0], ray, ray.lit.x, ray.lit.y);
 #else
   AirlightSpectrum all = AirlightSpectrum(0.0);
 #endif
-  pixel.whole = airlightEquiangularLight(light, ray, all);
-  pixel.sum = airlightEquiangularLight(light, ray, max(sum, AirlightSpectrum(0.0)));
+  airlightFinishEquiangular(ray, shadows, all, sum, pixel);
 }
 
 #else
@@ -62,11 +53,7 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
 void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixel)
 {
   AirlightEquiangular arc = airlightEquiangularRange(media.item[0], ray, ray.lit.x, ray.lit.y);
-  float from = ray.lit.x;
-  AirlightCounts shadows = airlightStartCounts();
-  airlightBeginEquiangular(ray, from, shadows, pixel);
-  bool lit = airlightPassing(shadows);
-  float litLength = lit ? -from : 0.0;
+  AirlightRayShadows shadows = airlightBeginEquiangular(ray, pixel);
   AirlightSpectrum all = AirlightSpectrum(0.0);
   AirlightSpectrum sum = AirlightSpectrum(0.0);
   float psi = 0.0;
@@ -82,24 +69,18 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
     // The last part takes what lies beyond the ray's end, too.
     while (!ends && (at <= end || end >= arc.end))
     {
-      shadows = airlightAdd(shadows, weight);
-      bool next = airlightPassing(shadows);
-      AirlightSpectrum before = airlightEquiangularPanelTo(part, at);
-      float parameter = clamp(t, ray.lit.x, ray.lit.y);
-      float turns = lit == next ? 0.0 : next ? -1.0 : 1.0;
-      sum += turns * before;
-      litLength += turns * parameter;
-      lit = next;
+      bool was = shadows.lit;
+      airlightCross(ray, t, weight, shadows);
+      float turns = was == shadows.lit ? 0.0 : shadows.lit ? -1.0 : 1.0;
+      sum += turns * airlightEquiangularPanelTo(part, at);
       ends = airlightNextBoundary(t, weight) == AIRLIGHT_END;
       at = airlightAngleAt(arc, ray, t);
     }
     AirlightSpectrum full = part.whole + part.whole;
     all += full;
-    sum += lit ? full : AirlightSpectrum(0.0);
+    sum += shadows.lit ? full : AirlightSpectrum(0.0);
   }
-  pixel.litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
-  pixel.whole = airlightEquiangularLight(light, ray, all);
-  pixel.sum = airlightEquiangularLight(light, ray, max(sum, AirlightSpectrum(0.0)));
+  airlightFinishEquiangular(ray, shadows, all, sum, pixel);
 }
 
 #endif

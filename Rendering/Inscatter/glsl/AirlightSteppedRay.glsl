@@ -6,11 +6,7 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
 {
   AirlightSteps steps = airlightSteps(ray);
   float last = airlightLastStep(steps);
-  float from = ray.lit.x;
-  AirlightCounts shadows = airlightStartCounts();
-  airlightBeginEquiangular(ray, from, shadows, pixel);
-  bool lit = airlightPassing(shadows);
-  float litLength = lit ? -from : 0.0;
+  AirlightRayShadows shadows = airlightBeginEquiangular(ray, pixel);
   AirlightSpectrum sum = AirlightSpectrum(0.0);
   float done = airlightFirstStep(steps);
   float t;
@@ -24,16 +20,12 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
     // The last step takes what lies beyond the ray's end, too.
     bool stops = !ends && (at <= end || end >= last);
     end = stops ? clamp(at, done, end) : end;
-    sum += lit ? airlightStep(steps, done, end) : AirlightSpectrum(0.0);
+    sum += shadows.lit ? airlightStep(steps, done, end) : AirlightSpectrum(0.0);
     done = end;
     more = stops || done < last;
     if (stops)
     {
-      shadows = airlightAdd(shadows, weight);
-      bool was = lit;
-      lit = airlightPassing(shadows);
-      float parameter = clamp(t, ray.lit.x, ray.lit.y);
-      litLength += was == lit ? 0.0 : lit ? -parameter : parameter;
+      airlightCross(ray, t, weight, shadows);
       ends = airlightNextBoundary(t, weight) == AIRLIGHT_END;
       at = airlightStepAt(steps, ray, t);
     }
@@ -42,12 +34,10 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
       airlightNextStep(steps);
     }
   }
-  pixel.litLength = max(litLength + (lit ? ray.lit.y : 0.0), 0.0);
 #if AIRLIGHT_WHOLE
   AirlightSpectrum all = airlightAllSteps(ray);
 #else
   AirlightSpectrum all = AirlightSpectrum(0.0);
 #endif
-  pixel.whole = airlightEquiangularLight(light, ray, all);
-  pixel.sum = airlightEquiangularLight(light, ray, max(sum, AirlightSpectrum(0.0)));
+  airlightFinishEquiangular(ray, shadows, all, sum, pixel);
 }

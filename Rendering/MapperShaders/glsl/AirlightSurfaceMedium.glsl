@@ -13,8 +13,7 @@ vec3 airlightApplyMedium(vec3 colour)
   {
     return colour;
   }
-  // A light whose numbers are not finite makes the mappers shade surfaces with NaN.
-  colour = min(mix(vec3(0.0), colour, equal(colour, colour)), vec3(1e30));
+  colour = airlightFinite(colour);
 #if AIRLIGHT_ENCODED_INPUT
   colour = airlightDecode(colour);
 #endif

@@ -282,8 +282,7 @@ vec4 airlightApplyMediumToVolume(vec4 colour)
     return colour;
   }
 #if AIRLIGHT_SHADED_VOLUME
-  // A light whose numbers are not finite makes VTK shade with NaN.
-  colour.rgb = min(mix(vec3(0.0), colour.rgb, equal(colour.rgb, colour.rgb)), vec3(1e30));
+  colour.rgb = airlightFinite(colour.rgb);
 #endif
 #if AIRLIGHT_ENCODED_INPUT
   colour.rgb = colour.a * airlightDecode(colour.rgb / colour.a);

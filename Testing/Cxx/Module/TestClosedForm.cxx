@@ -58,14 +58,6 @@ Setting RandomSetting(Random& random)
   return s;
 }
 
-// What single precision makes of it. Volatile: GCC 12 at -O2 turns two neighbouring conversions
-// from double to float and back into none.
-double Rounded(double v)
-{
-  const volatile float rounded = static_cast<float>(v);
-  return rounded;
-}
-
 Setting RoundToFloat(const Setting& s)
 {
   return { Rounded(s.SigmaT), Rounded(s.TL), Rounded(s.H), Rounded(s.T0), Rounded(s.T1) };

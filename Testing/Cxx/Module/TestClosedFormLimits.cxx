@@ -277,13 +277,12 @@ bool TestLowSun()
   {
     LowSun sun;
     // Numbers that single precision holds, for one expected value.
-    const auto round = [](double value) { return static_cast<double>(static_cast<float>(value)); };
-    sun.ScaleHeight = 1.0 / round(1.0 / random.LogUniform(1e-3, 1e3));
-    sun.EyeHeight = round(sun.ScaleHeight * random.Uniform(-8.0, 8.0));
-    sun.Rise = round((i % 2 ? 1.0 : -1.0) * random.LogUniform(1e-3, 0.9));
-    sun.SunRise = round(random.LogUniform(1e-4, 0.9));
-    sun.End = round(sun.ScaleHeight * random.LogUniform(1e-2, 1e3));
-    sun.Sigma = glm::dvec3(round(random.LogUniform(1e-4, 1e4) / sun.ScaleHeight), 0.0, 0.0);
+    sun.ScaleHeight = 1.0 / Rounded(1.0 / random.LogUniform(1e-3, 1e3));
+    sun.EyeHeight = Rounded(sun.ScaleHeight * random.Uniform(-8.0, 8.0));
+    sun.Rise = Rounded((i % 2 ? 1.0 : -1.0) * random.LogUniform(1e-3, 0.9));
+    sun.SunRise = Rounded(random.LogUniform(1e-4, 0.9));
+    sun.End = Rounded(sun.ScaleHeight * random.LogUniform(1e-2, 1e3));
+    sun.Sigma = glm::dvec3(Rounded(random.LogUniform(1e-4, 1e4) / sun.ScaleHeight), 0.0, 0.0);
     const auto describe = [&] {
       return Text("scale height ", sun.ScaleHeight, ", eye at ", sun.EyeHeight, ", rises ",
         sun.Rise, " and ", sun.SunRise, ", end ", sun.End, ", sigma ", sun.Sigma.x, "; expected ",

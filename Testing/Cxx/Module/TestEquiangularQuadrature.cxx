@@ -41,13 +41,6 @@ struct Setting
   }
 };
 
-// What single precision makes of it; volatile as in TestClosedForm.
-double Rounded(double v)
-{
-  const volatile float rounded = static_cast<float>(v);
-  return rounded;
-}
-
 Setting RandomSetting(Random& random)
 {
   Setting s;
@@ -172,8 +165,7 @@ Sums SumSingle(const Setting& s, const f32::AirlightPhase& phase)
 // The only phase function whose rests the shaders take in closed form, in single precision.
 bool IsIsotropic(const f64::AirlightPhase& phase)
 {
-  return phase.poleCount == 1 && phase.order == 1 && phase.pole[0].x == 1.0 &&
-    phase.power.x == 0.0;
+  return phase.poleCount == 1 && phase.order == 1 && phase.pole[0].x == 1.0 && phase.power.x == 0.0;
 }
 
 // What is scattered between two places, per unit sigmaS I. Of Mie's functions ("hazy" and "murky")

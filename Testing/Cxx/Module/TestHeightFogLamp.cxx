@@ -45,15 +45,6 @@ struct Setting
   }
 };
 
-// What single precision makes of it; volatile as in TestClosedForm.
-double Rounded(double v)
-{
-  const volatile float rounded = static_cast<float>(v);
-  return rounded;
-}
-
-glm::dvec3 Rounded(const glm::dvec3& v) { return { Rounded(v.x), Rounded(v.y), Rounded(v.z) }; }
-
 glm::dvec3 RandomDirection(Random& random)
 {
   const double z = random.Uniform(-1.0, 1.0);
