@@ -32,11 +32,6 @@ struct AirlightHeightFogLamp
   AirlightSpectrum least; // of airlightHeightFogLoss() so far
 };
 
-AIRLIGHT_FN real airlightDensityAt(real height)
-{
-  return exp(min(-height, real(80.0)));
-}
-
 // The mean density on a way between places of these densities of which the second is `rise` scale
 // heights above the first.
 AIRLIGHT_FN real airlightMeanDensity(real first, real second, real rise)
@@ -101,7 +96,7 @@ AIRLIGHT_FN AirlightSpectrum airlightHeightFogFade(
   AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightHeightFogLamp) lamp, real2 e)
 {
   real height = airlightHeightFogAt(lamp, e);
-  real columns = airlightHeightFogColumns(lamp, e, height, airlightDensityAt(height));
+  real columns = airlightHeightFogColumns(lamp, e, height, airlightExponentialDensity(height));
   return AIRLIGHT_SPECTRUM(medium.sigmaT) * columns + height;
 }
 
@@ -120,9 +115,9 @@ AIRLIGHT_FN AirlightHeightFogLamp airlightHeightFogLamp(AIRLIGHT_IN(AirlightMedi
   lamp.start = -ray.foot.tL;
   lamp.rise = airlightRise(medium, ray.direction);
   lamp.startHeight = airlightScaleHeights(medium, ray.origin);
-  lamp.startDensity = airlightDensityAt(lamp.startHeight);
+  lamp.startDensity = airlightExponentialDensity(lamp.startHeight);
   lamp.lampHeight = airlightScaleHeights(medium, light.position);
-  lamp.lampDensity = airlightDensityAt(lamp.lampHeight);
+  lamp.lampDensity = airlightExponentialDensity(lamp.lampHeight);
   lamp.footHeight = lamp.lampHeight + dot(medium.up, ray.across) * medium.inverseScaleHeight;
   t1 = min(t1, airlightFadingLength(medium, ray.origin, ray.direction,
     airlightLeastExtinction(medium), real(AIRLIGHT_BURIED_DEPTH)));
@@ -193,7 +188,7 @@ AIRLIGHT_FN AirlightSpectrum airlightHeightFogSample(
   AIRLIGHT_IN(AirlightMedium) medium, AIRLIGHT_IN(AirlightHeightFogLamp) lamp, real2 e)
 {
   real height = airlightHeightFogAt(lamp, e);
-  real density = airlightDensityAt(height);
+  real density = airlightExponentialDensity(height);
   real inverse = real(1.0) / (e.x + e.y);
   real columns = airlightHeightFogColumns(lamp, e, height, density);
   return (airlightPhaseHalves(medium.phase, e.y * inverse, e.x * inverse) *

@@ -90,6 +90,13 @@ AIRLIGHT_FN real airlightHeight(AIRLIGHT_IN(AirlightMedium) medium, real3 point)
   return medium.originHeight + dot(medium.up, point);
 }
 
+// At a height in scale heights. Deep below, the medium is opaque anyway; the bound keeps numbers
+// finite.
+AIRLIGHT_FN real airlightExponentialDensity(real height)
+{
+  return exp(min(-height, real(80.0)));
+}
+
 // Density at a point inside the region.
 AIRLIGHT_FN real airlightDensity(AIRLIGHT_IN(AirlightMedium) medium, real3 point)
 {
@@ -103,8 +110,7 @@ AIRLIGHT_FN real airlightDensity(AIRLIGHT_IN(AirlightMedium) medium, real3 point
     return AIRLIGHT_GRID_DENSITY(medium, point);
   }
 #endif
-  // Deep below, the medium is opaque anyway; the bound keeps numbers finite.
-  return exp(min(-airlightHeight(medium, point) * medium.inverseScaleHeight, real(80.0)));
+  return airlightExponentialDensity(airlightHeight(medium, point) * medium.inverseScaleHeight);
 }
 
 // Integral of the density along [from, to] of a ray, all of it inside the region.
