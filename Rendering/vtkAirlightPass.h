@@ -137,8 +137,8 @@ public:
   ///@{
   /**
    * Steps along each view ray for RAY_MARCH. For shadow maps, a ray is compared with the map at 16
-   * places for each step, from 32 to 1024, and rays share at least 24 rows of them for each step and
-   * 1536. Range: 1 to 2048. Default: 64.
+   * places for each step, from 32 to 1024, in the nearest of 24 planes of rays for each step, at
+   * least 1536. Range: 1 to 2048. Default: 64.
    */
   void SetNumberOfSteps(int steps);
   vtkGetMacro(NumberOfSteps, int);

@@ -158,8 +158,8 @@ AirlightSliceWords airlightSliceWords(AirlightSliceRay slice, ivec2 words)
   vec2 turn = vec2(cos(width), sin(width));
   vec2 at = slice.scale * vec2(cos(start), sin(start));
   // Roundings of this and of airlightSliceBits().
-  float slack =
-    slice.point ? 1e-4 * slice.scale : 1e-5 * (abs(start) + abs(float(AIRLIGHT_SLICE_WORDS) * width));
+  float slack = slice.point ? 1e-4 * slice.scale
+                            : 1e-5 * (abs(start) + float(AIRLIGHT_SLICE_WORDS) * abs(width));
   AirlightSliceWords result = AirlightSliceWords(0u, 0u);
   for (int word = words.x; word <= words.y; word++)
   {

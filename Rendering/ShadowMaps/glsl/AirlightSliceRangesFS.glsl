@@ -1,5 +1,6 @@
-// The least and the most of each word of columns of a shadow map's slices, after
-// AirlightEpipolarMapFS.glsl and AirlightSliceLayout.glsl: rays pass words that are lit or in shadow as wholes in one step.
+// The least and the most of each word of columns of a shadow map's slices
+// (AirlightSliceLayout.glsl), after AirlightEpipolarMapFS.glsl: rays pass words that are lit or in
+// shadow as wholes in one step.
 
 uniform sampler2D slices; // four columns a texel
 const int TEXELS = AIRLIGHT_SLICE_WORD / 4;
