@@ -270,12 +270,12 @@ LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::Airligh
 
 //------------------------------------------------------------------------------
 template <typename Samples>
-Texels PackSamples(const Samples& samples, const glm::ivec3& size)
+FloatTexels PackSamples(const Samples& samples, const glm::ivec3& size)
 {
   const auto at = [&](int i, int j, int k) {
     return std::min(samples[(static_cast<size_t>(k) * size.y + j) * size.x + i], Opaque);
   };
-  auto texels = std::make_shared<std::vector<glm::dvec4>>();
+  auto texels = std::make_shared<std::vector<glm::vec4>>();
   texels->reserve(static_cast<size_t>(size.x - 1) * (size.y - 1) * size.z);
   for (int k = 0; k < size.z; ++k)
   {
@@ -291,7 +291,7 @@ Texels PackSamples(const Samples& samples, const glm::ivec3& size)
 }
 
 //------------------------------------------------------------------------------
-Texels LightGrids::GetSamples(const DensityGrid& grid)
+FloatTexels LightGrids::GetSamples(const DensityGrid& grid)
 {
   if (!this->Samples)
   {

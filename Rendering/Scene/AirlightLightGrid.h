@@ -23,7 +23,7 @@ namespace airlight
 {
 struct LightGrid
 {
-  Texels Means; // as airlightCell() reads them
+  FloatTexels Means; // as airlightCell() reads them
   glm::dvec3 Cells;
   double Error; // the largest of optical depths found between the points, where light is left
   bool IsFinest;
@@ -37,14 +37,14 @@ struct LightGrid
 
 // Samples as airlightCell() reads them: 2 x 2 in x and y a texel.
 template <typename Samples>
-Texels PackSamples(const Samples& samples, const glm::ivec3& size);
+FloatTexels PackSamples(const Samples& samples, const glm::ivec3& size);
 
 // What the last frame needed of one image.
 class LightGrids
 {
 public:
   // The image's samples, and the grid of a light; medium and light relative to `eye`.
-  Texels GetSamples(const DensityGrid& grid);
+  FloatTexels GetSamples(const DensityGrid& grid);
   const LightGrid& GetLight(const f64::AirlightMedium& medium, const f64::AirlightLight& light,
     const glm::dvec3& eye, bool everywhere, double seconds);
 
@@ -64,7 +64,7 @@ private:
     LightGrid Values;
   };
 
-  Texels Samples;
+  FloatTexels Samples;
   int Age = 0; // calls of Forget() since they were used
   std::vector<std::unique_ptr<Entry>> Entries;
 };

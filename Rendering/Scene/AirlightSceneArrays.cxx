@@ -77,12 +77,12 @@ bool SceneArrays::Upload(vtkOpenGLRenderWindow* window, const SceneSources& sour
     if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
     {
       const std::shared_ptr<const SurfaceTree> tree = media[i]->GetSurfaceTree();
-      add(Texels(tree, &tree->GetTexels()), medium.region.first);
+      add(DoubleTexels(tree, &tree->GetTexels()), medium.region.first);
     }
     if (medium.phase.rows > 0)
     {
       const std::shared_ptr<const PhaseShape> shape = media[i]->GetPhaseShape();
-      add(Texels(shape, &shape->Rows), medium.phase.first);
+      add(DoubleTexels(shape, &shape->Rows), medium.phase.first);
     }
   }
   const double seconds = GetTimeForGrid(window, converted, sceneLights);

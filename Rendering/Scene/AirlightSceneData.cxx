@@ -26,7 +26,8 @@ bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<Texels>&
   for (const Texels& array : arrays)
   {
     this->First.push_back(static_cast<int>(texels.size()));
-    texels.insert(texels.end(), array->begin(), array->end());
+    std::visit(
+      [&texels](const auto& all) { texels.insert(texels.end(), all->begin(), all->end()); }, array);
   }
   if (texels.empty())
   {
@@ -40,11 +41,10 @@ bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<Texels>&
       " texels and the graphics card has room for " + std::to_string(most) + "; use coarser ones";
     return false;
   }
-  std::vector<float> numbers(&texels[0].x, &texels[0].x + 4 * texels.size());
   ForgetErrors();
   this->Texture->SetContext(window);
   this->Buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer);
-  if (!this->Buffer->Upload(numbers, vtkOpenGLBufferObject::TextureBuffer) ||
+  if (!this->Buffer->Upload(texels, vtkOpenGLBufferObject::TextureBuffer) ||
     !this->Texture->CreateTextureBuffer(
       static_cast<unsigned int>(texels.size()), 4, VTK_FLOAT, this->Buffer) ||
     IsOutOfMemory())

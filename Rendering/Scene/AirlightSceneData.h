@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 class vtkOpenGLBufferObject;
@@ -23,7 +24,10 @@ class vtkWindow;
 
 namespace airlight
 {
-using Texels = std::shared_ptr<const std::vector<glm::dvec4>>;
+// Numbers that the CPU uses, too, or that only cards need.
+using DoubleTexels = std::shared_ptr<const std::vector<glm::dvec4>>;
+using FloatTexels = std::shared_ptr<const std::vector<glm::vec4>>;
+using Texels = std::variant<DoubleTexels, FloatTexels>;
 
 class SceneData
 {

@@ -32,7 +32,7 @@ struct SceneLight
   glm::dvec4 World{ 0.0 };   // homogeneous position
   bool CastsShadows = false;
   bool LeftOut = false;   // of the medium, as it is fixed to the camera and its user did not set it
-  Texels Table;           // of a light that shines by a photometric file, else null
+  DoubleTexels Table;     // of a light that shines by a photometric file, else null
   double GridError = 0.0; // of the optical depth on the way to it, where an image is the density
 
   bool Scatters() const { return this->Support == LightSupport::Scatters; }
