@@ -165,7 +165,7 @@ bool vtkEmissionLights::Update()
   for (size_t i = 0; i < clusters.size(); ++i)
   {
     vtkLight* light = GetLight(this->Lights, static_cast<int>(i));
-    const glm::dvec3 intensity = clusters[i].Weight * emission;
+    const glm::dvec3& intensity = clusters[i].Power;
     light->SetPosition(clusters[i].Centre.x, clusters[i].Centre.y, clusters[i].Centre.z);
     vtkAirlightLight::SetRadiantIntensity(light, &intensity.x);
     vtkAirlightLight::SetRadius(light, clusters[i].Radius);

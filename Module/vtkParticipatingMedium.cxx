@@ -4,6 +4,7 @@
 
 #include "Density/AirlightDensityGrid.h"
 #include "Medium/AirlightDerivedData.h"
+#include "Medium/AirlightMediumColours.h"
 #include "Medium/AirlightMediumSky.h"
 #include "MultipleScattering/AirlightMediumSource.h"
 #include "Phase/AirlightMediumPhase.h"
@@ -43,6 +44,8 @@ struct vtkParticipatingMedium::Internals
   airlight::DerivedData<vtkImageData, airlight::DensityGrid> Image{ "density image", "image",
     "The density is an image and there is none: call SetDensityImage(). The medium is ignored "
     "until then." };
+  airlight::MediumColours Albedo;
+  airlight::MediumColours EmissionFactors;
 };
 
 //------------------------------------------------------------------------------
@@ -682,6 +685,28 @@ std::shared_ptr<const airlight::DensityGrid> vtkParticipatingMedium::GetDensityG
 }
 
 //------------------------------------------------------------------------------
+std::shared_ptr<const airlight::ImageColours> vtkParticipatingMedium::GetAlbedoColours()
+{
+  airlight::Change problem;
+  const auto colours =
+    this->Impl->Albedo.Update(this->GetDensityGrid() ? this->GetDensityImage() : nullptr,
+      this->AlbedoArrayName, 1.0, problem.Error);
+  this->Apply(problem);
+  return colours;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const airlight::ImageColours> vtkParticipatingMedium::GetEmissionColours()
+{
+  airlight::Change problem;
+  const auto colours =
+    this->Impl->EmissionFactors.Update(this->GetDensityGrid() ? this->GetDensityImage() : nullptr,
+      this->EmissionArrayName, 1e30, problem.Error);
+  this->Apply(problem);
+  return colours;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkParticipatingMedium::GetMTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->Impl->Phase.GetMTime(),
@@ -724,6 +749,8 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   const char* densities[] = { "Uniform", "ExponentialHeight", "Image" };
   os << indent << "Density: " << densities[this->Density] << "\n";
   os << indent << "DensityImage: " << this->GetDensityImage() << "\n";
+  os << indent << "AlbedoArrayName: " << this->AlbedoArrayName << "\n";
+  os << indent << "EmissionArrayName: " << this->EmissionArrayName << "\n";
   os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
   os << indent << "ReferenceHeight: " << this->ReferenceHeight << "\n";
   os << indent << "Ground: " << (this->Ground ? "on" : "off") << "\n";

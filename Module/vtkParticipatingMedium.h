@@ -24,6 +24,7 @@
 #include "vtkSmartPointer.h" // for code that relies on this header for it
 
 #include <memory> // for the phase function, the surface and the image
+#include <string> // for the names of arrays
 
 class vtkImageData;
 class vtkPhaseFunction;
@@ -34,6 +35,7 @@ namespace airlight
 {
 struct Change;
 class DensityGrid;
+class ImageColours;
 class MediumSky;
 struct PhaseShape;
 struct SourceFit;
@@ -499,6 +501,25 @@ public:
   vtkImageData* GetDensityImage();
   ///@}
 
+  ///@{
+  /**
+   * Names of point arrays of the density image that give each place its own colours, with one
+   * component for all channels or three; of unsigned characters 255 counts as 1. They are trilinear
+   * between the points and kept in single precision. AlbedoArrayName: the share of extinction that
+   * is scattered there, in place of Scattering/(Scattering + Absorption), as where white steam and
+   * black smoke mix; the extinction stays. Range: 0 to 1. EmissionArrayName: factors of Emission,
+   * as in flames in which the temperature varies; the density counts, too, as for all emission.
+   * Range: 0 to 1e30. Default: "", no array.
+   *
+   * If the image has no such array or a value is out of range when the medium is used, an error
+   * says so once, and the array is ignored until that is mended.
+   */
+  vtkSetMacro(AlbedoArrayName, std::string);
+  vtkGetMacro(AlbedoArrayName, std::string);
+  vtkSetMacro(EmissionArrayName, std::string);
+  vtkGetMacro(EmissionArrayName, std::string);
+  ///@}
+
   /**
    * The last modification of the medium, its phase function's object or table, its surface or its
    * image.
@@ -528,6 +549,11 @@ public:
   // The image as it is used; null without a density from an image or where that is no good. For the
   // library's own use.
   std::shared_ptr<const airlight::DensityGrid> GetDensityGrid();
+
+  // The arrays of AlbedoArrayName and EmissionArrayName; null where there are none. For the
+  // library's own use.
+  std::shared_ptr<const airlight::ImageColours> GetAlbedoColours();
+  std::shared_ptr<const airlight::ImageColours> GetEmissionColours();
 #endif
 
 protected:
@@ -568,6 +594,8 @@ private:
   double Axis[3] = { 0.0, 1.0, 0.0 };
 
   int Density = UNIFORM;
+  std::string AlbedoArrayName;
+  std::string EmissionArrayName;
   double ScaleHeight = 1.0;
   double ReferenceHeight = 0.0;
   bool Ground = false;

@@ -82,6 +82,8 @@ void CopyImage(const DensityBlock& block, double factor, vtkImageData* output)
   auto* image = vtkImageData::SafeDownCast(block.Data);
   const bool shared = !block.OfCells && factor == 1.0 && block.Array->GetNumberOfComponents() == 1;
   output->CopyStructure(image);
+  // Arrays of colours are for the medium, too.
+  output->GetPointData()->PassData(image->GetPointData());
   output->GetPointData()->SetScalars(
     shared ? block.Array : MakeSource(block, factor)->GetPointData()->GetScalars());
 }

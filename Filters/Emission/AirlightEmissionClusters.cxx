@@ -21,12 +21,15 @@ struct Sums
   double Weight = 0.0;
   glm::dvec3 Place{ 0.0 };
   double Square = 0.0;
+  glm::dvec3 Power{ 0.0 };
 
-  void Add(const glm::dvec3& place, double weight, double radius = 0.0)
+  void Add(const EmissionCluster& part)
   {
-    this->Weight += weight;
-    this->Place += weight * place;
-    this->Square += weight * (glm::dot(place, place) + 0.6 * radius * radius);
+    const double square = glm::dot(part.Centre, part.Centre) + 0.6 * part.Radius * part.Radius;
+    this->Weight += part.Weight;
+    this->Place += part.Weight * part.Centre;
+    this->Square += part.Weight * square;
+    this->Power += part.Power;
   }
 
   EmissionCluster Get() const
@@ -37,9 +40,11 @@ struct Sums
     }
     const glm::dvec3 centre = this->Place / this->Weight;
     const double variance = this->Square / this->Weight - glm::dot(centre, centre);
-    return { centre, this->Weight, std::sqrt(std::max(variance, 0.0) / 0.6) };
+    return { centre, this->Weight, std::sqrt(std::max(variance, 0.0) / 0.6), this->Power };
   }
 };
+
+double GetSum(const glm::dvec3& v) { return v.x + v.y + v.z; }
 
 // By the samples of the image, each of which stands for the cell round it.
 std::vector<EmissionCluster> SampleImage(const f64::AirlightMedium& medium)
@@ -66,8 +71,11 @@ std::vector<EmissionCluster> SampleImage(const f64::AirlightMedium& medium)
           const glm::dvec3 share = 1.0 - 0.5 * ends;
           const glm::ivec3 part =
             glm::min(glm::ivec3(sample / grid.GetLast() * double(Parts)), glm::ivec3(Parts - 1));
+          const double amount = density * cell * share.x * share.y * share.z;
+          const glm::dvec3 power =
+            amount * medium.emission * (medium.glow ? medium.glow->GetAt(sample) : glm::dvec3(1.0));
           sums[(static_cast<size_t>(part.z) * Parts + part.y) * Parts + part.x].Add(
-            place - middle, density * cell * share.x * share.y * share.z);
+            { place - middle, GetSum(power) / GetSum(medium.emission), 0.0, power });
         }
       }
     }
@@ -112,7 +120,8 @@ std::vector<EmissionCluster> SampleBox(const f64::AirlightMedium& medium)
       f64::airlightHolds(medium.region, place) ? f64::airlightDensity(medium, place) : 0.0;
     if (density > 0.0)
     {
-      parts.push_back({ place, density * step.x * step.y * step.z, 0.0 });
+      const double amount = density * step.x * step.y * step.z;
+      parts.push_back({ place, amount, 0.0, amount * medium.emission });
     }
   }
   return parts;
@@ -178,7 +187,7 @@ std::vector<EmissionCluster> FindClusters(
     std::vector<Sums> sums(places.size());
     for (const EmissionCluster& part : parts)
     {
-      sums[FindNearest(places, part.Centre)].Add(part.Centre, part.Weight, part.Radius);
+      sums[FindNearest(places, part.Centre)].Add(part);
     }
     clusters.clear();
     std::vector<glm::dvec3> moved;

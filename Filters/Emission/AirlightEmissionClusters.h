@@ -18,8 +18,9 @@ namespace airlight
 struct EmissionCluster
 {
   glm::dvec3 Centre{ 0.0 };
-  double Weight = 0.0; // the integral of the density
+  double Weight = 0.0; // the integral of the density, times the mean of what it glows more or less
   double Radius = 0.0; // of a ball of the same second moment
+  glm::dvec3 Power{ 0.0 }; // the integral of the emission coefficient
 };
 
 // The density of a bounded medium as a sum of small parts.

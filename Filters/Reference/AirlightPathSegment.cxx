@@ -61,7 +61,9 @@ PathPlace PathSegment::GetPlace(double t) const
     if (f64::airlightPieceHolds(*piece, i))
     {
       place.Density[i] = f64::airlightDensity(this->Media.item[i], place.Position);
-      place.SigmaS += place.Density[i] * this->Media.item[i].sigmaS;
+      place.Scattering[i] =
+        place.Density[i] * f64::airlightScatteringAt(this->Media.item[i], place.Position);
+      place.SigmaS += place.Scattering[i];
       place.SigmaT += place.Density[i] * this->Media.item[i].sigmaT;
     }
   }
@@ -77,7 +79,7 @@ glm::dvec3 PathSegment::GetScattered(const PathPlace& place, double cosine) cons
     if (place.Density[i] > 0.0)
     {
       const f64::AirlightMedium& medium = this->Media.item[i];
-      sum += place.Density[i] * medium.sigmaS * f64::airlightPhase(medium.phase, cosine);
+      sum += place.Scattering[i] * f64::airlightPhase(medium.phase, cosine);
     }
   }
   return sum;

@@ -21,8 +21,9 @@ struct PathPlace
 {
   double T = 0.0;
   glm::dvec3 Position{ 0.0 };
-  double Density[AIRLIGHT_MAX_MEDIA] = {}; // of each medium; 0 outside it
-  glm::dvec3 SigmaS{ 0.0 };                // of all media together
+  double Density[AIRLIGHT_MAX_MEDIA] = {};        // of each medium; 0 outside it
+  glm::dvec3 Scattering[AIRLIGHT_MAX_MEDIA] = {}; // likewise
+  glm::dvec3 SigmaS{ 0.0 };                       // of all media together
   glm::dvec3 SigmaT{ 0.0 };
   glm::dvec3 Transmittance{ 1.0 }; // from the segment's origin
 };

@@ -60,8 +60,8 @@ glm::dvec3 PathVertex::SampleDirection(const PathMedia& media, RandomNumbers& ra
     return SampleCosineLobe(this->Normal, random);
   }
   const auto getStrength = [&](int i) {
-    const glm::dvec3& sigma = media.Media.item[i].sigmaS;
-    return this->Place.Density[i] * (sigma.x + sigma.y + sigma.z);
+    const glm::dvec3& sigma = this->Place.Scattering[i];
+    return sigma.x + sigma.y + sigma.z;
   };
   double rest =
     random.Next() * (this->Place.SigmaS.x + this->Place.SigmaS.y + this->Place.SigmaS.z);
@@ -89,8 +89,8 @@ double PathVertex::GetDensity(const PathMedia& media, const glm::dvec3& directio
   double sum = 0.0;
   for (int i = 0; i < media.Media.count; ++i)
   {
-    const glm::dvec3& sigma = media.Media.item[i].sigmaS;
-    const double strength = this->Place.Density[i] * (sigma.x + sigma.y + sigma.z);
+    const glm::dvec3& sigma = this->Place.Scattering[i];
+    const double strength = sigma.x + sigma.y + sigma.z;
     if (strength > 0.0)
     {
       density += strength * media.Phases[i].GetDensity(cosine);
@@ -115,7 +115,7 @@ glm::dvec3 PathVertex::GetScattering(const PathMedia& media, const glm::dvec3& d
     if (this->Place.Density[i] > 0.0)
     {
       const f64::AirlightMedium& medium = media.Media.item[i];
-      sum += this->Place.Density[i] * medium.sigmaS * f64::airlightPhase(medium.phase, cosine);
+      sum += this->Place.Scattering[i] * f64::airlightPhase(medium.phase, cosine);
     }
   }
   for (int c = 0; c < 3; ++c)

@@ -16,20 +16,20 @@ namespace airlight
 {
 // At a place in units of the grid's steps. There are at least two values a side; beyond the grid
 // its outer cells go on.
-template <typename Value>
-double InterpolateTrilinearly(
+template <typename Sum = double, typename Value>
+Sum InterpolateTrilinearly(
   const std::vector<Value>& values, const glm::ivec3& size, const glm::dvec3& place)
 {
   const glm::ivec3 cell = glm::clamp(glm::ivec3(place), glm::ivec3(0), size - 2);
   const glm::dvec3 f = place - glm::dvec3(cell);
-  double sum = 0.0;
+  Sum sum(0.0);
   for (int corner = 0; corner < 8; ++corner)
   {
     const glm::ivec3 far(corner & 1, (corner >> 1) & 1, corner >> 2);
     const glm::dvec3 share = glm::mix(1.0 - f, f, glm::bvec3(far));
     const glm::ivec3 at = cell + far;
     sum += share.x * share.y * share.z *
-      values[(static_cast<std::size_t>(at.z) * size.y + at.y) * size.x + at.x];
+      Sum(values[(static_cast<std::size_t>(at.z) * size.y + at.y) * size.x + at.x]);
   }
   return sum;
 }

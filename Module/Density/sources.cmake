@@ -4,5 +4,6 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightDensityGrid
     AirlightDensitySamples
+    AirlightImageColours
   HEADERS
     AirlightTrilinear.h)

@@ -89,7 +89,8 @@ glm::dvec3 IntegrateCollisions(
 glm::dvec3 IntegrateAmbient(
   const f64::AirlightMedia& media, const glm::dvec3& origin, const glm::dvec3& direction, double to)
 {
-  if (media.count < 2 || !HasGrid(media))
+  const bool coloured = media.item[0].albedo || media.item[0].glow;
+  if ((media.count < 2 && !coloured) || !HasGrid(media))
   {
     return f64::airlightAmbient(media, origin, direction, to);
   }

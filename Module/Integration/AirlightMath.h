@@ -10,6 +10,7 @@
 #define AirlightMath_h
 
 #include "Density/AirlightDensityGrid.h"
+#include "Density/AirlightImageColours.h"
 
 #include <glm/glm.hpp>
 
@@ -46,15 +47,24 @@
 #define AIRLIGHT_SKY_MEMBER AirlightSky sky;
 // So do images of density, in world coordinates.
 #define AIRLIGHT_HAS_GRID 1
-#define AIRLIGHT_GRID_MEMBER                                          \
-  const DensityGrid* grid;                                            \
-  glm::dvec3 gridOrigin; /* the origin of coordinates in the world */ \
-  int gridFirst;         /* texel of the samples on a graphics card */
+#define AIRLIGHT_GRID_MEMBER                                                \
+  const DensityGrid* grid;                                                  \
+  glm::dvec3 gridOrigin;      /* the origin of coordinates in the world */  \
+  int gridFirst;              /* texel of the samples on a graphics card */ \
+  const ImageColours* albedo; /* null without */                            \
+  const ImageColours* glow;                                                 \
+  int albedoFirst;                                                          \
+  int glowFirst;
 #define AIRLIGHT_LIGHT_GRID_MEMBERS  \
   int gridFirst[AIRLIGHT_MAX_MEDIA]; \
   real3 gridSize[AIRLIGHT_MAX_MEDIA];
 #define AIRLIGHT_GRID_DENSITY(medium, point) \
   real((medium).grid->GetDensity((medium).gridOrigin + glm::dvec3(point)))
+#define AIRLIGHT_GRID_COLOUR(medium, colours, point)                                               \
+  ((colours)                                                                                       \
+      ? real3((colours)->GetAt((medium).grid->ToSamples((medium).gridOrigin + glm::dvec3(point)))) \
+      : real3(real(1.0)))
+#define AIRLIGHT_HAS_COLOURS(medium) ((medium).albedo || (medium).glow)
 #define AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to) \
   real((medium).grid->Integrate(                                 \
     (medium).gridOrigin + glm::dvec3(origin), glm::dvec3(direction), from, to))
@@ -102,6 +112,8 @@ using namespace glm;
 #undef AIRLIGHT_GRID_MEMBER
 #undef AIRLIGHT_LIGHT_GRID_MEMBERS
 #undef AIRLIGHT_GRID_DENSITY
+#undef AIRLIGHT_GRID_COLOUR
+#undef AIRLIGHT_HAS_COLOURS
 #undef AIRLIGHT_GRID_DEPTH
 
 #endif

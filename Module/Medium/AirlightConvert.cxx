@@ -44,6 +44,9 @@ void ConvertGrid(
   result.density = AIRLIGHT_DENSITY_GRID;
   result.grid = grid.get();
   result.gridOrigin = origin;
+  result.albedo = medium->GetAlbedoColours().get();
+  result.sigmaS = result.albedo ? result.sigmaT : result.sigmaS;
+  result.glow = medium->GetEmissionColours().get();
   f64::AirlightRegion& region = result.region;
   if (region.kind == AIRLIGHT_REGION_UNBOUNDED)
   {

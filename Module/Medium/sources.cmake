@@ -11,4 +11,5 @@ airlight_sources(
     AirlightDerivedData.h
     AirlightMediaList.h
     AirlightMediaMethods.h
+    AirlightMediumColours.h
     AirlightSkyHarmonics.h)

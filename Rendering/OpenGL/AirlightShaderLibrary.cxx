@@ -187,17 +187,22 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
   const bool table =
     std::any_of(media.item, end, [](const auto& medium) { return medium.phase.rows > 0; });
-  int grids = 0; // bit i: medium i has an image
+  int grids = 0;   // bit i: medium i has an image
+  int albedos = 0; // and arrays of colours there
+  int glows = 0;
   const int dimming = media.count + media.volumes;
   for (int i = 0; i < dimming; ++i)
   {
     grids |= media.item[i].density == AIRLIGHT_DENSITY_GRID ? 1 << i : 0;
+    albedos |= media.item[i].albedo ? 1 << i : 0;
+    glows |= media.item[i].glow ? 1 << i : 0;
   }
   const bool grid = grids != 0;
   const bool sky = HasSky(media);
   const bool multiple = media.multiple.count > 0;
   return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_GRID", grid) +
-    Define("AIRLIGHT_GRID_MEDIA", grids) + Define("AIRLIGHT_HAS_TABLE", table) +
+    Define("AIRLIGHT_GRID_MEDIA", grids) + Define("AIRLIGHT_ALBEDO_MEDIA", albedos) +
+    Define("AIRLIGHT_GLOW_MEDIA", glows) + Define("AIRLIGHT_HAS_TABLE", table) +
     Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) + (sky ? Define("AIRLIGHT_HAS_SKY", 1) : "") +
     Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
     Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", dimming) +

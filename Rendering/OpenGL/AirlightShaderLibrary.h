@@ -60,8 +60,10 @@ void VisitMediaUniforms(Visitor&& visit, const f64::AirlightMedia& media)
     }
     if (media.item[i].density == AIRLIGHT_DENSITY_GRID)
     {
-      VisitGrid(
-        VisitIn("item[" + std::to_string(i) + "].grid", visit), GetGridUniforms(media.item[i]));
+      const std::string item = "item[" + std::to_string(i) + "]";
+      VisitGrid(VisitIn(item + ".grid", visit), GetGridUniforms(media.item[i]));
+      VisitIn(item, visit)(Member{ "albedoFirst" }, media.item[i].albedoFirst);
+      VisitIn(item, visit)(Member{ "glowFirst" }, media.item[i].glowFirst);
     }
   }
 }

@@ -52,6 +52,16 @@ void SceneArrays::AddDensity(const Add& add, int index,
 }
 
 //------------------------------------------------------------------------------
+void SceneArrays::AddColours(
+  const Add& add, const std::shared_ptr<const ImageColours>& colours, int& first)
+{
+  if (colours)
+  {
+    add(FloatTexels(colours, &colours->GetTexels()), first);
+  }
+}
+
+//------------------------------------------------------------------------------
 void SceneArrays::ForgetGrids()
 {
   for (auto it = this->Grids.begin(); it != this->Grids.end();)
@@ -91,6 +101,8 @@ bool SceneArrays::Upload(vtkOpenGLRenderWindow* window, const SceneSources& sour
     if (converted.item[i].density == AIRLIGHT_DENSITY_GRID)
     {
       this->AddDensity(add, i, media[i]->GetDensityGrid(), converted, sceneLights, seconds);
+      AddColours(add, media[i]->GetAlbedoColours(), converted.item[i].albedoFirst);
+      AddColours(add, media[i]->GetEmissionColours(), converted.item[i].glowFirst);
     }
   }
   for (int i = 0; i < converted.volumes; ++i)

@@ -51,6 +51,8 @@ private:
   using Add = std::function<void(const Texels&, int&)>;
   void AddDensity(const Add& add, int index, const std::shared_ptr<const DensityGrid>& image,
     f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights, double seconds);
+  static void AddColours(
+    const Add& add, const std::shared_ptr<const ImageColours>& colours, int& first);
   void ForgetGrids();
 
   SceneData Data;

@@ -99,8 +99,9 @@ AIRLIGHT_FN real3 airlightAmbientPanel(AIRLIGHT_IN(AirlightMedia) media,
     {
       if (airlightPieceHolds(piece, i))
       {
-        source += airlightSource(media.item[i], direction) *
-          airlightDensity(media.item[i], origin + t * direction);
+        real3 point = origin + t * direction;
+        source += airlightSourceAt(media.item[i], point, direction) *
+          airlightDensity(media.item[i], point);
       }
     }
     sum += node.y * source * exp(-airlightDepthInPiece(media, piece, origin, direction, t));
@@ -154,7 +155,7 @@ real3 airlightAmbientInImages(
   AirlightMedia media, AirlightPiece piece, real3 origin, real3 direction);
 #endif
 
-// On [0, l] of a ray. One medium alone depends on its depth only, wherever it is.
+// On [0, l] of a ray. One medium alone depends on its depth only, wherever it is, but for colours.
 AIRLIGHT_FN real3 airlightAmbient(
   AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real l)
 {
@@ -167,7 +168,7 @@ AIRLIGHT_FN real3 airlightAmbient(
   {
     return real3(real(0.0));
   }
-  if (AIRLIGHT_MEDIUM_COUNT == 1)
+  if (AIRLIGHT_MEDIUM_COUNT == 1 && !AIRLIGHT_HAS_COLOURS(media.item[0]))
   {
     real3 sigmaT = media.item[0].sigmaT;
     real depth = airlightPathDepth(media.item[0], origin, direction, l);

@@ -15,6 +15,12 @@
 #define AIRLIGHT_PANEL_ANGLE 0.8
 #define AIRLIGHT_MOST_PARTS 64.0
 #endif
+// Colours are cubics in a step, as the density is.
+#if AIRLIGHT_ALBEDO_MEDIA || AIRLIGHT_GLOW_MEDIA
+#define AIRLIGHT_PARTS_OF_COLOURS 2.0
+#else
+#define AIRLIGHT_PARTS_OF_COLOURS 1.0
+#endif
 // The next boundary often lies a little further on the same ray: what is known of it is kept.
 real3 airlightCachedOrigin = real3(0.0);
 real3 airlightCachedDirection = real3(0.0);
@@ -80,7 +86,8 @@ real3 airlightStepIntegrand(AirlightMedia media, AirlightLight light, AirlightRa
     if (airlightIsInside(part, i))
     {
       real2 density = airlightStepDensity(media, i, part, ray.origin, ray.direction, t);
-      scattered += media.item[i].sigmaS * airlightPhase(media.item[i].phase, cosTheta) * density.x;
+      scattered += airlightStepScattering(media, i, part, t) *
+        airlightPhase(media.item[i].phase, cosTheta) * density.x;
       before += media.item[i].sigmaT * density.y;
     }
   }
@@ -106,7 +113,7 @@ real3 airlightStepIntegral(AirlightMedia media, AirlightLight light, AirlightRay
   real count = 2.0 * part.rate * (b - a) / AIRLIGHT_PART_DEPTH;
   count = straight ? count : max(count, (v1 - v0) / AIRLIGHT_PANEL_ANGLE);
   count = max(count, airlightBehindImages(media, light, ray, part.inImages, a, b));
-  count = max(count, part.rise * (b - a));
+  count = max(count, max(part.rise * (b - a), AIRLIGHT_PARTS_OF_COLOURS));
   int parts = int(clamp(ceil(count), 1.0, AIRLIGHT_MOST_PARTS));
   real width = (v1 - v0) / real(parts);
   real3 sum = real3(0.0);
@@ -218,8 +225,8 @@ real3 airlightGridInterval(
 real3 airlightAmbientInStep(AirlightMedia media, AirlightStep part, real3 origin, real3 direction,
   real3 before)
 {
-  real parts = clamp(
-    ceil(2.0 * part.rate * (part.to - part.from) / AIRLIGHT_PART_DEPTH), 1.0, AIRLIGHT_MOST_PARTS);
+  real parts = clamp(ceil(2.0 * part.rate * (part.to - part.from) / AIRLIGHT_PART_DEPTH),
+    AIRLIGHT_PARTS_OF_COLOURS, AIRLIGHT_MOST_PARTS);
   real width = (part.to - part.from) / parts;
   real3 sum = real3(0.0);
   for (int node = 0; node < 3 * int(parts); node++)
@@ -232,7 +239,7 @@ real3 airlightAmbientInStep(AirlightMedia media, AirlightStep part, real3 origin
     {
       if (airlightIsInside(part, i))
       {
-        source += airlightSource(media.item[i], direction) *
+        source += airlightStepSource(media, i, part, direction, t) *
           airlightStepDensity(media, i, part, origin, direction, t).x;
       }
     }

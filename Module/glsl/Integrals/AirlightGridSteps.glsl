@@ -13,6 +13,12 @@ struct AirlightSteps
   int most; // more steps are on no ray
 };
 
+// Colours along a ray in a cell: at its ends, and at a third and two thirds of it.
+struct AirlightColours
+{
+  real3 place[4];
+};
+
 // A part of a ray in one cell of each image that it is in.
 struct AirlightStep
 {
@@ -21,6 +27,8 @@ struct AirlightStep
   int inside; // bit i: medium i is there
   int inImages; // bit i: in its image
   real4 cubic[AIRLIGHT_MEDIUM_COUNT]; // the density there
+  AirlightColours albedo[AIRLIGHT_MEDIUM_COUNT]; // of those that have such arrays
+  AirlightColours glow[AIRLIGHT_MEDIUM_COUNT];   // factors of the emission
   real rate;  // the largest of extinctions there
   real rise;  // the most scale heights that a medium falls or rises per unit of length
 };
@@ -119,6 +127,44 @@ void airlightWalkToFilled(AirlightMedia media, inout AirlightSteps steps, Airlig
   }
 }
 
+// Between an array's colours at the corners of a cell.
+real3 airlightColourInCell(int first, int3 size, int3 cell, real3 f)
+{
+  real3 sum = real3(0.0);
+  for (int corner = 0; corner < 8; corner++)
+  {
+    int3 far = int3(corner & 1, (corner >> 1) & 1, corner >> 2);
+    real3 share = mix(1.0 - f, f, real3(far));
+    int3 at = cell + far;
+    sum += share.x * share.y * share.z *
+      texelFetch(airlightData, first + at.x + (size.x + 1) * (at.y + (size.y + 1) * at.z)).rgb;
+  }
+  return sum;
+}
+
+// On a ray from place a to b of a cell.
+AirlightColours airlightCellColours(int first, AirlightWalk walk, real3 a, real3 b)
+{
+  AirlightColours colours;
+  for (int k = 0; k < 4; k++)
+  {
+    colours.place[k] =
+      airlightColourInCell(first, walk.size, walk.cell, mix(a, b, real(k) / 3.0));
+  }
+  return colours;
+}
+
+// The cubic through the four places.
+real3 airlightColourAt(AirlightColours colours, real u)
+{
+  real a = u - 1.0 / 3.0;
+  real b = u - 2.0 / 3.0;
+  real c = u - 1.0;
+  return max(-4.5 * a * b * c * colours.place[0] + 13.5 * u * b * c * colours.place[1] -
+      13.5 * u * a * c * colours.place[2] + 4.5 * u * a * b * colours.place[3],
+    real3(0.0));
+}
+
 // Reads the cells of a step.
 void airlightReadCells(AirlightMedia media, AirlightSteps steps, real3 origin, real3 direction,
   inout AirlightStep part)
@@ -137,8 +183,17 @@ void airlightReadCells(AirlightMedia media, AirlightSteps steps, real3 origin, r
         AirlightCell cell = airlightCell(media.item[i].grid.first, walk.size, walk.cell);
         largest = airlightMostInCell(cell);
         real3 corner = walk.origin - real3(walk.cell);
-        part.cubic[i] = airlightCellCubic(
-          cell, corner + part.from * walk.slope, corner + part.to * walk.slope);
+        real3 a = corner + part.from * walk.slope;
+        real3 b = corner + part.to * walk.slope;
+        part.cubic[i] = airlightCellCubic(cell, a, b);
+        if (AIRLIGHT_HAS_ALBEDO(i))
+        {
+          part.albedo[i] = airlightCellColours(media.item[i].albedoFirst, walk, a, b);
+        }
+        if (AIRLIGHT_HAS_GLOW(i))
+        {
+          part.glow[i] = airlightCellColours(media.item[i].glowFirst, walk, a, b);
+        }
       }
     }
     else if (airlightIsInside(part, i))
@@ -166,6 +221,29 @@ real2 airlightStepDensity(AirlightMedia media, int i, AirlightStep part, real3 o
   }
   return real2(airlightDensity(media.item[i], origin + t * direction),
     airlightInsideDepth(media.item[i], origin, direction, part.from, max(t, part.from)));
+}
+
+// The scattering coefficient of medium i at t in a step, and what shines there, at density 1.
+real3 airlightStepScattering(AirlightMedia media, int i, AirlightStep part, real t)
+{
+  if (AIRLIGHT_HAS_ALBEDO(i))
+  {
+    real u = (t - part.from) / (part.to - part.from);
+    return media.item[i].sigmaS * airlightColourAt(part.albedo[i], u);
+  }
+  return media.item[i].sigmaS;
+}
+
+real3 airlightStepSource(AirlightMedia media, int i, AirlightStep part, real3 direction, real t)
+{
+  real3 emission = media.item[i].emission;
+  if (AIRLIGHT_HAS_GLOW(i))
+  {
+    real u = (t - part.from) / (part.to - part.from);
+    emission *= airlightColourAt(part.glow[i], u);
+  }
+  return airlightStepScattering(media, i, part, t) *
+    airlightAmbientRadiance(media.item[i], direction) + emission;
 }
 
 real3 airlightStepDepth(

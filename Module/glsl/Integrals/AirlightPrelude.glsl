@@ -29,12 +29,18 @@ uniform int airlightZero;
 // Images of density, see AirlightGrid.glsl.
 #if AIRLIGHT_HAS_GRID
 #define AIRLIGHT_GRID_STEPS
-#define AIRLIGHT_GRID_MEMBER AirlightGrid grid;
+#define AIRLIGHT_GRID_MEMBER AirlightGrid grid;                                                    \
+  int albedoFirst;                                                                                 \
+  int glowFirst;
 #define AIRLIGHT_LIGHT_GRID_MEMBERS                                                                \
   int gridFirst[AIRLIGHT_MAX_MEDIA];                                                               \
   real3 gridSize[AIRLIGHT_MAX_MEDIA];
 // Whether medium i has an image: so it is known when a shader is compiled.
 #define AIRLIGHT_IS_GRID(i) (((AIRLIGHT_GRID_MEDIA >> (i)) & 1) != 0)
+// Likewise whether it has arrays of colours there.
+#define AIRLIGHT_HAS_ALBEDO(i) (((AIRLIGHT_ALBEDO_MEDIA >> (i)) & 1) != 0)
+#define AIRLIGHT_HAS_GLOW(i) (((AIRLIGHT_GLOW_MEDIA >> (i)) & 1) != 0)
+#define AIRLIGHT_HAS_COLOURS(medium) ((AIRLIGHT_ALBEDO_MEDIA | AIRLIGHT_GLOW_MEDIA) != 0)
 // Samples are in texels, each with 2 x 2 in x and y.
 #define AIRLIGHT_SAMPLES int
 #define AIRLIGHT_LAYER(first, size, cell)                                                          \

@@ -54,8 +54,8 @@ AIRLIGHT_FN real3 airlightScattered(AIRLIGHT_IN(AirlightMedia) media,
   {
     if (airlightPieceHolds(piece, i))
     {
-      sum += media.item[i].sigmaS * airlightPhase(media.item[i].phase, cosTheta) *
-        airlightDensity(media.item[i], point);
+      sum += airlightScatteringAt(media.item[i], point) *
+        airlightPhase(media.item[i].phase, cosTheta) * airlightDensity(media.item[i], point);
     }
   }
   return sum;

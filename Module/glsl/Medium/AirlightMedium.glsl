@@ -15,7 +15,7 @@
 
 struct AirlightMedium
 {
-  real3 sigmaS;  // scattering coefficient at density 1, 1/world
+  real3 sigmaS;  // scattering coefficient at density 1, 1/world; with albedos at places, extinction
   real3 sigmaT;  // extinction coefficient at density 1, 1/world
   real3 ambient; // ambient radiance, the mean of all directions
   real3 emission; // emission coefficient at density 1
@@ -28,6 +28,11 @@ struct AirlightMedium
   AIRLIGHT_SKY_MEMBER
   AIRLIGHT_GRID_MEMBER
 };
+
+// Whether an image has arrays of colours.
+#ifndef AIRLIGHT_HAS_COLOURS
+#define AIRLIGHT_HAS_COLOURS(medium) false
+#endif
 
 // Likewise.
 #ifndef AIRLIGHT_DENSITY_KIND
@@ -83,6 +88,28 @@ AIRLIGHT_FN real3 airlightAmbientRadiance(AIRLIGHT_IN(AirlightMedium) medium, re
 AIRLIGHT_FN real3 airlightSource(AIRLIGHT_IN(AirlightMedium) medium, real3 direction)
 {
   return medium.sigmaS * airlightAmbientRadiance(medium, direction) + medium.emission;
+}
+
+// The scattering coefficient and airlightSource() at density 1 at a point: images can have arrays
+// of colours, of which sigmaS and the emission are multiples.
+AIRLIGHT_FN real3 airlightScatteringAt(AIRLIGHT_IN(AirlightMedium) medium, real3 point)
+{
+#ifdef AIRLIGHT_GRID_COLOUR
+  return medium.sigmaS * AIRLIGHT_GRID_COLOUR(medium, medium.albedo, point);
+#else
+  return medium.sigmaS;
+#endif
+}
+
+AIRLIGHT_FN real3 airlightSourceAt(
+  AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 direction)
+{
+#ifdef AIRLIGHT_GRID_COLOUR
+  return airlightScatteringAt(medium, point) * airlightAmbientRadiance(medium, direction) +
+    medium.emission * AIRLIGHT_GRID_COLOUR(medium, medium.glow, point);
+#else
+  return airlightSource(medium, direction);
+#endif
 }
 
 AIRLIGHT_FN real airlightHeight(AIRLIGHT_IN(AirlightMedium) medium, real3 point)

@@ -13,6 +13,7 @@
 #include "vtkAirlightLight.h"
 #include "vtkDataArray.h"
 #include "vtkEmissionLights.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -21,6 +22,7 @@
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -134,6 +136,61 @@ void TestFlame()
 }
 
 //------------------------------------------------------------------------------
+// Where the emission varies by an array, lights have the colour and the power of their places.
+void TestColours()
+{
+  const vtkSmartPointer<vtkImageData> image = MakeFlame(0.2);
+  vtkNew<vtkFloatArray> factors;
+  factors->SetName("Factors");
+  factors->SetNumberOfComponents(3);
+  factors->SetNumberOfTuples(image->GetNumberOfPoints());
+  glm::dvec3 expected(0.0);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    // Red below, blue above.
+    const bool above = image->GetPoint(i)[1] > 0.8;
+    const glm::dvec3 factor = above ? glm::dvec3(0.0, 0.0, 5.0) : glm::dvec3(2.0, 0.0, 0.0);
+    factors->SetTuple(i, &factor.x);
+    const double density = image->GetPointData()->GetScalars()->GetComponent(i, 0);
+    expected += density * 0.1 * 0.08 * 0.1 * factor * Emission;
+  }
+  image->GetPointData()->AddArray(factors);
+  vtkNew<vtkParticipatingMedium> flame;
+  flame->SetDensityImage(image);
+  flame->SetDensityToImage();
+  flame->SetEmission(&Emission.x);
+  flame->SetEmissionArrayName("Factors");
+  vtkNew<vtkEmissionLights> lights;
+  lights->SetMedium(flame);
+  Check(lights->Update(), "lights of a flame of two colours");
+  glm::dvec3 sum(0.0);
+  glm::dvec3 lowest;
+  glm::dvec3 highest;
+  double low = 1.0;
+  double high = 0.0;
+  for (int i = 0; i < lights->GetLights()->GetNumberOfItems(); ++i)
+  {
+    auto* light = vtkLight::SafeDownCast(lights->GetLights()->GetItemAsObject(i));
+    glm::dvec3 intensity;
+    vtkAirlightLight::GetRadiantIntensity(light, &intensity.x);
+    sum += intensity;
+    const double height = light->GetPosition()[1];
+    lowest = height < low ? intensity : lowest;
+    highest = height > high ? intensity : highest;
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  Check(low < 0.8 && lowest.x > 0.0 && lowest.z < 0.01 * lowest.x,
+    Text("the lowest light, at ", low, ", has ", lowest.x, " and ", lowest.z));
+  Check(high > 0.8 && highest.z > 0.0 && highest.x < 0.01 * highest.z,
+    Text("the highest light, at ", high, ", has ", highest.x, " and ", highest.z));
+  // The image's own sum; its rim is empty.
+  Check(std::abs(sum.x / expected.x - 1.0) < 1e-3 && std::abs(sum.z / expected.z - 1.0) < 1e-3,
+    Text("their power: ", sum.x / expected.x, " and ", sum.z / expected.z));
+  Check(sum.y == 0.0, "nothing is green");
+}
+
+//------------------------------------------------------------------------------
 void TestSphere()
 {
   vtkNew<vtkParticipatingMedium> glow;
@@ -184,6 +241,7 @@ void TestErrors()
 int TestEmissionLights(int, char*[])
 {
   TestFlame();
+  TestColours();
   TestSphere();
   TestErrors();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
