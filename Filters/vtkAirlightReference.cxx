@@ -8,6 +8,7 @@
 #include "Reference/AirlightReferencePicture.h"
 #include "Reference/AirlightReferenceTracer.h"
 #include "Scene/AirlightVTKVersions.h"
+#include "Scene/AirlightVolumeMedia.h"
 #include "vtkAirlightLight.h"
 
 #include "vtkCamera.h"
@@ -42,6 +43,7 @@ class vtkAirlightReference::Internals
 {
 public:
   MediaList Media;
+  VolumeMedia Volumes;
   vtkNew<vtkParticipatingMedium> Vacuum;
   bool WarnedCameraLights = false;
   vtkSmartPointer<vtkRenderer> Renderer;
@@ -303,6 +305,17 @@ int vtkAirlightReference::RequestData(
   settings.TranslucentShadows = this->TranslucentShadows;
   settings.VolumeShadows = this->VolumeShadows;
   std::vector<vtkParticipatingMedium*> media = this->Impl->Media.GetAll();
+  for (const VolumeMedium& found : this->Impl->Volumes.Update(this->Impl->Renderer))
+  {
+    if (found.Medium && media.size() < AIRLIGHT_MAX_MEDIA)
+    {
+      media.push_back(found.Medium);
+    }
+    if (!found.Error.empty())
+    {
+      vtkWarningMacro(<< found.Error);
+    }
+  }
   if (media.empty())
   {
     media.push_back(this->Impl->Vacuum);

@@ -158,7 +158,8 @@ public:
    * Whether volumes dim the lights, as with vtkAirlightPass::SetVolumeShadows(): in the air and on
    * surfaces, by midpoint sums of eight steps between points of the volume. The volumes themselves
    * are not drawn. With ScatteringOrders other than 1 the light that is scattered several times
-   * passes volumes undimmed. A volume that cannot cast a shadow gives a warning. Default: false.
+   * passes volumes undimmed. A volume that cannot cast a shadow gives a warning. Volumes of
+   * vtkAirlightPass::SetVolumeScatters() are media like others, and seen. Default: false.
    */
   vtkSetMacro(VolumeShadows, bool);
   vtkGetMacro(VolumeShadows, bool);

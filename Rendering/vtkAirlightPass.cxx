@@ -19,6 +19,7 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -171,6 +172,8 @@ void vtkAirlightPass::SetNumberOfSteps(int steps)
 //------------------------------------------------------------------------------
 vtkInformationIntegerKey* vtkAirlightPass::CASTS_SHADOW() { return GetCastsShadowKey(); }
 
+vtkInformationIntegerKey* vtkAirlightPass::VOLUME_SCATTERS() { return GetVolumeScattersKey(); }
+
 vtkInformationDoubleVectorKey* vtkAirlightPass::SHADOW_OPACITY() { return GetShadowOpacityKey(); }
 
 //------------------------------------------------------------------------------
@@ -182,6 +185,17 @@ void vtkAirlightPass::SetCastsShadow(vtkProp* prop, bool casts)
     return;
   }
   airlight::SetCastsShadow(prop, casts);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetVolumeScatters(vtkVolume* volume, bool scatters)
+{
+  if (!volume)
+  {
+    vtkErrorWithObjectMacro(nullptr, "SetVolumeScatters() needs a volume; it got null.");
+    return;
+  }
+  airlight::SetVolumeScatters(volume, scatters);
 }
 
 //------------------------------------------------------------------------------

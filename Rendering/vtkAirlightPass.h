@@ -47,6 +47,7 @@ class vtkParticipatingMedium;
 class vtkProp;
 class vtkRenderer;
 class vtkUnsignedCharArray;
+class vtkVolume;
 
 namespace airlight
 {
@@ -584,6 +585,26 @@ public:
    */
   static void SetCastsShadow(vtkProp* prop, bool casts);
   static vtkInformationIntegerKey* CASTS_SHADOW();
+  ///@}
+
+  ///@{
+  /**
+   * Whether a volume is a medium itself: smoke, cloud or tissue that scatters the lights, shades
+   * itself and all else, in place of the glowing fog that ray casting makes of it. Its extinction
+   * is that of VolumeShadows, its albedo at each place is its colour function, its phase function
+   * is isotropic; shading and ambient properties have no effect. The pass draws it, among at most
+   * eight media, and vtkAirlightReference reads it, too. Default: false. It is the key
+   * VOLUME_SCATTERS() in the volume's property keys, where 1 means true.
+   *
+   * The volume must be a visible prop of the renderer, not part of an assembly, as those that can
+   * cast shadows (VolumeShadows); others give a warning and are drawn by VTK. Delegates that draw
+   * the renderer's own list of props draw it twice. It is not picked. A null volume gives an error.
+   * @code
+   *   vtkAirlightPass::SetVolumeScatters(plume, true);
+   * @endcode
+   */
+  static void SetVolumeScatters(vtkVolume* volume, bool scatters);
+  static vtkInformationIntegerKey* VOLUME_SCATTERS();
   ///@}
 
   ///@{

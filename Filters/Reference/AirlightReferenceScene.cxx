@@ -161,7 +161,10 @@ void ReferenceScene::AddProp(const SceneProp& prop)
   }
   for (vtkProp* part : prop.OtherParts)
   {
-    this->Unsupported.insert(part->GetClassName());
+    if (!part->IsA("vtkVolume") || !VolumeScatters(part))
+    {
+      this->Unsupported.insert(part->GetClassName());
+    }
   }
 }
 

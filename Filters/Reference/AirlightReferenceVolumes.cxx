@@ -37,11 +37,11 @@ glm::dvec2 Clip(
 //------------------------------------------------------------------------------
 void ReferenceVolumes::Add(vtkVolume* volume, vtkMatrix4x4* toWorld)
 {
-  std::string error;
-  const VolumeScalars scalars = FindVolumeScalars(volume, error);
+  std::string reason;
+  const VolumeScalars scalars = FindVolumeScalars(volume, reason);
   if (!scalars.Values)
   {
-    this->Errors.push_back(error);
+    this->Errors.push_back(DescribeNoShadow(volume, reason));
     return;
   }
   VolumeOpacity opacity(volume, scalars, toWorld);

@@ -59,6 +59,14 @@ vtkInformationIntegerKey* GetCastsShadowKey()
 }
 
 //------------------------------------------------------------------------------
+vtkInformationIntegerKey* GetVolumeScattersKey()
+{
+  static vtkInformationIntegerKey* key =
+    vtkInformationIntegerKey::MakeKey("VOLUME_SCATTERS", Location);
+  return key;
+}
+
+//------------------------------------------------------------------------------
 vtkInformationDoubleVectorKey* GetShadowOpacityKey()
 {
   static vtkInformationDoubleVectorKey* key =
@@ -72,6 +80,14 @@ bool CastsShadow(vtkProp* prop)
   vtkInformation* keys = prop->GetPropertyKeys();
   vtkInformationIntegerKey* key = GetCastsShadowKey();
   return !(keys && keys->Has(key) && keys->Get(key) == 0);
+}
+
+//------------------------------------------------------------------------------
+bool VolumeScatters(vtkProp* volume)
+{
+  vtkInformation* keys = volume->GetPropertyKeys();
+  vtkInformationIntegerKey* key = GetVolumeScattersKey();
+  return keys && keys->Has(key) && keys->Get(key) != 0;
 }
 
 //------------------------------------------------------------------------------
@@ -99,6 +115,13 @@ bool ReadShadowOpacity(vtkProp* prop, glm::dvec3& opacity, std::string& error)
 void SetCastsShadow(vtkProp* prop, bool casts)
 {
   ChangeKeys(prop, [&](vtkInformation* keys) { keys->Set(GetCastsShadowKey(), casts ? 1 : 0); });
+}
+
+//------------------------------------------------------------------------------
+void SetVolumeScatters(vtkProp* volume, bool scatters)
+{
+  ChangeKeys(
+    volume, [&](vtkInformation* keys) { keys->Set(GetVolumeScattersKey(), scatters ? 1 : 0); });
 }
 
 //------------------------------------------------------------------------------

@@ -22,12 +22,16 @@ class vtkProp;
 
 namespace airlight
 {
-// vtkAirlightPass::CASTS_SHADOW() and vtkAirlightPass::SHADOW_OPACITY().
+// vtkAirlightPass::CASTS_SHADOW(), VOLUME_SCATTERS() and SHADOW_OPACITY().
 vtkInformationIntegerKey* GetCastsShadowKey();
+vtkInformationIntegerKey* GetVolumeScattersKey();
 vtkInformationDoubleVectorKey* GetShadowOpacityKey();
 
 // False only if the key is 0.
 bool CastsShadow(vtkProp* prop);
+
+// False without key.
+bool VolumeScatters(vtkProp* volume);
 
 // Reads the opacity of a prop's shadow. Returns false and leaves `opacity` alone if the key is not
 // set or not valid; an invalid key also gives a text in `error`.
@@ -36,6 +40,7 @@ bool ReadShadowOpacity(vtkProp* prop, glm::dvec3& opacity, std::string& error);
 // Set the keys of a prop and keep its other keys. Props may share their keys; the others keep
 // theirs. SetShadowOpacity() changes nothing and returns a text if a value is not valid.
 VTKAIRLIGHT_EXPORT void SetCastsShadow(vtkProp* prop, bool casts);
+void SetVolumeScatters(vtkProp* volume, bool scatters);
 std::string SetShadowOpacity(vtkProp* prop, const glm::dvec3& opacity);
 }
 

@@ -78,7 +78,9 @@ void AddPart(SceneProp& to, vtkProp* part, vtkMatrix4x4* toWorld)
     auto* volume = vtkVolume::SafeDownCast(part);
     if (volume && volume->GetMapper())
     {
-      to.VolumeParts.push_back({ volume, Copy(toWorld), to.Casts && CastsShadow(volume) });
+      // One that scatters dims as a medium.
+      to.VolumeParts.push_back(
+        { volume, Copy(toWorld), to.Casts && CastsShadow(volume) && !VolumeScatters(volume) });
     }
   }
 }

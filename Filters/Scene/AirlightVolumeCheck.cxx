@@ -178,11 +178,10 @@ std::string Find(vtkVolume* volume, VolumeScalars& scalars)
 }
 
 //------------------------------------------------------------------------------
-VolumeScalars FindVolumeScalars(vtkVolume* volume, std::string& error)
+VolumeScalars FindVolumeScalars(vtkVolume* volume, std::string& reason)
 {
   VolumeScalars scalars;
-  const std::string reason = Find(volume, scalars);
-  error = reason.empty() ? error : DescribeNoShadow(volume, reason);
+  reason = Find(volume, scalars);
   return scalars;
 }
 
@@ -191,6 +190,16 @@ std::string DescribeNoShadow(vtkVolume* volume, const std::string& reason)
 {
   std::ostringstream text;
   text << "The " << volume->GetClassName() << " (" << volume << ") casts no shadow, as " << reason
+       << ".";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeNoMedium(vtkVolume* volume, const std::string& reason)
+{
+  std::ostringstream text;
+  text << "The " << volume->GetClassName() << " (" << volume
+       << ") does not scatter light and is drawn as without SetVolumeScatters(), as " << reason
        << ".";
   return text.str();
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which volumes can cast shadows. Not installed.
+ * Which volumes can cast shadows and be media. Not installed.
  */
 
 #ifndef AirlightVolumeCheck_h
@@ -22,12 +22,13 @@ struct VolumeScalars
   vtkDataArray* Values = nullptr; // one finite number for each point
 };
 
-// Brings the volume's pipeline up to date and finds its scalars. If it cannot cast a shadow, they
-// are null and the text says why, and how to change that.
-VolumeScalars FindVolumeScalars(vtkVolume* volume, std::string& error);
+// Brings the volume's pipeline up to date and finds its scalars. If its opacity is no function of
+// them alone, they are null and the text says why, and how to change that.
+VolumeScalars FindVolumeScalars(vtkVolume* volume, std::string& reason);
 
-// The text for such a reason.
+// The message for such a reason.
 std::string DescribeNoShadow(vtkVolume* volume, const std::string& reason);
+std::string DescribeNoMedium(vtkVolume* volume, const std::string& reason);
 }
 
 #endif

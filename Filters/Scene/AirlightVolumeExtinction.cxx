@@ -144,9 +144,51 @@ vtkSmartPointer<vtkImageData> MakeImage(
   return image;
 }
 
-// The latest of what a volume's extinction depends on. Its property counts the times of its
-// functions, the mapper not that of its input.
-vtkMTimeType GetTime(vtkVolume* volume)
+// Of the places that a sample stands for, as GetMean().
+glm::dvec3 GetMeanColour(
+  const VolumeOpacity& opacity, const glm::dvec3& middle, const glm::dvec3& step)
+{
+  const glm::ivec3 parts(glm::ceil(step - 1e-9));
+  const glm::dvec3 part = step / glm::dvec3(parts);
+  const int count = parts.x * parts.y * parts.z;
+  glm::dvec3 sum(0.0);
+  double weights = 0.0;
+  for (int k = 0; k < count; ++k)
+  {
+    const glm::dvec3 at(k % parts.x, k / parts.x % parts.y, k / (parts.x * parts.y));
+    const glm::dvec3 place = middle + (at - 0.5 * glm::dvec3(parts - 1)) * part;
+    const double weight = opacity.GetExtinction(place);
+    sum += weight * opacity.GetColour(place);
+    weights += weight;
+  }
+  return weights > 0.0 ? sum / weights : opacity.GetColour(middle);
+}
+
+void AddColours(const VolumeOpacity& opacity, const ExtinctionSamples& samples, vtkImageData* image)
+{
+  vtkNew<vtkFloatArray> albedos;
+  albedos->SetName(VolumeAlbedos);
+  albedos->SetNumberOfComponents(3);
+  albedos->SetNumberOfTuples(static_cast<vtkIdType>(samples.Values.size()));
+  const glm::ivec3& size = samples.Size;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(size.y) * size.z, [&](vtkIdType a, vtkIdType b) {
+    for (vtkIdType row = a; row < b; ++row)
+    {
+      for (int i = 0; i < size.x; ++i)
+      {
+        const glm::dvec3 place(i, row % size.y, row / size.y);
+        const glm::vec3 colour(GetMeanColour(opacity, place * samples.Step, samples.Step));
+        std::copy_n(&colour.x, 3, albedos->GetPointer(3 * (row * size.x + i)));
+      }
+    }
+  });
+  image->GetPointData()->AddArray(albedos);
+}
+}
+
+//------------------------------------------------------------------------------
+// A volume's property counts the times of its functions, the mapper not that of its input.
+vtkMTimeType GetVolumeTime(vtkVolume* volume)
 {
   vtkAbstractVolumeMapper* mapper = volume->GetMapper();
   vtkMTimeType time = volume->GetProperty()->GetMTime();
@@ -158,41 +200,55 @@ vtkMTimeType GetTime(vtkVolume* volume)
   }
   return std::max(time, mapper ? mapper->GetMTime() : 0);
 }
+
+//------------------------------------------------------------------------------
+VolumeImage MakeVolumeImage(
+  vtkVolume* volume, vtkMatrix4x4* toWorld, bool colours, std::string& reason)
+{
+  VolumeImage result;
+  const VolumeScalars scalars = FindVolumeScalars(volume, reason);
+  if (!scalars.Values)
+  {
+    return result;
+  }
+  const VolumeOpacity opacity(volume, scalars, toWorld);
+  const ExtinctionSamples samples = Refine(opacity, result.Refinement);
+  const float largest = *std::max_element(samples.Values.begin(), samples.Values.end());
+  if (largest > 0.0f)
+  {
+    result.SigmaT = largest;
+    result.Image = MakeImage(samples, opacity.GetToWorld(), largest);
+    if (colours)
+    {
+      AddColours(opacity, samples, result.Image);
+    }
+  }
+  return result;
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const VolumeExtinction> VolumeExtinction::Build(
   vtkVolume* volume, vtkMatrix4x4* toWorld, std::string& error)
 {
-  const VolumeScalars scalars = FindVolumeScalars(volume, error);
-  if (!scalars.Values)
-  {
-    return nullptr;
-  }
-  const VolumeOpacity opacity(volume, scalars, toWorld);
-  auto result = std::make_shared<VolumeExtinction>();
-  const ExtinctionSamples samples = Refine(opacity, result->Refinement);
-  const float largest = *std::max_element(samples.Values.begin(), samples.Values.end());
-  if (!(largest > 0.0f))
-  {
-    return nullptr;
-  }
-  result->SigmaT = largest;
   std::string reason;
-  result->Grid = DensityGrid::Build(MakeImage(samples, opacity.GetToWorld(), largest), reason);
-  if (!result->Grid)
+  const VolumeImage image = MakeVolumeImage(volume, toWorld, false, reason);
+  auto result = std::make_shared<VolumeExtinction>();
+  result->SigmaT = image.SigmaT;
+  result->Refinement = image.Refinement;
+  result->Grid = image.Image ? DensityGrid::Build(image.Image, reason) : nullptr;
+  if (image.Image && !result->Grid)
   {
-    error = DescribeNoShadow(volume, "its image " + reason);
-    return nullptr;
+    reason = "its image " + reason;
   }
-  return result;
+  error = reason.empty() ? error : DescribeNoShadow(volume, reason);
+  return result->Grid ? result : nullptr;
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const VolumeExtinction> VolumeExtinctions::Get(
   vtkVolume* volume, vtkMatrix4x4* toWorld, std::string& error)
 {
-  const vtkMTimeType time = GetTime(volume);
+  const vtkMTimeType time = GetVolumeTime(volume);
   const glm::dmat4 matrix = ToGlm(toWorld);
   Entry& entry = this->Entries[volume];
   entry.Age = 0;

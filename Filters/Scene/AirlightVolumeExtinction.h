@@ -14,6 +14,8 @@
 
 #include "Density/AirlightDensityGrid.h"
 #include "vtkAirlightModule.h" // for export macro
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <glm/glm.hpp>
@@ -27,6 +29,24 @@ class vtkVolume;
 
 namespace airlight
 {
+// The same as an image, with densities from 0 to 1.
+struct VolumeImage
+{
+  vtkSmartPointer<vtkImageData> Image; // placed in the world
+  double SigmaT = 0.0;                 // extinction at density 1, 1/world
+  int Refinement = 1;                  // samples for each of the volume's, along an axis
+};
+
+// With an array VolumeAlbedos of the volume's colours, if these are asked for: means over the places
+// of a sample, by their extinction. No image, and a reason, if the volume's opacity is no function
+// of its scalars alone; no image alone if it is all transparent.
+constexpr const char* VolumeAlbedos = "Albedo";
+VTKAIRLIGHT_EXPORT VolumeImage MakeVolumeImage(
+  vtkVolume* volume, vtkMatrix4x4* toWorld, bool colours, std::string& reason);
+
+// The latest time of what a volume's image depends on, but for its matrix.
+vtkMTimeType GetVolumeTime(vtkVolume* volume);
+
 struct VTKAIRLIGHT_EXPORT VolumeExtinction
 {
   std::shared_ptr<const DensityGrid> Grid; // densities from 0 to 1, placed in the world

@@ -4,6 +4,7 @@
 
 #include "Integration/AirlightMatrix.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -38,6 +39,27 @@ glm::dmat4 GetPointsToData(vtkImageData* image)
   }
   return result;
 }
+
+std::vector<glm::dvec3> GetColours(vtkVolumeProperty* property, double range[2])
+{
+  std::vector<glm::dvec3> colours(TableSize);
+  if (property->GetColorChannels() == 3)
+  {
+    property->GetRGBTransferFunction()->GetTable(range[0], range[1], TableSize, &colours[0].x);
+  }
+  else
+  {
+    std::vector<double> greys(TableSize);
+    property->GetGrayTransferFunction()->GetTable(range[0], range[1], TableSize, greys.data());
+    std::transform(greys.begin(), greys.end(), colours.begin(),
+      [](double grey) { return glm::dvec3(grey); });
+  }
+  for (glm::dvec3& colour : colours)
+  {
+    colour = glm::clamp(colour, 0.0, 1.0);
+  }
+  return colours;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -58,6 +80,7 @@ VolumeOpacity::VolumeOpacity(vtkVolume* volume, const VolumeScalars& scalars, vt
   this->Lowest = range[0];
   this->PerScalar = range[1] > range[0] ? (TableSize - 1) / (range[1] - range[0]) : 0.0;
   property->GetScalarOpacity()->GetTable(range[0], range[1], TableSize, this->Table.data());
+  this->Colours = GetColours(property, range);
   for (double& entry : this->Table)
   {
     entry = std::min(
@@ -66,15 +89,8 @@ VolumeOpacity::VolumeOpacity(vtkVolume* volume, const VolumeScalars& scalars, vt
 }
 
 //------------------------------------------------------------------------------
-double VolumeOpacity::Classify(double scalar) const
-{
-  const double place = std::clamp((scalar - this->Lowest) * this->PerScalar, 0.0, TableSize - 1.0);
-  const int i = std::min(static_cast<int>(place), TableSize - 2);
-  return glm::mix(this->Table[i], this->Table[i + 1], place - i);
-}
-
-//------------------------------------------------------------------------------
-double VolumeOpacity::GetExtinction(const glm::dvec3& place) const
+// The place of a scalar in the tables, interpolated at a place.
+double VolumeOpacity::GetEntry(const glm::dvec3& place) const
 {
   const glm::dvec3 p = glm::clamp(place, glm::dvec3(0.0), glm::dvec3(this->Size - 1));
   const glm::ivec3 cell = glm::min(glm::ivec3(p), this->Size - 2);
@@ -86,7 +102,8 @@ double VolumeOpacity::GetExtinction(const glm::dvec3& place) const
     return glm::mix(
       this->Values->GetComponent(first, 0), this->Values->GetComponent(first + 1, 0), f.x);
   };
-  return this->Classify(
-    glm::mix(glm::mix(row(0, 0), row(1, 0), f.y), glm::mix(row(0, 1), row(1, 1), f.y), f.z));
+  const double scalar =
+    glm::mix(glm::mix(row(0, 0), row(1, 0), f.y), glm::mix(row(0, 1), row(1, 1), f.y), f.z);
+  return std::clamp((scalar - this->Lowest) * this->PerScalar, 0.0, TableSize - 1.0);
 }
 }

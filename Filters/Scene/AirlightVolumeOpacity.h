@@ -22,6 +22,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <vector>
 
 class vtkMatrix4x4;
@@ -42,17 +43,33 @@ public:
   const glm::dmat4& GetToWorld() const { return this->ToWorld; }
 
   // The extinction, 1/world, at a place counted in points, which is moved into the volume.
-  double GetExtinction(const glm::dvec3& place) const;
+  double GetExtinction(const glm::dvec3& place) const
+  {
+    return Classify(this->Table, this->GetEntry(place));
+  }
+
+  // What the volume's colour function says there, from 0 to 1.
+  glm::dvec3 GetColour(const glm::dvec3& place) const
+  {
+    return Classify(this->Colours, this->GetEntry(place));
+  }
 
 private:
-  double Classify(double scalar) const;
+  double GetEntry(const glm::dvec3& place) const;
+  template <typename Value>
+  static Value Classify(const std::vector<Value>& table, double entry)
+  {
+    const size_t i = std::min(static_cast<size_t>(entry), table.size() - 2);
+    return glm::mix(table[i], table[i + 1], entry - static_cast<double>(i));
+  }
 
   vtkSmartPointer<vtkDataArray> Values;
   glm::ivec3 Size{ 0 };
   glm::dmat4 ToWorld{ 1.0 };
-  std::vector<double> Table; // extinctions of equally spaced scalars
-  double Lowest = 0.0;       // scalar
-  double PerScalar = 0.0;    // entries
+  std::vector<double> Table;       // extinctions of equally spaced scalars
+  std::vector<glm::dvec3> Colours; // likewise
+  double Lowest = 0.0;             // scalar
+  double PerScalar = 0.0;          // entries
 };
 }
 

@@ -9,6 +9,7 @@ airlight_sources(
     AirlightTextureColours
     AirlightVolumeCheck
     AirlightVolumeExtinction
+    AirlightVolumeMedia
     AirlightVolumeOpacity
   HEADERS
     AirlightGeometryTimes.h

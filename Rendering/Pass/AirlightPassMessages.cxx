@@ -313,9 +313,9 @@ void PassMessages::ReportVolumeMapper(vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
-void PassMessages::ReportVolumeShadow(const std::string& text)
+void PassMessages::ReportVolume(const std::string& text)
 {
-  if (!text.empty() && this->VolumeShadowsGiven.insert(text).second)
+  if (!text.empty() && this->VolumesGiven.insert(text).second)
   {
     vtkWarningWithObjectMacro(this->Pass, << text);
   }

@@ -74,7 +74,7 @@ public:
   void ReportVolumeMapper(vtkVolume* volume);
 
   // A volume that cannot cast a shadow; once for each text.
-  void ReportVolumeShadow(const std::string& text);
+  void ReportVolume(const std::string& text);
 
   // A pass outside that needs what this one does not give.
   void CheckSupport(const SceneSupport& support);
@@ -119,7 +119,7 @@ private:
   vtkObject* Pass;
   std::bitset<NumberOfMessages> Given;
   std::set<UnseenReason> UnseenGiven;
-  std::set<std::string> VolumeShadowsGiven;
+  std::set<std::string> VolumesGiven;
   std::string FrameError;
   std::string CasterError;
   std::string EnvironmentError;

@@ -106,7 +106,7 @@ void PassRenderer::Render(
     this->Stages.GetPasses().DrawAll(s);
     return;
   }
-  std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  std::vector<vtkProp*> props = this->FindProps(s);
   const std::vector<vtkProp*>& lamps =
     this->Lamps.Update(s->GetRenderer(), settings.Properties.LinearInput);
   props.insert(props.end(), lamps.begin(), lamps.end());
@@ -117,6 +117,29 @@ void PassRenderer::Render(
   this->Suns = CollectSunDiscs(s->GetRenderer());
   const WiderRange range(s->GetRenderer()->GetActiveCamera(), this->Lamps.GetRange());
   this->RenderScene(&state, settings, viewport);
+}
+
+//------------------------------------------------------------------------------
+// What is drawn: all props but volumes that are media.
+std::vector<vtkProp*> PassRenderer::FindProps(const vtkRenderState* s)
+{
+  std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  this->MediaOfVolumes.clear();
+  for (const VolumeMedium& found : this->ScatteringVolumes.Update(s->GetRenderer()))
+  {
+    const bool fits = this->Media.GetSize() + this->MediaOfVolumes.size() < AIRLIGHT_MAX_MEDIA;
+    if (found.Medium && fits)
+    {
+      this->MediaOfVolumes.push_back(found.Medium);
+      props.erase(std::remove(props.begin(), props.end(), found.Volume), props.end());
+    }
+    this->Messages.ReportVolume(found.Medium && !fits
+        ? DescribeNoMedium(found.Volume,
+            "there are " + std::to_string(AIRLIGHT_MAX_MEDIA) +
+              " media already: call RemoveMedium() for others")
+        : found.Error);
+  }
+  return props;
 }
 
 //------------------------------------------------------------------------------
@@ -432,6 +455,8 @@ bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& setting
     return false;
   }
   scene.Sources.Media = this->Media.GetAll();
+  scene.Sources.Media.insert(
+    scene.Sources.Media.end(), this->MediaOfVolumes.begin(), this->MediaOfVolumes.end());
   if (scene.Sources.Media.empty())
   {
     scene.Sources.Media.push_back(this->Vacuum);
@@ -478,7 +503,7 @@ void PassRenderer::CollectVolumes(Scene& scene)
             " media and volumes that cast already: call vtkAirlightPass::SetCastsShadow(volume, "
             "false) for others");
       }
-      this->Messages.ReportVolumeShadow(error);
+      this->Messages.ReportVolume(error);
     }
   }
   this->Extinctions.Forget();

@@ -23,6 +23,7 @@
 #include "Scene/AirlightLampShapes.h"
 #include "Scene/AirlightSunDiscs.h"
 #include "Scene/AirlightVolumeExtinction.h"
+#include "Scene/AirlightVolumeMedia.h"
 
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
@@ -118,6 +119,7 @@ private:
     const FrameLimits& limits, Scene& scene);
   const SkyHarmonics* FindEnvironment(vtkRenderer* renderer, const Settings& settings);
   bool CollectScene(const vtkRenderState* s, const Settings& settings, Scene& scene);
+  std::vector<vtkProp*> FindProps(const vtkRenderState* s);
   void CollectVolumes(Scene& scene);
   void CollectProps(const vtkRenderState* s, const Settings& settings, Scene& scene);
   SceneFacts GetFacts(const Scene& scene) const;
@@ -128,6 +130,8 @@ private:
   vtkObject* Pass;
   CasterCache Casters;
   VolumeExtinctions Extinctions;
+  VolumeMedia ScatteringVolumes;
+  std::vector<vtkSmartPointer<vtkParticipatingMedium>> MediaOfVolumes; // of the picture
   Frame CurrentFrame;
   SubpixelFrames Mean;
   EdgeSamples Edges;
