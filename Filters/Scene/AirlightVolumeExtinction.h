@@ -37,8 +37,8 @@ struct VolumeImage
   int Refinement = 1;                  // samples for each of the volume's, along an axis
 };
 
-// With an array VolumeAlbedos of the volume's colours, if these are asked for: means over the places
-// of a sample, by their extinction. No image, and a reason, if the volume's opacity is no function
+// With an array VolumeAlbedos of the volume's colours, if these are asked for: means over what a
+// sample stands for, by extinction. No image, and a reason, if the volume's opacity is no function
 // of its scalars alone; no image alone if it is all transparent.
 constexpr const char* VolumeAlbedos = "Albedo";
 VTKAIRLIGHT_EXPORT VolumeImage MakeVolumeImage(
