@@ -12,8 +12,9 @@
  * (multi-block, or AMR, whose fine levels cover the coarse ones). Data of points or cells; those of
  * cells are averaged at the points that the cells share (vtkCellDataToPointData).
  *
- * Output: a vtkImageData with one array of point scalars. An image keeps its points, and if it has
- * one component and Factor is 1, its array of any type without a copy. All others are interpolated
+ * Output: a vtkImageData with point scalars. An image keeps its points and its other point arrays,
+ * such as colours (vtkParticipatingMedium::SetAlbedoArrayName()), and if it has one component and
+ * Factor is 1, its array of any type without a copy. All others are interpolated
  * by vtkProbeFilter at the points of a grid from end to end of their bounds, 0 outside their cells,
  * in float.
  *

@@ -24,6 +24,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVolume.h"
 #include "vtkWindow.h"
 
 #include <algorithm>
@@ -310,6 +311,13 @@ int vtkAirlightReference::RequestData(
     if (found.Medium && media.size() < AIRLIGHT_MAX_MEDIA)
     {
       media.push_back(found.Medium);
+    }
+    else if (found.Medium)
+    {
+      vtkWarningMacro(<< "The " << found.Volume->GetClassName() << " (" << found.Volume
+                      << ") is left out: there are " << media.size()
+                      << " media already. Call RemoveMedium() or SetVolumeScatters(volume, false) "
+                         "for others.");
     }
     if (!found.Error.empty())
     {

@@ -701,7 +701,7 @@ std::shared_ptr<const airlight::ImageColours> vtkParticipatingMedium::GetEmissio
   airlight::Change problem;
   const auto colours =
     this->Impl->EmissionFactors.Update(this->GetDensityGrid() ? this->GetDensityImage() : nullptr,
-      this->EmissionArrayName, 1e30, problem.Error);
+      this->EmissionArrayName, 1e10, problem.Error);
   this->Apply(problem);
   return colours;
 }

@@ -509,7 +509,7 @@ public:
    * is scattered there, in place of Scattering/(Scattering + Absorption), as where white steam and
    * black smoke mix; the extinction stays. Range: 0 to 1. EmissionArrayName: factors of Emission,
    * as in flames in which the temperature varies; the density counts, too, as for all emission.
-   * Range: 0 to 1e30. Default: "", no array.
+   * Range: 0 to 1e10. Default: "", no array. GetAlbedo() and what sets it know of no array.
    *
    * If the image has no such array or a value is out of range when the medium is used, an error
    * says so once, and the array is ignored until that is mended.

@@ -138,8 +138,8 @@ public:
   ///@{
   /**
    * Steps along each view ray for RAY_MARCH. For shadow maps, a ray is compared with the map at 16
-   * places for each step, from 32 to 1024, in the nearest of 24 planes of rays for each step, at
-   * least 1536. Range: 1 to 2048. Default: 64.
+   * places for each step, from 32 to 1024, in the nearest of 24 planes of rays for each step, from
+   * 1536 to 4096. Range: 1 to 2048. Default: 64.
    */
   void SetNumberOfSteps(int steps);
   vtkGetMacro(NumberOfSteps, int);
@@ -592,13 +592,15 @@ public:
    * Whether a volume is a medium itself: smoke, cloud or tissue that scatters the lights, shades
    * itself and all else, in place of the glowing fog that ray casting makes of it. Its extinction
    * is that of VolumeShadows, its albedo at each place is its colour function, its phase function
-   * is isotropic; shading and ambient properties have no effect. The pass draws it, among at most
+   * is isotropic; colours count as they are, without gamma, and shading and ambient properties have
+   * no effect. The pass draws it, among at most
    * eight media, and vtkAirlightReference reads it, too. Default: false. It is the key
    * VOLUME_SCATTERS() in the volume's property keys, where 1 means true.
    *
-   * The volume must be a visible prop of the renderer, not part of an assembly, as those that can
-   * cast shadows (VolumeShadows); others give a warning and are drawn by VTK. Delegates that draw
-   * the renderer's own list of props draw it twice. It is not picked. A null volume gives an error.
+   * The volume must be a visible prop of the renderer and one that can cast shadows
+   * (VolumeShadows); others give a warning and are drawn by VTK. In an assembly the key has no
+   * effect. Beside it no medium has MultipleScattering. Delegates that draw the renderer's own list
+   * of props draw it twice. A null volume gives an error.
    * @code
    *   vtkAirlightPass::SetVolumeScatters(plume, true);
    * @endcode

@@ -18,8 +18,8 @@ namespace airlight
 struct EmissionCluster
 {
   glm::dvec3 Centre{ 0.0 };
-  double Weight = 0.0; // the integral of the density, times the mean of what it glows more or less
-  double Radius = 0.0; // of a ball of the same second moment
+  double Weight = 0.0;     // the integral of the density times the emission's mean factor
+  double Radius = 0.0;     // of a ball of the same second moment
   glm::dvec3 Power{ 0.0 }; // the integral of the emission coefficient
 };
 

@@ -1,3 +1,5 @@
-#SPDX - FileCopyrightText : Copyright(c) Airlight developers
-#SPDX - License - Identifier : BSD - 3 - Clause
-airlight_sources(PRIVATE_CLASSES AirlightEmissionClusters)
+# SPDX-FileCopyrightText: Copyright (c) Airlight developers
+# SPDX-License-Identifier: BSD-3-Clause
+airlight_sources(
+  PRIVATE_CLASSES
+    AirlightEmissionClusters)

@@ -161,7 +161,7 @@ void ReferenceScene::AddProp(const SceneProp& prop)
   }
   for (vtkProp* part : prop.OtherParts)
   {
-    if (!part->IsA("vtkVolume") || !VolumeScatters(part))
+    if (!IsMedium(part, prop.Prop))
     {
       this->Unsupported.insert(part->GetClassName());
     }

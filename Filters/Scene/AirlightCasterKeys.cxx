@@ -83,11 +83,11 @@ bool CastsShadow(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-bool VolumeScatters(vtkProp* volume)
+bool IsMedium(vtkProp* part, vtkProp* prop)
 {
-  vtkInformation* keys = volume->GetPropertyKeys();
+  vtkInformation* keys = part->GetPropertyKeys();
   vtkInformationIntegerKey* key = GetVolumeScattersKey();
-  return keys && keys->Has(key) && keys->Get(key) != 0;
+  return part == prop && part->IsA("vtkVolume") && keys && keys->Has(key) && keys->Get(key) != 0;
 }
 
 //------------------------------------------------------------------------------

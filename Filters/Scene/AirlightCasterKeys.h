@@ -30,8 +30,8 @@ vtkInformationDoubleVectorKey* GetShadowOpacityKey();
 // False only if the key is 0.
 bool CastsShadow(vtkProp* prop);
 
-// False without key.
-bool VolumeScatters(vtkProp* volume);
+// Whether a part of a prop is a volume with the key, and the prop itself. Only those are media.
+bool IsMedium(vtkProp* part, vtkProp* prop);
 
 // Reads the opacity of a prop's shadow. Returns false and leaves `opacity` alone if the key is not
 // set or not valid; an invalid key also gives a text in `error`.

@@ -80,7 +80,7 @@ void AddPart(SceneProp& to, vtkProp* part, vtkMatrix4x4* toWorld)
     {
       // One that scatters dims as a medium.
       to.VolumeParts.push_back(
-        { volume, Copy(toWorld), to.Casts && CastsShadow(volume) && !VolumeScatters(volume) });
+        { volume, Copy(toWorld), to.Casts && CastsShadow(volume) && !IsMedium(volume, to.Prop) });
     }
   }
 }

@@ -38,6 +38,7 @@ struct ExtinctionSamples
   glm::ivec3 Size;
   glm::dvec3 Step; // in the volume's points
   std::vector<float> Values;
+  std::vector<glm::vec3> Colours; // where these are asked for
 };
 
 // At most MostSamples.
@@ -63,10 +64,32 @@ double GetMean(const VolumeOpacity& opacity, const glm::dvec3& middle, const glm
   return sum / count;
 }
 
-ExtinctionSamples Sample(const VolumeOpacity& opacity, const glm::ivec3& size)
+// Of the places that a sample stands for, as GetMean().
+glm::dvec3 GetMeanColour(
+  const VolumeOpacity& opacity, const glm::dvec3& middle, const glm::dvec3& step)
 {
-  ExtinctionSamples samples{ size, glm::dvec3(opacity.GetSize() - 1) / glm::dvec3(size - 1), {} };
+  const glm::ivec3 parts(glm::ceil(step - 1e-9));
+  const glm::dvec3 part = step / glm::dvec3(parts);
+  const int count = parts.x * parts.y * parts.z;
+  glm::dvec3 sum(0.0);
+  double weights = 0.0;
+  for (int k = 0; k < count; ++k)
+  {
+    const glm::dvec3 at(k % parts.x, k / parts.x % parts.y, k / (parts.x * parts.y));
+    const glm::dvec3 place = middle + (at - 0.5 * glm::dvec3(parts - 1)) * part;
+    const double weight = opacity.GetExtinction(place);
+    sum += weight * opacity.GetColour(place);
+    weights += weight;
+  }
+  return weights > 0.0 ? sum / weights : opacity.GetColour(middle);
+}
+
+ExtinctionSamples Sample(const VolumeOpacity& opacity, const glm::ivec3& size, bool colours)
+{
+  ExtinctionSamples samples{ size, glm::dvec3(opacity.GetSize() - 1) / glm::dvec3(size - 1), {},
+    {} };
   samples.Values.resize(static_cast<size_t>(size.x) * size.y * size.z);
+  samples.Colours.resize(colours ? samples.Values.size() : 0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(size.y) * size.z, [&](vtkIdType a, vtkIdType b) {
     for (vtkIdType row = a; row < b; ++row)
     {
@@ -75,6 +98,11 @@ ExtinctionSamples Sample(const VolumeOpacity& opacity, const glm::ivec3& size)
         const glm::dvec3 place(i, row % size.y, row / size.y);
         samples.Values[row * size.x + i] =
           static_cast<float>(GetMean(opacity, place * samples.Step, samples.Step));
+        if (colours)
+        {
+          samples.Colours[row * size.x + i] =
+            GetMeanColour(opacity, place * samples.Step, samples.Step);
+        }
       }
     }
   });
@@ -90,20 +118,29 @@ double GetError(const VolumeOpacity& opacity, const ExtinctionSamples& samples)
   for (int i = 1; i <= TestPoints; ++i)
   {
     const glm::dvec3 place = glm::fract(double(i) * advance) * glm::dvec3(samples.Size - 1);
-    const double error = InterpolateTrilinearly(samples.Values, samples.Size, place) -
-      opacity.GetExtinction(place * samples.Step);
+    const double extinction = opacity.GetExtinction(place * samples.Step);
+    const double sampled = InterpolateTrilinearly(samples.Values, samples.Size, place);
+    double error = std::abs(sampled - extinction);
+    if (!samples.Colours.empty())
+    {
+      // What is scattered counts, too.
+      const glm::dvec3 off = glm::abs(
+        sampled * InterpolateTrilinearly<glm::dvec3>(samples.Colours, samples.Size, place) -
+        extinction * opacity.GetColour(place * samples.Step));
+      error = std::max({ error, off.x, off.y, off.z });
+    }
     squares += error * error;
   }
   return std::sqrt(squares / TestPoints);
 }
 
 // As coarse as the tolerance allows. The errors of a way's cells partly cancel.
-ExtinctionSamples Refine(const VolumeOpacity& opacity, int& refinement)
+ExtinctionSamples Refine(const VolumeOpacity& opacity, bool colours, int& refinement)
 {
   const glm::ivec3& size = opacity.GetSize();
   const glm::ivec3 coarse = GetCoarseSize(size);
   const double length = glm::length(glm::dmat3(opacity.GetToWorld()) * glm::dvec3(size - 1));
-  ExtinctionSamples samples = Sample(opacity, coarse);
+  ExtinctionSamples samples = Sample(opacity, coarse, colours);
   refinement = 1;
   while (coarse == size && 2 * refinement <= Finest)
   {
@@ -115,7 +152,7 @@ ExtinctionSamples Refine(const VolumeOpacity& opacity, int& refinement)
       break;
     }
     refinement *= 2;
-    samples = Sample(opacity, next);
+    samples = Sample(opacity, next, colours);
   }
   return samples;
 }
@@ -144,44 +181,16 @@ vtkSmartPointer<vtkImageData> MakeImage(
   return image;
 }
 
-// Of the places that a sample stands for, as GetMean().
-glm::dvec3 GetMeanColour(
-  const VolumeOpacity& opacity, const glm::dvec3& middle, const glm::dvec3& step)
-{
-  const glm::ivec3 parts(glm::ceil(step - 1e-9));
-  const glm::dvec3 part = step / glm::dvec3(parts);
-  const int count = parts.x * parts.y * parts.z;
-  glm::dvec3 sum(0.0);
-  double weights = 0.0;
-  for (int k = 0; k < count; ++k)
-  {
-    const glm::dvec3 at(k % parts.x, k / parts.x % parts.y, k / (parts.x * parts.y));
-    const glm::dvec3 place = middle + (at - 0.5 * glm::dvec3(parts - 1)) * part;
-    const double weight = opacity.GetExtinction(place);
-    sum += weight * opacity.GetColour(place);
-    weights += weight;
-  }
-  return weights > 0.0 ? sum / weights : opacity.GetColour(middle);
-}
-
-void AddColours(const VolumeOpacity& opacity, const ExtinctionSamples& samples, vtkImageData* image)
+void AddColours(const ExtinctionSamples& samples, vtkImageData* image)
 {
   vtkNew<vtkFloatArray> albedos;
   albedos->SetName(VolumeAlbedos);
   albedos->SetNumberOfComponents(3);
-  albedos->SetNumberOfTuples(static_cast<vtkIdType>(samples.Values.size()));
-  const glm::ivec3& size = samples.Size;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(size.y) * size.z, [&](vtkIdType a, vtkIdType b) {
-    for (vtkIdType row = a; row < b; ++row)
-    {
-      for (int i = 0; i < size.x; ++i)
-      {
-        const glm::dvec3 place(i, row % size.y, row / size.y);
-        const glm::vec3 colour(GetMeanColour(opacity, place * samples.Step, samples.Step));
-        std::copy_n(&colour.x, 3, albedos->GetPointer(3 * (row * size.x + i)));
-      }
-    }
-  });
+  albedos->SetNumberOfTuples(static_cast<vtkIdType>(samples.Colours.size()));
+  for (size_t i = 0; i < samples.Colours.size(); ++i)
+  {
+    std::copy_n(&samples.Colours[i].x, 3, albedos->GetPointer(3 * static_cast<vtkIdType>(i)));
+  }
   image->GetPointData()->AddArray(albedos);
 }
 }
@@ -207,12 +216,17 @@ VolumeImage MakeVolumeImage(
 {
   VolumeImage result;
   const VolumeScalars scalars = FindVolumeScalars(volume, reason);
-  if (!scalars.Values)
+  const double size = glm::determinant(glm::dmat3(ToGlm(toWorld)));
+  if (reason.empty() && (!std::isfinite(size) || size == 0.0))
+  {
+    reason = "its matrix makes it flat: give it a scale and a matrix that can be inverted";
+  }
+  if (!reason.empty())
   {
     return result;
   }
-  const VolumeOpacity opacity(volume, scalars, toWorld);
-  const ExtinctionSamples samples = Refine(opacity, result.Refinement);
+  const VolumeOpacity opacity(volume, scalars, toWorld, colours);
+  const ExtinctionSamples samples = Refine(opacity, colours, result.Refinement);
   const float largest = *std::max_element(samples.Values.begin(), samples.Values.end());
   if (largest > 0.0f)
   {
@@ -220,7 +234,7 @@ VolumeImage MakeVolumeImage(
     result.Image = MakeImage(samples, opacity.GetToWorld(), largest);
     if (colours)
     {
-      AddColours(opacity, samples, result.Image);
+      AddColours(samples, result.Image);
     }
   }
   return result;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/AirlightVolumeMedia.h"
 
+#include "Density/AirlightDensityGrid.h"
 #include "Integration/AirlightMatrix.h"
 #include "Scene/AirlightCasterKeys.h"
 #include "Scene/AirlightVolumeCheck.h"
@@ -30,7 +31,11 @@ VolumeMedium MakeMedium(vtkVolume* volume)
   {
     result.Error = DescribeNoMedium(volume, reason);
   }
-  if (image.Image)
+  if (image.Image && !DensityGrid::Build(image.Image, reason))
+  {
+    result.Error = DescribeNoMedium(volume, "its image " + reason);
+  }
+  else if (image.Image)
   {
     result.Medium = vtkSmartPointer<vtkParticipatingMedium>::New();
     result.Medium->SetAbsorption(image.SigmaT, image.SigmaT, image.SigmaT);
@@ -51,9 +56,10 @@ const VolumeMedium& VolumeMedia::Get(vtkVolume* volume)
   entry.Age = 0;
   if (entry.Time != time || entry.ToWorld != matrix)
   {
-    entry.Time = time;
     entry.ToWorld = matrix;
     entry.Found = MakeMedium(volume);
+    // A property makes the functions that it does not have.
+    entry.Time = GetVolumeTime(volume);
   }
   return entry.Found;
 }
@@ -68,7 +74,7 @@ std::vector<VolumeMedium> VolumeMedia::Update(vtkRenderer* renderer)
   while (vtkProp* prop = props->GetNextProp(it))
   {
     auto* volume = vtkVolume::SafeDownCast(prop);
-    if (volume && volume->GetVisibility() && volume->GetMapper() && VolumeScatters(volume))
+    if (volume && volume->GetVisibility() && volume->GetMapper() && IsMedium(volume, volume))
     {
       found.push_back(this->Get(volume));
     }

@@ -51,8 +51,8 @@ std::vector<glm::dvec3> GetColours(vtkVolumeProperty* property, double range[2])
   {
     std::vector<double> greys(TableSize);
     property->GetGrayTransferFunction()->GetTable(range[0], range[1], TableSize, greys.data());
-    std::transform(greys.begin(), greys.end(), colours.begin(),
-      [](double grey) { return glm::dvec3(grey); });
+    std::transform(
+      greys.begin(), greys.end(), colours.begin(), [](double grey) { return glm::dvec3(grey); });
   }
   for (glm::dvec3& colour : colours)
   {
@@ -63,7 +63,8 @@ std::vector<glm::dvec3> GetColours(vtkVolumeProperty* property, double range[2])
 }
 
 //------------------------------------------------------------------------------
-VolumeOpacity::VolumeOpacity(vtkVolume* volume, const VolumeScalars& scalars, vtkMatrix4x4* toWorld)
+VolumeOpacity::VolumeOpacity(
+  vtkVolume* volume, const VolumeScalars& scalars, vtkMatrix4x4* toWorld, bool colours)
   : Values(scalars.Values)
   , Table(TableSize)
 {
@@ -80,7 +81,10 @@ VolumeOpacity::VolumeOpacity(vtkVolume* volume, const VolumeScalars& scalars, vt
   this->Lowest = range[0];
   this->PerScalar = range[1] > range[0] ? (TableSize - 1) / (range[1] - range[0]) : 0.0;
   property->GetScalarOpacity()->GetTable(range[0], range[1], TableSize, this->Table.data());
-  this->Colours = GetColours(property, range);
+  if (colours)
+  {
+    this->Colours = GetColours(property, range);
+  }
   for (double& entry : this->Table)
   {
     entry = std::min(

@@ -34,7 +34,8 @@ class VolumeOpacity
 {
 public:
   // Of scalars that FindVolumeScalars() has found.
-  VolumeOpacity(vtkVolume* volume, const VolumeScalars& scalars, vtkMatrix4x4* toWorld);
+  VolumeOpacity(
+    vtkVolume* volume, const VolumeScalars& scalars, vtkMatrix4x4* toWorld, bool colours = false);
 
   // Numbers of the volume's points.
   const glm::ivec3& GetSize() const { return this->Size; }
@@ -48,7 +49,7 @@ public:
     return Classify(this->Table, this->GetEntry(place));
   }
 
-  // What the volume's colour function says there, from 0 to 1.
+  // What the volume's colour function says there, from 0 to 1, if made with colours.
   glm::dvec3 GetColour(const glm::dvec3& place) const
   {
     return Classify(this->Colours, this->GetEntry(place));

@@ -15,6 +15,9 @@ namespace airlight
 {
 namespace
 {
+// Quotients in single precision may be above 1.
+constexpr double Rounding = 1.0 + 1e-6;
+
 // Empty, or why the array cannot be the colours.
 std::string FindProblem(vtkImageData* image, vtkDataArray* array, const std::string& name)
 {
@@ -59,7 +62,7 @@ std::shared_ptr<const ImageColours> ImageColours::Build(
       static_cast<double>(tuple[2 * step]));
     // Written so that NaN is refused.
     if (!(glm::all(glm::greaterThanEqual(colour, glm::dvec3(0.0))) &&
-          glm::all(glm::lessThanEqual(colour / one, glm::dvec3(most)))))
+          glm::all(glm::lessThanEqual(colour / one, glm::dvec3(most * Rounding)))))
     {
       std::ostringstream text;
       text << "has the colour (" << colour.x << ", " << colour.y << ", " << colour.z
@@ -68,7 +71,7 @@ std::shared_ptr<const ImageColours> ImageColours::Build(
       error = text.str();
       return nullptr;
     }
-    colours->Texels.emplace_back(glm::vec3(colour / one), 0.0f);
+    colours->Texels.emplace_back(glm::vec3(glm::min(colour / one, most)), 0.0f);
   }
   return colours;
 }

@@ -73,7 +73,7 @@ public:
   void ReportVolumeShader(vtkVolume* volume);
   void ReportVolumeMapper(vtkVolume* volume);
 
-  // A volume that cannot cast a shadow; once for each text.
+  // A volume that cannot cast a shadow or be a medium; once for each text.
   void ReportVolume(const std::string& text);
 
   // A pass outside that needs what this one does not give.

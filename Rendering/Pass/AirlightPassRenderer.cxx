@@ -125,18 +125,24 @@ std::vector<vtkProp*> PassRenderer::FindProps(const vtkRenderState* s)
 {
   std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
   this->MediaOfVolumes.clear();
+  this->VolumesAsMedia.clear();
   for (const VolumeMedium& found : this->ScatteringVolumes.Update(s->GetRenderer()))
   {
     const bool fits = this->Media.GetSize() + this->MediaOfVolumes.size() < AIRLIGHT_MAX_MEDIA;
     if (found.Medium && fits)
     {
       this->MediaOfVolumes.push_back(found.Medium);
-      props.erase(std::remove(props.begin(), props.end(), found.Volume), props.end());
+      const auto end = std::remove(props.begin(), props.end(), found.Volume);
+      if (end != props.end())
+      {
+        this->VolumesAsMedia.push_back(found.Volume);
+      }
+      props.erase(end, props.end());
     }
     this->Messages.ReportVolume(found.Medium && !fits
         ? DescribeNoMedium(found.Volume,
             "there are " + std::to_string(AIRLIGHT_MAX_MEDIA) +
-              " media already: call RemoveMedium() for others")
+              " media already: call RemoveMedium() or SetVolumeScatters(volume, false) for others")
         : found.Error);
   }
   return props;
@@ -169,7 +175,20 @@ void PassRenderer::RenderScene(
   this->Unfinished = false;
   this->EffectiveExposure = 1.0; // VTK's picture
   this->Recover();
-  this->Stages.GetPasses().DrawAll(s);
+  this->DrawWithoutMedia(s);
+}
+
+//------------------------------------------------------------------------------
+// With the volumes that would have been media.
+void PassRenderer::DrawWithoutMedia(const vtkRenderState* s)
+{
+  std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  props.insert(props.end(), this->VolumesAsMedia.begin(), this->VolumesAsMedia.end());
+  vtkRenderState all(s->GetRenderer());
+  all.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  all.SetFrameBuffer(s->GetFrameBuffer());
+  all.SetRequiredKeys(s->GetRequiredKeys());
+  this->Stages.GetPasses().DrawAll(&all);
 }
 
 //------------------------------------------------------------------------------

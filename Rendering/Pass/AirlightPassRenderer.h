@@ -120,6 +120,7 @@ private:
   const SkyHarmonics* FindEnvironment(vtkRenderer* renderer, const Settings& settings);
   bool CollectScene(const vtkRenderState* s, const Settings& settings, Scene& scene);
   std::vector<vtkProp*> FindProps(const vtkRenderState* s);
+  void DrawWithoutMedia(const vtkRenderState* s);
   void CollectVolumes(Scene& scene);
   void CollectProps(const vtkRenderState* s, const Settings& settings, Scene& scene);
   SceneFacts GetFacts(const Scene& scene) const;
@@ -132,6 +133,7 @@ private:
   VolumeExtinctions Extinctions;
   VolumeMedia ScatteringVolumes;
   std::vector<vtkSmartPointer<vtkParticipatingMedium>> MediaOfVolumes; // of the picture
+  std::vector<vtkProp*> VolumesAsMedia;                                // these volumes
   Frame CurrentFrame;
   SubpixelFrames Mean;
   EdgeSamples Edges;

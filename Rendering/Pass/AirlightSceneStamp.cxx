@@ -164,7 +164,7 @@ void SceneStamp::AddKeys(vtkProp* prop)
   glm::dvec3 opacity(-1.0); // none
   std::string error;
   ReadShadowOpacity(prop, opacity, error);
-  this->Times.push_back(CastsShadow(prop) ? 1 : 0);
+  this->Times.push_back((CastsShadow(prop) ? 1 : 0) + (IsMedium(prop, prop) ? 2 : 0));
   this->AddNumbers(&opacity.x, 3);
 }
 

@@ -27,8 +27,12 @@ struct AirlightStep
   int inside; // bit i: medium i is there
   int inImages; // bit i: in its image
   real4 cubic[AIRLIGHT_MEDIUM_COUNT]; // the density there
+#if AIRLIGHT_ALBEDO_MEDIA
   AirlightColours albedo[AIRLIGHT_MEDIUM_COUNT]; // of those that have such arrays
-  AirlightColours glow[AIRLIGHT_MEDIUM_COUNT];   // factors of the emission
+#endif
+#if AIRLIGHT_GLOW_MEDIA
+  AirlightColours glow[AIRLIGHT_MEDIUM_COUNT]; // factors of the emission
+#endif
   real rate;  // the largest of extinctions there
   real rise;  // the most scale heights that a medium falls or rises per unit of length
 };
@@ -186,14 +190,18 @@ void airlightReadCells(AirlightMedia media, AirlightSteps steps, real3 origin, r
         real3 a = corner + part.from * walk.slope;
         real3 b = corner + part.to * walk.slope;
         part.cubic[i] = airlightCellCubic(cell, a, b);
+#if AIRLIGHT_ALBEDO_MEDIA
         if (AIRLIGHT_HAS_ALBEDO(i))
         {
           part.albedo[i] = airlightCellColours(media.item[i].albedoFirst, walk, a, b);
         }
+#endif
+#if AIRLIGHT_GLOW_MEDIA
         if (AIRLIGHT_HAS_GLOW(i))
         {
           part.glow[i] = airlightCellColours(media.item[i].glowFirst, walk, a, b);
         }
+#endif
       }
     }
     else if (airlightIsInside(part, i))
@@ -226,22 +234,26 @@ real2 airlightStepDensity(AirlightMedia media, int i, AirlightStep part, real3 o
 // The scattering coefficient of medium i at t in a step, and what shines there, at density 1.
 real3 airlightStepScattering(AirlightMedia media, int i, AirlightStep part, real t)
 {
+#if AIRLIGHT_ALBEDO_MEDIA
   if (AIRLIGHT_HAS_ALBEDO(i))
   {
-    real u = (t - part.from) / (part.to - part.from);
+    real u = clamp((t - part.from) / (part.to - part.from), 0.0, 1.0);
     return media.item[i].sigmaS * airlightColourAt(part.albedo[i], u);
   }
+#endif
   return media.item[i].sigmaS;
 }
 
 real3 airlightStepSource(AirlightMedia media, int i, AirlightStep part, real3 direction, real t)
 {
   real3 emission = media.item[i].emission;
+#if AIRLIGHT_GLOW_MEDIA
   if (AIRLIGHT_HAS_GLOW(i))
   {
-    real u = (t - part.from) / (part.to - part.from);
+    real u = clamp((t - part.from) / (part.to - part.from), 0.0, 1.0);
     emission *= airlightColourAt(part.glow[i], u);
   }
+#endif
   return airlightStepScattering(media, i, part, t) *
     airlightAmbientRadiance(media.item[i], direction) + emission;
 }

@@ -10,6 +10,8 @@
 #include "AirlightTestErrors.h"
 #include "AirlightTestTools.h"
 
+#include "vtkUnsignedCharArray.h"
+
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -207,6 +209,39 @@ double GetSum(Scene& scene, const char* name)
   return sum;
 }
 
+// A band of colour between the points' scalars is where the scalars are.
+void TestBand()
+{
+  ScatteringScene scene(81026);
+  const auto image = MakeDensity(glm::ivec3(6), glm::dvec3(-2), glm::dvec3(2));
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    image->GetPointData()->GetScalars()->SetComponent(i, 0, image->GetPoint(i)[0]);
+  }
+  vtkVolumeProperty* property = scene.Volume->GetProperty();
+  scene.Volume->SetScale(1.0);
+  scene.Volume->SetOrientation(0, 0, 0);
+  scene.Volume->SetPosition(0, 0, 0);
+  vtkGPUVolumeRayCastMapper::SafeDownCast(scene.Volume->GetMapper())->SetInputData(image);
+  property->GetScalarOpacity()->RemoveAllPoints();
+  property->GetScalarOpacity()->AddPoint(-2.0, 0.2);
+  property->GetScalarOpacity()->AddPoint(2.0, 0.2);
+  vtkColorTransferFunction* colours = property->GetRGBTransferFunction();
+  colours->RemoveAllPoints();
+  colours->AddRGBPoint(-0.3, 0.0, 0.0, 0.0);
+  colours->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  colours->AddRGBPoint(0.3, 0.0, 0.0, 0.0);
+  scene.AddDirectionalLight({ 0.0, 1.0, 0.0 });
+  scene.Window->Render();
+  const auto get = [&](double x) {
+    const glm::ivec2 pixel = scene.GetPixel({ x, 0.0, 0.0 });
+    return GetColour(scene.GetBuffer("Airlight"), pixel.x, pixel.y).x;
+  };
+  // Points are at -0.4 and 0.4, where the colour is black.
+  Check(get(0.0) > 0.0 && get(1.5) < 0.05 * get(0.0),
+    Text("a band: ", get(0.0), " in it, ", get(1.5), " beside it"));
+}
+
 // Changes of the volume are seen, and volumes that cannot be media are as without the key.
 void TestUpdates()
 {
@@ -234,6 +269,12 @@ void TestUpdates()
   Check(warnings.Take() == 1 && warnings.GetText().find("CroppingOff()") != std::string::npos,
     "one warning: " + warnings.GetText());
   mapper->CroppingOff();
+  scene.Volume->SetScale(1.5, 1.5, 0.0);
+  Check(GetSum(scene, "Airlight") == 0.0, "no medium of a flat volume");
+  Check(warnings.Take() == 1 && warnings.GetText().find("does not scatter") != std::string::npos,
+    "one warning: " + warnings.GetText());
+  scene.Volume->SetScale(1.5);
+  Check(GetSum(scene, "Airlight") == scattered, "mended");
   for (int i = 0; i < 8; ++i)
   {
     vtkNew<vtkParticipatingMedium> medium;
@@ -244,6 +285,35 @@ void TestUpdates()
   Check(warnings.Take() == 1 && warnings.GetText().find("8 media already") != std::string::npos,
     "one warning: " + warnings.GetText());
 }
+
+//------------------------------------------------------------------------------
+// Where media cannot be drawn, VTK's picture has the volume.
+void TestFallback()
+{
+  ScatteringScene scene(81027);
+  ErrorListener errors(scene.Pass);
+  scene.AddPointLight({ 0.8, 4.2, 1.5 });
+  const auto draw = [&] {
+    scene.Window->Render();
+    vtkNew<vtkUnsignedCharArray> colours;
+    scene.Window->GetPixelData(0, 0, scene.Width - 1, scene.Height - 1, 0, colours);
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < colours->GetNumberOfValues(); ++i)
+    {
+      sum += colours->GetValue(i);
+    }
+    return sum;
+  };
+  scene.Medium->SetDensityToImage();
+  scene.Medium->SetSurface(MakeSphere(2.0));
+  scene.Medium->SetRegionToSurface();
+  const double fallback = draw();
+  Check(errors.Take() == 1, "one error: " + errors.GetText());
+  scene.Renderer->SetPass(nullptr);
+  const double plain = draw();
+  scene.Renderer->SetPass(scene.Pass);
+  Check(plain > 0.0 && fallback == plain, Text("VTK's picture: ", fallback, " and ", plain));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -252,6 +322,8 @@ int TestVolumeScatters(int, char*[])
   TestTransferFunctions();
   TestConstant();
   TestFog();
+  TestBand();
+  TestFallback();
   TestUpdates();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
