@@ -69,7 +69,7 @@ std::vector<VolumeMedium> VolumeMedia::Update(vtkRenderer* renderer)
 {
   std::vector<VolumeMedium> found;
   vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
+  vtkCollectionSimpleIterator it = nullptr;
   props->InitTraversal(it);
   while (vtkProp* prop = props->GetNextProp(it))
   {

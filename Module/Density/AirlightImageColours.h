@@ -27,7 +27,7 @@ public:
   // Copies a point array of this name, with one component for all channels or three. Null and an
   // error that continues "The density image ..." where it has a value that is not from 0 to `most`.
   static std::shared_ptr<const ImageColours> Build(
-    vtkImageData* image, const std::string& array, double most, std::string& error);
+    vtkImageData* image, const std::string& name, double most, std::string& error);
 
   // At a place in samples, moved into the image.
   glm::dvec3 GetAt(const glm::dvec3& samples) const;
