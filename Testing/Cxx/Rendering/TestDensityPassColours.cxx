@@ -122,11 +122,26 @@ void TestConstant()
   colours->FillValue(0.25f);
   scene.Image->GetPointData()->AddArray(colours);
   scene.Medium->SetAlbedoArrayName("Same");
+  scene.Reference->SetSize(48, 36);
+  scene.Reference->SetScatteringOrders(3);
+  scene.Reference->SetSamplesPerPixel(4);
+  const auto trace = [&] {
+    scene.Reference->Modified();
+    scene.Reference->Update();
+    vtkNew<vtkImageData> traced;
+    traced->DeepCopy(scene.Reference->GetOutput());
+    return vtkSmartPointer<vtkImageData>(traced);
+  };
   scene.Window->Render();
+  const vtkSmartPointer<vtkImageData> traced = trace();
   const Buffers buffers = scene.CopyBuffers();
   scene.Medium->SetAlbedoArrayName("");
   scene.Medium->SetScattering(0.2, 0.225, 0.25);
   scene.Medium->SetAbsorption(0.6, 0.675, 0.75);
+  // The same random numbers give the same paths.
+  traced->GetPointData()->SetActiveScalars("Airlight");
+  CheckErrors(
+    "one albedo, paths", traced, trace()->GetPointData()->GetArray("Airlight"), 1e-9, 1e-6);
   scene.Window->Render();
   for (const char* buffer : { "Airlight", "Transmittance", "Radiance" })
   {
