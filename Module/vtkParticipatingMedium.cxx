@@ -46,6 +46,17 @@ struct vtkParticipatingMedium::Internals
     "until then." };
   airlight::MediumColours Albedo;
   airlight::MediumColours EmissionFactors;
+
+  // An array of the image, if that is in use.
+  static std::shared_ptr<const airlight::ImageColours> UpdateColours(vtkParticipatingMedium* medium,
+    airlight::MediumColours& colours, const std::string& name, double most)
+  {
+    airlight::Change problem;
+    vtkImageData* image = medium->GetDensityGrid() ? medium->GetDensityImage() : nullptr;
+    auto updated = colours.Update(image, name, most, problem.Error);
+    medium->Apply(problem);
+    return updated;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -687,23 +698,13 @@ std::shared_ptr<const airlight::DensityGrid> vtkParticipatingMedium::GetDensityG
 //------------------------------------------------------------------------------
 std::shared_ptr<const airlight::ImageColours> vtkParticipatingMedium::GetAlbedoColours()
 {
-  airlight::Change problem;
-  const auto colours =
-    this->Impl->Albedo.Update(this->GetDensityGrid() ? this->GetDensityImage() : nullptr,
-      this->AlbedoArrayName, 1.0, problem.Error);
-  this->Apply(problem);
-  return colours;
+  return Internals::UpdateColours(this, this->Impl->Albedo, this->AlbedoArrayName, 1.0);
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const airlight::ImageColours> vtkParticipatingMedium::GetEmissionColours()
 {
-  airlight::Change problem;
-  const auto colours =
-    this->Impl->EmissionFactors.Update(this->GetDensityGrid() ? this->GetDensityImage() : nullptr,
-      this->EmissionArrayName, 1e10, problem.Error);
-  this->Apply(problem);
-  return colours;
+  return Internals::UpdateColours(this, this->Impl->EmissionFactors, this->EmissionArrayName, 1e10);
 }
 
 //------------------------------------------------------------------------------

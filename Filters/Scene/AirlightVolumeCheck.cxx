@@ -175,6 +175,14 @@ std::string Find(vtkVolume* volume, VolumeScalars& scalars)
   }
   return error;
 }
+
+std::string Describe(vtkVolume* volume, const char* what, const std::string& reason)
+{
+  std::ostringstream text;
+  text << "The " << volume->GetClassName() << " (" << volume << ") " << what << ", as " << reason
+       << ".";
+  return text.str();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -188,19 +196,13 @@ VolumeScalars FindVolumeScalars(vtkVolume* volume, std::string& reason)
 //------------------------------------------------------------------------------
 std::string DescribeNoShadow(vtkVolume* volume, const std::string& reason)
 {
-  std::ostringstream text;
-  text << "The " << volume->GetClassName() << " (" << volume << ") casts no shadow, as " << reason
-       << ".";
-  return text.str();
+  return Describe(volume, "casts no shadow", reason);
 }
 
 //------------------------------------------------------------------------------
 std::string DescribeNoMedium(vtkVolume* volume, const std::string& reason)
 {
-  std::ostringstream text;
-  text << "The " << volume->GetClassName() << " (" << volume
-       << ") does not scatter light and is drawn as without SetVolumeScatters(), as " << reason
-       << ".";
-  return text.str();
+  return Describe(
+    volume, "does not scatter light and is drawn as without SetVolumeScatters()", reason);
 }
 }

@@ -49,38 +49,40 @@ glm::ivec3 GetCoarseSize(const glm::ivec3& volume)
   return glm::max(glm::ivec3(scale * glm::dvec3(volume)), 2);
 }
 
-// A sample stands for what is around it: where samples are farther apart than points, it is a mean.
-double GetMean(const VolumeOpacity& opacity, const glm::dvec3& middle, const glm::dvec3& step)
+// A sample stands for what is around it: where samples are farther apart than points, for several
+// places. Returns their number.
+template <typename Visit>
+int VisitPlaces(const glm::dvec3& middle, const glm::dvec3& step, const Visit& visit)
 {
   const glm::ivec3 parts(glm::ceil(step - 1e-9));
   const glm::dvec3 part = step / glm::dvec3(parts);
   const int count = parts.x * parts.y * parts.z;
-  double sum = 0.0;
   for (int k = 0; k < count; ++k)
   {
     const glm::dvec3 at(k % parts.x, k / parts.x % parts.y, k / (parts.x * parts.y));
-    sum += opacity.GetExtinction(middle + (at - 0.5 * glm::dvec3(parts - 1)) * part);
+    visit(middle + (at - 0.5 * glm::dvec3(parts - 1)) * part);
   }
+  return count;
+}
+
+double GetMean(const VolumeOpacity& opacity, const glm::dvec3& middle, const glm::dvec3& step)
+{
+  double sum = 0.0;
+  const int count = VisitPlaces(
+    middle, step, [&](const glm::dvec3& place) { sum += opacity.GetExtinction(place); });
   return sum / count;
 }
 
-// Of the places that a sample stands for, as GetMean().
 glm::dvec3 GetMeanColour(
   const VolumeOpacity& opacity, const glm::dvec3& middle, const glm::dvec3& step)
 {
-  const glm::ivec3 parts(glm::ceil(step - 1e-9));
-  const glm::dvec3 part = step / glm::dvec3(parts);
-  const int count = parts.x * parts.y * parts.z;
   glm::dvec3 sum(0.0);
   double weights = 0.0;
-  for (int k = 0; k < count; ++k)
-  {
-    const glm::dvec3 at(k % parts.x, k / parts.x % parts.y, k / (parts.x * parts.y));
-    const glm::dvec3 place = middle + (at - 0.5 * glm::dvec3(parts - 1)) * part;
+  VisitPlaces(middle, step, [&](const glm::dvec3& place) {
     const double weight = opacity.GetExtinction(place);
     sum += weight * opacity.GetColour(place);
     weights += weight;
-  }
+  });
   return weights > 0.0 ? sum / weights : opacity.GetColour(middle);
 }
 

@@ -70,6 +70,13 @@ bool IsBlended(vtkRenderer* renderer)
   return renderer->GetPreserveColorBuffer() || renderer->Transparent();
 }
 
+// The same for other props, which must outlive it.
+void SetState(const vtkRenderState& from, std::vector<vtkProp*>& props, vtkRenderState& to)
+{
+  to.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  to.SetFrameBuffer(from.GetFrameBuffer());
+  to.SetRequiredKeys(from.GetRequiredKeys());
+}
 }
 
 //------------------------------------------------------------------------------
@@ -111,9 +118,7 @@ void PassRenderer::Render(
     this->Lamps.Update(s->GetRenderer(), settings.Properties.LinearInput);
   props.insert(props.end(), lamps.begin(), lamps.end());
   vtkRenderState state(s->GetRenderer());
-  state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
-  state.SetFrameBuffer(s->GetFrameBuffer());
-  state.SetRequiredKeys(s->GetRequiredKeys());
+  SetState(*s, props, state);
   this->Suns = CollectSunDiscs(s->GetRenderer());
   const WiderRange range(s->GetRenderer()->GetActiveCamera(), this->Lamps.GetRange());
   this->RenderScene(&state, settings, viewport);
@@ -185,9 +190,7 @@ void PassRenderer::DrawWithoutMedia(const vtkRenderState* s)
   std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
   props.insert(props.end(), this->VolumesAsMedia.begin(), this->VolumesAsMedia.end());
   vtkRenderState all(s->GetRenderer());
-  all.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
-  all.SetFrameBuffer(s->GetFrameBuffer());
-  all.SetRequiredKeys(s->GetRequiredKeys());
+  SetState(*s, props, all);
   this->Stages.GetPasses().DrawAll(&all);
 }
 
