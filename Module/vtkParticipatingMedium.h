@@ -512,7 +512,7 @@ public:
    * Range: 0 to 1e10. Default: "", no array. GetAlbedo() and what sets it know of no array.
    *
    * If the image has no such array or a value is out of range when the medium is used, an error
-   * says so once, and the array is ignored until that is mended.
+   * says so once, and the array is ignored until it is fixed.
    */
   vtkSetMacro(AlbedoArrayName, std::string);
   vtkGetMacro(AlbedoArrayName, std::string);

@@ -28,7 +28,7 @@ public:
     if (time != this->MadeTime || name != this->MadeName)
     {
       this->Made = time != 0 ? ImageColours::Build(image, name, most, error) : nullptr;
-      error += error.empty() ? "" : ". The array is ignored until then.";
+      error += error.empty() ? "" : ". The array is ignored until it is fixed.";
       error = error.empty() ? "" : "The density image " + error;
       this->MadeTime = time;
       this->MadeName = name;

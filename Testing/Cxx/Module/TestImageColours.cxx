@@ -272,7 +272,7 @@ void CheckErrors()
   one->SetValue(7, 0.5);
   one->Modified();
   cloud.Image->Modified();
-  Expect(get().x > without.x && errors.Take() == 0, "a mended array", get().x, without.x);
+  Expect(get().x > without.x && errors.Take() == 0, "a corrected array", get().x, without.x);
   cloud.Medium->SetAlbedoArrayName("");
   cloud.Medium->SetEmissionArrayName("Neither");
   check("has no point array 'Neither'", "factors that are not there");

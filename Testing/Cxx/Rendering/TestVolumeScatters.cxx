@@ -274,7 +274,7 @@ void TestUpdates()
   Check(warnings.Take() == 1 && warnings.GetText().find("does not scatter") != std::string::npos,
     "one warning: " + warnings.GetText());
   scene.Volume->SetScale(1.5);
-  Check(GetSum(scene, "Airlight") == scattered, "mended");
+  Check(GetSum(scene, "Airlight") == scattered, "the same with its scale");
   for (int i = 0; i < 8; ++i)
   {
     vtkNew<vtkParticipatingMedium> medium;
