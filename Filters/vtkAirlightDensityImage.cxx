@@ -115,18 +115,19 @@ int vtkAirlightDensityImage::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(outputs);
+  output->Initialize(); // VTK keeps the arrays of the last run
   try
   {
     const std::vector<DensityBlock> blocks = FindDensityBlocks(
       input, { this->ArrayName, this->Component, this->ComponentName, this->Factor });
     if (this->Dimensions[0] == 0 && blocks.size() == 1 && IsWholeImage(blocks[0]))
     {
-      CopyImage(blocks[0], this->Factor, output);
+      CopyImage(blocks[0], this->Factor, this->PassArrays, output);
       return 1;
     }
     const int usual[3] = { DefaultDimension, DefaultDimension, DefaultDimension };
-    ResampleBlocks(
-      blocks, this->Factor, this->Dimensions[0] > 0 ? this->Dimensions : usual, output);
+    ResampleBlocks(blocks, this->Factor, this->PassArrays,
+      this->Dimensions[0] > 0 ? this->Dimensions : usual, output);
   }
   catch (const std::runtime_error& error)
   {
@@ -146,4 +147,5 @@ void vtkAirlightDensityImage::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Factor: " << this->Factor << "\n";
   os << indent << "Dimensions: " << this->Dimensions[0] << ", " << this->Dimensions[1] << ", "
      << this->Dimensions[2] << "\n";
+  os << indent << "PassArrays: " << (this->PassArrays ? "On" : "Off") << "\n";
 }

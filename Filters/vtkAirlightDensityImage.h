@@ -13,14 +13,14 @@
  * cells are averaged at the points that the cells share (vtkCellDataToPointData).
  *
  * Output: a vtkImageData with point scalars. An image keeps its points and its other point arrays,
- * such as colours (vtkParticipatingMedium::SetAlbedoArrayName()), and if it has one component and
- * Factor is 1, its array of any type without a copy. All others are interpolated
- * by vtkProbeFilter at the points of a grid from end to end of their bounds, 0 outside their cells,
- * in float.
+ * and if it has one component and Factor is 1, its array of any type without a copy. All others are
+ * interpolated by vtkProbeFilter at the points of a grid from end to end of their bounds, 0 outside
+ * their cells, in float. PassArraysOn() samples the other arrays, too, such as colours
+ * (vtkParticipatingMedium::SetAlbedoArrayName()).
  *
  * Errors: no cells, no such array, several components and none chosen, no component of the name,
- * values that are negative, NaN or infinite, and data that are flat give one error that names the
- * value and an empty image.
+ * values that are negative, NaN or infinite, data that are flat, and arrays to pass that differ in
+ * type or components from block to block give one error that names the value and an empty image.
  *
  * @sa vtkParticipatingMedium vtkOpenVDBDensityReader vtkResampleToImage
  */
@@ -80,6 +80,18 @@ public:
   vtkGetVector3Macro(Dimensions, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether the data's other arrays of numbers are sampled, too, those of points as well as those
+   * of cells, but not one of the name "Density", which is that of the output's scalars. They keep
+   * their names and types, and are 0 outside the data's cells and in blocks that lack them. An
+   * image that need not be sampled passes its point arrays in any case. Default: false.
+   */
+  vtkSetMacro(PassArrays, bool);
+  vtkGetMacro(PassArrays, bool);
+  vtkBooleanMacro(PassArrays, bool);
+  ///@}
+
 protected:
   vtkAirlightDensityImage() = default;
   ~vtkAirlightDensityImage() override = default;
@@ -101,6 +113,7 @@ private:
   std::string ComponentName;
   double Factor = 1.0;
   int Dimensions[3] = { 0, 0, 0 };
+  bool PassArrays = false;
 };
 
 #endif

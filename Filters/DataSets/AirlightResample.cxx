@@ -7,6 +7,7 @@
 #include "vtkCellDataToPointData.h"
 #include "vtkCharArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace airlight
 {
@@ -24,12 +26,24 @@ namespace
 {
 constexpr const char* DensityName = "Density";
 
-// The block's geometry with the densities as its only array, of points: those of cells are averaged
-// at the points that the cells share.
-vtkSmartPointer<vtkDataSet> MakeSource(const DensityBlock& block, double factor)
+// The block's geometry with the densities as its only array, or with all arrays, of points: those
+// of cells are averaged at the points that the cells share.
+vtkSmartPointer<vtkDataSet> MakeSource(const DensityBlock& block, double factor, bool all)
 {
   const auto source = vtkSmartPointer<vtkDataSet>::Take(block.Data->NewInstance());
   source->CopyStructure(block.Data);
+  if (all)
+  {
+    source->GetPointData()->PassData(block.Data->GetPointData());
+    source->GetCellData()->PassData(block.Data->GetCellData());
+    // Densities are there once, under their own name.
+    const char* densities = block.Array->GetName();
+    for (const char* name : { DensityName, densities ? densities : DensityName })
+    {
+      source->GetPointData()->RemoveArray(name);
+      source->GetCellData()->RemoveArray(name);
+    }
+  }
   // Hidden cells stay hidden.
   source->GetCellData()->AddArray(block.Data->GetCellGhostArray());
   source->GetPointData()->AddArray(block.Data->GetPointGhostArray());
@@ -37,13 +51,65 @@ vtkSmartPointer<vtkDataSet> MakeSource(const DensityBlock& block, double factor)
   if (!block.OfCells)
   {
     source->GetPointData()->SetScalars(density);
+  }
+  else
+  {
+    source->GetCellData()->SetScalars(density);
+  }
+  if (!block.OfCells && !all)
+  {
     return source;
   }
-  source->GetCellData()->SetScalars(density);
   vtkNew<vtkCellDataToPointData> points;
   points->SetInputData(source);
   points->Update();
-  return vtkDataSet::SafeDownCast(points->GetOutput());
+  const vtkSmartPointer<vtkDataSet> result = vtkDataSet::SafeDownCast(points->GetOutput());
+  result->GetCellData()->AddArray(block.Data->GetCellGhostArray());
+  result->GetPointData()->SetActiveScalars(DensityName);
+  return result;
+}
+
+// What a probe found of an array at the points that are `valid`, into the output's array of its
+// name. Such an array is 0 elsewhere.
+void AddSamples(vtkDataArray* found, vtkCharArray* valid, vtkPointData* output)
+{
+  vtkSmartPointer<vtkDataArray> samples = output->GetArray(found->GetName());
+  if (!samples)
+  {
+    samples = vtkSmartPointer<vtkDataArray>::Take(found->NewInstance());
+    samples->SetName(found->GetName());
+    samples->SetNumberOfComponents(found->GetNumberOfComponents());
+    samples->SetNumberOfTuples(found->GetNumberOfTuples());
+    samples->Fill(0.0);
+    output->AddArray(samples);
+  }
+  if (samples->GetDataType() != found->GetDataType() ||
+    samples->GetNumberOfComponents() != found->GetNumberOfComponents())
+  {
+    throw std::runtime_error(std::string("has arrays '") + found->GetName() +
+      "' of several types or numbers of components in its blocks; rename one of them");
+  }
+  for (vtkIdType i = 0; i < samples->GetNumberOfTuples(); ++i)
+  {
+    if (valid->GetValue(i))
+    {
+      samples->SetTuple(i, i, found);
+    }
+  }
+}
+
+// Of all arrays but those that the probe adds, and ghosts.
+void AddAllSamples(vtkPointData* found, vtkCharArray* valid, vtkPointData* output)
+{
+  for (int i = 0; i < found->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = found->GetArray(i);
+    if (array && array->GetName() && array != valid &&
+      std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
+    {
+      AddSamples(array, valid, output);
+    }
+  }
 }
 
 void PlaceGrid(const std::vector<DensityBlock>& blocks, const int dimensions[3], vtkImageData* grid)
@@ -77,45 +143,46 @@ bool IsWholeImage(const DensityBlock& block)
 }
 
 //------------------------------------------------------------------------------
-void CopyImage(const DensityBlock& block, double factor, vtkImageData* output)
+void CopyImage(const DensityBlock& block, double factor, bool cells, vtkImageData* output)
 {
   auto* image = vtkImageData::SafeDownCast(block.Data);
   const bool shared = !block.OfCells && factor == 1.0 && block.Array->GetNumberOfComponents() == 1;
   output->CopyStructure(image);
   // Arrays of colours are for the medium, too.
   output->GetPointData()->PassData(image->GetPointData());
+  if (cells)
+  {
+    vtkNew<vtkCellDataToPointData> points;
+    points->SetInputData(image);
+    points->Update();
+    output->GetPointData()->PassData(points->GetOutput()->GetPointData());
+  }
   output->GetPointData()->SetScalars(
-    shared ? block.Array : MakeSource(block, factor)->GetPointData()->GetScalars());
+    shared ? block.Array : MakeSource(block, factor, false)->GetPointData()->GetScalars());
 }
 
 //------------------------------------------------------------------------------
-void ResampleBlocks(const std::vector<DensityBlock>& blocks, double factor, const int dimensions[3],
-  vtkImageData* output)
+void ResampleBlocks(const std::vector<DensityBlock>& blocks, double factor, bool all,
+  const int dimensions[3], vtkImageData* output)
 {
   PlaceGrid(blocks, dimensions, output);
-  vtkNew<vtkFloatArray> density;
-  density->SetName(DensityName);
-  density->SetNumberOfValues(output->GetNumberOfPoints());
-  density->FillValue(0.0f);
   vtkNew<vtkImageData> grid;
   grid->CopyStructure(output);
   vtkNew<vtkProbeFilter> probe;
   probe->SetInputData(grid);
   for (const DensityBlock& block : blocks)
   {
-    probe->SetSourceData(MakeSource(block, factor));
+    probe->SetSourceData(MakeSource(block, factor, all));
     probe->Update();
     vtkPointData* found = probe->GetOutput()->GetPointData();
     auto* valid = vtkCharArray::SafeDownCast(found->GetArray(probe->GetValidPointMaskArrayName()));
-    vtkDataArray* values = found->GetArray(DensityName);
-    for (vtkIdType i = 0; i < density->GetNumberOfValues(); ++i)
-    {
-      if (valid->GetValue(i))
-      {
-        // Interpolation in curved cells may overshoot.
-        density->SetValue(i, std::max(static_cast<float>(values->GetComponent(i, 0)), 0.0f));
-      }
-    }
+    AddAllSamples(found, valid, output->GetPointData());
+  }
+  auto* density = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray(DensityName));
+  for (vtkIdType i = 0; i < density->GetNumberOfValues(); ++i)
+  {
+    // Interpolation in curved cells may overshoot.
+    density->SetValue(i, std::max(density->GetValue(i), 0.0f));
   }
   output->GetPointData()->SetScalars(density);
 }

@@ -5,6 +5,7 @@
 // kind of data set, of points and of cells; components; levels of AMR; no copy of an image.
 
 #include "AirlightTestCheck.h"
+#include "AirlightTestErrors.h"
 #include "AirlightTestTools.h"
 
 #include "vtkAMRBox.h"
@@ -222,6 +223,102 @@ void TestBlocks()
 }
 
 //------------------------------------------------------------------------------
+// An array of three colours at points, or one for each cell, beside the density.
+vtkSmartPointer<vtkRectilinearGrid> MakeColouredGrid(bool cells, int type)
+{
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  grid->SetDimensions(9, 7, 5);
+  grid->SetXCoordinates(MakePlanes(9, 4.0));
+  grid->SetYCoordinates(MakePlanes(7, 3.0));
+  grid->SetZCoordinates(MakePlanes(5, 2.0));
+  AddLinear(grid, cells);
+  const auto colours = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  colours->SetName("colour");
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(cells ? grid->GetNumberOfCells() : grid->GetNumberOfPoints());
+  for (int c = 0; c < 3; ++c)
+  {
+    colours->FillComponent(c, 50.0 * (c + 1));
+  }
+  (cells ? static_cast<vtkDataSetAttributes*>(grid->GetCellData()) : grid->GetPointData())
+    ->AddArray(colours);
+  return grid;
+}
+
+void TestOtherArrays()
+{
+  for (bool cells : { false, true })
+  {
+    const std::string what = Text("other arrays, cells ", cells);
+    const vtkSmartPointer<vtkRectilinearGrid> grid = MakeColouredGrid(cells, VTK_UNSIGNED_CHAR);
+    const vtkSmartPointer<vtkDoubleArray> slope = Sample(grid, false, Linear);
+    slope->SetName("slope");
+    grid->GetPointData()->AddArray(slope);
+    vtkNew<vtkAirlightDensityImage> filter;
+    filter->SetInputData(grid);
+    filter->SetArrayName("soot");
+    filter->SetDimensions(9, 7, 5);
+    filter->Update();
+    Check(filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 1, what + ": not by default");
+    filter->PassArraysOn();
+    filter->Update();
+    if (!cells) // uneven: the mean of a point's cells is not the point's density
+    {
+      CheckOutput(filter, what, { 9, 7, 5 }, 0.01, Linear);
+    }
+    vtkPointData* found = filter->GetOutput()->GetPointData();
+    vtkDataArray* colour = found->GetArray("colour");
+    Check(found->GetNumberOfArrays() == 3 && found->GetScalars() != colour, what + ": three");
+    if (!Check(colour && colour->GetDataType() == VTK_UNSIGNED_CHAR &&
+            colour->GetNumberOfComponents() == 3 && found->GetArray("slope"),
+          what + ": of the same type"))
+    {
+      continue;
+    }
+    double tuple[3];
+    colour->GetTuple(filter->GetOutput()->FindPoint(2.0, 1.5, 1.0), tuple);
+    Check(tuple[0] == 50.0 && tuple[1] == 100.0 && tuple[2] == 150.0, what + ": its values");
+    double p[3];
+    const vtkIdType inside = filter->GetOutput()->FindPoint(1.0, 1.0, 1.0);
+    filter->GetOutput()->GetPoint(inside, p);
+    const double difference =
+      found->GetArray("slope")->GetTuple1(inside) - Linear({ p[0], p[1], p[2] });
+    Check(std::abs(difference) < 1e-12, what + ": interpolated in double");
+  }
+}
+
+// An array of bytes in one block and of doubles in the other, and one that only one has.
+void TestArraysOfBlocks()
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeColouredGrid(false, VTK_UNSIGNED_CHAR));
+  const vtkSmartPointer<vtkRectilinearGrid> second = MakeColouredGrid(false, VTK_UNSIGNED_CHAR);
+  second->GetPointData()->GetArray("colour")->SetName("other");
+  second->SetXCoordinates(MakePlanes(9, 2.0)); // covers half of the first one
+  blocks->SetBlock(1, second);
+  vtkNew<vtkAirlightDensityImage> filter;
+  filter->SetInputData(blocks);
+  filter->SetArrayName("soot");
+  filter->SetDimensions(9, 7, 5);
+  filter->PassArraysOn();
+  filter->Update();
+  vtkImageData* image = filter->GetOutput();
+  const vtkIdType places[] = { image->FindPoint(1.0, 1.0, 1.0), image->FindPoint(3.0, 1.0, 1.0) };
+  vtkDataArray* other = image->GetPointData()->GetArray("other");
+  Check(
+    other && other->GetComponent(places[0], 0) == 50.0 && other->GetComponent(places[1], 0) == 0.0,
+    "an array of one block is 0 in the other");
+  blocks->SetBlock(1, MakeColouredGrid(false, VTK_DOUBLE));
+  ErrorListener errors(filter);
+  filter->Modified();
+  filter->Update();
+  Check(errors.Take() == 1 &&
+      errors.GetText().find("arrays 'colour' of several types") != std::string::npos &&
+      filter->GetOutput()->GetNumberOfPoints() == 0,
+    "arrays of several types: one error");
+}
+
+//------------------------------------------------------------------------------
 // A coarse level of density 1 in the box from 0 to (4, 3, 2), and a finer one of density 3 in a
 // part of it.
 void TestLevels()
@@ -269,6 +366,8 @@ int TestAirlightDensityImage(int, char*[])
   TestComponents();
   TestGrids();
   TestBlocks();
+  TestOtherArrays();
+  TestArraysOfBlocks();
   TestLevels();
   std::cout << Failures << " failures\n";
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -5,7 +5,8 @@
 from .vtkAirlight import vtkAirlightDensityImage
 
 
-def density_image(dataset, array="", dimensions=(0, 0, 0), component=None, factor=1.0):
+def density_image(dataset, array="", dimensions=(0, 0, 0), component=None, factor=1.0,
+                  pass_arrays=False):
     """A vtkImageData for vtkParticipatingMedium.SetDensityImage(), of any data set.
 
         smoke = airlight.density_image(simulation, "soot", (128, 128, 64), factor=8700)
@@ -25,6 +26,9 @@ def density_image(dataset, array="", dimensions=(0, 0, 0), component=None, facto
         Of an array that has several, by number or name.
     factor : float, default: 1
         Densities are multiplied by it.
+    pass_arrays : bool, default: False
+        Whether the data's other arrays are sampled, too, such as colours for
+        vtkParticipatingMedium.SetAlbedoArrayName().
 
     Raises ValueError if there is no such array or component, or values are negative, NaN or
     infinite.
@@ -40,6 +44,7 @@ def density_image(dataset, array="", dimensions=(0, 0, 0), component=None, facto
     source.SetArrayName(array)
     source.SetDimensions(dimensions)
     source.SetFactor(factor)
+    source.SetPassArrays(pass_arrays)
     if isinstance(component, str):
         source.SetComponentName(component)
     elif component is not None:
