@@ -173,6 +173,34 @@ def test_region_is_a_mesh_and_density_an_image(plotter):
     assert rgb[0] == pytest.approx(np.exp(-3.912 / 3 * 2 * (1 / 26)))
 
 
+def test_arrays_of_the_density_colour_it(plotter):
+    """An albedo and factors of the emission that are the same everywhere are as those of the medium."""
+    image = pv.ImageData(dimensions=(3, 3, 3), spacing=(2, 2, 2), origin=(-2, -2, -2))
+    image["soot"] = np.linspace(0.5, 1, 27)
+    image["steam"] = np.tile([0.2, 0.5, 0.8], (27, 1))
+    image["heat"] = np.full(27, 0.5)
+    image.set_active_scalars("soot")
+
+    def radiance():
+        return np.array(plotter.airlight.buffer().point_data["Radiance"])
+
+    common = {"visibility": 3, "density": image, "ambient": 0.1, "white": 2}
+    plotter.airlight.enable(**common)
+    white = radiance()
+    plotter.airlight.enable(**common, albedo=(0.2, 0.5, 0.8), emission=(0.1, 0.2, 0.3))
+    expected = radiance()
+    plotter.airlight.enable(**common, albedo_array="steam", emission=(0.2, 0.4, 0.6),
+                            emission_array="heat")
+    found = radiance()
+    assert np.abs(found - expected).max() < 1e-4 * expected.max()
+    assert np.abs(white - expected).max() > 0.1 * expected.max()
+    state = plotter.airlight.get_state()
+    plotter.airlight.enable(**common)
+    assert np.abs(radiance() - white).max() < 1e-6 * white.max()
+    plotter.airlight.set_state(state)
+    assert np.abs(radiance() - found).max() < 1e-6 * found.max()
+
+
 def test_height_fog_begins_at_the_bottom(plotter):
     plotter.airlight.enable(scale_height=0.2)
     plotter.screenshot()

@@ -14,6 +14,9 @@ from airlight.pyvista.requirements import require_pyvista
 
 from test_lifecycle import run
 
+SMOKE = pv.ImageData(dimensions=(2, 2, 2))
+SMOKE["soot"] = np.ones(8)
+
 
 @pytest.mark.parametrize("arguments, error, message", [
     ({"visibility": -1}, ValueError, "visibility is -1.0: give the distance"),
@@ -32,6 +35,11 @@ from test_lifecycle import run
     ({"density": 3}, TypeError, "density is 3: give a pyvista.ImageData"),
     ({"density": pv.ImageData(dimensions=(2, 2, 2))}, ValueError, "image"),
     ({"density": pv.ImageData(dimensions=(2, 2, 2)), "scale_height": 1}, ValueError, "give one of"),
+    ({"emission": -1}, ValueError, "emission is -1"),
+    ({"albedo_array": 3}, TypeError, "albedo_array is 3: give the name"),
+    ({"albedo_array": "white"}, ValueError, "albedo_array is 'white' without a density"),
+    ({"density": SMOKE, "albedo_array": "white"}, ValueError, "give one of .* arrays, 'soot'"),
+    ({"density": SMOKE, "emission_array": "soot"}, ValueError, "without an emission"),
     ({"scale_height": 0}, ValueError, "scale_height is 0.0"),
     ({"reference_height": 0}, ValueError, "reference_height is given without scale_height"),
     ({"shadows": "soft"}, ValueError, "shadows is 'soft': give one of 'automatic'"),

@@ -72,8 +72,9 @@ class AirlightComponent:
 
     def enable(self, visibility: float | None = None, anisotropy: float | None = None, *,
                albedo: Any = 1.0, ambient: Any = None, multiple_scattering: bool = False,
-               region: Any = None,
-               density: pv.ImageData | None = None, scale_height: float | None = None,
+               region: Any = None, emission: Any = None,
+               density: pv.ImageData | None = None, albedo_array: str | None = None,
+               emission_array: str | None = None, scale_height: float | None = None,
                reference_height: float | None = None,
                medium: vtkParticipatingMedium | None = None, shadows: bool | str = True,
                lamp: bool | None = None, white: float = 1.0,
@@ -109,8 +110,17 @@ class AirlightComponent:
         region : sequence[float] | pyvista.PolyData, optional
             Where the medium is: bounds (xmin, xmax, ymin, ymax, zmin, zmax), or a closed surface.
             None: everywhere.
+        emission : float | sequence[float] | ColorLike, optional
+            What the medium shines by itself, radiance per unit of length where the density is 1,
+            as flames do. At least 0. None: 0.
         density : pyvista.ImageData, optional
             Factors of the extinction, the active point scalars, at least 0. None: uniform.
+        albedo_array : str, optional
+            A point array of ``density``, of one component or three, 0 to 1: the albedo of each
+            place instead of ``albedo``, as where white steam and black smoke mix.
+        emission_array : str, optional
+            A point array of ``density``, of one component or three, at least 0: factors of
+            ``emission``.
         scale_height : float, optional
             The height (along z) over which the density falls to 1/e, above 0. None: it does not.
         reference_height : float, optional
@@ -164,8 +174,9 @@ class AirlightComponent:
         subplot = self._active()
         require_screen(subplot.plotter.render_window)
         given = {"visibility": visibility, "anisotropy": anisotropy, "ambient": ambient,
-                 "region": region, "density": density, "scale_height": scale_height,
-                 "reference_height": reference_height}
+                 "region": region, "emission": emission, "density": density,
+                 "albedo_array": albedo_array, "emission_array": emission_array,
+                 "scale_height": scale_height, "reference_height": reference_height}
         if medium is not None:
             medium = arguments.medium(medium)
             names = [name for name, value in given.items() if value is not None]

@@ -51,9 +51,12 @@ class Settings:
     anisotropy: float | None = None
     albedo: Any = 1.0
     ambient: Any = None
+    emission: Any = None
     multiple_scattering: bool = False
     region: Any = None
     density: Any = None
+    albedo_array: str | None = None
+    emission_array: str | None = None
     scale_height: float | None = None
     reference_height: float | None = None
     shadows: Any = True
@@ -78,6 +81,8 @@ class Settings:
         self.albedo = arguments.rgb("albedo", self.albedo, "the scattered share of extinction", 1)
         if self.ambient is not None:
             self.ambient = arguments.rgb("ambient", self.ambient, "a radiance")
+        if self.emission is not None:
+            self.emission = arguments.rgb("emission", self.emission, "radiance per unit of length")
         if self.multiple_scattering not in (True, False):
             raise TypeError(f"multiple_scattering is {self.multiple_scattering!r}: give True or "
                             "False.")
@@ -99,6 +104,7 @@ class Settings:
         self._check_shadows()
         self._check_region()
         self._check_density()
+        self._check_arrays()
         if self.multiple_scattering and (
                 self.density is not None or isinstance(self.region, pv.DataSet) or
                 (self.scale_height is not None and self.region is not None)):
@@ -142,6 +148,22 @@ class Settings:
             if self.scale_height is None:
                 raise ValueError("reference_height is given without scale_height: give both.")
 
+    def _check_arrays(self) -> None:
+        for name in ("albedo_array", "emission_array"):
+            array = getattr(self, name)
+            if array is None:
+                continue
+            if not isinstance(array, str):
+                raise TypeError(f"{name} is {array!r}: give the name of a point array of density.")
+            if self.density is None:
+                raise ValueError(f"{name} is {array!r} without a density: give both.")
+            if array not in self.density.point_data:
+                raise ValueError(f"{name} is {array!r}: give one of the density's point arrays, "
+                                 f"{', '.join(map(repr, self.density.point_data.keys()))}.")
+        if self.emission_array is not None and self.emission is None:
+            raise ValueError(f"emission_array is {self.emission_array!r} without an emission, of "
+                             "which it has factors: give both.")
+
     def apply_to_medium(self, medium: vtkParticipatingMedium) -> None:
         """Set all that does not depend on the scene. ValueError if the medium refuses it."""
         albedo = np.array(self.albedo)
@@ -157,6 +179,7 @@ class Settings:
                 medium.SetVisibility(self.visibility)
             if self.ambient is not None:
                 medium.SetAmbientRadiance(*(x / self.white for x in self.ambient))
+            medium.SetEmission(*(x / self.white for x in self.emission or (0, 0, 0)))
             medium.SetMultipleScattering(self.multiple_scattering)
             self._apply_region(medium)
             self._apply_density(medium)
@@ -173,6 +196,8 @@ class Settings:
             medium.SetRegionToBox()
 
     def _apply_density(self, medium: vtkParticipatingMedium) -> None:
+        medium.SetAlbedoArrayName(self.albedo_array or "")
+        medium.SetEmissionArrayName(self.emission_array or "")
         if self.density is not None:
             medium.SetDensityImage(self.density)
             medium.SetDensityToImage()
