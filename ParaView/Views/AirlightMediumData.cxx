@@ -75,13 +75,18 @@ vtkSmartPointer<vtkPolyData> MakeMediumSurface(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeMediumImage(vtkDataObject* data, const std::string& array)
+vtkSmartPointer<vtkImageData> MakeMediumImage(vtkDataObject* data, const MediumArrays& arrays)
 {
   const auto density = vtkSmartPointer<vtkImageData>::New();
   if (auto* image = vtkImageData::SafeDownCast(data))
   {
     density->CopyStructure(image);
-    density->GetPointData()->SetScalars(FindDensity(image->GetPointData(), array));
+    density->GetPointData()->SetScalars(FindDensity(image->GetPointData(), arrays.Density));
+    for (const std::string& name : { arrays.Albedo, arrays.Emission })
+    {
+      density->GetPointData()->AddArray(
+        name.empty() ? nullptr : image->GetPointData()->GetArray(name.c_str()));
+    }
   }
   return density;
 }

@@ -21,10 +21,18 @@ namespace airlight
 // The polygons of the surfaces of all data sets; empty without any.
 vtkSmartPointer<vtkPolyData> MakeMediumSurface(vtkDataObject* data);
 
-// The image with one point array as its scalars: of this name or, if it is empty, the active
-// scalars or else the first array. Without scalars if there is none, and without points if the data
-// are no image.
-vtkSmartPointer<vtkImageData> MakeMediumImage(vtkDataObject* data, const std::string& array);
+// Names of point arrays of an image. Density, empty: the active scalars, or else the first array.
+// Colours, empty: none.
+struct MediumArrays
+{
+  std::string Density;
+  std::string Albedo;
+  std::string Emission;
+};
+
+// The image with the densities as its scalars, and with the arrays of colours that it has. Without
+// scalars if there is no such array, and without points if the data are no image.
+vtkSmartPointer<vtkImageData> MakeMediumImage(vtkDataObject* data, const MediumArrays& arrays);
 }
 
 #endif

@@ -60,14 +60,11 @@ void MediumSource::SetConnection(vtkAlgorithmOutput* connection)
 }
 
 //------------------------------------------------------------------------------
-void MediumSource::SetArray(const char* name)
+void MediumSource::SetArrays(const MediumArrays& arrays)
 {
-  const std::string array = name ? name : "";
-  if (this->Array != array)
-  {
-    this->Array = array;
-    this->Dirty = true;
-  }
+  this->Dirty = this->Dirty || arrays.Density != this->Arrays.Density ||
+    arrays.Albedo != this->Arrays.Albedo || arrays.Emission != this->Arrays.Emission;
+  this->Arrays = arrays;
 }
 
 //------------------------------------------------------------------------------
@@ -96,7 +93,7 @@ vtkSmartPointer<vtkDataObject> MediumSource::MakePiece() const
   {
     return MakeMediumSurface(data);
   }
-  return MakeMediumImage(data, this->Array);
+  return MakeMediumImage(data, this->Arrays);
 }
 
 //------------------------------------------------------------------------------

@@ -11,10 +11,10 @@
 #ifndef AirlightMediumSource_h
 #define AirlightMediumSource_h
 
+#include "AirlightMediumData.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
-
-#include <string>
 
 class vtkAlgorithmOutput;
 class vtkDataObject;
@@ -36,8 +36,9 @@ public:
   // Null: none, as on processes without data.
   void SetConnection(vtkAlgorithmOutput* connection);
 
-  // The point array of densities; see MakeMediumImage().
-  void SetArray(const char* name);
+  // The point arrays of densities and of colours.
+  void SetArrays(const MediumArrays& arrays);
+  const MediumArrays& GetArrays() const { return this->Arrays; }
 
   enum State
   {
@@ -60,8 +61,8 @@ private:
   vtkSmartPointer<vtkDataObject> MakePiece() const;
 
   vtkSmartPointer<vtkAlgorithmOutput> Connection;
-  std::string Array;
-  bool Dirty = false; // another source or array
+  MediumArrays Arrays;
+  bool Dirty = false; // another source or other arrays
   vtkMTimeType Time = 0;
   vtkSmartPointer<vtkDataObject> Data;
 };

@@ -32,6 +32,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 vtkStandardNewMacro(vtkPVAirlightRenderView);
 
@@ -51,6 +52,13 @@ void KeepFromCasting(vtkProp* prop)
   }
   keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
   prop->SetPropertyKeys(keys);
+}
+
+// Empty for the first entry of the lists in AirlightView.xml.
+std::string GetColourArray(const char* name)
+{
+  const std::string array = name ? name : "";
+  return array == "(none)" ? std::string() : array;
 }
 }
 
@@ -103,7 +111,25 @@ void vtkPVAirlightRenderView::SetDensityImageConnection(vtkAlgorithmOutput* conn
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetDensityArray(int, int, int, int, const char* name)
 {
-  this->ImageSource->SetArray(name);
+  airlight::MediumArrays arrays = this->ImageSource->GetArrays();
+  arrays.Density = name ? name : "";
+  this->ImageSource->SetArrays(arrays);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetAlbedoArray(int, int, int, int, const char* name)
+{
+  airlight::MediumArrays arrays = this->ImageSource->GetArrays();
+  arrays.Albedo = GetColourArray(name);
+  this->ImageSource->SetArrays(arrays);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetEmissionArray(int, int, int, int, const char* name)
+{
+  airlight::MediumArrays arrays = this->ImageSource->GetArrays();
+  arrays.Emission = GetColourArray(name);
+  this->ImageSource->SetArrays(arrays);
 }
 
 //------------------------------------------------------------------------------
@@ -327,6 +353,8 @@ void vtkPVAirlightRenderView::UpdateSources(vtkPVParticipatingMedium* medium)
     {
       medium->FollowDensityImage(
         state == Source::CHANGED ? this->ImageSource->GetImage() : nullptr);
+      medium->SetAlbedoArrayName(this->ImageSource->GetArrays().Albedo);
+      medium->SetEmissionArrayName(this->ImageSource->GetArrays().Emission);
     }
   }
   // A window draws before a user has come to the list of sources: that is no error.
