@@ -3,7 +3,8 @@
 //
 // Density images with arrays of albedos and of factors of the emission in vtkAirlightPass, alone,
 // in fog, in a sphere and beside another image, with lamps, a sun and ambient light, against
-// vtkAirlightReference; an array of one albedo against the medium's own.
+// vtkAirlightReference; an array of one albedo against the medium's own; an extinction for each
+// colour, from three media, against the reference and against each alone.
 
 #include "AirlightTestDensity.h"
 #include "AirlightTestTools.h"
@@ -149,6 +150,66 @@ void TestConstant()
       scene.GetBuffer(buffer)->GetPointData()->GetScalars(), 1e-5, 1e-4);
   }
 }
+
+//------------------------------------------------------------------------------
+// The image with one component of its scalars alone, three times: lights have colours.
+vtkSmartPointer<vtkImageData> SpreadComponent(vtkImageData* image, int component)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  vtkNew<vtkFloatArray> spread;
+  spread->SetNumberOfComponents(3);
+  spread->SetNumberOfTuples(scalars->GetNumberOfTuples());
+  for (int c = 0; c < 3; ++c)
+  {
+    spread->CopyComponent(c, scalars, component);
+  }
+  auto result = vtkSmartPointer<vtkImageData>::New();
+  result->CopyStructure(image);
+  result->GetPointData()->SetScalars(spread);
+  return result;
+}
+
+// Each medium has the densities of one colour, and is clear in the other two.
+void TestExtinctions()
+{
+  DensityScene scene(MakeColouredCloud(12, 35));
+  scene.AddBodies();
+  scene.AddPointLight({ 0.5, 2.2, -1.5 });
+  scene.AddDirectionalLight({ 1, 2, -0.5 });
+  vtkNew<vtkParticipatingMedium> others[2];
+  vtkParticipatingMedium* media[3] = { scene.Medium, others[0], others[1] };
+  for (int c = 0; c < 3; ++c)
+  {
+    double coefficient[3] = { 0.0, 0.0, 0.0 };
+    coefficient[c] = 0.6;
+    media[c]->SetScattering(coefficient);
+    media[c]->SetAbsorption(0.0, 0.0, 0.0);
+    media[c]->SetAmbientRadiance(0.2, 0.2, 0.2);
+    if (c > 0)
+    {
+      media[c]->SetDensityImage(MakeColouredCloud(12, 35 + c));
+      media[c]->SetDensityToImage();
+      scene.Pass->AddMedium(media[c]);
+      scene.Reference->AddMedium(media[c]);
+    }
+  }
+  scene.Compare("an extinction of each colour", Median, P99);
+  const Buffers together = scene.CopyBuffers();
+  for (int c = 0; c < 3; ++c)
+  {
+    scene.Pass->RemoveAllMedia();
+    scene.Pass->AddMedium(media[c]);
+    media[c]->SetScattering(0.6, 0.6, 0.6);
+    scene.Window->Render();
+    for (const char* buffer : { "Airlight", "Transmittance" })
+    {
+      const auto alone = SpreadComponent(scene.GetBuffer(buffer), c);
+      const auto expected = SpreadComponent(together.at(buffer), c);
+      CheckErrors(Text("colour ", c, " alone, ", buffer), alone,
+        expected->GetPointData()->GetScalars(), 1e-5, 1e-3);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -157,5 +218,6 @@ int TestDensityPassColours(int, char*[])
   TestAlone();
   TestBesideOthers();
   TestConstant();
+  TestExtinctions();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
