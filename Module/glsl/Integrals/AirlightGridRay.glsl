@@ -131,16 +131,15 @@ real3 airlightStepIntegral(AirlightMedia media, AirlightLight light, AirlightRay
   return width * sum;
 }
 
-// Where a part between images that begins at piece.from is cut, as AirlightPieces.glsl cuts pieces,
-// up to `end`. It is not halved where it is rough: the details of a cloud's shadow have no end.
-real airlightOpenPartEnd(
-  AirlightMedia media, AirlightLight light, AirlightRay ray, AirlightPiece piece, real end)
+// Where a part of the air between filled cells that begins at `from` is cut, as AirlightPieces.glsl
+// cuts pieces; `lengths`: of channels, from where the air begins. It is not halved where it is
+// rough: the details of a cloud's shadow have no end.
+real airlightAirPartEnd(AirlightMedia media, AirlightLight light, AirlightRay ray,
+  AirlightPiece air, real3 lengths, real from, real end)
 {
-  piece.to = end;
-  real3 lengths = airlightChannelLengths(media, piece, ray.origin, ray.direction);
-  real t = airlightNextLayerEnd(media, ray.origin, ray.direction, real2(piece.from, end),
-    airlightToSun(light), piece.from, end);
-  return airlightNextChannelEnd(piece, lengths, piece.from, t);
+  real t = airlightNextLayerEnd(media, ray.origin, ray.direction, real2(air.from, end),
+    airlightToSun(light), from, end);
+  return airlightNextChannelEnd(air, lengths, from, t);
 }
 
 // The integral over a piece; piece.depth becomes what is before its end. Each round adds a part: a
@@ -157,10 +156,12 @@ real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ra
   airlightWalkToFilled(media, steps, piece);
   int others = piece.inside & ~AIRLIGHT_GRID_MEDIA;
   open = others == 0 ? steps.t : open;
+  AirlightPiece air = AirlightPiece(open, steps.t, others, piece.depth);
   for (int i = 0; i < steps.most && open < piece.to && !airlightIsDark(piece.depth, clear); i++)
   {
     AirlightStep part = airlightStepAt(steps, piece);
     bool isOpen = open < steps.t;
+    bool counts = true;
     if (open >= kink)
     {
       kink = airlightNextKink(media, way, open, piece.to);
@@ -171,15 +172,21 @@ real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ra
       part.from = open;
       part.inImages = 0;
       part.inside = others;
-      part.to = airlightOpenPartEnd(media, light, ray,
-        AirlightPiece(open, steps.t, others, piece.depth), steps.t);
+      // What lies beyond the longest of the lengths no longer counts; thin fog would go on forever.
+      real3 lengths = airlightChannelLengths(media, air, ray.origin, ray.direction);
+      real end = min(air.to, air.from + max(lengths.x, max(lengths.y, lengths.z)));
+      counts = open < end;
+      part.to = counts ? airlightAirPartEnd(media, light, ray, air, lengths, open, end) : air.to;
     }
 #endif
-    part.to = min(part.to, kink);
+    part.to = counts ? min(part.to, kink) : part.to;
     if (part.to > part.from)
     {
       airlightReadCells(media, steps, ray.origin, ray.direction, part);
-      sum += airlightStepIntegral(media, light, ray, part, piece.depth);
+      if (counts)
+      {
+        sum += airlightStepIntegral(media, light, ray, part, piece.depth);
+      }
       piece.depth += airlightStepDepth(media, part, ray.origin, ray.direction, part.to);
     }
     open = part.to;
@@ -188,6 +195,7 @@ real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ra
       airlightLeaveStep(steps, part);
       airlightWalkToFilled(media, steps, piece);
       open = others == 0 ? steps.t : open;
+      air = AirlightPiece(open, steps.t, others, piece.depth);
     }
   }
   return sum;
