@@ -32,7 +32,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 vtkStandardNewMacro(vtkPVAirlightRenderView);
 
@@ -52,13 +51,6 @@ void KeepFromCasting(vtkProp* prop)
   }
   keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
   prop->SetPropertyKeys(keys);
-}
-
-// Empty for the first entry of the lists in AirlightView.xml.
-std::string GetColourArray(const char* name)
-{
-  const std::string array = name ? name : "";
-  return array == "(none)" ? std::string() : array;
 }
 }
 
@@ -117,18 +109,18 @@ void vtkPVAirlightRenderView::SetDensityArray(int, int, int, int, const char* na
 }
 
 //------------------------------------------------------------------------------
-void vtkPVAirlightRenderView::SetAlbedoArray(int, int, int, int, const char* name)
+void vtkPVAirlightRenderView::SetAlbedoArrayName(const char* name)
 {
   airlight::MediumArrays arrays = this->ImageSource->GetArrays();
-  arrays.Albedo = GetColourArray(name);
+  arrays.Albedo = name ? name : "";
   this->ImageSource->SetArrays(arrays);
 }
 
 //------------------------------------------------------------------------------
-void vtkPVAirlightRenderView::SetEmissionArray(int, int, int, int, const char* name)
+void vtkPVAirlightRenderView::SetEmissionArrayName(const char* name)
 {
   airlight::MediumArrays arrays = this->ImageSource->GetArrays();
-  arrays.Emission = GetColourArray(name);
+  arrays.Emission = name ? name : "";
   this->ImageSource->SetArrays(arrays);
 }
 

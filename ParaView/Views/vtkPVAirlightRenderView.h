@@ -105,16 +105,20 @@ public:
   void SetDensityImageConnection(vtkAlgorithmOutput* connection);
   ///@}
 
-  ///@{
   /**
-   * The names of the image's point arrays: the density; empty: the active scalars, or else the
-   * first array. The albedo and factors of the emission, of one component or three; see
-   * vtkParticipatingMedium::SetAlbedoArrayName(). Empty or "(none)": those of the medium. The other
-   * arguments are those of vtkAlgorithm::SetInputArrayToProcess() and are ignored. Defaults: empty.
+   * The name of the point array that is the density. The other arguments are those of
+   * vtkAlgorithm::SetInputArrayToProcess() and are ignored. Empty: the active scalars, or else the
+   * first array. Default: empty.
    */
   void SetDensityArray(int, int, int, int, const char* name);
-  void SetAlbedoArray(int, int, int, int, const char* name);
-  void SetEmissionArray(int, int, int, int, const char* name);
+
+  ///@{
+  /**
+   * The names of the image's point arrays of the albedo and of factors of the emission; see
+   * vtkParticipatingMedium::SetAlbedoArrayName(). Empty: those of the medium. Default: empty.
+   */
+  void SetAlbedoArrayName(const char* name);
+  void SetEmissionArrayName(const char* name);
   ///@}
 
   ///@{
