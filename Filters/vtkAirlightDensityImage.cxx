@@ -115,7 +115,7 @@ int vtkAirlightDensityImage::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(outputs);
-  output->Initialize(); // VTK keeps the arrays of the last run
+  output->Initialize(); // VTK keeps scalars of the last run, of another size
   try
   {
     const std::vector<DensityBlock> blocks = FindDensityBlocks(

@@ -83,9 +83,10 @@ public:
   ///@{
   /**
    * Whether the data's other arrays of numbers are sampled, too, those of points as well as those
-   * of cells, but not one of the name "Density", which is that of the output's scalars. They keep
-   * their names and types, and are 0 outside the data's cells and in blocks that lack them. An
-   * image that need not be sampled passes its point arrays in any case. Default: false.
+   * of cells, but not one of the name "Density", which is that of the output's scalars. Of two of
+   * one name that of points counts. They keep their names and types, and are 0 outside the data's
+   * cells and in blocks that lack them. An image that need not be sampled passes its point arrays
+   * in any case. Default: false.
    */
   vtkSetMacro(PassArrays, bool);
   vtkGetMacro(PassArrays, bool);

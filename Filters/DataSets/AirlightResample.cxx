@@ -26,6 +26,23 @@ namespace
 {
 constexpr const char* DensityName = "Density";
 
+// Arrays of numbers, but for the densities, which have a name of their own, and for those that
+// `others` have. Without their part as scalars: SetScalars() would remove the array that has it.
+void AddArrays(vtkDataSetAttributes* from, const char* densities, vtkDataSetAttributes* others,
+  vtkDataSetAttributes* to)
+{
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = from->GetArray(i);
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    if (!name.empty() && name != DensityName && name != (densities ? densities : "") &&
+      !(others && others->HasArray(name.c_str())))
+    {
+      to->AddArray(array);
+    }
+  }
+}
+
 // The block's geometry with the densities as its only array, or with all arrays, of points: those
 // of cells are averaged at the points that the cells share.
 vtkSmartPointer<vtkDataSet> MakeSource(const DensityBlock& block, double factor, bool all)
@@ -34,15 +51,9 @@ vtkSmartPointer<vtkDataSet> MakeSource(const DensityBlock& block, double factor,
   source->CopyStructure(block.Data);
   if (all)
   {
-    source->GetPointData()->PassData(block.Data->GetPointData());
-    source->GetCellData()->PassData(block.Data->GetCellData());
-    // Densities are there once, under their own name.
     const char* densities = block.Array->GetName();
-    for (const char* name : { DensityName, densities ? densities : DensityName })
-    {
-      source->GetPointData()->RemoveArray(name);
-      source->GetCellData()->RemoveArray(name);
-    }
+    AddArrays(block.Data->GetPointData(), densities, nullptr, source->GetPointData());
+    AddArrays(block.Data->GetCellData(), densities, source->GetPointData(), source->GetCellData());
   }
   // Hidden cells stay hidden.
   source->GetCellData()->AddArray(block.Data->GetCellGhostArray());
@@ -71,7 +82,8 @@ vtkSmartPointer<vtkDataSet> MakeSource(const DensityBlock& block, double factor,
 
 // What a probe found of an array at the points that are `valid`, into the output's array of its
 // name. Such an array is 0 elsewhere.
-void AddSamples(vtkDataArray* found, vtkCharArray* valid, vtkPointData* output)
+void AddSamples(
+  vtkDataArray* found, vtkDataArray* source, vtkCharArray* valid, vtkPointData* output)
 {
   vtkSmartPointer<vtkDataArray> samples = output->GetArray(found->GetName());
   if (!samples)
@@ -79,6 +91,7 @@ void AddSamples(vtkDataArray* found, vtkCharArray* valid, vtkPointData* output)
     samples = vtkSmartPointer<vtkDataArray>::Take(found->NewInstance());
     samples->SetName(found->GetName());
     samples->SetNumberOfComponents(found->GetNumberOfComponents());
+    samples->CopyComponentNames(found);
     samples->SetNumberOfTuples(found->GetNumberOfTuples());
     samples->Fill(0.0);
     output->AddArray(samples);
@@ -89,25 +102,44 @@ void AddSamples(vtkDataArray* found, vtkCharArray* valid, vtkPointData* output)
     throw std::runtime_error(std::string("has arrays '") + found->GetName() +
       "' of several types or numbers of components in its blocks; rename one of them");
   }
-  for (vtkIdType i = 0; i < samples->GetNumberOfTuples(); ++i)
+  for (int c = 0; c < samples->GetNumberOfComponents(); ++c)
   {
-    if (valid->GetValue(i))
+    // Interpolation in curved cells, and a little outside of all cells, may overshoot.
+    double range[2];
+    source->GetRange(range, c);
+    for (vtkIdType i = 0; i < samples->GetNumberOfTuples(); ++i)
     {
-      samples->SetTuple(i, i, found);
+      if (valid->GetValue(i))
+      {
+        samples->SetComponent(
+          i, c, std::min(std::max(found->GetComponent(i, c), range[0]), range[1]));
+      }
     }
   }
 }
 
-// Of all arrays but those that the probe adds, and ghosts.
-void AddAllSamples(vtkPointData* found, vtkCharArray* valid, vtkPointData* output)
+// Of all arrays but those that the probe adds, and ghosts. What the source lacks is 0 in its cells.
+void AddAllSamples(
+  vtkPointData* found, vtkPointData* source, vtkCharArray* valid, vtkPointData* output)
 {
   for (int i = 0; i < found->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = found->GetArray(i);
-    if (array && array->GetName() && array != valid &&
-      std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
+    vtkDataArray* from = array && array->GetName() ? source->GetArray(array->GetName()) : nullptr;
+    if (from && std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
     {
-      AddSamples(array, valid, output);
+      AddSamples(array, from, valid, output);
+    }
+  }
+  for (int i = 0; i < output->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = output->GetArray(i);
+    for (vtkIdType k = 0; !found->HasArray(array->GetName()) && k < array->GetNumberOfTuples(); ++k)
+    {
+      for (int c = 0; valid->GetValue(k) && c < array->GetNumberOfComponents(); ++c)
+      {
+        array->SetComponent(k, c, 0.0);
+      }
     }
   }
 }
@@ -148,17 +180,16 @@ void CopyImage(const DensityBlock& block, double factor, bool cells, vtkImageDat
   auto* image = vtkImageData::SafeDownCast(block.Data);
   const bool shared = !block.OfCells && factor == 1.0 && block.Array->GetNumberOfComponents() == 1;
   output->CopyStructure(image);
-  // Arrays of colours are for the medium, too.
-  output->GetPointData()->PassData(image->GetPointData());
+  // Arrays of colours are for the medium, too; SetScalars() would remove one that is the scalars.
+  vtkPointData* arrays = output->GetPointData();
+  arrays->PassData(image->GetPointData());
+  arrays->SetActiveAttribute(-1, vtkDataSetAttributes::SCALARS);
+  const vtkSmartPointer<vtkDataSet> source = MakeSource(block, factor, cells);
   if (cells)
   {
-    vtkNew<vtkCellDataToPointData> points;
-    points->SetInputData(image);
-    points->Update();
-    output->GetPointData()->PassData(points->GetOutput()->GetPointData());
+    AddArrays(source->GetPointData(), nullptr, image->GetPointData(), arrays);
   }
-  output->GetPointData()->SetScalars(
-    shared ? block.Array : MakeSource(block, factor, false)->GetPointData()->GetScalars());
+  arrays->SetScalars(shared ? block.Array : source->GetPointData()->GetScalars());
 }
 
 //------------------------------------------------------------------------------
@@ -172,18 +203,13 @@ void ResampleBlocks(const std::vector<DensityBlock>& blocks, double factor, bool
   probe->SetInputData(grid);
   for (const DensityBlock& block : blocks)
   {
-    probe->SetSourceData(MakeSource(block, factor, all));
+    const vtkSmartPointer<vtkDataSet> source = MakeSource(block, factor, all);
+    probe->SetSourceData(source);
     probe->Update();
     vtkPointData* found = probe->GetOutput()->GetPointData();
     auto* valid = vtkCharArray::SafeDownCast(found->GetArray(probe->GetValidPointMaskArrayName()));
-    AddAllSamples(found, valid, output->GetPointData());
+    AddAllSamples(found, source->GetPointData(), valid, output->GetPointData());
   }
-  auto* density = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray(DensityName));
-  for (vtkIdType i = 0; i < density->GetNumberOfValues(); ++i)
-  {
-    // Interpolation in curved cells may overshoot.
-    density->SetValue(i, std::max(density->GetValue(i), 0.0f));
-  }
-  output->GetPointData()->SetScalars(density);
+  output->GetPointData()->SetActiveScalars(DensityName);
 }
 }

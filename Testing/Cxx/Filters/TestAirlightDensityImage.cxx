@@ -254,6 +254,9 @@ void TestOtherArrays()
     const vtkSmartPointer<vtkDoubleArray> slope = Sample(grid, false, Linear);
     slope->SetName("slope");
     grid->GetPointData()->AddArray(slope);
+    // Scalars are an array as any other.
+    grid->GetPointData()->SetActiveScalars("slope");
+    grid->GetCellData()->SetActiveScalars("colour");
     vtkNew<vtkAirlightDensityImage> filter;
     filter->SetInputData(grid);
     filter->SetArrayName("soot");
@@ -287,6 +290,31 @@ void TestOtherArrays()
   }
 }
 
+// An image that is not sampled, whose scalars are its colours; arrays of cells come on demand.
+void TestArraysOfImages()
+{
+  const vtkSmartPointer<vtkImageData> image = MakeImage();
+  AddLinear(image, false);
+  const vtkSmartPointer<vtkDoubleArray> steam = Sample(image, false, Linear);
+  steam->SetName("steam");
+  image->GetPointData()->SetScalars(steam);
+  const vtkSmartPointer<vtkDoubleArray> heat = Sample(image, true, Linear);
+  heat->SetName("heat");
+  image->GetCellData()->SetScalars(heat);
+  vtkNew<vtkAirlightDensityImage> filter;
+  filter->SetInputData(image);
+  filter->SetArrayName("soot");
+  for (bool cells : { false, true })
+  {
+    filter->SetPassArrays(cells);
+    CheckOutput(filter, Text("image with scalars, cells ", cells), { 9, 7, 5 }, 0.0, Linear);
+    vtkPointData* found = filter->GetOutput()->GetPointData();
+    Check(found->GetArray("steam") == steam, "the scalars of an image pass");
+    Check(found->HasArray("heat") == cells && !found->HasArray("Density"),
+      Text("arrays of cells, asked for: ", cells));
+  }
+}
+
 // An array of bytes in one block and of doubles in the other, and one that only one has.
 void TestArraysOfBlocks()
 {
@@ -305,6 +333,8 @@ void TestArraysOfBlocks()
   vtkImageData* image = filter->GetOutput();
   const vtkIdType places[] = { image->FindPoint(1.0, 1.0, 1.0), image->FindPoint(3.0, 1.0, 1.0) };
   vtkDataArray* other = image->GetPointData()->GetArray("other");
+  Check(image->GetPointData()->GetArray("colour")->GetComponent(places[0], 0) == 0.0,
+    "an array that the covering block lacks is 0 there");
   Check(
     other && other->GetComponent(places[0], 0) == 50.0 && other->GetComponent(places[1], 0) == 0.0,
     "an array of one block is 0 in the other");
@@ -367,6 +397,7 @@ int TestAirlightDensityImage(int, char*[])
   TestGrids();
   TestBlocks();
   TestOtherArrays();
+  TestArraysOfImages();
   TestArraysOfBlocks();
   TestLevels();
   std::cout << Failures << " failures\n";
