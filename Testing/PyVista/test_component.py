@@ -174,7 +174,7 @@ def test_region_is_a_mesh_and_density_an_image(plotter):
 
 
 def test_arrays_of_the_density_colour_it(plotter):
-    """An albedo and factors of the emission that are the same everywhere are as those of the medium."""
+    """An albedo and factors that are the same everywhere are as those of the medium."""
     image = pv.ImageData(dimensions=(3, 3, 3), spacing=(2, 2, 2), origin=(-2, -2, -2))
     image["soot"] = np.linspace(0.5, 1, 27)
     image["steam"] = np.tile([0.2, 0.5, 0.8], (27, 1))

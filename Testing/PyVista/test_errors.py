@@ -16,6 +16,10 @@ from test_lifecycle import run
 
 SMOKE = pv.ImageData(dimensions=(2, 2, 2))
 SMOKE["soot"] = np.ones(8)
+SMOKE["two"] = np.ones((8, 2))
+SMOKE["large"] = np.full(8, 1.5)
+SMOKE["bad"] = np.full(8, np.nan)
+SMOKE.set_active_scalars("soot")
 
 
 @pytest.mark.parametrize("arguments, error, message", [
@@ -40,6 +44,10 @@ SMOKE["soot"] = np.ones(8)
     ({"albedo_array": "white"}, ValueError, "albedo_array is 'white' without a density"),
     ({"density": SMOKE, "albedo_array": "white"}, ValueError, "give one of .* arrays, 'soot'"),
     ({"density": SMOKE, "emission_array": "soot"}, ValueError, "without an emission"),
+    ({"density": SMOKE, "albedo_array": "two"}, ValueError, "give one of one component or three"),
+    ({"density": SMOKE, "albedo_array": "large"}, ValueError, "from 0 to 1"),
+    ({"density": SMOKE, "albedo_array": "bad"}, ValueError, "from 0 to 1"),
+    ({"visibility": float("inf"), "emission": 1}, ValueError, "emission in clear air"),
     ({"scale_height": 0}, ValueError, "scale_height is 0.0"),
     ({"reference_height": 0}, ValueError, "reference_height is given without scale_height"),
     ({"shadows": "soft"}, ValueError, "shadows is 'soft': give one of 'automatic'"),

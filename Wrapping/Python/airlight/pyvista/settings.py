@@ -160,6 +160,18 @@ class Settings:
             if array not in self.density.point_data:
                 raise ValueError(f"{name} is {array!r}: give one of the density's point arrays, "
                                  f"{', '.join(map(repr, self.density.point_data.keys()))}.")
+            values = np.asarray(self.density.point_data[array])
+            most = {"albedo_array": 1 + 1e-6, "emission_array": 1e10}[name]
+            if values.dtype == np.uint8:
+                values = values / 255
+            if not (values.dtype.kind in "fiub" and values.shape[1:] in ((), (1,), (3,)) and
+                    np.all((values >= 0) & (values <= most))):
+                raise ValueError(f"{name} is {array!r}, an array of {values.dtype} {values.shape}: "
+                                 f"give one of one component or three, from 0 to {most:.0f}.")
+        if (self.visibility == math.inf and self.density is None and self.region is None and
+                any(self.emission or ())):
+            raise ValueError("emission in clear air that is everywhere is infinite: give a region, "
+                             "a density or a visibility.")
         if self.emission_array is not None and self.emission is None:
             raise ValueError(f"emission_array is {self.emission_array!r} without an emission, of "
                              "which it has factors: give both.")
