@@ -134,7 +134,8 @@ void AddAllSamples(
   for (int i = 0; i < output->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = output->GetArray(i);
-    for (vtkIdType k = 0; !found->HasArray(array->GetName()) && k < array->GetNumberOfTuples(); ++k)
+    const vtkIdType count = found->HasArray(array->GetName()) ? 0 : array->GetNumberOfTuples();
+    for (vtkIdType k = 0; k < count; ++k)
     {
       for (int c = 0; valid->GetValue(k) && c < array->GetNumberOfComponents(); ++c)
       {
@@ -184,7 +185,11 @@ void CopyImage(const DensityBlock& block, double factor, bool cells, vtkImageDat
   vtkPointData* arrays = output->GetPointData();
   arrays->PassData(image->GetPointData());
   arrays->SetActiveAttribute(-1, vtkDataSetAttributes::SCALARS);
-  const vtkSmartPointer<vtkDataSet> source = MakeSource(block, factor, cells);
+  vtkSmartPointer<vtkDataSet> source; // a copy of the densities, where it is needed
+  if (cells || !shared)
+  {
+    source = MakeSource(block, factor, cells);
+  }
   if (cells)
   {
     AddArrays(source->GetPointData(), nullptr, image->GetPointData(), arrays);
