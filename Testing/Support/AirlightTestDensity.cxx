@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AirlightTestDensity.h"
 
+#include "vtkFloatArray.h"
 #include "vtkMatrix3x3.h"
 
 #include <algorithm>
@@ -90,6 +91,20 @@ void FillCloud(vtkImageData* image, std::uint64_t seed)
     }
   }
   image->Modified();
+}
+
+//------------------------------------------------------------------------------
+void AddColours(vtkImageData* image, const char* name, double most, Random& random)
+{
+  vtkNew<vtkFloatArray> colours;
+  colours->SetName(name);
+  colours->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    colours->InsertNextTuple3(
+      random.Uniform(0.0, most), random.Uniform(0.0, most), random.Uniform(0.0, most));
+  }
+  image->GetPointData()->AddArray(colours);
 }
 
 //------------------------------------------------------------------------------

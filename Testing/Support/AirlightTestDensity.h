@@ -30,6 +30,9 @@ void Rotate(vtkImageData* image, double aboutY, double aboutX);
 // Puffs: random Gaussians, so that the image is smooth and falls to nothing at its rim.
 void FillCloud(vtkImageData* image, std::uint64_t seed);
 
+// A point array of colours from 0 to `most`.
+void AddColours(vtkImageData* image, const char* name, double most, Random& random);
+
 //------------------------------------------------------------------------------
 struct Quantiles
 {

@@ -21,19 +21,6 @@ namespace
 constexpr double Median = 1e-3;
 constexpr double P99 = 1e-2;
 
-void AddColours(vtkImageData* image, const char* name, double most, Random& random)
-{
-  vtkNew<vtkFloatArray> colours;
-  colours->SetName(name);
-  colours->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    colours->InsertNextTuple3(
-      random.Uniform(0.0, most), random.Uniform(0.0, most), random.Uniform(0.0, most));
-  }
-  image->GetPointData()->AddArray(colours);
-}
-
 vtkSmartPointer<vtkImageData> MakeColouredCloud(int points, std::uint64_t seed)
 {
   vtkSmartPointer<vtkImageData> image =

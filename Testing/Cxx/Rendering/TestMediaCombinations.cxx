@@ -8,7 +8,6 @@
 #include "AirlightTestDensity.h"
 #include "AirlightTestTools.h"
 
-#include "vtkFloatArray.h"
 #include "vtkSphereSource.h"
 
 #include <cstdlib>
@@ -83,19 +82,8 @@ public:
   void AddColouredFlames()
   {
     vtkParticipatingMedium* flames = this->AddCloud();
-    vtkImageData* image = flames->GetDensityImage();
-    for (const char* name : { "Albedo", "Glow" })
-    {
-      vtkNew<vtkFloatArray> colours;
-      colours->SetName(name);
-      colours->SetNumberOfComponents(3);
-      for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-      {
-        colours->InsertNextTuple3(this->Numbers.Uniform(0.0, 1.0), this->Numbers.Uniform(0.0, 1.0),
-          this->Numbers.Uniform(0.0, 1.0));
-      }
-      image->GetPointData()->AddArray(colours);
-    }
+    AddColours(flames->GetDensityImage(), "Albedo", 1.0, this->Numbers);
+    AddColours(flames->GetDensityImage(), "Glow", 1.0, this->Numbers);
     flames->SetAlbedoArrayName("Albedo");
     flames->SetEmissionArrayName("Glow");
     flames->SetEmission(0.3, 0.2, 0.1);
