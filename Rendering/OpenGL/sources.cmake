@@ -6,6 +6,7 @@ airlight_sources(
     AirlightPixelArea
     AirlightProgram
     AirlightQuad
+    AirlightSamplerSlots
     AirlightShaderLibrary
     AirlightStorageBinding
   HEADERS

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Gives all slots of samplers one state before a frame.
+ *
+ * Buffer textures have no sampler. Mesa's software renderer leaves their slots as other programs
+ * have left them, and compiles each program again for another state: the second frame of a window
+ * took as long as the first.
+ */
+
+#ifndef AirlightSamplerSlots_h
+#define AirlightSamplerSlots_h
+
+#include "OpenGL/AirlightQuad.h"
+
+#include "vtkNew.h"
+
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace airlight
+{
+class SamplerSlots
+{
+public:
+  SamplerSlots();
+  ~SamplerSlots();
+
+  // Draws nothing with a program that has as many samplers as OpenGL promises.
+  void Fill(vtkOpenGLRenderWindow* window);
+
+  void Release(vtkWindow* window);
+
+private:
+  Quad Program;
+  vtkNew<vtkTextureObject> Texture;
+};
+}
+
+#endif
