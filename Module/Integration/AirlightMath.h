@@ -38,6 +38,7 @@
 #define AIRLIGHT_DATA_MEMBER const real4* data;
 #define AIRLIGHT_FETCH(owner, i) ((owner).data[(i)])
 #define AIRLIGHT_HAS_SURFACE 1
+#define AIRLIGHT_IS_SURFACE(media, i) ((media).item[(i)].region.kind == AIRLIGHT_REGION_SURFACE)
 #define AIRLIGHT_MAY_TRY true
 #define AIRLIGHT_FEW_ROUNDS true
 #define AIRLIGHT_COUNT_ROUND

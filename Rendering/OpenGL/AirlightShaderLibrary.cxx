@@ -85,7 +85,8 @@ bool IsMultipleGrey(const f64::AirlightMedium& medium)
 
 // Replaces each loop over so many media by as many copies of its block, which must not leave or
 // restart it. Compilers do not unroll blocks that hold loops themselves, and then keep each
-// medium's walk through its image in memory: frames took four times as long.
+// medium's walk through its image in memory: frames took four times as long. Nor would they know
+// which medium is inside a closed surface, and walk through a tree for each.
 std::string UnrollMedia(const std::string& text, const std::string& bound, int count)
 {
   const std::string head = "for (int i = 0; i < " + bound + "; i++)";
@@ -109,9 +110,9 @@ std::string UnrollMedia(const std::string& text, const std::string& bound, int c
   return unrolled + UnrollMedia(text.substr(end), bound, count);
 }
 
-std::string UnrollGrids(const f64::AirlightMedia& media)
+// The same for media, and for media and volumes.
+std::string UnrollForEach(const f64::AirlightMedia& media, const std::string& text)
 {
-  const std::string text = std::string(AirlightGridWay) + AirlightGridSteps + AirlightGridRay;
   return UnrollMedia(UnrollMedia(text, "AIRLIGHT_MEDIUM_COUNT", media.count),
     "AIRLIGHT_DIMMING_COUNT", media.count + media.volumes);
 }
@@ -183,27 +184,29 @@ private:
 std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, bool photometry)
 {
   const auto* end = media.item + media.count;
-  const bool surface = std::any_of(media.item, end,
-    [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
   const bool table =
     std::any_of(media.item, end, [](const auto& medium) { return medium.phase.rows > 0; });
-  int grids = 0;   // bit i: medium i has an image
-  int albedos = 0; // and arrays of colours there
+  int surfaces = 0; // bit i: medium i is inside a closed surface
+  int grids = 0;    // has an image
+  int albedos = 0;  // and arrays of colours there
   int glows = 0;
   const int dimming = media.count + media.volumes;
   for (int i = 0; i < dimming; ++i)
   {
+    surfaces |= AIRLIGHT_IS_SURFACE(media, i) ? 1 << i : 0;
     grids |= media.item[i].density == AIRLIGHT_DENSITY_GRID ? 1 << i : 0;
     albedos |= media.item[i].albedo ? 1 << i : 0;
     glows |= media.item[i].glow ? 1 << i : 0;
   }
+  const bool surface = surfaces != 0;
   const bool grid = grids != 0;
   const bool sky = HasSky(media);
   const bool multiple = media.multiple.count > 0;
-  return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_HAS_GRID", grid) +
-    Define("AIRLIGHT_GRID_MEDIA", grids) + Define("AIRLIGHT_ALBEDO_MEDIA", albedos) +
-    Define("AIRLIGHT_GLOW_MEDIA", glows) + Define("AIRLIGHT_HAS_TABLE", table) +
-    Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) + (sky ? Define("AIRLIGHT_HAS_SKY", 1) : "") +
+  return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_SURFACE_MEDIA", surfaces) +
+    Define("AIRLIGHT_HAS_GRID", grid) + Define("AIRLIGHT_GRID_MEDIA", grids) +
+    Define("AIRLIGHT_ALBEDO_MEDIA", albedos) + Define("AIRLIGHT_GLOW_MEDIA", glows) +
+    Define("AIRLIGHT_HAS_TABLE", table) + Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
+    (sky ? Define("AIRLIGHT_HAS_SKY", 1) : "") +
     Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
     Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", dimming) +
     Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
@@ -223,10 +226,13 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     AirlightExponentialIntegral + AirlightGauss + AirlightGoniometric + AirlightPhase +
     AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + (sky ? AirlightSky : "") +
     AirlightMedium + AirlightClosedSurface + AirlightPath + AirlightHeightFog +
-    (multiple ? AirlightSourceFunction : "") + AirlightMedia + AirlightAmbient + AirlightLight +
-    AirlightKinks + AirlightQuadrature +
+    (multiple ? AirlightSourceFunction : "") +
+    (surface ? UnrollForEach(media, AirlightMedia) : AirlightMedia) + AirlightAmbient +
+    AirlightLight + AirlightKinks + AirlightQuadrature +
     (multiple ? std::string(AirlightLayeredScattering) + AirlightMultipleScattering : "") +
-    AirlightGoniometricRay + AirlightPieces + (grid ? UnrollGrids(media) : "") +
+    AirlightGoniometricRay + AirlightPieces +
+    (grid ? UnrollForEach(media, std::string(AirlightGridWay) + AirlightGridSteps + AirlightGridRay)
+          : "") +
     AirlightScattering + AirlightDiffuseLight;
 }
 

@@ -171,7 +171,8 @@ AIRLIGHT_FN real3 airlightAmbient(
   if (AIRLIGHT_MEDIUM_COUNT == 1 && !AIRLIGHT_HAS_COLOURS(media.item[0]))
   {
     real3 sigmaT = media.item[0].sigmaT;
-    real depth = airlightPathDepth(media.item[0], origin, direction, l);
+    real depth = airlightPathDepth(
+      media.item[0], AIRLIGHT_IS_SURFACE(media, 0), origin, direction, l);
     return source *
       real3(airlightOpticalLength(sigmaT.x, depth), airlightOpticalLength(sigmaT.y, depth),
         airlightOpticalLength(sigmaT.z, depth));

@@ -65,7 +65,8 @@ real3 airlightDepthTo(AirlightMedia media, AirlightRay ray, real t)
     if (!AIRLIGHT_IS_GRID(i))
     {
       depth += media.item[i].sigmaT *
-        airlightPathDepth(media.item[i], ray.origin, ray.direction, t);
+        airlightPathDepth(
+          media.item[i], AIRLIGHT_IS_SURFACE(media, i), ray.origin, ray.direction, t);
     }
   }
   return depth;

@@ -50,13 +50,15 @@ real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point)
     }
     else if (airlightIsDirectional(light))
     {
-      depth += media.item[i].sigmaT * airlightSunDepth(media.item[i], point, light.position);
+      depth += media.item[i].sigmaT *
+        airlightSunDepth(media.item[i], AIRLIGHT_IS_SURFACE(media, i), point, light.position);
     }
     else
     {
       real3 way = light.position - point;
       real l = max(length(way), 1e-30);
-      depth += media.item[i].sigmaT * airlightPathDepth(media.item[i], point, way / l, l);
+      depth += media.item[i].sigmaT *
+        airlightPathDepth(media.item[i], AIRLIGHT_IS_SURFACE(media, i), point, way / l, l);
     }
   }
   return depth;

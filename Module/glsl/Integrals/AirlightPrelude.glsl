@@ -26,6 +26,8 @@ uniform int airlightZero;
 #else
 #define AIRLIGHT_PRECISE
 #endif
+// Whether medium i is inside a closed surface.
+#define AIRLIGHT_IS_SURFACE(media, i) (((AIRLIGHT_SURFACE_MEDIA >> (i)) & 1) != 0)
 // Images of density, see AirlightGrid.glsl.
 #if AIRLIGHT_HAS_GRID
 #define AIRLIGHT_GRID_STEPS

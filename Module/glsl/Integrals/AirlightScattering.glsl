@@ -108,7 +108,7 @@ AIRLIGHT_FN real3 airlightDirectionalHeight(AIRLIGHT_IN(AirlightMedium) medium,
   real slope = real(1.0) - m / mu;
   real end = slope >= real(0.0) ? t0 : t1;
   real depth = airlightInsideDepth(medium, ray.origin, ray.direction, ray.range.x, end) +
-    airlightSunDepth(medium, ray.origin + end * ray.direction, light.position);
+    airlightSunDepth(medium, false, ray.origin + end * ray.direction, light.position);
   real inside = airlightInsideDepth(medium, ray.origin, ray.direction, t0, t1);
   return medium.sigmaS * airlightPhase(medium.phase, dot(light.position, ray.direction)) *
     airlightFading3(medium.sigmaT * depth, medium.sigmaT * abs(slope), inside);

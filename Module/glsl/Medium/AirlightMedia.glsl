@@ -26,8 +26,8 @@ AIRLIGHT_FN real3 airlightDepth(
   real3 depth = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    depth +=
-      media.item[i].sigmaT * airlightPathDepth(media.item[i], origin, direction, l);
+    depth += media.item[i].sigmaT *
+      airlightPathDepth(media.item[i], AIRLIGHT_IS_SURFACE(media, i), origin, direction, l);
   }
   return depth;
 }
@@ -41,7 +41,7 @@ AIRLIGHT_FN real3 airlightDepthBetween(AIRLIGHT_IN(AirlightMedia) media, real3 a
   for (int i = AIRLIGHT_MEDIUM_COUNT; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
     depth += l > real(0.0)
-      ? media.item[i].sigmaT * airlightPathDepth(media.item[i], a, (b - a) / l, l)
+      ? media.item[i].sigmaT * airlightPathDepth(media.item[i], false, a, (b - a) / l, l)
       : real3(real(0.0));
   }
 #endif
@@ -55,7 +55,8 @@ AIRLIGHT_FN real3 airlightSunDepths(
   real3 depth = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
-    depth += media.item[i].sigmaT * airlightSunDepth(media.item[i], point, toLight);
+    depth += media.item[i].sigmaT *
+      airlightSunDepth(media.item[i], AIRLIGHT_IS_SURFACE(media, i), point, toLight);
   }
   return depth;
 }
@@ -74,43 +75,47 @@ AIRLIGHT_FN bool airlightPieceHolds(AIRLIGHT_IN(AirlightPiece) piece, int i)
   return ((piece.inside >> i) & 1) != 0;
 }
 
-// The piece that begins at t0, at most up to t1, where the optical depth before t0 is known.
-AIRLIGHT_FN AirlightPiece airlightPieceFrom(AIRLIGHT_IN(AirlightMedia) media, real3 origin,
-  real3 direction, real t0, real t1, real3 depth)
+// The piece that begins at t0, at most up to t1.
+AIRLIGHT_FN AirlightPiece airlightPieceAt(
+  AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
 {
 #ifdef AIRLIGHT_DOUBLE
   const real apart = real(1e-13);
 #else
   const real apart = real(1e-6);
 #endif
+  real after = t0 + apart * abs(t0); // ends closer than this are one end
   AirlightPiece piece;
   piece.from = t0;
   piece.to = t1;
   piece.inside = 0;
-  piece.depth = depth;
+  piece.depth = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    // Ends closer than this are one end.
-    real2 end = airlightNextEnd(media.item[i], origin, direction, t0 + apart * abs(t0));
-    piece.to = min(piece.to, end.x);
-    piece.inside = end.y > real(0.5) ? piece.inside | (1 << i) : piece.inside;
+    real3 at = airlightPathAt(
+      media.item[i], AIRLIGHT_IS_SURFACE(media, i), origin, direction, t0, after);
+    piece.depth += media.item[i].sigmaT * at.x;
+    piece.to = min(piece.to, at.y);
+    piece.inside = at.z > real(0.5) ? piece.inside | (1 << i) : piece.inside;
   }
 #ifdef AIRLIGHT_HAS_VOLUMES
   // From there on a volume is on the way to lights.
   for (int i = AIRLIGHT_MEDIUM_COUNT; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
-    real2 end = airlightNextEnd(media.item[i], origin, direction, t0 + apart * abs(t0));
-    piece.to = min(piece.to, end.x);
+    piece.to =
+      min(piece.to, airlightPathAt(media.item[i], false, origin, direction, t0, after).y);
   }
 #endif
   return piece;
 }
 
-AIRLIGHT_FN AirlightPiece airlightPieceAt(
-  AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
+// The same where the optical depth before t0 is known.
+AIRLIGHT_FN AirlightPiece airlightPieceFrom(AIRLIGHT_IN(AirlightMedia) media, real3 origin,
+  real3 direction, real t0, real t1, real3 depth)
 {
-  return airlightPieceFrom(
-    media, origin, direction, t0, t1, airlightDepth(media, origin, direction, t0));
+  AirlightPiece piece = airlightPieceAt(media, origin, direction, t0, t1);
+  piece.depth = depth;
+  return piece;
 }
 
 // The length of [t0, t1] of a ray that is inside media, all of it where there is one convex region:
@@ -119,7 +124,7 @@ AIRLIGHT_FN real airlightLengthInside(
   AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
 {
   if (AIRLIGHT_MEDIUM_COUNT == 1 &&
-    AIRLIGHT_REGION_KIND(media.item[0].region) != AIRLIGHT_REGION_SURFACE)
+    !AIRLIGHT_IS_SURFACE(media, 0))
   {
     return t1 - t0;
   }
@@ -148,16 +153,13 @@ AIRLIGHT_FN real3 airlightChannelLengths(AIRLIGHT_IN(AirlightMedia) media,
   real3 thinned = real3(real(0.0)); // a channel that is clear and dark adds nothing
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (!airlightPieceHolds(piece, i))
-    {
-      continue;
-    }
-    if (AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_GRID)
+    bool holds = airlightPieceHolds(piece, i);
+    if (holds && AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_GRID)
     {
       // It may be clear here and dense further on.
       return real3(piece.to - piece.from);
     }
-    for (int channel = 0; channel < 3; channel++)
+    for (int channel = 0; channel < 3 && holds; channel++)
     {
       real sigma = media.item[i].sigmaT[channel];
       if (sigma > real(0.0) || media.item[i].emission[channel] > real(0.0))

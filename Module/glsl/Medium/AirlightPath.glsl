@@ -1,11 +1,12 @@
-// A ray's way through one medium.
+// A ray's way through one medium. `surface`: whether its region is a closed surface, which of a
+// medium among others is known when a shader is compiled.
 
 // Integral of the density along the part of [0, l] of a ray that is inside the region: times
 // sigmaT it is the optical depth.
 AIRLIGHT_FN real airlightPathDepth(
-  AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real l)
+  AIRLIGHT_IN(AirlightMedium) medium, bool surface, real3 origin, real3 direction, real l)
 {
-  if (AIRLIGHT_REGION_KIND(medium.region) == AIRLIGHT_REGION_SURFACE)
+  if (surface)
   {
     return airlightSurfaceSums(medium, origin, direction, l, real(0.0)).x;
   }
@@ -16,36 +17,38 @@ AIRLIGHT_FN real airlightPathDepth(
 // The same on the way to a light at infinity. An unbounded uniform medium would swallow it: there
 // the light is taken as unattenuated.
 AIRLIGHT_FN real airlightSunDepth(
-  AIRLIGHT_IN(AirlightMedium) medium, real3 point, real3 toLight)
+  AIRLIGHT_IN(AirlightMedium) medium, bool surface, real3 point, real3 toLight)
 {
   if (AIRLIGHT_REGION_KIND(medium.region) == AIRLIGHT_REGION_UNBOUNDED &&
     AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_UNIFORM)
   {
     return real(0.0);
   }
-  return airlightPathDepth(medium, point, toLight, real(AIRLIGHT_FAR));
+  return airlightPathDepth(medium, surface, point, toLight, real(AIRLIGHT_FAR));
 }
 
-// x: where after t the ray next enters or leaves the region, or a surface's box; y: 1 where it is
+// What is known of the path at t, a little before `after`; x: airlightPathDepth() up to t; y: where
+// after `after` the ray next enters or leaves the region, or a surface's box; z: 1 where it is
 // inside between, else 0.
-AIRLIGHT_FN real2 airlightNextEnd(
-  AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real t)
+AIRLIGHT_FN real3 airlightPathAt(AIRLIGHT_IN(AirlightMedium) medium, bool surface, real3 origin,
+  real3 direction, real t, real after)
 {
   real2 range = airlightRegionRange(medium.region, origin, direction, real(AIRLIGHT_FAR));
-  if (range.y <= range.x || t >= range.y)
+  real3 at = real3(real(0.0), range.y, real(1.0));
+  if (surface)
   {
-    return real2(real(AIRLIGHT_FAR), real(0.0));
+    at = airlightSurfaceSums(medium, origin, direction, t, after);
+    at.y = min(at.y, range.y);
   }
-  if (t < range.x)
+  else
   {
-    return real2(range.x, real(0.0));
+    at.x = airlightInsideDepth(medium, origin, direction, range.x, clamp(t, range.x, range.y));
   }
-  if (AIRLIGHT_REGION_KIND(medium.region) == AIRLIGHT_REGION_SURFACE)
+  if (range.y <= range.x || after >= range.y)
   {
-    real3 sums = airlightSurfaceSums(medium, origin, direction, real(0.0), t);
-    return real2(min(sums.y, range.y), sums.z > real(0.5) ? real(1.0) : real(0.0));
+    return real3(at.x, real(AIRLIGHT_FAR), real(0.0));
   }
-  return real2(range.y, real(1.0));
+  return after < range.x ? real3(at.x, range.x, real(0.0)) : at;
 }
 
 // Extinction, at density 1, of the channel that fades least among those that fade: the far end of

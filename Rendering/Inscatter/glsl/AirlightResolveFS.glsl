@@ -93,7 +93,9 @@ void main()
         {
           part = airlightInterval3(media, light, ray, from, fromTail, to, toTail);
           sum += airlightApplyTransmittance(part, passing);
+#ifdef AIRLIGHT_RECORD
           litLength += airlightLengthInside(media, ray.origin, ray.direction, from, to);
+#endif
         }
       }
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS

@@ -46,8 +46,10 @@ vec3 airlightMarched(
     if (lit)
     {
       sum += airlightMarchedStep(march, middle, t, a, b);
+#ifdef AIRLIGHT_RECORD
       litLength += airlightLengthInside(media, ray.origin, ray.direction,
         airlightMarchDistance(march, a), airlightMarchDistance(march, b));
+#endif
     }
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
     addStepToFragments(airlightMarchDistance(march, a), airlightMarchDistance(march, b),

@@ -68,7 +68,7 @@ public:
     medium.region.data = this->Texels.data();
     medium.region.nodes = this->Tree->GetNodeCount();
     return airlight::f32::airlightPathDepth(
-      medium, glm::vec3(0.0f), glm::normalize(glm::vec3(d)), static_cast<float>(l));
+      medium, true, glm::vec3(0.0f), glm::normalize(glm::vec3(d)), static_cast<float>(l));
   }
 
   // Corner k of a random triangle.
