@@ -24,6 +24,9 @@
 #define AIRLIGHT_INOUT(T) T&
 #define AIRLIGHT_IN(T) const T&
 #define AIRLIGHT_PRECISE
+#define AIRLIGHT_MEDIA_UNIFORM
+#define AIRLIGHT_MEDIA_IN const AirlightMedia &airlightMedia,
+#define AIRLIGHT_MEDIA_OUT airlightMedia,
 // Multiple scattering is a member of the media.
 #define AIRLIGHT_MULTIPLE_MEMBER AirlightMultiple multiple;
 #define AIRLIGHT_MULTIPLE_UNIFORM
@@ -38,7 +41,7 @@
 #define AIRLIGHT_DATA_MEMBER const real4* data;
 #define AIRLIGHT_FETCH(owner, i) ((owner).data[(i)])
 #define AIRLIGHT_HAS_SURFACE 1
-#define AIRLIGHT_IS_SURFACE(media, i) ((media).item[(i)].region.kind == AIRLIGHT_REGION_SURFACE)
+#define AIRLIGHT_IS_SURFACE(i) (airlightMedia.item[(i)].region.kind == AIRLIGHT_REGION_SURFACE)
 #define AIRLIGHT_MAY_TRY true
 #define AIRLIGHT_FEW_ROUNDS true
 #define AIRLIGHT_COUNT_ROUND
@@ -103,6 +106,9 @@ using namespace glm;
 #undef AIRLIGHT_IN
 #undef AIRLIGHT_PRECISE
 #undef AIRLIGHT_MULTIPLE_MEMBER
+#undef AIRLIGHT_MEDIA_UNIFORM
+#undef AIRLIGHT_MEDIA_IN
+#undef AIRLIGHT_MEDIA_OUT
 #undef AIRLIGHT_MULTIPLE_UNIFORM
 #undef AIRLIGHT_MULTIPLE_IN
 #undef AIRLIGHT_MULTIPLE_OUT

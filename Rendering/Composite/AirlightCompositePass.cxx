@@ -39,6 +39,7 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     lights.begin(), lights.end(), [&](int k) { return scene.Lights[k].Values.cosCone > 0.0; });
   return GetShaderVersion(false) + (cones ? "" : "#define AIRLIGHT_NO_CONE\n") +
     Define("AIRLIGHT_EQUIANGULAR", equiangular) +
+    (equiangular ? "#define AIRLIGHT_OWN_MEDIA\n" : "") +
     (intoTextures ? "#define AIRLIGHT_TRANSLUCENT\n" : "") +
     (intoTextures && options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
     Define("AIRLIGHT_RECORD_SEVERAL", intoTextures && options.Several) +
@@ -50,7 +51,7 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     Define("AIRLIGHT_ENCODED_INPUT", options.EncodedInput) +
     Define("AIRLIGHT_PARALLEL", scene.Rays.IsParallel()) + "#define AIRLIGHT_FULL_SCREEN\n" +
     GetScatteringSource(scene.Media, kind, false) + AirlightCameraShader + AirlightLightPixel +
-    (equiangular ? GetEquiangularSource(scene) : "uniform AirlightMedia media;\n") +
+    (equiangular ? GetEquiangularSource(scene) : "") +
     (options.Unshadowed ? GetUnshadowedSource(scene, lights) : "") +
     (options.ShadowingLight >= 0 ? AirlightShadowingLight : "") + AirlightDecode +
     GetSunSource(options.Suns) + (intoTextures ? "" : options.Display.GetSource()) +
@@ -85,7 +86,7 @@ vtkShaderProgram* CompositePass::GetProgram(
   }
   SetUnshadowedUniforms(program, scene, lights);
   SetSunUniforms(program, options.Suns);
-  SetMediaUniforms(program, equiangular ? "givenMedia" : "media", scene.Media,
+  SetMediaUniforms(program, equiangular ? "givenMedia" : "airlightMedia", scene.Media,
     options.Unshadowed || HasDiffuse(scene.Media));
   // Where the target's viewport does not begin at 0, gl_FragCoord does not either.
   scene.Rays.SetUniforms(program, x, y);

@@ -185,7 +185,7 @@ bool Froxels::DrawRays(const FrameScene& coarse, int light, MapShadow* map)
     return this->Fail(this->Textures.GetError());
   }
   coarse.Rays.SetUniforms(program, 0, 0);
-  SetMediaUniforms(program, "media", coarse.Media);
+  SetMediaUniforms(program, "airlightMedia", coarse.Media);
   SetLightUniforms(program, "light", values);
   SetLightPixelUniforms(program, "lightPixel", coarse.Rays, values);
   const bool shadows = this->Nodes.GetLayout().Lights[light] >= 0;

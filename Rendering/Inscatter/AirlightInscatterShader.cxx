@@ -36,7 +36,7 @@ namespace airlight
 {
 namespace
 {
-const char* GivenUniforms = "uniform AirlightMedia media;\nuniform AirlightLight light;\n";
+const char* GivenUniforms = "uniform AirlightLight light;\n";
 
 static_assert(MaximumShadowingLights <= translucent_record::LightBits, "a bit for each light");
 
@@ -83,13 +83,14 @@ std::string InscatterShader::GetRaySource(
 
 //------------------------------------------------------------------------------
 // The beginning of all sources.
-std::string InscatterShader::GetHead(bool storage, int kind) const
+std::string InscatterShader::GetHead(bool storage, int kind, bool ownMedia) const
 {
   const f64::AirlightLight& light = this->Scene.Lights[this->Light].Values;
   // Pixels that a mask leaves out are not to be shaded, though shaders write to storage.
   return GetShaderVersion(storage) + (storage ? "layout(early_fragment_tests) in;\n" : "") +
     BoundaryBuffer::DefineNodes(this->Shadows.TransmitsLight()) +
     (this->Options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
+    (ownMedia ? "#define AIRLIGHT_OWN_MEDIA\n" : "") +
     Define("AIRLIGHT_MULTIPLE_LAMP", FindMultipleLamp(this->Scene.Media, light)) +
     GetRaySource(this->Scene, kind, light.goniometric != 0, light.cosCone > 0.0);
 }
@@ -110,7 +111,7 @@ std::string InscatterShader::GetEquiangularRaySource() const
 std::string InscatterShader::GetEquiangularSource(const InscatterDraw& draw) const
 {
   // AirlightConstants.glsl sets a part of the light.
-  return this->GetHead(this->Shadow.UsesStorage(), AIRLIGHT_POINT_CLOSED) +
+  return this->GetHead(this->Shadow.UsesStorage(), AIRLIGHT_POINT_CLOSED, true) +
     "uniform AirlightLight givenLight;\nAirlightLight light;\n" +
     airlight::GetEquiangularSource(this->Scene) + AirlightShadowCounts + AirlightBoundaryReader +
     this->Shadow.GetBoundarySource(draw, true) + AirlightEquiangularPixel +
@@ -127,7 +128,7 @@ std::string InscatterShader::GetSource(const InscatterDraw& draw, RayPart part) 
   const bool records = part != RayPart::Surface;
   const bool transmits = this->Shadows.TransmitsLight();
   return this->GetHead(this->Shadow.UsesStorage() || records || transmits,
-           this->Scene.Lights[this->Light].Values.kind) +
+           this->Scene.Lights[this->Light].Values.kind, false) +
     (records ? "#define AIRLIGHT_TRANSLUCENT_FRAGMENTS\n" : "") + GivenUniforms +
     (transmits ? AirlightTransmittanceBuffer : "") + AirlightShadowCounts + AirlightBoundaryReader +
     this->Shadow.GetBoundarySource(draw, false) +
@@ -158,7 +159,7 @@ double InscatterShader::GetIntegralError() const
 void InscatterShader::SetLight(vtkShaderProgram* program, bool equiangular) const
 {
   const f64::AirlightLight& light = this->Scene.Lights[this->Light].Values;
-  SetMediaUniforms(program, equiangular ? "givenMedia" : "media", this->Scene.Media,
+  SetMediaUniforms(program, equiangular ? "givenMedia" : "airlightMedia", this->Scene.Media,
     FindMultipleLamp(this->Scene.Media, light) >= 0);
   SetLightUniforms(program, equiangular ? "givenLight" : "light", light);
   if (equiangular)
@@ -200,7 +201,7 @@ std::string InscatterShader::GetUnshadowedSource(
 {
   const bool cones = std::any_of(
     lights.begin(), lights.end(), [&](int k) { return scene.Lights[k].Values.cosCone > 0.0; });
-  return GetShaderVersion(false) + "#define AIRLIGHT_EQUIANGULAR 1\n" +
+  return GetShaderVersion(false) + "#define AIRLIGHT_EQUIANGULAR 1\n#define AIRLIGHT_OWN_MEDIA\n" +
     GetRaySource(scene, AIRLIGHT_POINT_CLOSED, false, cones) +
     airlight::GetEquiangularSource(scene) + airlight::GetUnshadowedSource(scene, lights) +
     AirlightResolveOutputs + AirlightUnshadowedFS;

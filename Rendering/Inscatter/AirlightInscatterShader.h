@@ -66,7 +66,7 @@ public:
     vtkShaderProgram* program, const FrameScene& scene, const std::vector<int>& lights);
 
 private:
-  std::string GetHead(bool storage, int kind) const;
+  std::string GetHead(bool storage, int kind, bool ownMedia) const;
   std::string GetEquiangularSource(const InscatterDraw& draw) const;
   std::string GetEquiangularRaySource() const;
   void SetLight(vtkShaderProgram* program, bool equiangular) const;

@@ -193,7 +193,7 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
   const int dimming = media.count + media.volumes;
   for (int i = 0; i < dimming; ++i)
   {
-    surfaces |= AIRLIGHT_IS_SURFACE(media, i) ? 1 << i : 0;
+    surfaces |= media.item[i].region.kind == AIRLIGHT_REGION_SURFACE ? 1 << i : 0;
     grids |= media.item[i].density == AIRLIGHT_DENSITY_GRID ? 1 << i : 0;
     albedos |= media.item[i].albedo ? 1 << i : 0;
     glows |= media.item[i].glow ? 1 << i : 0;

@@ -63,8 +63,7 @@ bool AreEquiangular(const FrameScene& scene, const std::vector<int>& lights)
 // AirlightConstants.glsl sets a part of the medium.
 std::string GetEquiangularSource(const FrameScene& scene)
 {
-  return std::string("uniform AirlightMedia givenMedia;\nAirlightMedia media;\n") +
-    AirlightEquiangular +
+  return std::string(AirlightEquiangular) +
     (IsHeightFog(scene)
         ? std::string("#define AIRLIGHT_HEIGHT_FOG 1\n") + AirlightHeightFogLamp
         : std::string(AirlightEquiangularPanel) + AirlightGoniometricArc + AirlightHalfAngle) +

@@ -45,20 +45,20 @@ AIRLIGHT_FN real2 airlightAmbientScale(AIRLIGHT_IN(AirlightMedium) medium, real3
 }
 
 // How long a panel from t may be for one channel, which has light there.
-AIRLIGHT_FN real airlightAmbientReach(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction, int channel, real t, real end)
+AIRLIGHT_FN real airlightAmbientReach(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightPiece) piece,
+  real3 origin, real3 direction, int channel, real t, real end)
 {
   real reach = end - t;
   real rate = real(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    real sigma = media.item[i].sigmaT[channel];
-    bool shines = airlightSource(media.item[i], direction)[channel] > real(0.0);
+    real sigma = airlightMedia.item[i].sigmaT[channel];
+    bool shines = airlightSource(airlightMedia.item[i], direction)[channel] > real(0.0);
     if (airlightPieceHolds(piece, i) && (sigma > real(0.0) || shines))
     {
       // A density that does not dim is followed, too, where it shines.
       real2 scale = airlightAmbientScale(
-        media.item[i], origin, direction, max(sigma, real(1e-30)), t, end);
+        airlightMedia.item[i], origin, direction, max(sigma, real(1e-30)), t, end);
       rate += scale.x;
       reach = min(reach, scale.y);
     }
@@ -67,25 +67,25 @@ AIRLIGHT_FN real airlightAmbientReach(AIRLIGHT_IN(AirlightMedia) media,
 }
 
 // Where the panel that begins at t ends.
-AIRLIGHT_FN real airlightAmbientPanelEnd(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction, real t, real end)
+AIRLIGHT_FN real airlightAmbientPanelEnd(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightPiece) piece,
+  real3 origin, real3 direction, real t, real end)
 {
-  real3 depth = airlightDepthInPiece(media, piece, origin, direction, t);
+  real3 depth = airlightDepthInPiece(AIRLIGHT_MEDIA_OUT piece, origin, direction, t);
   real reach = end - t;
   for (int channel = 0; channel < 3; channel++)
   {
     if (depth[channel] < piece.depth[channel] + real(AIRLIGHT_AMBIENT_DEPTH))
     {
       reach = min(reach,
-        airlightAmbientReach(media, piece, origin, direction, channel, t, end));
+        airlightAmbientReach(AIRLIGHT_MEDIA_OUT piece, origin, direction, channel, t, end));
     }
   }
   return reach < end - t ? t + reach : end;
 }
 
 // What is scattered on [from, to] of a piece and reaches the ray's origin.
-AIRLIGHT_FN real3 airlightAmbientPanel(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction, real from, real to)
+AIRLIGHT_FN real3 airlightAmbientPanel(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightPiece) piece,
+  real3 origin, real3 direction, real from, real to)
 {
   real3 sum = real3(real(0.0));
   real middle = real(0.5) * (from + to);
@@ -100,39 +100,40 @@ AIRLIGHT_FN real3 airlightAmbientPanel(AIRLIGHT_IN(AirlightMedia) media,
       if (airlightPieceHolds(piece, i))
       {
         real3 point = origin + t * direction;
-        source += airlightSourceAt(media.item[i], point, direction) *
-          airlightDensity(media.item[i], point);
+        source += airlightSourceAt(airlightMedia.item[i], point, direction) *
+          airlightDensity(airlightMedia.item[i], point);
       }
     }
-    sum += node.y * source * exp(-airlightDepthInPiece(media, piece, origin, direction, t));
+    real3 depth = airlightDepthInPiece(AIRLIGHT_MEDIA_OUT piece, origin, direction, t);
+    sum += node.y * source * exp(-depth);
   }
   return halfLength * sum;
 }
 
 // Of a piece in which densities vary.
-AIRLIGHT_FN real3 airlightAmbientByPanels(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
+AIRLIGHT_FN real3 airlightAmbientByPanels(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
 {
   // From the piece's own beginning: far away, an opaque medium is thinner than the last place of t.
   real3 start = origin + piece.from * direction;
   AirlightPiece own = piece;
   own.from = real(0.0);
   own.to = piece.to - piece.from;
-  real end = airlightNegligibleFrom(media, own, start, direction);
+  real end = airlightNegligibleFrom(AIRLIGHT_MEDIA_OUT own, start, direction);
   real3 sum = real3(real(0.0));
   real from = real(0.0);
   for (int panel = 0; panel < AIRLIGHT_AMBIENT_PANELS && from < end; panel++)
   {
-    real to = airlightAmbientPanelEnd(media, own, start, direction, from, end);
-    sum += airlightAmbientPanel(media, own, start, direction, from, to);
+    real to = airlightAmbientPanelEnd(AIRLIGHT_MEDIA_OUT own, start, direction, from, end);
+    sum += airlightAmbientPanel(AIRLIGHT_MEDIA_OUT own, start, direction, from, to);
     from = to;
   }
   return sum;
 }
 
 // Of one piece of a ray.
-AIRLIGHT_FN real3 airlightAmbientInPiece(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
+AIRLIGHT_FN real3 airlightAmbientInPiece(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
 {
   bool uniformly = true;
   real3 sigmaT = real3(real(0.0));
@@ -141,38 +142,37 @@ AIRLIGHT_FN real3 airlightAmbientInPiece(AIRLIGHT_IN(AirlightMedia) media,
   {
     if (airlightPieceHolds(piece, i))
     {
-      uniformly = uniformly && AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_UNIFORM;
-      sigmaT += media.item[i].sigmaT;
-      source += airlightSource(media.item[i], direction);
+      uniformly =
+        uniformly && AIRLIGHT_DENSITY_KIND(airlightMedia.item[i]) == AIRLIGHT_DENSITY_UNIFORM;
+      sigmaT += airlightMedia.item[i].sigmaT;
+      source += airlightSource(airlightMedia.item[i], direction);
     }
   }
   return uniformly ? source * airlightFading3(piece.depth, sigmaT, piece.to - piece.from)
-                   : airlightAmbientByPanels(media, piece, origin, direction);
+                   : airlightAmbientByPanels(AIRLIGHT_MEDIA_OUT piece, origin, direction);
 }
 
 #ifdef AIRLIGHT_GRID_STEPS // AirlightGridRay.glsl
-real3 airlightAmbientInImages(
-  AirlightMedia media, AirlightPiece piece, real3 origin, real3 direction);
+real3 airlightAmbientInImages(AirlightPiece piece, real3 origin, real3 direction);
 #endif
 
 // On [0, l] of a ray. One medium alone depends on its depth only, wherever it is, but for colours.
-AIRLIGHT_FN real3 airlightAmbient(
-  AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real l)
+AIRLIGHT_FN real3 airlightAmbient(AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real l)
 {
   real3 source = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    source += airlightSource(media.item[i], direction);
+    source += airlightSource(airlightMedia.item[i], direction);
   }
   if (dot(source, real3(real(1.0))) <= real(0.0))
   {
     return real3(real(0.0));
   }
-  if (AIRLIGHT_MEDIUM_COUNT == 1 && !AIRLIGHT_HAS_COLOURS(media.item[0]))
+  if (AIRLIGHT_MEDIUM_COUNT == 1 && !AIRLIGHT_HAS_COLOURS(airlightMedia.item[0]))
   {
-    real3 sigmaT = media.item[0].sigmaT;
+    real3 sigmaT = airlightMedia.item[0].sigmaT;
     real depth = airlightPathDepth(
-      media.item[0], AIRLIGHT_IS_SURFACE(media, 0), origin, direction, l);
+      airlightMedia.item[0], AIRLIGHT_IS_SURFACE(0), origin, direction, l);
     return source *
       real3(airlightOpticalLength(sigmaT.x, depth), airlightOpticalLength(sigmaT.y, depth),
         airlightOpticalLength(sigmaT.z, depth));
@@ -181,11 +181,11 @@ AIRLIGHT_FN real3 airlightAmbient(
   real t = real(0.0);
   while (t < l)
   {
-    AirlightPiece piece = airlightPieceAt(media, origin, direction, t, l);
+    AirlightPiece piece = airlightPieceAt(AIRLIGHT_MEDIA_OUT origin, direction, t, l);
 #ifdef AIRLIGHT_GRID_STEPS
-    sum += airlightAmbientInImages(media, piece, origin, direction);
+    sum += airlightAmbientInImages(piece, origin, direction);
 #else
-    sum += airlightAmbientInPiece(media, piece, origin, direction);
+    sum += airlightAmbientInPiece(AIRLIGHT_MEDIA_OUT piece, origin, direction);
 #endif
     t = piece.to;
   }

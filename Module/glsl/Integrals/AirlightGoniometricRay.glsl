@@ -133,17 +133,17 @@ AIRLIGHT_FN real4 airlightCellNode(bool narrow, int k)
 
 // What is scattered on one panel inside one cell; `errorEstimate` is how much it may be wrong by.
 // The variable is t where `straight`, else v with t - tL = h sinh v.
-AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, AIRLIGHT_IN(AirlightPhotometryCell) cell, bool straight,
-  real w0, real w1, AIRLIGHT_OUT(real3) errorEstimate)
+AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece,
+  AIRLIGHT_IN(AirlightPhotometryCell) cell, bool straight, real w0, real w1,
+  AIRLIGHT_OUT(real3) errorEstimate)
 {
   real middle = real(0.5) * (w0 + w1);
   real reach = real(0.5) * (w1 - w0);
   // Not where the light comes in from outside a region: there its way has kinks of its own.
   bool smoothWay = AIRLIGHT_MEDIUM_COUNT == 1 &&
-    AIRLIGHT_REGION_KIND(media.item[0].region) != AIRLIGHT_REGION_SURFACE &&
-    airlightHolds(media.item[0].region, light.position);
+    AIRLIGHT_REGION_KIND(airlightMedia.item[0].region) != AIRLIGHT_REGION_SURFACE &&
+    airlightHolds(airlightMedia.item[0].region, light.position);
   bool narrow = smoothWay && (straight || w1 - w0 < real(AIRLIGHT_NARROW));
   int count = narrow ? 3 : AIRLIGHT_GAUSS_COUNT;
   real tL = ray.range.x + ray.foot.tL;
@@ -161,7 +161,7 @@ AIRLIGHT_FN real3 airlightCellPanel(AIRLIGHT_IN(AirlightMedia) media,
     real3 direction = normalize(ray.origin + (tL + x) * ray.direction - light.position);
     real3 value = (straight ? real(1.0) : r) *
       airlightPhotometryInside(light.photometry, cell, direction) *
-      airlightIntegrand(media, light, ray, piece, tL + x, x, r);
+      airlightIntegrand(AIRLIGHT_MEDIA_OUT light, ray, piece, tL + x, x, r);
     sum += node.y * value;
     even += node.z * value;
     odd += node.w * value;
@@ -183,9 +183,8 @@ AIRLIGHT_FN real airlightJustAfter(bool straight, real tL, real h, real w)
 
 // One piece from w0 to w1 of a light with a photometric table, cell by cell; where that leaves too
 // much in doubt, again with panels halved.
-AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real w0, real w1)
+AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece, bool straight, real w0, real w1)
 {
   real tL = ray.range.x + ray.foot.tL;
   real3 foot = ray.origin + tL * ray.direction - light.position;
@@ -242,7 +241,8 @@ AIRLIGHT_FN real3 airlightGoniometricPiece(AIRLIGHT_IN(AirlightMedia) media,
       // The last one may be a rounding error wide.
       real b = end - a < real(1.01) * step ? end : a + step;
       real3 part;
-      real3 value = airlightCellPanel(media, light, ray, piece, cell, straight, a, b, part);
+      real3 value =
+        airlightCellPanel(AIRLIGHT_MEDIA_OUT light, ray, piece, cell, straight, a, b, part);
       // Written so that what is not a number ends it, too.
       if (any(greaterThan(part, limit)) && b - a > widest * real(1.0 / 512.0))
       {

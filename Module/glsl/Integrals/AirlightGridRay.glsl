@@ -28,20 +28,19 @@ real airlightCachedTo = -1.0;
 real3 airlightCachedDepth = real3(0.0);
 
 // The optical depth of all images on [from, to] of a ray.
-real3 airlightImagesDepth(
-  AirlightMedia media, real3 origin, real3 direction, real from, real to)
+real3 airlightImagesDepth(real3 origin, real3 direction, real from, real to)
 {
   real3 depth = real3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     if (AIRLIGHT_IS_GRID(i))
     {
-      real2 range = airlightRegionRange(media.item[i].region, origin, direction, to);
+      real2 range = airlightRegionRange(airlightMedia.item[i].region, origin, direction, to);
       range.x = max(range.x, from);
       if (range.y > range.x)
       {
-        depth += media.item[i].sigmaT *
-          airlightGridDepth(media.item[i].grid, origin, direction, range.x, range.y);
+        depth += airlightMedia.item[i].sigmaT *
+          airlightGridDepth(airlightMedia.item[i].grid, origin, direction, range.x, range.y);
       }
     }
   }
@@ -49,7 +48,7 @@ real3 airlightImagesDepth(
 }
 
 // The optical depth before t on the ray.
-real3 airlightDepthTo(AirlightMedia media, AirlightRay ray, real t)
+real3 airlightDepthTo(AirlightRay ray, real t)
 {
   bool known = airlightCachedTo >= ray.range.x && airlightCachedTo <= t &&
     airlightCachedOrigin == ray.origin && airlightCachedDirection == ray.direction;
@@ -58,23 +57,23 @@ real3 airlightDepthTo(AirlightMedia media, AirlightRay ray, real t)
   airlightCachedOrigin = ray.origin;
   airlightCachedDirection = ray.direction;
   airlightCachedTo = t;
-  airlightCachedDepth = before + airlightImagesDepth(media, ray.origin, ray.direction, from, t);
+  airlightCachedDepth = before + airlightImagesDepth(ray.origin, ray.direction, from, t);
   real3 depth = airlightCachedDepth;
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     if (!AIRLIGHT_IS_GRID(i))
     {
-      depth += media.item[i].sigmaT *
+      depth += airlightMedia.item[i].sigmaT *
         airlightPathDepth(
-          media.item[i], AIRLIGHT_IS_SURFACE(media, i), ray.origin, ray.direction, t);
+          airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), ray.origin, ray.direction, t);
     }
   }
   return depth;
 }
 
 // What is scattered at t, with the optical depth before it on the ray.
-real3 airlightStepIntegrand(AirlightMedia media, AirlightLight light, AirlightRay ray,
-  AirlightStep part, real t, real3 before)
+real3 airlightStepIntegrand(
+  AirlightLight light, AirlightRay ray, AirlightStep part, real t, real3 before)
 {
   real3 point = ray.origin + t * ray.direction;
   bool sun = airlightIsDirectional(light);
@@ -86,21 +85,20 @@ real3 airlightStepIntegrand(AirlightMedia media, AirlightLight light, AirlightRa
   {
     if (airlightIsInside(part, i))
     {
-      real2 density = airlightStepDensity(media, i, part, ray.origin, ray.direction, t);
-      scattered += airlightStepScattering(media, i, part, t) *
-        airlightPhase(media.item[i].phase, cosTheta) * density.x;
-      before += media.item[i].sigmaT * density.y;
+      real2 density = airlightStepDensity(i, part, ray.origin, ray.direction, t);
+      scattered += airlightStepScattering(i, part, t) *
+        airlightPhase(airlightMedia.item[i].phase, cosTheta) * density.x;
+      before += airlightMedia.item[i].sigmaT * density.y;
     }
   }
-  scattered *= airlightTransmittanceOf(before + airlightLightDepth(media, light, point));
+  scattered *= airlightTransmittanceOf(before + airlightLightDepth(light, point));
   return sun
     ? scattered
     : scattered * airlightFalloff(light, point, r) * airlightPhotometricShare(light, point);
 }
 
 // The integral over a step; `before` is the depth before it.
-real3 airlightStepIntegral(AirlightMedia media, AirlightLight light, AirlightRay ray,
-  AirlightStep part, real3 before)
+real3 airlightStepIntegral(AirlightLight light, AirlightRay ray, AirlightStep part, real3 before)
 {
   // Straight, or over v with x = h sinh v.
   real a = part.from;
@@ -113,7 +111,7 @@ real3 airlightStepIntegral(AirlightMedia media, AirlightLight light, AirlightRay
   real v1 = straight ? b : airlightAsinh((b - tL) / ray.foot.h);
   real count = 2.0 * part.rate * (b - a) / AIRLIGHT_PART_DEPTH;
   count = straight ? count : max(count, (v1 - v0) / AIRLIGHT_PANEL_ANGLE);
-  count = max(count, airlightBehindImages(media, light, ray, part.inImages, a, b));
+  count = max(count, airlightBehindImages(light, ray, part.inImages, a, b));
   count = max(count, max(part.rise * (b - a), AIRLIGHT_PARTS_OF_COLOURS));
   int parts = int(clamp(ceil(count), 1.0, AIRLIGHT_MOST_PARTS));
   real width = (v1 - v0) / real(parts);
@@ -127,7 +125,7 @@ real3 airlightStepIntegral(AirlightMedia media, AirlightLight light, AirlightRay
     real t = straight ? v : tL + 0.5 * ray.foot.h * (e - 1.0 / e);
     real weight = k == 1 ? 0.44444444444444444 : 0.27777777777777778;
     weight *= straight ? 1.0 : 0.5 * ray.foot.h * (e + 1.0 / e);
-    sum += weight * airlightStepIntegrand(media, light, ray, part, t, before);
+    sum += weight * airlightStepIntegrand(light, ray, part, t, before);
   }
   return width * sum;
 }
@@ -135,10 +133,10 @@ real3 airlightStepIntegral(AirlightMedia media, AirlightLight light, AirlightRay
 // Where a part of the air between filled cells that begins at `from` is cut, as AirlightPieces.glsl
 // cuts pieces; `lengths`: of channels, from where the air begins. It is not halved where it is
 // rough: the details of a cloud's shadow have no end.
-real airlightAirPartEnd(AirlightMedia media, AirlightLight light, AirlightRay ray,
-  AirlightPiece air, real3 lengths, real from, real end)
+real airlightAirPartEnd(
+  AirlightLight light, AirlightRay ray, AirlightPiece air, real3 lengths, real from, real end)
 {
-  real t = airlightNextLayerEnd(media, ray.origin, ray.direction, real2(air.from, end),
+  real t = airlightNextLayerEnd(ray.origin, ray.direction, real2(air.from, end),
     airlightToSun(light), from, end);
   return airlightNextChannelEnd(air, lengths, from, t);
 }
@@ -146,15 +144,15 @@ real airlightAirPartEnd(AirlightMedia media, AirlightLight light, AirlightRay ra
 // The integral over a piece; piece.depth becomes what is before its end. Each round adds a part: a
 // step in filled cells or, from `open` on, some of the air before it. One place integrates both:
 // software renderers go through all branches.
-real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ray, AirlightWay way,
-  inout AirlightPiece piece)
+real3 airlightGridPiece(
+  AirlightLight light, AirlightRay ray, AirlightWay way, inout AirlightPiece piece)
 {
-  AirlightSteps steps = airlightSteps(media, piece, ray.origin, ray.direction);
-  real3 clear = airlightClearChannels(media);
+  AirlightSteps steps = airlightSteps(piece, ray.origin, ray.direction);
+  real3 clear = airlightClearChannels();
   real3 sum = real3(0.0);
   real kink = piece.from;
   real open = piece.from;
-  airlightWalkToFilled(media, steps, piece);
+  airlightWalkToFilled(steps, piece);
   int others = piece.inside & ~AIRLIGHT_GRID_MEDIA;
   open = others == 0 ? steps.t : open;
   AirlightPiece air = AirlightPiece(open, steps.t, others, piece.depth);
@@ -165,7 +163,7 @@ real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ra
     bool counts = true;
     if (open >= kink)
     {
-      kink = airlightNextKink(media, way, open, piece.to);
+      kink = airlightNextKink(way, open, piece.to);
     }
 #if AIRLIGHT_DIMMING_COUNT > 1
     if (isOpen)
@@ -174,27 +172,27 @@ real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ra
       part.inImages = 0;
       part.inside = others;
       // What lies beyond the longest of the lengths no longer counts; thin fog would go on forever.
-      real3 lengths = airlightChannelLengths(media, air, ray.origin, ray.direction);
+      real3 lengths = airlightChannelLengths(air, ray.origin, ray.direction);
       real end = min(air.to, air.from + max(lengths.x, max(lengths.y, lengths.z)));
       counts = open < end;
-      part.to = counts ? airlightAirPartEnd(media, light, ray, air, lengths, open, end) : air.to;
+      part.to = counts ? airlightAirPartEnd(light, ray, air, lengths, open, end) : air.to;
     }
 #endif
     part.to = counts ? min(part.to, kink) : part.to;
     if (part.to > part.from)
     {
-      airlightReadCells(media, steps, ray.origin, ray.direction, part);
+      airlightReadCells(steps, ray.origin, ray.direction, part);
       if (counts)
       {
-        sum += airlightStepIntegral(media, light, ray, part, piece.depth);
+        sum += airlightStepIntegral(light, ray, part, piece.depth);
       }
-      piece.depth += airlightStepDepth(media, part, ray.origin, ray.direction, part.to);
+      piece.depth += airlightStepDepth(part, ray.origin, ray.direction, part.to);
     }
     open = part.to;
     if (!isOpen)
     {
       airlightLeaveStep(steps, part);
-      airlightWalkToFilled(media, steps, piece);
+      airlightWalkToFilled(steps, piece);
       open = others == 0 ? steps.t : open;
       air = AirlightPiece(open, steps.t, others, piece.depth);
     }
@@ -203,23 +201,22 @@ real3 airlightGridPiece(AirlightMedia media, AirlightLight light, AirlightRay ra
 }
 
 // The integral over [t0, t1], sigmaS included; `before` is the optical depth before t0.
-real3 airlightGridInterval(
-  AirlightMedia media, AirlightLight light, AirlightRay ray, real t0, real3 before, real t1)
+real3 airlightGridInterval(AirlightLight light, AirlightRay ray, real t0, real3 before, real t1)
 {
   AirlightWay way = airlightWay(light, ray);
 #if AIRLIGHT_DIMMING_COUNT == 1
   // Its region is convex: all of the interval is inside.
   AirlightPiece whole = AirlightPiece(t0, t1, 1, before);
-  return airlightGridPiece(media, light, ray, way, whole);
+  return airlightGridPiece(light, ray, way, whole);
 #else
-  real3 clear = airlightClearChannels(media);
+  real3 clear = airlightClearChannels();
   real3 sum = real3(0.0);
   while (t0 < t1 && !airlightIsDark(before, clear))
   {
-    AirlightPiece piece = airlightPieceFrom(media, ray.origin, ray.direction, t0, t1, before);
+    AirlightPiece piece = airlightPieceFrom(ray.origin, ray.direction, t0, t1, before);
     if (piece.inside != 0)
     {
-      sum += airlightGridPiece(media, light, ray, way, piece);
+      sum += airlightGridPiece(light, ray, way, piece);
     }
     before = piece.depth;
     t0 = piece.to;
@@ -231,8 +228,7 @@ real3 airlightGridInterval(
 // ---- Ambient radiance -------------------------------------------------------------------------
 
 // Over a step.
-real3 airlightAmbientInStep(AirlightMedia media, AirlightStep part, real3 origin, real3 direction,
-  real3 before)
+real3 airlightAmbientInStep(AirlightStep part, real3 origin, real3 direction, real3 before)
 {
   real parts = clamp(ceil(2.0 * part.rate * (part.to - part.from) / AIRLIGHT_PART_DEPTH),
     AIRLIGHT_PARTS_OF_COLOURS, AIRLIGHT_MOST_PARTS);
@@ -248,40 +244,39 @@ real3 airlightAmbientInStep(AirlightMedia media, AirlightStep part, real3 origin
     {
       if (airlightIsInside(part, i))
       {
-        source += airlightStepSource(media, i, part, direction, t) *
-          airlightStepDensity(media, i, part, origin, direction, t).x;
+        source += airlightStepSource(i, part, direction, t) *
+          airlightStepDensity(i, part, origin, direction, t).x;
       }
     }
     sum += (k == 1 ? 0.44444444444444444 : 0.27777777777777778) * source *
-      airlightTransmittanceOf(before + airlightStepDepth(media, part, origin, direction, t));
+      airlightTransmittanceOf(before + airlightStepDepth(part, origin, direction, t));
   }
   return width * sum;
 }
 
-real3 airlightAmbientInImages(
-  AirlightMedia media, AirlightPiece piece, real3 origin, real3 direction)
+real3 airlightAmbientInImages(AirlightPiece piece, real3 origin, real3 direction)
 {
-  AirlightSteps steps = airlightSteps(media, piece, origin, direction);
-  real3 clear = airlightClearChannels(media);
+  AirlightSteps steps = airlightSteps(piece, origin, direction);
+  real3 clear = airlightClearChannels();
   real3 sum = real3(0.0);
   int others = piece.inside & ~AIRLIGHT_GRID_MEDIA;
   for (int i = 0; i < steps.most && steps.t < piece.to && !airlightIsDark(piece.depth, clear);
        i++)
   {
     AirlightPiece between = AirlightPiece(steps.t, steps.t, others, piece.depth);
-    airlightWalkToFilled(media, steps, piece);
+    airlightWalkToFilled(steps, piece);
     between.to = steps.t;
     if (others != 0 && between.to > between.from)
     {
-      sum += airlightAmbientInPiece(media, between, origin, direction);
-      piece.depth = airlightDepthInPiece(media, between, origin, direction, between.to);
+      sum += airlightAmbientInPiece(between, origin, direction);
+      piece.depth = airlightDepthInPiece(between, origin, direction, between.to);
     }
     AirlightStep part = airlightStepAt(steps, piece);
     if (part.to > part.from)
     {
-      airlightReadCells(media, steps, origin, direction, part);
-      sum += airlightAmbientInStep(media, part, origin, direction, piece.depth);
-      piece.depth += airlightStepDepth(media, part, origin, direction, part.to);
+      airlightReadCells(steps, origin, direction, part);
+      sum += airlightAmbientInStep(part, origin, direction, piece.depth);
+      piece.depth += airlightStepDepth(part, origin, direction, part.to);
     }
     airlightLeaveStep(steps, part);
   }

@@ -48,8 +48,7 @@ bool airlightIsInImage(AirlightStep part, int i)
   return ((part.inImages >> i) & 1) != 0;
 }
 
-AirlightSteps airlightSteps(
-  AirlightMedia media, AirlightPiece piece, real3 origin, real3 direction)
+AirlightSteps airlightSteps(AirlightPiece piece, real3 origin, real3 direction)
 {
   AirlightSteps steps;
   steps.t = piece.from;
@@ -60,7 +59,7 @@ AirlightSteps airlightSteps(
     if (AIRLIGHT_IS_GRID(i))
     {
       real to = airlightPieceHolds(piece, i) ? piece.to : piece.from;
-      steps.walk[i] = airlightWalk(media.item[i].grid, origin, direction, piece.from, to);
+      steps.walk[i] = airlightWalk(airlightMedia.item[i].grid, origin, direction, piece.from, to);
       steps.most += airlightMostCells(steps.walk[i]);
     }
   }
@@ -101,7 +100,7 @@ void airlightLeaveStep(inout AirlightSteps steps, AirlightStep part)
 }
 
 // Whether there is something in a cell of the step.
-bool airlightIsFilled(AirlightMedia media, AirlightSteps steps, AirlightStep part)
+bool airlightIsFilled(AirlightSteps steps, AirlightStep part)
 {
   real most = 0.0;
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
@@ -109,8 +108,8 @@ bool airlightIsFilled(AirlightMedia media, AirlightSteps steps, AirlightStep par
     if (AIRLIGHT_IS_GRID(i) && airlightIsInImage(part, i))
     {
       AirlightWalk walk = steps.walk[i];
-      most = max(
-        most, airlightMostInCell(airlightCell(media.item[i].grid.first, walk.size, walk.cell)));
+      AirlightCell cell = airlightCell(airlightMedia.item[i].grid.first, walk.size, walk.cell);
+      most = max(most, airlightMostInCell(cell));
     }
   }
   return most > 0.0;
@@ -118,12 +117,12 @@ bool airlightIsFilled(AirlightMedia media, AirlightSteps steps, AirlightStep par
 
 // Walks on to where an image has something, or the piece ends. Clouds are mostly empty, and the air
 // between them needs no cells.
-void airlightWalkToFilled(AirlightMedia media, inout AirlightSteps steps, AirlightPiece piece)
+void airlightWalkToFilled(inout AirlightSteps steps, AirlightPiece piece)
 {
   for (int i = 0; i < steps.most && steps.t < piece.to; i++)
   {
     AirlightStep part = airlightStepAt(steps, piece);
-    if (airlightIsFilled(media, steps, part))
+    if (airlightIsFilled(steps, part))
     {
       break;
     }
@@ -170,8 +169,7 @@ real3 airlightColourAt(AirlightColours colours, real u)
 }
 
 // Reads the cells of a step.
-void airlightReadCells(AirlightMedia media, AirlightSteps steps, real3 origin, real3 direction,
-  inout AirlightStep part)
+void airlightReadCells(AirlightSteps steps, real3 origin, real3 direction, inout AirlightStep part)
 {
   part.rate = 0.0;
   part.rise = 0.0;
@@ -184,7 +182,7 @@ void airlightReadCells(AirlightMedia media, AirlightSteps steps, real3 origin, r
       if (airlightIsInImage(part, i))
       {
         AirlightWalk walk = steps.walk[i];
-        AirlightCell cell = airlightCell(media.item[i].grid.first, walk.size, walk.cell);
+        AirlightCell cell = airlightCell(airlightMedia.item[i].grid.first, walk.size, walk.cell);
         largest = airlightMostInCell(cell);
         real3 corner = walk.origin - real3(walk.cell);
         real3 a = corner + part.from * walk.slope;
@@ -193,31 +191,30 @@ void airlightReadCells(AirlightMedia media, AirlightSteps steps, real3 origin, r
 #if AIRLIGHT_ALBEDO_MEDIA
         if (AIRLIGHT_HAS_ALBEDO(i))
         {
-          part.albedo[i] = airlightCellColours(media.item[i].albedoFirst, walk, a, b);
+          part.albedo[i] = airlightCellColours(airlightMedia.item[i].albedoFirst, walk, a, b);
         }
 #endif
 #if AIRLIGHT_GLOW_MEDIA
         if (AIRLIGHT_HAS_GLOW(i))
         {
-          part.glow[i] = airlightCellColours(media.item[i].glowFirst, walk, a, b);
+          part.glow[i] = airlightCellColours(airlightMedia.item[i].glowFirst, walk, a, b);
         }
 #endif
       }
     }
     else if (airlightIsInside(part, i))
     {
-      largest = max(airlightDensity(media.item[i], origin + part.from * direction),
-        airlightDensity(media.item[i], origin + part.to * direction));
-      part.rise = max(part.rise, abs(airlightRise(media.item[i], direction)));
+      largest = max(airlightDensity(airlightMedia.item[i], origin + part.from * direction),
+        airlightDensity(airlightMedia.item[i], origin + part.to * direction));
+      part.rise = max(part.rise, abs(airlightRise(airlightMedia.item[i], direction)));
     }
-    real3 sigmaT = media.item[i].sigmaT;
+    real3 sigmaT = airlightMedia.item[i].sigmaT;
     part.rate += largest * max(sigmaT.x, max(sigmaT.y, sigmaT.z));
   }
 }
 
 // The density of medium i at t in a step, and its integral before t.
-real2 airlightStepDensity(AirlightMedia media, int i, AirlightStep part, real3 origin,
-  real3 direction, real t)
+real2 airlightStepDensity(int i, AirlightStep part, real3 origin, real3 direction, real t)
 {
   if (AIRLIGHT_IS_GRID(i))
   {
@@ -227,26 +224,26 @@ real2 airlightStepDensity(AirlightMedia media, int i, AirlightStep part, real3 o
     return real2(max(c.x + u * (c.y + u * (c.z + u * c.w)), 0.0),
       width * u * (c.x + u * (0.5 * c.y + u * (c.z / 3.0 + u * 0.25 * c.w))));
   }
-  return real2(airlightDensity(media.item[i], origin + t * direction),
-    airlightInsideDepth(media.item[i], origin, direction, part.from, max(t, part.from)));
+  return real2(airlightDensity(airlightMedia.item[i], origin + t * direction),
+    airlightInsideDepth(airlightMedia.item[i], origin, direction, part.from, max(t, part.from)));
 }
 
 // The scattering coefficient of medium i at t in a step, and what shines there, at density 1.
-real3 airlightStepScattering(AirlightMedia media, int i, AirlightStep part, real t)
+real3 airlightStepScattering(int i, AirlightStep part, real t)
 {
 #if AIRLIGHT_ALBEDO_MEDIA
   if (AIRLIGHT_HAS_ALBEDO(i))
   {
     real u = clamp((t - part.from) / (part.to - part.from), 0.0, 1.0);
-    return media.item[i].sigmaS * airlightColourAt(part.albedo[i], u);
+    return airlightMedia.item[i].sigmaS * airlightColourAt(part.albedo[i], u);
   }
 #endif
-  return media.item[i].sigmaS;
+  return airlightMedia.item[i].sigmaS;
 }
 
-real3 airlightStepSource(AirlightMedia media, int i, AirlightStep part, real3 direction, real t)
+real3 airlightStepSource(int i, AirlightStep part, real3 direction, real t)
 {
-  real3 emission = media.item[i].emission;
+  real3 emission = airlightMedia.item[i].emission;
 #if AIRLIGHT_GLOW_MEDIA
   if (AIRLIGHT_HAS_GLOW(i))
   {
@@ -254,32 +251,31 @@ real3 airlightStepSource(AirlightMedia media, int i, AirlightStep part, real3 di
     emission *= airlightColourAt(part.glow[i], u);
   }
 #endif
-  return airlightStepScattering(media, i, part, t) *
-    airlightAmbientRadiance(media.item[i], direction) + emission;
+  return airlightStepScattering(i, part, t) *
+    airlightAmbientRadiance(airlightMedia.item[i], direction) + emission;
 }
 
-real3 airlightStepDepth(
-  AirlightMedia media, AirlightStep part, real3 origin, real3 direction, real t)
+real3 airlightStepDepth(AirlightStep part, real3 origin, real3 direction, real t)
 {
   real3 depth = real3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     if (airlightIsInside(part, i))
     {
-      depth += media.item[i].sigmaT *
-        airlightStepDensity(media, i, part, origin, direction, t).y;
+      depth += airlightMedia.item[i].sigmaT *
+        airlightStepDensity(i, part, origin, direction, t).y;
     }
   }
   return depth;
 }
 
 // 1 for channels in which nothing is scattered nor emitted: they have no say in what counts.
-real3 airlightClearChannels(AirlightMedia media)
+real3 airlightClearChannels()
 {
   real3 sum = real3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    sum += media.item[i].sigmaT + media.item[i].emission;
+    sum += airlightMedia.item[i].sigmaT + airlightMedia.item[i].emission;
   }
   return real3(lessThanEqual(sum, real3(0.0)));
 }

@@ -13,8 +13,8 @@ struct AirlightGridWay
   real reach;
 };
 
-AirlightGridWay airlightGridWay(AirlightMedium medium, real3 gridSize, AirlightLight light,
-  real3 point)
+AirlightGridWay airlightGridWay(
+  AirlightMedium medium, real3 gridSize, AirlightLight light, real3 point)
 {
   real3 way = light.position;
   real l = AIRLIGHT_FAR;
@@ -34,31 +34,31 @@ AirlightGridWay airlightGridWay(AirlightMedium medium, real3 gridSize, AirlightL
   return result;
 }
 
-real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point)
+real3 airlightLightDepth(AirlightLight light, real3 point)
 {
   real3 depth = real3(0.0);
   for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
     if (AIRLIGHT_IS_GRID(i))
     {
-      AirlightGridWay way = airlightGridWay(media.item[i], light.gridSize[i], light, point);
+      AirlightGridWay way = airlightGridWay(airlightMedia.item[i], light.gridSize[i], light, point);
       if (way.reach > 0.0)
       {
         real mean = airlightInterpolated(light.gridFirst[i], light.gridSize[i], way.cells);
-        depth += media.item[i].sigmaT * max(mean, 0.0) * way.reach;
+        depth += airlightMedia.item[i].sigmaT * max(mean, 0.0) * way.reach;
       }
     }
     else if (airlightIsDirectional(light))
     {
-      depth += media.item[i].sigmaT *
-        airlightSunDepth(media.item[i], AIRLIGHT_IS_SURFACE(media, i), point, light.position);
+      depth += airlightMedia.item[i].sigmaT *
+        airlightSunDepth(airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), point, light.position);
     }
     else
     {
       real3 way = light.position - point;
       real l = max(length(way), 1e-30);
-      depth += media.item[i].sigmaT *
-        airlightPathDepth(media.item[i], AIRLIGHT_IS_SURFACE(media, i), point, way / l, l);
+      depth += airlightMedia.item[i].sigmaT *
+        airlightPathDepth(airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), point, way / l, l);
     }
   }
   return depth;
@@ -66,8 +66,7 @@ real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point)
 
 // How many parts the ways from [a, b] of a ray take for the images that they meet further on:
 // the shadow of a cloud has the cloud's details.
-real airlightBehindImages(
-  AirlightMedia media, AirlightLight light, AirlightRay ray, int inImages, real a, real b)
+real airlightBehindImages(AirlightLight light, AirlightRay ray, int inImages, real a, real b)
 {
   real most = 0.0;
 #if AIRLIGHT_DIMMING_COUNT > 1
@@ -75,7 +74,7 @@ real airlightBehindImages(
   {
     if (AIRLIGHT_IS_GRID(i) && ((inImages >> i) & 1) == 0)
     {
-      AirlightMedium medium = media.item[i];
+      AirlightMedium medium = airlightMedia.item[i];
       real3 size = light.gridSize[i];
       real3 middle = ray.origin + 0.5 * (a + b) * ray.direction;
       if (airlightGridWay(medium, size, light, middle).reach > 0.0)

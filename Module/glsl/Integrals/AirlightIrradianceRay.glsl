@@ -30,8 +30,8 @@ AIRLIGHT_FN real3 airlightAcross(real3 axis)
   return normalize(cross(axis, other));
 }
 
-AIRLIGHT_FN AirlightIrradianceFrame airlightIrradianceFrame(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, real3 point, real3 normal)
+AIRLIGHT_FN AirlightIrradianceFrame airlightIrradianceFrame(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light, real3 point, real3 normal)
 {
   AirlightIrradianceFrame frame;
   frame.point = point;
@@ -40,13 +40,13 @@ AIRLIGHT_FN AirlightIrradianceFrame airlightIrradianceFrame(AIRLIGHT_IN(Airlight
   real3 way = sun ? light.position : light.position - point;
   frame.cone = light.cosCone > real(0.0);
   frame.outside = false;
-  if (AIRLIGHT_MEDIUM_COUNT == 1 && !airlightHolds(media.item[0].region, point))
+  if (AIRLIGHT_MEDIUM_COUNT == 1 && !airlightHolds(airlightMedia.item[0].region, point))
   {
     frame.outside = true;
     // Seen from outside, a region that does not hold the light may be on another side.
-    if (sun || !airlightHolds(media.item[0].region, light.position))
+    if (sun || !airlightHolds(airlightMedia.item[0].region, light.position))
     {
-      way = airlightRegionMiddle(media.item[0].region) - point;
+      way = airlightRegionMiddle(airlightMedia.item[0].region) - point;
       frame.cone = false;
     }
   }
@@ -64,12 +64,11 @@ AIRLIGHT_FN AirlightIrradianceFrame airlightIrradianceFrame(AIRLIGHT_IN(Airlight
 
 // What a light that needs quadrature scatters into one piece of a ray, with few nodes: many rays
 // are summed.
-AIRLIGHT_FN real3 airlightIrradiancePiece(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece)
+AIRLIGHT_FN real3 airlightIrradiancePiece(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece)
 {
   real t0 = piece.from;
-  real t1 = airlightNegligibleFrom(media, piece, ray.origin, ray.direction);
+  real t1 = airlightNegligibleFrom(AIRLIGHT_MEDIA_OUT piece, ray.origin, ray.direction);
   bool sun = airlightIsDirectional(light);
   real v0 = sun ? t0 : airlightAsinh(airlightFromFoot(ray, t0) / ray.foot.h);
   real v1 = sun ? t1 : airlightAsinh(airlightFromFoot(ray, t1) / ray.foot.h);
@@ -83,23 +82,24 @@ AIRLIGHT_FN real3 airlightIrradiancePiece(AIRLIGHT_IN(AirlightMedia) media,
     if (to > from)
     {
       real3 errorEstimate;
-      sum += airlightPanel(media, light, ray, piece, sun, from, to, errorEstimate);
+      sum += airlightPanel(AIRLIGHT_MEDIA_OUT light, ray, piece, sun, from, to, errorEstimate);
     }
   }
   return sum;
 }
 
-AIRLIGHT_FN real3 airlightIrradianceQuadrature(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray)
+AIRLIGHT_FN real3 airlightIrradianceQuadrature(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray)
 {
   real3 sum = real3(real(0.0));
   real t0 = ray.lit.x;
   while (t0 < ray.lit.y)
   {
-    AirlightPiece piece = airlightPieceAt(media, ray.origin, ray.direction, t0, ray.lit.y);
+    AirlightPiece piece =
+      airlightPieceAt(AIRLIGHT_MEDIA_OUT ray.origin, ray.direction, t0, ray.lit.y);
     if (piece.inside != 0)
     {
-      sum += airlightIrradiancePiece(media, light, ray, piece);
+      sum += airlightIrradiancePiece(AIRLIGHT_MEDIA_OUT light, ray, piece);
     }
     t0 = piece.to;
   }
@@ -107,10 +107,10 @@ AIRLIGHT_FN real3 airlightIrradianceQuadrature(AIRLIGHT_IN(AirlightMedia) media,
 }
 
 // Radiance that arrives at the point from a direction.
-AIRLIGHT_FN real3 airlightArriving(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, real3 point, real3 direction)
+AIRLIGHT_FN real3 airlightArriving(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light, real3 point, real3 direction)
 {
-  AirlightRay ray = airlightRay(media, light, point, direction, real(AIRLIGHT_FAR));
+  AirlightRay ray = airlightRay(AIRLIGHT_MEDIA_OUT light, point, direction, real(AIRLIGHT_FAR));
   if (!(ray.lit.y > ray.lit.x))
   {
     return real3(real(0.0));
@@ -118,9 +118,9 @@ AIRLIGHT_FN real3 airlightArriving(AIRLIGHT_IN(AirlightMedia) media,
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_QUADRATURE ||
     AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_QUADRATURE)
   {
-    return airlightIrradianceQuadrature(media, light, ray);
+    return airlightIrradianceQuadrature(AIRLIGHT_MEDIA_OUT light, ray);
   }
-  return airlightInterval3(media, light, ray, ray.lit.x,
-    airlightTail3(media, light, ray, ray.lit.x), ray.lit.y,
-    airlightTail3(media, light, ray, ray.lit.y));
+  return airlightInterval3(AIRLIGHT_MEDIA_OUT light, ray, ray.lit.x,
+    airlightTail3(AIRLIGHT_MEDIA_OUT light, ray, ray.lit.x), ray.lit.y,
+    airlightTail3(AIRLIGHT_MEDIA_OUT light, ray, ray.lit.y));
 }

@@ -36,17 +36,16 @@ real airlightGridKink(AirlightMedium medium, AirlightWay way, real t0, real t1)
 #endif
 
 // The first kink in (t0, t1), a little after t0 at least, else t1.
-AIRLIGHT_FN real airlightNextKink(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightWay) way,
-  real t0, real t1)
+AIRLIGHT_FN real airlightNextKink(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightWay) way, real t0, real t1)
 {
   t0 += real(1e-6) * (t1 - t0);
   for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
-    t1 = airlightRegionKink(media.item[i].region, way, AIRLIGHT_DIMMING_COUNT > 1, t0, t1);
+    t1 = airlightRegionKink(airlightMedia.item[i].region, way, AIRLIGHT_DIMMING_COUNT > 1, t0, t1);
 #ifdef AIRLIGHT_GRID_STEPS
     if (AIRLIGHT_IS_GRID(i))
     {
-      t1 = airlightGridKink(media.item[i], way, t0, t1);
+      t1 = airlightGridKink(airlightMedia.item[i], way, t0, t1);
     }
 #endif
   }

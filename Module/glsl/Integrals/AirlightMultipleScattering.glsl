@@ -263,18 +263,18 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleOfLamp(
 }
 
 // Of light i on [0, l] of a ray of unit direction: the lamps come first, then the suns.
-AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(AIRLIGHT_MULTIPLE_IN
-  AIRLIGHT_IN(AirlightMedia) media, int i, real3 origin, real3 direction, real l)
+AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_MEDIA_IN int i, real3 origin, real3 direction, real l)
 {
-  real2 range = airlightRegionRange(media.item[0].region, origin, direction, l);
+  real2 range = airlightRegionRange(airlightMedia.item[0].region, origin, direction, l);
   int lamps = AIRLIGHT_MULTIPLE_LIGHTS - AIRLIGHT_MULTIPLE_SUNS;
   if (i >= lamps)
   {
     return airlightMultipleOfSun(
-      AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, i - lamps);
+      AIRLIGHT_MULTIPLE_OUT airlightMedia.item[0], origin, direction, range, i - lamps);
   }
-  AirlightMultipleRay ray = airlightMultipleOfLamp(
-    AIRLIGHT_MULTIPLE_OUT media.item[0], origin, direction, range, airlightMultiple.lamp[i]);
+  AirlightMultipleRay ray = airlightMultipleOfLamp(AIRLIGHT_MULTIPLE_OUT airlightMedia.item[0],
+    origin, direction, range, airlightMultiple.lamp[i]);
   real4 power = airlightMultiple.power[i];
   if (AIRLIGHT_MULTIPLE_COLLISIONS)
   {
@@ -289,14 +289,15 @@ AIRLIGHT_FN AirlightMultipleRay airlightMultipleAlong(AIRLIGHT_MULTIPLE_IN
 
 // Of all light that collided once before, which is no single light's, as if nothing cast shadows.
 AIRLIGHT_FN real3 airlightMultipleOfCollisions(
-  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real l)
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real l)
 {
   real3 sum = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MULTIPLE_LIGHTS - AIRLIGHT_MULTIPLE_SUNS; i++)
   {
     if (airlightMultiple.power[i].w > real(0.5))
     {
-      sum += airlightMultipleAlong(AIRLIGHT_MULTIPLE_OUT media, i, origin, direction, l).several;
+      sum += airlightMultipleAlong(
+        AIRLIGHT_MULTIPLE_OUT AIRLIGHT_MEDIA_OUT i, origin, direction, l).several;
     }
   }
   return sum;
@@ -320,27 +321,27 @@ AIRLIGHT_FN real3 airlightMultipleShaded(
 // The irradiance that light which was scattered at least once brings to a surface of this unit
 // normal: a quarter of the fluence, and half of the flux against the normal.
 AIRLIGHT_FN real3 airlightMultipleIrradiance(
-  AIRLIGHT_MULTIPLE_IN AIRLIGHT_IN(AirlightMedia) media, real3 point, real3 normal)
+  AIRLIGHT_MULTIPLE_IN AIRLIGHT_MEDIA_IN real3 point, real3 normal)
 {
   real3 sum = real3(real(0.0));
-  AirlightMultipleSpectrum sigmaT = AIRLIGHT_MULTIPLE_SPECTRUM(media.item[0].sigmaT);
+  AirlightMultipleSpectrum sigmaT = AIRLIGHT_MULTIPLE_SPECTRUM(airlightMedia.item[0].sigmaT);
   // Surfaces that lie in a face of the region are inside.
-  real3 inward = real(1e-4) * (airlightRegionMiddle(media.item[0].region) - point);
-  if (!airlightHolds(media.item[0].region, point + inward))
+  real3 inward = real(1e-4) * (airlightRegionMiddle(airlightMedia.item[0].region) - point);
+  if (!airlightHolds(airlightMedia.item[0].region, point + inward))
   {
     return sum;
   }
   int lamps = AIRLIGHT_MULTIPLE_LIGHTS - AIRLIGHT_MULTIPLE_SUNS;
   for (int i = 0; i < AIRLIGHT_MULTIPLE_SUNS; i++)
   {
-    sum += airlightSunIrradiance(AIRLIGHT_MULTIPLE_OUT media.item[0], point, normal, i);
+    sum += airlightSunIrradiance(AIRLIGHT_MULTIPLE_OUT airlightMedia.item[0], point, normal, i);
   }
   for (int i = 0; i < lamps; i++)
   {
     real3 away = point - real3(airlightMultiple.lamp[i]);
     real r = max(length(away), airlightMultiple.lamp[i].w);
     real column =
-      airlightLampColumn(media.item[0], point, real3(airlightMultiple.lamp[i]), r);
+      airlightLampColumn(airlightMedia.item[0], point, real3(airlightMultiple.lamp[i]), r);
     AirlightMultipleSpectrum optical = sigmaT * column;
     AirlightMultipleSpectrum x = airlightSourceX(optical);
     AirlightMultipleSpectrum fall = AIRLIGHT_MULTIPLE_SPECTRUM(airlightMultiple.kappa) * optical;
@@ -358,9 +359,9 @@ AIRLIGHT_FN real3 airlightMultipleIrradiance(
     }
     // The moments are of optical lengths: a square of them is per area, and 1/r is of them, too.
     AirlightMultipleSpectrum area = sigmaT / r;
-    if (AIRLIGHT_DENSITY_KIND(media.item[0]) == AIRLIGHT_DENSITY_HEIGHT)
+    if (AIRLIGHT_DENSITY_KIND(airlightMedia.item[0]) == AIRLIGHT_DENSITY_HEIGHT)
     {
-      area *= column / r * airlightFogFactor(AIRLIGHT_MULTIPLE_OUT media.item[0], point,
+      area *= column / r * airlightFogFactor(AIRLIGHT_MULTIPLE_OUT airlightMedia.item[0], point,
         real3(airlightMultiple.lamp[i]), optical);
     }
     sum += real3(airlightMultiple.power[i]) *

@@ -10,6 +10,15 @@
 #define AIRLIGHT_OUT(T) out T
 #define AIRLIGHT_INOUT(T) inout T
 #define AIRLIGHT_IN(T) T
+// The media are a uniform: a parameter would be a copy in each function, which some compilers keep.
+// Programs that know parts of them better have a variable beside it.
+#ifdef AIRLIGHT_OWN_MEDIA
+#define AIRLIGHT_MEDIA_UNIFORM uniform AirlightMedia givenMedia; AirlightMedia airlightMedia;
+#else
+#define AIRLIGHT_MEDIA_UNIFORM uniform AirlightMedia airlightMedia;
+#endif
+#define AIRLIGHT_MEDIA_IN
+#define AIRLIGHT_MEDIA_OUT
 // Multiple scattering is a uniform of its own.
 #define AIRLIGHT_MULTIPLE_MEMBER
 #define AIRLIGHT_MULTIPLE_UNIFORM uniform AirlightMultiple airlightMultiple;
@@ -27,7 +36,7 @@ uniform int airlightZero;
 #define AIRLIGHT_PRECISE
 #endif
 // Whether medium i is inside a closed surface.
-#define AIRLIGHT_IS_SURFACE(media, i) (((AIRLIGHT_SURFACE_MEDIA >> (i)) & 1) != 0)
+#define AIRLIGHT_IS_SURFACE(i) (((AIRLIGHT_SURFACE_MEDIA >> (i)) & 1) != 0)
 // Images of density, see AirlightGrid.glsl.
 #if AIRLIGHT_HAS_GRID
 #define AIRLIGHT_GRID_STEPS

@@ -46,16 +46,17 @@ int airlightTries = 0;
 #define AIRLIGHT_SURFACE_PANELS 2
 
 // What the media of a piece scatter at a point, without what fades before and after.
-AIRLIGHT_FN real3 airlightScattered(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightPiece) piece, real3 point, real cosTheta)
+AIRLIGHT_FN real3 airlightScattered(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightPiece) piece, real3 point, real cosTheta)
 {
   real3 sum = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     if (airlightPieceHolds(piece, i))
     {
-      sum += airlightScatteringAt(media.item[i], point) *
-        airlightPhase(media.item[i].phase, cosTheta) * airlightDensity(media.item[i], point);
+      sum += airlightScatteringAt(airlightMedia.item[i], point) *
+        airlightPhase(airlightMedia.item[i].phase, cosTheta) *
+        airlightDensity(airlightMedia.item[i], point);
     }
   }
   return sum;
@@ -88,44 +89,43 @@ AIRLIGHT_FN real airlightPhotometricShare(AIRLIGHT_IN(AirlightLight) light, real
 }
 
 #ifdef AIRLIGHT_GRID_STEPS
-real3 airlightLightDepth(AirlightMedia media, AirlightLight light, real3 point); // AirlightGridWay
+real3 airlightLightDepth(AirlightLight light, real3 point); // AirlightGridWay
 #endif
 
 // Optical depth on the way from a point to the light.
 AIRLIGHT_FN real3 airlightDepthToLight(
-  AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light, real3 point)
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light, real3 point)
 {
 #ifdef AIRLIGHT_GRID_STEPS
-  return airlightLightDepth(media, light, point);
+  return airlightLightDepth(light, point);
 #else
-  return airlightIsDirectional(light) ? airlightSunDepths(media, point, light.position)
-                                      : airlightDepthBetween(media, point, light.position);
+  return airlightIsDirectional(light)
+    ? airlightSunDepths(AIRLIGHT_MEDIA_OUT point, light.position)
+    : airlightDepthBetween(AIRLIGHT_MEDIA_OUT point, light.position);
 #endif
 }
 
 // The integrand at t, but for what a photometric table says: of a light at a place, x from its foot
 // and r from the light; of a light at infinity, which has neither. Called in few places, as the
 // three below: compilers put a copy of all that it takes into each.
-AIRLIGHT_FN real3 airlightIntegrand(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real t, real x, real r)
+AIRLIGHT_FN real3 airlightIntegrand(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece, real t, real x, real r)
 {
   real3 point = ray.origin + t * ray.direction;
-  real3 depth = airlightDepthInPiece(media, piece, ray.origin, ray.direction, t) +
-    airlightDepthToLight(media, light, point);
+  real3 depth = airlightDepthInPiece(AIRLIGHT_MEDIA_OUT piece, ray.origin, ray.direction, t) +
+    airlightDepthToLight(AIRLIGHT_MEDIA_OUT light, point);
   bool sun = airlightIsDirectional(light);
   real cosTheta = sun ? dot(light.position, ray.direction) : -x / r;
   real3 value =
-    airlightScattered(media, piece, point, cosTheta) * airlightTransmittanceOf(depth);
+    airlightScattered(AIRLIGHT_MEDIA_OUT piece, point, cosTheta) * airlightTransmittanceOf(depth);
   return sun ? value : value * airlightFalloff(light, point, r);
 }
 
 // The integrand over v. `straight`: v is t, for lights at infinity, and for lights at a place on
 // intervals so short that asinh() would give one number. Otherwise t - foot = h sinh v, which makes
 // the peak near the light, of width h, as smooth as the tails: dt = r dv.
-AIRLIGHT_FN real3 airlightPanelValue(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v)
+AIRLIGHT_FN real3 airlightPanelValue(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v)
 {
   real tL = ray.range.x + ray.foot.tL;
   real h = ray.foot.h;
@@ -135,14 +135,14 @@ AIRLIGHT_FN real3 airlightPanelValue(AIRLIGHT_IN(AirlightMedia) media,
   real t = airlightIsDirectional(light) ? v : tL + x;
   return (straight ? real(1.0) : r) *
     airlightPhotometricShare(light, ray.origin + t * ray.direction) *
-    airlightIntegrand(media, light, ray, piece, t, x, r);
+    airlightIntegrand(AIRLIGHT_MEDIA_OUT light, ray, piece, t, x, r);
 }
 
 // One panel by Gauss-Legendre quadrature; `errorEstimate` is how much it may be wrong by. In
 // surfaces, where the way to the light can change at a stroke, it includes what lies between the
 // panel's ends and its outermost nodes, where the integrand at the ends is not the nodes'
 // polynomial.
-AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light,
+AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
   AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1,
   AIRLIGHT_OUT(real3) errorEstimate)
 {
@@ -161,7 +161,7 @@ AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(Ai
     real2 node = isEnd ? real2(real(1.0), real(0.0)) : airlightGaussNode(k / 2);
     real share = real(0.5) + (above ? real(0.5) : real(-0.5)) * node.x;
     real3 value =
-      airlightPanelValue(media, light, ray, piece, straight, v0 + share * (v1 - v0));
+      airlightPanelValue(AIRLIGHT_MEDIA_OUT light, ray, piece, straight, v0 + share * (v1 - v0));
     sum += node.y * value;
     real2 rough = isEnd ? real2(real(0.0)) : airlightRoughWeight(k / 2);
     even += rough.x * value;

@@ -35,9 +35,8 @@ AIRLIGHT_FN real airlightCosineRing(AIRLIGHT_IN(AirlightIrradianceFrame) frame, 
   return real(2.0) * (a * phi0 + b * sin(phi0));
 }
 
-AIRLIGHT_FN real3 airlightIrradianceRings(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame, real from, real to,
-  int panels)
+AIRLIGHT_FN real3 airlightIrradianceRings(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightIrradianceFrame) frame, real from, real to, int panels)
 {
   real v0 = sqrt(from);
   real reach = real(0.5) * (sqrt(to) - v0) / real(panels);
@@ -50,23 +49,23 @@ AIRLIGHT_FN real3 airlightIrradianceRings(AIRLIGHT_IN(AirlightMedia) media,
     real gamma = v * v;
     real3 direction = cos(gamma) * frame.axis + sin(gamma) * frame.across;
     sum += node.y * v * sin(gamma) * airlightCosineRing(frame, gamma) *
-      airlightArriving(media, light, frame.point, direction);
+      airlightArriving(AIRLIGHT_MEDIA_OUT light, frame.point, direction);
   }
   return real(2.0) * reach * sum;
 }
 
 // Split where rings begin and end to cross the horizon.
-AIRLIGHT_FN real3 airlightIrradianceAround(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame)
+AIRLIGHT_FN real3 airlightIrradianceAround(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame)
 {
   real c = airlightAngle(abs(frame.cosTilt), frame.sinTilt);
   // Exponentials are cheap, and a forward phase function is steep.
   int panels = airlightIsDirectional(light) ? 2 : 1;
   real pi = real(AIRLIGHT_PI);
   bool front = frame.cosTilt > real(0.0);
-  return airlightIrradianceRings(media, light, frame, c, pi - c, panels) +
+  return airlightIrradianceRings(AIRLIGHT_MEDIA_OUT light, frame, c, pi - c, panels) +
     airlightIrradianceRings(
-      media, light, frame, front ? real(0.0) : pi - c, front ? c : pi, panels);
+      AIRLIGHT_MEDIA_OUT light, frame, front ? real(0.0) : pi - c, front ? c : pi, panels);
 }
 
 // ---- Elsewhere: a Fibonacci lattice over v and phi ----------------------------------------------
@@ -143,9 +142,8 @@ AIRLIGHT_FN real2 airlightIrradianceSector(
 }
 
 // One node: u in the unit square.
-AIRLIGHT_FN real3 airlightIrradianceNode(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame, real2 sector,
-  real2 u)
+AIRLIGHT_FN real3 airlightIrradianceNode(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightIrradianceFrame) frame, real2 sector, real2 u)
 {
   real arc = real(2.0 * AIRLIGHT_PI) * u.x;
   real phi = arc;
@@ -164,7 +162,7 @@ AIRLIGHT_FN real3 airlightIrradianceNode(AIRLIGHT_IN(AirlightMedia) media,
   }
   if (frame.outside)
   {
-    range.y = min(range.y, airlightIrradianceEdge(media.item[0].region, frame, ring));
+    range.y = min(range.y, airlightIrradianceEdge(airlightMedia.item[0].region, frame, ring));
   }
   if (!(range.y > range.x))
   {
@@ -177,16 +175,17 @@ AIRLIGHT_FN real3 airlightIrradianceNode(AIRLIGHT_IN(AirlightMedia) media,
   real gamma = v * v;
   real3 direction = cos(gamma) * frame.axis + sin(gamma) * ring;
   weight *= sin(gamma) * max(dot(frame.normal, direction), real(0.0));
-  return weight * airlightArriving(media, light, frame.point, direction);
+  return weight * airlightArriving(AIRLIGHT_MEDIA_OUT light, frame.point, direction);
 }
 
-AIRLIGHT_FN real3 airlightIrradianceLattice(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame)
+AIRLIGHT_FN real3 airlightIrradianceLattice(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightIrradianceFrame) frame)
 {
   int count = AIRLIGHT_IRRADIANCE_FEW;
   int stride = AIRLIGHT_IRRADIANCE_FEW_STEP;
   // Where rays leave a region through an edge, radiance has kinks, which take more nodes.
-  if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED && airlightHasEdges(media.item[0].region))
+  if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED &&
+    airlightHasEdges(airlightMedia.item[0].region))
   {
     count = AIRLIGHT_IRRADIANCE_SOME;
     stride = AIRLIGHT_IRRADIANCE_SOME_STEP;
@@ -202,31 +201,31 @@ AIRLIGHT_FN real3 airlightIrradianceLattice(AIRLIGHT_IN(AirlightMedia) media,
   for (int k = 0; k < count; k++)
   {
     real2 u = (real2(real(k), real((k * stride) % count)) + real2(real(0.5))) / real(count);
-    sum += airlightIrradianceNode(media, light, frame, sector, u);
+    sum += airlightIrradianceNode(AIRLIGHT_MEDIA_OUT light, frame, sector, u);
   }
   return sum / real(count);
 }
 
 // The irradiance on a surface at `point` with the unit normal `normal`.
-AIRLIGHT_FN real3 airlightScatteredIrradiance(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, real3 point, real3 normal)
+AIRLIGHT_FN real3 airlightScatteredIrradiance(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light, real3 point, real3 normal)
 {
   real3 sigmaS = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    sigmaS += media.item[i].sigmaS;
+    sigmaS += airlightMedia.item[i].sigmaS;
   }
   if (!(dot(sigmaS, real3(real(1.0))) > real(0.0)))
   {
     return sigmaS;
   }
-  AirlightIrradianceFrame frame = airlightIrradianceFrame(media, light, point, normal);
+  AirlightIrradianceFrame frame = airlightIrradianceFrame(AIRLIGHT_MEDIA_OUT light, point, normal);
   bool closed = AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED ||
     AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_CLOSED;
   real3 sum = closed && light.cosCone <= real(0.0) &&
-      AIRLIGHT_REGION_KIND(media.item[0].region) == AIRLIGHT_REGION_UNBOUNDED
-    ? airlightIrradianceAround(media, light, frame)
-    : airlightIrradianceLattice(media, light, frame);
+      AIRLIGHT_REGION_KIND(airlightMedia.item[0].region) == AIRLIGHT_REGION_UNBOUNDED
+    ? airlightIrradianceAround(AIRLIGHT_MEDIA_OUT light, frame)
+    : airlightIrradianceLattice(AIRLIGHT_MEDIA_OUT light, frame);
   // A channel that does not scatter is dark, whatever the limit of its integral.
   return mix(real3(real(0.0)), sum, greaterThan(sigmaS, real3(real(0.0))));
 }

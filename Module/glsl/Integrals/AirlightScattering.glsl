@@ -1,16 +1,16 @@
 // What a light scatters into a ray, for every kind of light. A ray's lit intervals are summed one
 // by one:
 //
-//   real3 tail = airlightTail3(media, light, ray, entry);      // once per boundary
-//   sum += airlightInterval3(media, light, ray, entry, tail, exit, airlightTail3(..., exit));
+//   real3 tail = airlightTail3(light, ray, entry); // once per boundary
+//   sum += airlightInterval3(light, ray, entry, tail, exit, airlightTail3(light, ray, exit));
 
 // The integral from t to infinity per unit sigmaS I, for each channel; t from the ray's origin.
-AIRLIGHT_FN real3 airlightTail3(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t)
+AIRLIGHT_FN real3 airlightTail3(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t)
 {
 #ifdef AIRLIGHT_GRID_STEPS
   // There it is the optical depth before t.
-  return airlightDepthTo(media, ray, t);
+  return airlightDepthTo(ray, t);
 #else
   if (AIRLIGHT_LIGHT_KIND != AIRLIGHT_POINT_CLOSED)
   {
@@ -18,13 +18,14 @@ AIRLIGHT_FN real3 airlightTail3(AIRLIGHT_IN(AirlightMedia) media,
   }
   real x = airlightFromFoot(ray, t);
   t -= ray.range.x;
-  real red = airlightTail(media.item[0].phase, media.item[0].sigmaT.x, ray.foot, t, x);
-  if (airlightIsGrey(media.item[0]))
+  real3 sigmaT = airlightMedia.item[0].sigmaT;
+  real red = airlightTail(airlightMedia.item[0].phase, sigmaT.x, ray.foot, t, x);
+  if (airlightIsGrey(airlightMedia.item[0]))
   {
     return real3(red);
   }
-  return real3(red, airlightTail(media.item[0].phase, media.item[0].sigmaT.y, ray.foot, t, x),
-    airlightTail(media.item[0].phase, media.item[0].sigmaT.z, ray.foot, t, x));
+  return real3(red, airlightTail(airlightMedia.item[0].phase, sigmaT.y, ray.foot, t, x),
+    airlightTail(airlightMedia.item[0].phase, sigmaT.z, ray.foot, t, x));
 #endif
 }
 
@@ -116,33 +117,32 @@ AIRLIGHT_FN real3 airlightDirectionalHeight(AIRLIGHT_IN(AirlightMedium) medium,
 
 // Radiance scattered into the ray on [t0, t1], which lies inside ray.lit; tail0 and tail1 are the
 // values of airlightTail3 at its ends.
-AIRLIGHT_FN real3 airlightInterval3(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t0, real3 tail0, real t1,
-  real3 tail1)
+AIRLIGHT_FN real3 airlightInterval3(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, real t0, real3 tail0, real t1, real3 tail1)
 {
   real3 integral;
 #ifdef AIRLIGHT_GRID_STEPS
-  integral = airlightGridInterval(media, light, ray, t0, tail0, t1);
+  integral = airlightGridInterval(light, ray, t0, tail0, t1);
 #else
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED)
   {
     real x0 = airlightFromFoot(ray, t0);
     real way = airlightWayBetween(ray, t0, t1);
-    integral = media.item[0].sigmaS *
+    integral = airlightMedia.item[0].sigmaS *
       airlightSegmentFromTails(
-        media.item[0].phase, media.item[0].sigmaT, ray.foot, x0, way, tail0, tail1);
+        airlightMedia.item[0].phase, airlightMedia.item[0].sigmaT, ray.foot, x0, way, tail0, tail1);
   }
   else if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_CLOSED)
   {
-    integral = airlightDirectionalClosed(media.item[0], light, ray, t0, t1);
+    integral = airlightDirectionalClosed(airlightMedia.item[0], light, ray, t0, t1);
   }
   else if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_DIRECTIONAL_HEIGHT)
   {
-    integral = airlightDirectionalHeight(media.item[0], light, ray, t0, t1);
+    integral = airlightDirectionalHeight(airlightMedia.item[0], light, ray, t0, t1);
   }
   else
   {
-    integral = airlightQuadrature(media, light, ray, t0, t1);
+    integral = airlightQuadrature(AIRLIGHT_MEDIA_OUT light, ray, t0, t1);
   }
 #endif
   return light.intensity * integral;

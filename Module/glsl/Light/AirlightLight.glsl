@@ -152,8 +152,8 @@ AIRLIGHT_FN real3 airlightMoment(
 // The ray from origin to t1 and the foot of the light's perpendicular on it, given the light's
 // moment (light - origin) x direction: its length is the light's distance, and with the direction
 // it says to which side the light is.
-AIRLIGHT_FN AirlightRay airlightRayBeside(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, real3 origin, real3 direction, real t1, real3 moment)
+AIRLIGHT_FN AirlightRay airlightRayBeside(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  real3 origin, real3 direction, real t1, real3 moment)
 {
   AirlightRay ray;
   ray.origin = origin;
@@ -161,7 +161,7 @@ AIRLIGHT_FN AirlightRay airlightRayBeside(AIRLIGHT_IN(AirlightMedia) media,
   ray.range = real2(t1, real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    real2 range = airlightRegionRange(media.item[i].region, origin, direction, t1);
+    real2 range = airlightRegionRange(airlightMedia.item[i].region, origin, direction, t1);
     if (range.y > range.x)
     {
       ray.range = real2(min(ray.range.x, range.x), max(ray.range.y, range.y));
@@ -183,9 +183,9 @@ AIRLIGHT_FN AirlightRay airlightRayBeside(AIRLIGHT_IN(AirlightMedia) media,
   return ray;
 }
 
-AIRLIGHT_FN AirlightRay airlightRay(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, real3 origin, real3 direction, real t1)
+AIRLIGHT_FN AirlightRay airlightRay(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light, real3 origin, real3 direction, real t1)
 {
   return airlightRayBeside(
-    media, light, origin, direction, t1, cross(light.position - origin, direction));
+    AIRLIGHT_MEDIA_OUT light, origin, direction, t1, cross(light.position - origin, direction));
 }

@@ -8,10 +8,11 @@ struct AirlightMedia
   int volumes; // items after `count`
   AIRLIGHT_MULTIPLE_MEMBER
 };
+AIRLIGHT_MEDIA_UNIFORM
 
 // Where the number of media is known when a shader is compiled, its loops unroll.
 #ifndef AIRLIGHT_MEDIUM_COUNT
-#define AIRLIGHT_MEDIUM_COUNT media.count
+#define AIRLIGHT_MEDIUM_COUNT airlightMedia.count
 #endif
 
 // Media and volumes: what is on the way of lights. Double precision knows of media alone.
@@ -20,28 +21,29 @@ struct AirlightMedia
 #endif
 
 // Optical depth of the straight way [0, l] of a ray, per channel.
-AIRLIGHT_FN real3 airlightDepth(
-  AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real l)
+AIRLIGHT_FN real3 airlightDepth(AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real l)
 {
   real3 depth = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    depth += media.item[i].sigmaT *
-      airlightPathDepth(media.item[i], AIRLIGHT_IS_SURFACE(media, i), origin, direction, l);
+    depth += airlightMedia.item[i].sigmaT *
+      airlightPathDepth(airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), origin, direction, l);
   }
   return depth;
 }
 
 // Optical depth between a point and a light.
-AIRLIGHT_FN real3 airlightDepthBetween(AIRLIGHT_IN(AirlightMedia) media, real3 a, real3 b)
+AIRLIGHT_FN real3 airlightDepthBetween(AIRLIGHT_MEDIA_IN real3 a, real3 b)
 {
   real l = length(b - a);
-  real3 depth = l > real(0.0) ? airlightDepth(media, a, (b - a) / l, l) : real3(real(0.0));
+  real3 depth =
+    l > real(0.0) ? airlightDepth(AIRLIGHT_MEDIA_OUT a, (b - a) / l, l) : real3(real(0.0));
 #ifdef AIRLIGHT_HAS_VOLUMES
   for (int i = AIRLIGHT_MEDIUM_COUNT; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
     depth += l > real(0.0)
-      ? media.item[i].sigmaT * airlightPathDepth(media.item[i], false, a, (b - a) / l, l)
+      ? airlightMedia.item[i].sigmaT *
+        airlightPathDepth(airlightMedia.item[i], false, a, (b - a) / l, l)
       : real3(real(0.0));
   }
 #endif
@@ -49,14 +51,13 @@ AIRLIGHT_FN real3 airlightDepthBetween(AIRLIGHT_IN(AirlightMedia) media, real3 a
 }
 
 // Optical depth on the way to a light at infinity.
-AIRLIGHT_FN real3 airlightSunDepths(
-  AIRLIGHT_IN(AirlightMedia) media, real3 point, real3 toLight)
+AIRLIGHT_FN real3 airlightSunDepths(AIRLIGHT_MEDIA_IN real3 point, real3 toLight)
 {
   real3 depth = real3(real(0.0));
   for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
-    depth += media.item[i].sigmaT *
-      airlightSunDepth(media.item[i], AIRLIGHT_IS_SURFACE(media, i), point, toLight);
+    depth += airlightMedia.item[i].sigmaT *
+      airlightSunDepth(airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), point, toLight);
   }
   return depth;
 }
@@ -77,7 +78,7 @@ AIRLIGHT_FN bool airlightPieceHolds(AIRLIGHT_IN(AirlightPiece) piece, int i)
 
 // The piece that begins at t0, at most up to t1.
 AIRLIGHT_FN AirlightPiece airlightPieceAt(
-  AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
+  AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real t0, real t1)
 {
 #ifdef AIRLIGHT_DOUBLE
   const real apart = real(1e-13);
@@ -93,8 +94,8 @@ AIRLIGHT_FN AirlightPiece airlightPieceAt(
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     real3 at = airlightPathAt(
-      media.item[i], AIRLIGHT_IS_SURFACE(media, i), origin, direction, t0, after);
-    piece.depth += media.item[i].sigmaT * at.x;
+      airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), origin, direction, t0, after);
+    piece.depth += airlightMedia.item[i].sigmaT * at.x;
     piece.to = min(piece.to, at.y);
     piece.inside = at.z > real(0.5) ? piece.inside | (1 << i) : piece.inside;
   }
@@ -103,17 +104,17 @@ AIRLIGHT_FN AirlightPiece airlightPieceAt(
   for (int i = AIRLIGHT_MEDIUM_COUNT; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
     piece.to =
-      min(piece.to, airlightPathAt(media.item[i], false, origin, direction, t0, after).y);
+      min(piece.to, airlightPathAt(airlightMedia.item[i], false, origin, direction, t0, after).y);
   }
 #endif
   return piece;
 }
 
 // The same where the optical depth before t0 is known.
-AIRLIGHT_FN AirlightPiece airlightPieceFrom(AIRLIGHT_IN(AirlightMedia) media, real3 origin,
-  real3 direction, real t0, real t1, real3 depth)
+AIRLIGHT_FN AirlightPiece airlightPieceFrom(
+  AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real t0, real t1, real3 depth)
 {
-  AirlightPiece piece = airlightPieceAt(media, origin, direction, t0, t1);
+  AirlightPiece piece = airlightPieceAt(AIRLIGHT_MEDIA_OUT origin, direction, t0, t1);
   piece.depth = depth;
   return piece;
 }
@@ -121,17 +122,17 @@ AIRLIGHT_FN AirlightPiece airlightPieceFrom(AIRLIGHT_IN(AirlightMedia) media, re
 // The length of [t0, t1] of a ray that is inside media, all of it where there is one convex region:
 // then the ray's range is that region's.
 AIRLIGHT_FN real airlightLengthInside(
-  AIRLIGHT_IN(AirlightMedia) media, real3 origin, real3 direction, real t0, real t1)
+  AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real t0, real t1)
 {
   if (AIRLIGHT_MEDIUM_COUNT == 1 &&
-    !AIRLIGHT_IS_SURFACE(media, 0))
+    !AIRLIGHT_IS_SURFACE(0))
   {
     return t1 - t0;
   }
   real sum = real(0.0);
   while (t0 < t1)
   {
-    AirlightPiece piece = airlightPieceAt(media, origin, direction, t0, t1);
+    AirlightPiece piece = airlightPieceAt(AIRLIGHT_MEDIA_OUT origin, direction, t0, t1);
     sum += piece.inside != 0 ? piece.to - piece.from : real(0.0);
     t0 = piece.to;
   }
@@ -140,8 +141,8 @@ AIRLIGHT_FN real airlightLengthInside(
 
 // How far from the piece's beginning each channel counts: until nothing is left of its light in any
 // medium, or of every medium that it sees.
-AIRLIGHT_FN real3 airlightChannelLengths(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
+AIRLIGHT_FN real3 airlightChannelLengths(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
 {
 #ifdef AIRLIGHT_DOUBLE
   const real depth = real(40.0);
@@ -154,20 +155,20 @@ AIRLIGHT_FN real3 airlightChannelLengths(AIRLIGHT_IN(AirlightMedia) media,
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     bool holds = airlightPieceHolds(piece, i);
-    if (holds && AIRLIGHT_DENSITY_KIND(media.item[i]) == AIRLIGHT_DENSITY_GRID)
+    if (holds && AIRLIGHT_DENSITY_KIND(airlightMedia.item[i]) == AIRLIGHT_DENSITY_GRID)
     {
       // It may be clear here and dense further on.
       return real3(piece.to - piece.from);
     }
     for (int channel = 0; channel < 3 && holds; channel++)
     {
-      real sigma = media.item[i].sigmaT[channel];
-      if (sigma > real(0.0) || media.item[i].emission[channel] > real(0.0))
+      real sigma = airlightMedia.item[i].sigmaT[channel];
+      if (sigma > real(0.0) || airlightMedia.item[i].emission[channel] > real(0.0))
       {
         faded[channel] = min(faded[channel],
-          airlightFadingLength(media.item[i], point, direction, sigma, depth));
+          airlightFadingLength(airlightMedia.item[i], point, direction, sigma, depth));
         thinned[channel] = max(thinned[channel],
-          airlightThinningLength(media.item[i], point, direction, sigma));
+          airlightThinningLength(airlightMedia.item[i], point, direction, sigma));
       }
     }
   }
@@ -176,9 +177,9 @@ AIRLIGHT_FN real3 airlightChannelLengths(AIRLIGHT_IN(AirlightMedia) media,
 
 // Where in the piece no channel counts any more, or the piece's end.
 AIRLIGHT_FN real airlightNegligibleFrom(
-  AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction)
 {
-  real3 lengths = airlightChannelLengths(media, piece, origin, direction);
+  real3 lengths = airlightChannelLengths(AIRLIGHT_MEDIA_OUT piece, origin, direction);
   return min(piece.to, piece.from + max(lengths.x, max(lengths.y, lengths.z)));
 }
 
@@ -198,16 +199,17 @@ AIRLIGHT_FN real airlightNextChannelEnd(
 
 // Optical depth before t, which lies in the piece, but for rounding: dense fog makes a large depth
 // below 0 of a length below 0.
-AIRLIGHT_FN real3 airlightDepthInPiece(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction, real t)
+AIRLIGHT_FN real3 airlightDepthInPiece(
+  AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightPiece) piece, real3 origin, real3 direction, real t)
 {
   real3 depth = piece.depth;
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     if (airlightPieceHolds(piece, i))
     {
-      depth += media.item[i].sigmaT *
-        airlightInsideDepth(media.item[i], origin, direction, piece.from, max(t, piece.from));
+      depth += airlightMedia.item[i].sigmaT *
+        airlightInsideDepth(
+          airlightMedia.item[i], origin, direction, piece.from, max(t, piece.from));
     }
   }
   return depth;
@@ -215,13 +217,13 @@ AIRLIGHT_FN real3 airlightDepthInPiece(AIRLIGHT_IN(AirlightMedia) media,
 
 // The first t in (t0, t1), else t1, at which a ray enters or leaves what counts of a medium whose
 // density falls with height (airlightLayerEnd); toLight: (0, 0, 0) for lights at a place.
-AIRLIGHT_FN real airlightNextLayerEnd(AIRLIGHT_IN(AirlightMedia) media, real3 origin,
-  real3 direction, real2 part, real3 toLight, real t0, real t1)
+AIRLIGHT_FN real airlightNextLayerEnd(
+  AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real2 part, real3 toLight, real t0, real t1)
 {
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    real dim = airlightDimHeight(media.item[i], toLight);
-    t1 = airlightLayerEnd(media.item[i], origin, direction, part, dim, t0, t1);
+    real dim = airlightDimHeight(airlightMedia.item[i], toLight);
+    t1 = airlightLayerEnd(airlightMedia.item[i], origin, direction, part, dim, t0, t1);
   }
   return t1;
 }

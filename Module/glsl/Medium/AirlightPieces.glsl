@@ -13,7 +13,7 @@
 
 // The panels from v0 to v1; where their sum turns out not to be good enough, again, and a panel
 // whose nodes are too few is then halved, which finds the kinks.
-AIRLIGHT_FN real3 airlightPanels(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(AirlightLight) light,
+AIRLIGHT_FN real3 airlightPanels(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
   AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1,
   int panels)
 {
@@ -35,7 +35,7 @@ AIRLIGHT_FN real3 airlightPanels(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(A
       bool ends = v1 - a < real(1.01) * step || (pass == 0 && i == most - 1);
       real b = ends ? v1 : a + step;
       real3 part;
-      real3 value = airlightPanel(media, light, ray, piece, straight, a, b, part);
+      real3 value = airlightPanel(AIRLIGHT_MEDIA_OUT light, ray, piece, straight, a, b, part);
       // Written so that what is not a number ends it, too.
       if (pass > 0 && any(greaterThan(part, limit)) && step > width * real(1.0 / 512.0) &&
         step > real(AIRLIGHT_NARROWEST) * abs(a) && AIRLIGHT_MAY_TRY)
@@ -61,9 +61,8 @@ AIRLIGHT_FN real3 airlightPanels(AIRLIGHT_IN(AirlightMedia) media, AIRLIGHT_IN(A
 }
 
 // A part of a piece without kinks.
-AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray,
-  AIRLIGHT_IN(AirlightPiece) piece, real t0, real t1)
+AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece, real t0, real t1)
 {
   real x0 = airlightFromFoot(ray, t0);
   real x1 = airlightFromFoot(ray, t1);
@@ -74,7 +73,7 @@ AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_IN(AirlightMedia) media,
 #if AIRLIGHT_HAS_PHOTOMETRY
   if (light.goniometric != 0)
   {
-    return airlightGoniometricPiece(media, light, ray, piece, straight, v0, v1);
+    return airlightGoniometricPiece(AIRLIGHT_MEDIA_OUT light, ray, piece, straight, v0, v1);
   }
 #endif
   int panels = straight ? AIRLIGHT_STRAIGHT_PANELS
@@ -84,31 +83,31 @@ AIRLIGHT_FN real3 airlightQuadraturePart(AIRLIGHT_IN(AirlightMedia) media,
   // of larger panels sees it.
   panels = AIRLIGHT_FEW_ROUNDS ? panels * AIRLIGHT_SURFACE_PANELS : 1;
 #endif
-  return airlightPanels(media, light, ray, piece, straight, v0, v1, panels);
+  return airlightPanels(AIRLIGHT_MEDIA_OUT light, ray, piece, straight, v0, v1, panels);
 }
 
 // The integral over [t0, t1], sigmaS included.
-AIRLIGHT_FN real3 airlightQuadrature(AIRLIGHT_IN(AirlightMedia) media,
-  AIRLIGHT_IN(AirlightLight) light, AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
+AIRLIGHT_FN real3 airlightQuadrature(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, real t0, real t1)
 {
   AirlightWay way = airlightWay(light, ray);
   real3 sum = real3(real(0.0));
   while (t0 < t1)
   {
-    AirlightPiece piece = airlightPieceAt(media, ray.origin, ray.direction, t0, t1);
+    AirlightPiece piece = airlightPieceAt(AIRLIGHT_MEDIA_OUT ray.origin, ray.direction, t0, t1);
     if (piece.inside != 0)
     {
       // What lies beyond no longer counts.
-      real3 lengths = airlightChannelLengths(media, piece, ray.origin, ray.direction);
+      real3 lengths = airlightChannelLengths(AIRLIGHT_MEDIA_OUT piece, ray.origin, ray.direction);
       real end = min(piece.to, piece.from + max(lengths.x, max(lengths.y, lengths.z)));
       real from = piece.from;
       while (from < end)
       {
-        real to = airlightNextKink(media, way, from, end);
-        to = airlightNextLayerEnd(media, ray.origin, ray.direction, real2(piece.from, end),
-          airlightToSun(light), from, to);
+        real to = airlightNextKink(AIRLIGHT_MEDIA_OUT way, from, end);
+        to = airlightNextLayerEnd(AIRLIGHT_MEDIA_OUT ray.origin, ray.direction,
+          real2(piece.from, end), airlightToSun(light), from, to);
         to = airlightNextChannelEnd(piece, lengths, from, to);
-        sum += airlightQuadraturePart(media, light, ray, piece, from, to);
+        sum += airlightQuadraturePart(AIRLIGHT_MEDIA_OUT light, ray, piece, from, to);
         from = to;
       }
     }

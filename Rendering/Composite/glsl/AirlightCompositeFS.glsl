@@ -28,8 +28,8 @@ layout(location = 4) out vec4 several; // scattered more than once
 void main()
 {
 #if AIRLIGHT_EQUIANGULAR
-  media = givenMedia;
-  airlightTakeMedium(media);
+  airlightMedia = givenMedia;
+  airlightTakeMedium();
 #endif
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
@@ -51,7 +51,7 @@ void main()
   vec4 sky = parameter >= 0.0 ? vec4(0.0) : airlightSunDiscs(direction);
   colour = vec4(colour.rgb + sky.rgb, max(colour.a, sky.a));
 #endif
-  vec3 passes = airlightTransmittanceOf(airlightDepth(media, origin, direction, end));
+  vec3 passes = airlightTransmittanceOf(airlightDepth(origin, direction, end));
 #ifdef AIRLIGHT_UNSHADOWED_LIGHTS
   vec3 once = airlightUnshadowedRays(p, origin, direction, unit, end);
 #else
@@ -59,7 +59,7 @@ void main()
   vec3 once = max(texelFetch(scattered, pixel, 0).rgb, vec3(0.0));
 #endif
 #if AIRLIGHT_DIFFUSE
-  vec3 diffuse = airlightDiffuseRest(media, origin, direction, end);
+  vec3 diffuse = airlightDiffuseRest(origin, direction, end);
 #else
   const vec3 diffuse = vec3(0.0);
 #endif
@@ -76,7 +76,7 @@ void main()
 #if AIRLIGHT_RECORD_SEVERAL
   several = texelFetch(severalOfLights, pixel, 0);
 #if AIRLIGHT_DIFFUSE
-  several.rgb += airlightMultipleOfCollisions(media, origin, direction, end);
+  several.rgb += airlightMultipleOfCollisions(origin, direction, end);
 #endif
 #endif
 #ifndef AIRLIGHT_TRANSLUCENT

@@ -2,7 +2,6 @@
 // nodes follows from the sums of the boundaries between them. From node to node the boundaries are
 // taken to be spread evenly.
 
-uniform AirlightMedia media;
 uniform AirlightLight light;
 uniform AirlightLightPixel lightPixel;
 uniform int startBlocks; // at the start of the rays
@@ -78,7 +77,7 @@ bvec3 getScattering()
   vec3 sigmaS = vec3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    sigmaS += media.item[i].sigmaS;
+    sigmaS += airlightMedia.item[i].sigmaS;
   }
   return greaterThan(sigmaS, vec3(0.0));
 }
@@ -123,21 +122,21 @@ void main()
   float unit = airlightRayUnit(p);
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
-  AirlightRay ray = airlightRayBeside(media, light, origin, direction, AIRLIGHT_FAR,
+  AirlightRay ray = airlightRayBeside(light, origin, direction, AIRLIGHT_FAR,
     airlightLightMoment(lightPixel, light, p, unit, origin, direction));
   bvec3 scatters = getScattering();
   Arriving arriving = Arriving(startBlocks, startThickness);
   vec4 passing = getPassing(arriving);
   float from = ray.lit.x;
-  vec3 tail = airlightTail3(media, light, ray, from);
+  vec3 tail = airlightTail3(light, ray, from);
   Scattered sum = Scattered(vec3(0.0), vec3(0.0), 0.0);
   for (int node = 0; node < airlightFroxelNodes; node++)
   {
     float to = clamp(unit * airlightFroxelDepth(node), from, max(from, ray.lit.y));
     vec4 next = arriveAt(pixel, node, ray.origin + to * ray.direction, arriving);
-    vec3 toTail = airlightTail3(media, light, ray, to);
+    vec3 toTail = airlightTail3(light, ray, to);
     vec3 part =
-      to > from ? airlightInterval3(media, light, ray, from, tail, to, toTail) : vec3(0.0);
+      to > from ? airlightInterval3(light, ray, from, tail, to, toTail) : vec3(0.0);
     addPart(sum, mix(vec3(0.0), part, scatters), passing, next);
     setNode(pixel, node, sum);
     from = to;

@@ -2,8 +2,8 @@
 
 void main()
 {
-  media = givenMedia;
-  airlightTakeMedium(media);
+  airlightMedia = givenMedia;
+  airlightTakeMedium();
   light = givenLight;
   airlightTakeLight(0, light);
   vec2 p = airlightPixel();
@@ -15,7 +15,7 @@ void main()
   vec3 more = vec3(0.0);
 #if AIRLIGHT_MULTIPLE_LAMP >= 0
   AirlightMultipleRay multiple = airlightMultipleAlong(
-    media, AIRLIGHT_MULTIPLE_LAMP, airlightOrigin(p), pixel.direction, pixel.end);
+    AIRLIGHT_MULTIPLE_LAMP, airlightOrigin(p), pixel.direction, pixel.end);
 #if AIRLIGHT_MULTIPLE_OF_WHOLE
   multiple.once = pixel.whole;
 #endif

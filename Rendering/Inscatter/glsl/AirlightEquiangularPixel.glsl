@@ -83,7 +83,7 @@ bool airlightEquiangularPixel(vec2 p, float unit, float surface, out AirlightEqu
   vec3 direction = airlightDirection(p) / unit;
   pixel.direction = direction;
   pixel.end = surface >= 0.0 ? unit * surface : AIRLIGHT_FAR;
-  AirlightRay ray = airlightRayBeside(media, light, origin, direction, pixel.end,
+  AirlightRay ray = airlightRayBeside(light, origin, direction, pixel.end,
     airlightOwnMoment(0, p, unit, light, origin, direction));
   airlightEquiangularRay(ray, pixel);
   return true;

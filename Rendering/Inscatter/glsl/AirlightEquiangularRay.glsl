@@ -7,8 +7,8 @@
 // as it is has to be kept for the pixels that have left.
 void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixel)
 {
-  AirlightEquiangular arc = airlightEquiangularFrom(media.item[0], ray, ray.lit.x);
-  float least = airlightLeastDepthPerTangent(media.item[0], arc.h);
+  AirlightEquiangular arc = airlightEquiangularFrom(airlightMedia.item[0], ray, ray.lit.x);
+  float least = airlightLeastDepthPerTangent(airlightMedia.item[0], arc.h);
   float reach = airlightHalfAngleReach(arc, ray, ray.lit.y);
   AirlightRayShadows shadows = airlightBeginEquiangular(ray, pixel);
   AirlightSpectrum sum = AirlightSpectrum(0.0);
@@ -24,7 +24,8 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
     float to = clamp(airlightHalfAngleReach(arc, ray, t), done, reach);
     open = ends && least * (to - done) > AIRLIGHT_NEGLIGIBLE_DEPTH;
     bool shines = shadows.lit && least * done <= AIRLIGHT_NEGLIGIBLE_DEPTH;
-    float next = shines ? min(done + airlightHalfAngleStep(media.item[0], arc, done), to) : to;
+    float next =
+      shines ? min(done + airlightHalfAngleStep(airlightMedia.item[0], arc, done), to) : to;
     sum += shines && !open ? airlightHalfAnglePanel(arc, done, next) : AirlightSpectrum(0.0);
     done = open ? done : next;
     more = !open && !(ends && next >= to);
@@ -34,13 +35,13 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
       ends = airlightNextBoundary(boundary, weight) == AIRLIGHT_END;
     }
   }
-  sum *= airlightPhaseHalves(media.item[0].phase, 0.5, 0.5);
+  sum *= airlightPhaseHalves(airlightMedia.item[0].phase, 0.5, 0.5);
   if (open && shadows.lit)
   {
-    sum += airlightEquiangularRest(media.item[0], arc, done);
+    sum += airlightEquiangularRest(airlightMedia.item[0], arc, done);
   }
 #if AIRLIGHT_WHOLE
-  AirlightSpectrum all = airlightEquiangular(media.item[0], ray, ray.lit.x, ray.lit.y);
+  AirlightSpectrum all = airlightEquiangular(airlightMedia.item[0], ray, ray.lit.x, ray.lit.y);
 #else
   AirlightSpectrum all = AirlightSpectrum(0.0);
 #endif
@@ -52,7 +53,8 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
 // Part by part, and in each its boundaries.
 void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixel)
 {
-  AirlightEquiangular arc = airlightEquiangularRange(media.item[0], ray, ray.lit.x, ray.lit.y);
+  AirlightEquiangular arc =
+    airlightEquiangularRange(airlightMedia.item[0], ray, ray.lit.x, ray.lit.y);
   AirlightRayShadows shadows = airlightBeginEquiangular(ray, pixel);
   AirlightSpectrum all = AirlightSpectrum(0.0);
   AirlightSpectrum sum = AirlightSpectrum(0.0);
@@ -63,8 +65,8 @@ void airlightEquiangularRay(AirlightRay ray, inout AirlightEquiangularPixel pixe
   float at = airlightAngleAt(arc, ray, t);
   for (int i = 0; i < AIRLIGHT_MAXIMUM_PANELS && psi < arc.end; i++)
   {
-    float end = airlightEquiangularPanelEnd(media.item[0], arc, psi);
-    AirlightEquiangularPanel part = airlightEquiangularPanel(media.item[0], arc, psi, end);
+    float end = airlightEquiangularPanelEnd(airlightMedia.item[0], arc, psi);
+    AirlightEquiangularPanel part = airlightEquiangularPanel(airlightMedia.item[0], arc, psi, end);
     psi = end;
     // The last part takes what lies beyond the ray's end, too.
     while (!ends && (at <= end || end >= arc.end))

@@ -12,7 +12,7 @@ struct AirlightSteps
 AirlightSteps airlightSteps(AirlightRay ray)
 {
   AirlightSteps steps;
-  steps.arc = airlightEquiangularRange(media.item[0], ray, ray.lit.x, ray.lit.y);
+  steps.arc = airlightEquiangularRange(airlightMedia.item[0], ray, ray.lit.x, ray.lit.y);
   steps.walk = airlightGoniometricArc(light.photometry, ray, steps.arc);
   return steps;
 }
@@ -35,13 +35,13 @@ float airlightStepAt(AirlightSteps steps, AirlightRay ray, float t)
 float airlightStepEnd(inout AirlightSteps steps, float psi)
 {
   float end =
-    airlightGoniometricEnd(media.item[0], light.photometry, steps.arc, psi, steps.walk);
+    airlightGoniometricEnd(airlightMedia.item[0], light.photometry, steps.arc, psi, steps.walk);
   return min(end, steps.arc.end);
 }
 
 AirlightSpectrum airlightStep(AirlightSteps steps, float psi0, float psi1)
 {
-  return airlightGoniometricPart(media.item[0], steps.arc, steps.walk, psi0, psi1);
+  return airlightGoniometricPart(airlightMedia.item[0], steps.arc, steps.walk, psi0, psi1);
 }
 
 void airlightNextStep(inout AirlightSteps steps)
@@ -52,5 +52,5 @@ void airlightNextStep(inout AirlightSteps steps)
 AirlightSpectrum airlightAllSteps(AirlightRay ray)
 {
   return airlightGoniometricQuadrature(
-    media.item[0], light.photometry, ray, ray.lit.x, ray.lit.y);
+    airlightMedia.item[0], light.photometry, ray, ray.lit.x, ray.lit.y);
 }

@@ -6,7 +6,7 @@
 
 AirlightSteps airlightSteps(AirlightRay ray)
 {
-  return airlightHeightFogLamp(media.item[0], light, ray, ray.lit.x, ray.lit.y);
+  return airlightHeightFogLamp(airlightMedia.item[0], light, ray, ray.lit.x, ray.lit.y);
 }
 
 float airlightFirstStep(AirlightSteps steps)
@@ -26,17 +26,17 @@ float airlightStepAt(AirlightSteps steps, AirlightRay ray, float t)
 
 float airlightStepEnd(inout AirlightSteps steps, float v)
 {
-  return airlightHeightFogPartEnd(media.item[0], steps, v);
+  return airlightHeightFogPartEnd(airlightMedia.item[0], steps, v);
 }
 
 AirlightSpectrum airlightStep(AirlightSteps steps, float v0, float v1)
 {
-  return airlightHeightFogPart(media.item[0], steps, v0, v1);
+  return airlightHeightFogPart(airlightMedia.item[0], steps, v0, v1);
 }
 
 void airlightNextStep(inout AirlightSteps steps) {}
 
 AirlightSpectrum airlightAllSteps(AirlightRay ray)
 {
-  return airlightHeightFogRay(media.item[0], light, ray, ray.lit.x, ray.lit.y);
+  return airlightHeightFogRay(airlightMedia.item[0], light, ray, ray.lit.x, ray.lit.y);
 }

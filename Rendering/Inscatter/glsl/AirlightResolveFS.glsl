@@ -7,9 +7,9 @@ uniform AirlightLightPixel lightPixel;
 // Scattered along the whole ray, shadows or not.
 vec3 unshadowed(AirlightRay ray)
 {
-  vec3 tail = airlightTail3(media, light, ray, ray.lit.x);
-  return ray.lit.y > ray.lit.x ? airlightInterval3(media, light, ray, ray.lit.x, tail, ray.lit.y,
-                                   airlightTail3(media, light, ray, ray.lit.y))
+  vec3 tail = airlightTail3(light, ray, ray.lit.x);
+  return ray.lit.y > ray.lit.x ? airlightInterval3(light, ray, ray.lit.x, tail, ray.lit.y,
+                                   airlightTail3(light, ray, ray.lit.y))
                                : vec3(0.0);
 }
 #endif
@@ -24,7 +24,7 @@ void main()
   vec3 origin = airlightOrigin(p);
   vec3 direction = airlightDirection(p) / unit;
   AirlightRay ray =
-    airlightRayBeside(media, light, origin, direction, surface >= 0.0 ? surface : AIRLIGHT_FAR,
+    airlightRayBeside(light, origin, direction, surface >= 0.0 ? surface : AIRLIGHT_FAR,
       airlightLightMoment(lightPixel, light, p, unit, origin, direction));
 
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
@@ -55,7 +55,7 @@ void main()
   runStart = from > ray.lit.x ? from : runStart; // where a draw before this one left off
 #endif
 #endif
-  vec3 fromTail = airlightTail3(media, light, ray, from);
+  vec3 fromTail = airlightTail3(light, ray, from);
   vec3 sum = vec3(0.0);
   float litLength = 0.0;
   int boundaries = 0;
@@ -88,20 +88,20 @@ void main()
       vec3 part = vec3(0.0);
       if (to > from)
       {
-        toTail = airlightTail3(media, light, ray, to);
+        toTail = airlightTail3(light, ray, to);
         if (airlightPasses(passing))
         {
-          part = airlightInterval3(media, light, ray, from, fromTail, to, toTail);
+          part = airlightInterval3(light, ray, from, fromTail, to, toTail);
           sum += airlightApplyTransmittance(part, passing);
 #ifdef AIRLIGHT_RECORD
-          litLength += airlightLengthInside(media, ray.origin, ray.direction, from, to);
+          litLength += airlightLengthInside(ray.origin, ray.direction, from, to);
 #endif
         }
       }
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
       float runEnd = more ? t : AIRLIGHT_FAR;
       addToFragments(
-        media, light, ray, passing, runStart, runEnd, from, fromTail, max(from, to), part);
+        light, ray, passing, runStart, runEnd, from, fromTail, max(from, to), part);
       runStart = runEnd;
 #endif
       from = max(from, to);
@@ -133,12 +133,12 @@ void main()
   vec3 sigmaS = vec3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    sigmaS += media.item[i].sigmaS;
+    sigmaS += airlightMedia.item[i].sigmaS;
   }
   sum = mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0)));
   vec3 more = vec3(0.0);
 #if AIRLIGHT_MULTIPLE_LAMP >= 0
-  AirlightMultipleRay multiple = airlightMultipleAlong(media, AIRLIGHT_MULTIPLE_LAMP, origin,
+  AirlightMultipleRay multiple = airlightMultipleAlong(AIRLIGHT_MULTIPLE_LAMP, origin,
     direction, surface >= 0.0 ? surface : AIRLIGHT_FAR);
   more = airlightMultipleShaded(multiple, sum, state != AIRLIGHT_PAUSE);
 #endif

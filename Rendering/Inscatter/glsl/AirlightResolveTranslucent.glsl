@@ -33,7 +33,7 @@ void airlightGiveRadiance(vec3 radiance)
 {
 #if AIRLIGHT_MULTIPLE_LAMP >= 0
   AirlightMultipleRay multiple =
-    airlightMultipleAlong(media, AIRLIGHT_MULTIPLE_LAMP, airlightFragmentsOrigin,
+    airlightMultipleAlong(AIRLIGHT_MULTIPLE_LAMP, airlightFragmentsOrigin,
       airlightFragmentsDirection, airlightSortedDistance(airlightRadianceNext));
   radiance += airlightMultipleShaded(multiple, radiance, airlightFirstDraw);
 #endif
@@ -71,7 +71,7 @@ void airlightLightRun(AirlightPassing passing, float runStart, float runEnd)
   }
 }
 
-void addToFragments(AirlightMedia media, AirlightLight light, AirlightRay ray,
+void addToFragments(AirlightLight light, AirlightRay ray,
   AirlightPassing passing, float runStart, float runEnd, float from,
   vec3 fromTail, float to, vec3 sum)
 {
@@ -85,7 +85,7 @@ void addToFragments(AirlightMedia media, AirlightLight light, AirlightRay ray,
     {
       float t = airlightSortedDistance(airlightRadianceNext);
       vec3 part = airlightInterval3(
-        media, light, ray, from, fromTail, t, airlightTail3(media, light, ray, t));
+        light, ray, from, fromTail, t, airlightTail3(light, ray, t));
       airlightGiveRadiance(airlightSumSoFar + airlightApplyTransmittance(part, passing));
     }
     airlightSumSoFar += airlightApplyTransmittance(sum, passing);

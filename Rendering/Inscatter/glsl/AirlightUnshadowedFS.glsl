@@ -3,8 +3,8 @@
 
 void main()
 {
-  media = givenMedia;
-  airlightTakeMedium(media);
+  airlightMedia = givenMedia;
+  airlightTakeMedium();
   vec2 p = airlightPixel();
   float parameter = texelFetch(distances, ivec2(p), 0).r;
   float unit = airlightRayUnit(p);

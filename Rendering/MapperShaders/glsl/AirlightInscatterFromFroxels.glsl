@@ -10,11 +10,11 @@ vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
   AirlightMultipleRay sum = AirlightMultipleRay(vec3(0.0), vec3(0.0));
   for (int i = 0; i < AIRLIGHT_MULTIPLE_LIGHTS; i++)
   {
-    AirlightMultipleRay ray = airlightMultipleAlong(airlightMedia, i, origin, direction, t);
+    AirlightMultipleRay ray = airlightMultipleAlong(i, origin, direction, t);
     sum.several += ray.several;
     sum.once += ray.once;
   }
   once += airlightMultipleShaded(sum, once, true);
 #endif
-  return airlightAmbient(airlightMedia, origin, direction, t) + once;
+  return airlightAmbient(origin, direction, t) + once;
 }

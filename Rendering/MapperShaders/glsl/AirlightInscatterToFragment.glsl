@@ -10,14 +10,14 @@ vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
   {
     if (airlightSceneLights[k].w >= 0.0)
     {
-      AirlightRay ray = airlightRay(airlightMedia, airlightLights[k], origin, direction, t);
+      AirlightRay ray = airlightRay(airlightLights[k], origin, direction, t);
       if (ray.lit.y > ray.lit.x)
       {
-        vec3 tail = airlightTail3(airlightMedia, airlightLights[k], ray, ray.lit.x);
-        sum += airlightInterval3(airlightMedia, airlightLights[k], ray, ray.lit.x, tail, ray.lit.y,
-          airlightTail3(airlightMedia, airlightLights[k], ray, ray.lit.y));
+        vec3 tail = airlightTail3(airlightLights[k], ray, ray.lit.x);
+        sum += airlightInterval3(airlightLights[k], ray, ray.lit.x, tail, ray.lit.y,
+          airlightTail3(airlightLights[k], ray, ray.lit.y));
       }
     }
   }
-  return airlightDiffuse(airlightMedia, origin, direction, t) + sum;
+  return airlightDiffuse(origin, direction, t) + sum;
 }

@@ -58,8 +58,8 @@ float airlightShadowingLightFactor = 1.0;
 vec3 airlightLightTransmittance(int k, bool sun, vec3 point)
 {
   vec3 share = airlightTransmittanceOf(sun
-      ? airlightSunDepths(airlightMedia, point, airlightSceneLights[k].xyz)
-      : airlightDepthBetween(airlightMedia, point, airlightSceneLights[k].xyz));
+      ? airlightSunDepths(point, airlightSceneLights[k].xyz)
+      : airlightDepthBetween(point, airlightSceneLights[k].xyz));
 #if AIRLIGHT_HAS_PHOTOMETRY
   if (airlightGoniometric[k] != 0)
   {

@@ -16,14 +16,14 @@ vec3 airlightScatteredColour(vec3 normal)
   vec3 point = airlightFragmentPoint();
 #if AIRLIGHT_MULTIPLE
   vec3 sum =
-    airlightMultipleIrradiance(airlightMedia, point, normalize(airlightNormalToWorld * normal));
+    airlightMultipleIrradiance(point, normalize(airlightNormalToWorld * normal));
 #else
   vec3 sum = vec3(0.0);
 #endif
   for (int k = 0; k < airlightScatteringLightCount; k++)
   {
     sum += airlightScatteredIrradiance(
-      airlightMedia, airlightScatteringLights[k], point, normalize(airlightNormalToWorld * normal));
+      airlightScatteringLights[k], point, normalize(airlightNormalToWorld * normal));
   }
   return sum / AIRLIGHT_PI;
 }

@@ -1,6 +1,5 @@
 // What both shaders of a mapper know of media and lights.
 
-uniform AirlightMedia airlightMedia;
 // w 1: position; 0: direction towards a light at infinity; -1: left as VTK shades it
 uniform vec4 airlightSceneLights[AIRLIGHT_SCENE_LIGHTS];
 uniform int airlightSceneLightCount;

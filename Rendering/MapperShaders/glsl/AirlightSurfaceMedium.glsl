@@ -24,7 +24,7 @@ vec3 airlightApplyMedium(vec3 colour)
   vec3 origin = airlightOrigin(p);
   vec3 direction = normalize(airlightDirection(p));
   float t = airlightFragmentDistance();
-  vec3 passes = exp(-airlightDepth(airlightMedia, origin, direction, t));
+  vec3 passes = exp(-airlightDepth(origin, direction, t));
   return airlightAdditive != 0
     ? colour * passes
     : colour * passes + airlightInscatterToFragment(origin, direction, t);

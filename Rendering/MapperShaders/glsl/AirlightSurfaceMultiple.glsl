@@ -11,6 +11,6 @@ vec3 airlightScatteredColour(vec3 normal)
     return vec3(0.0);
   }
   return airlightMultipleIrradiance(
-    airlightMedia, airlightFragmentPoint(), normalize(airlightNormalToWorld * normal)) /
+    airlightFragmentPoint(), normalize(airlightNormalToWorld * normal)) /
     3.14159265358979;
 }

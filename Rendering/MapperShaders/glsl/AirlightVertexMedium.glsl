@@ -14,6 +14,6 @@ void airlightAtVertex(vec3 point)
                                          : vec3(0.0, 0.0, 1.0);
   // In a perspective nothing but rounding is left of it.
   vec3 origin = airlightParallel != 0 ? point - t * direction : vec3(0.0);
-  airlightPassesVSOutput = exp(-airlightDepth(airlightMedia, origin, direction, t));
+  airlightPassesVSOutput = exp(-airlightDepth(origin, direction, t));
   airlightAddedVSOutput = airlightInscatterToFragment(origin, direction, t);
 }

@@ -87,7 +87,7 @@ vec3 airlightInscatterToNode(int i, float t)
   if (airlightTranslucent == 0u)
   {
     // As if nothing cast shadows there, of which nothing is known.
-    return airlightDiffuse(airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t);
+    return airlightDiffuse(airlightVolumeOrigin, airlightVolumeAlong, t);
   }
 #endif
   return airlightInscatterToFragment(airlightVolumeOrigin, airlightVolumeAlong, t);
@@ -107,7 +107,7 @@ vec3 airlightEndSlope(vec3 next, vec3 other)
 AirlightSpectrum airlightVolumeDepth(float t)
 {
   return AIRLIGHT_SPECTRUM(
-    airlightDepth(airlightMedia, airlightVolumeOrigin, airlightVolumeAlong, t));
+    airlightDepth(airlightVolumeOrigin, airlightVolumeAlong, t));
 }
 
 void airlightFillNodes()

@@ -2,27 +2,27 @@
 // more than once; and what media emit.
 
 // As if nothing cast shadows, on [0, l] of a ray.
-vec3 airlightDiffuse(AirlightMedia media, vec3 origin, vec3 direction, float l)
+vec3 airlightDiffuse(vec3 origin, vec3 direction, float l)
 {
 #if AIRLIGHT_MULTIPLE
-  vec3 sum = airlightAmbient(media, origin, direction, l);
+  vec3 sum = airlightAmbient(origin, direction, l);
   for (int i = 0; i < AIRLIGHT_MULTIPLE_LIGHTS; i++)
   {
-    sum += airlightMultipleAlong(media, i, origin, direction, l).several;
+    sum += airlightMultipleAlong(i, origin, direction, l).several;
   }
   return sum;
 #else
-  return airlightAmbient(media, origin, direction, l);
+  return airlightAmbient(origin, direction, l);
 #endif
 }
 
 // Beside the lights' own airlight, which has what they scatter.
-vec3 airlightDiffuseRest(AirlightMedia media, vec3 origin, vec3 direction, float l)
+vec3 airlightDiffuseRest(vec3 origin, vec3 direction, float l)
 {
 #if AIRLIGHT_MULTIPLE
-  return airlightAmbient(media, origin, direction, l) +
-    airlightMultipleOfCollisions(media, origin, direction, l);
+  return airlightAmbient(origin, direction, l) +
+    airlightMultipleOfCollisions(origin, direction, l);
 #else
-  return airlightAmbient(media, origin, direction, l);
+  return airlightAmbient(origin, direction, l);
 #endif
 }

@@ -4,10 +4,10 @@
 flat in vec4 airlightFlatConstants[24]; // AirlightFullScreenVS.glsl
 
 // Puts in what the constants say of the medium.
-void airlightTakeMedium(inout AirlightMedia media)
+void airlightTakeMedium()
 {
-  media.item[0].phase.pole[0].y = airlightFlatConstants[1].w;
-  media.item[0].sigmaT = airlightFlatConstants[2].xyz;
+  airlightMedia.item[0].phase.pole[0].y = airlightFlatConstants[1].w;
+  airlightMedia.item[0].sigmaT = airlightFlatConstants[2].xyz;
 }
 
 // And of the k-th light. Its intensity has the scattering coefficient in it.

@@ -9,8 +9,8 @@ struct AirlightLightPixel
 };
 
 // The light's moment about the pixel's ray. `unit`: the length of airlightDirection().
-vec3 airlightLightMoment(AirlightLightPixel own, AirlightLight light, vec2 p, float unit,
-  vec3 origin, vec3 direction)
+vec3 airlightLightMoment(
+  AirlightLightPixel own, AirlightLight light, vec2 p, float unit, vec3 origin, vec3 direction)
 {
   return own.isNear != 0 ? airlightMoment(p, own.whole, own.rest, own.perX, own.perY, unit)
                          : cross(light.position - origin, direction);

@@ -10,12 +10,13 @@ vec3 airlightUnshadowedRay(int k, vec2 p, vec3 origin, vec3 direction, float uni
 {
   AirlightLight light = lights[k];
   airlightTakeLight(k, light);
-  AirlightRay ray = airlightRayBeside(media, light, origin, direction, end,
+  AirlightRay ray = airlightRayBeside(light, origin, direction, end,
     airlightOwnMoment(k, p, unit, light, origin, direction));
 #ifdef AIRLIGHT_HEIGHT_FOG
-  AirlightSpectrum sum = airlightHeightFogRay(media.item[0], light, ray, ray.lit.x, ray.lit.y);
+  AirlightSpectrum sum =
+    airlightHeightFogRay(airlightMedia.item[0], light, ray, ray.lit.x, ray.lit.y);
 #else
-  AirlightSpectrum sum = airlightEquiangular(media.item[0], ray, ray.lit.x, ray.lit.y);
+  AirlightSpectrum sum = airlightEquiangular(airlightMedia.item[0], ray, ray.lit.x, ray.lit.y);
 #endif
   return airlightEquiangularLight(light, ray, sum);
 }
@@ -30,16 +31,16 @@ vec3 airlightUnshadowedRay(int k, vec2 p, vec3 origin, vec3 direction, float uni
 #ifdef AIRLIGHT_NO_CONE
   light.cosCone = 0.0;
 #endif
-  AirlightRay ray = airlightRayBeside(media, light, origin, direction, end,
+  AirlightRay ray = airlightRayBeside(light, origin, direction, end,
     airlightLightMoment(lightPixels[k], light, p, unit, origin, direction));
-  vec3 tail = airlightTail3(media, light, ray, ray.lit.x);
-  vec3 sum = airlightInterval3(media, light, ray, ray.lit.x, tail, ray.lit.y,
-    airlightTail3(media, light, ray, ray.lit.y));
+  vec3 tail = airlightTail3(light, ray, ray.lit.x);
+  vec3 sum = airlightInterval3(light, ray, ray.lit.x, tail, ray.lit.y,
+    airlightTail3(light, ray, ray.lit.y));
   sum = ray.lit.y > ray.lit.x ? sum : vec3(0.0);
   vec3 sigmaS = vec3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    sigmaS += media.item[i].sigmaS;
+    sigmaS += airlightMedia.item[i].sigmaS;
   }
   return mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0)));
 }

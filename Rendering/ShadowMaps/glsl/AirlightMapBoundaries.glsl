@@ -275,7 +275,7 @@ float airlightSliceError(AirlightRay ray, float from, float passed)
   float share = 1.0 / passed;
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    vec3 sigmaT = media.item[i].sigmaT;
+    vec3 sigmaT = airlightMedia.item[i].sigmaT;
     share = max(share, first * max(sigmaT.x, max(sigmaT.y, sigmaT.z)));
   }
   return min(2.0 * sqrt(float(airlightBoundaryCount + 1)) * share, 1.0);

@@ -10,10 +10,10 @@ void lightFragments(AirlightRay ray);
 // The light that a step scatters into the ray, from parameter a to b.
 vec3 airlightMarchedStep(AirlightMarch march, float middle, float t, float a, float b)
 {
-  AirlightPiece piece = airlightPieceAt(media, march.ray.origin, march.ray.direction, t, t);
+  AirlightPiece piece = airlightPieceAt(march.ray.origin, march.ray.direction, t, t);
   float h = march.ray.foot.h;
   float r2 = h * h + middle * middle;
-  vec3 value = airlightIntegrand(media, light, march.ray, piece, t, middle, sqrt(r2));
+  vec3 value = airlightIntegrand(light, march.ray, piece, t, middle, sqrt(r2));
   if (!march.point)
   {
     return (airlightMarchDistance(march, b) - airlightMarchDistance(march, a)) * value;
@@ -47,7 +47,7 @@ vec3 airlightMarched(
     {
       sum += airlightMarchedStep(march, middle, t, a, b);
 #ifdef AIRLIGHT_RECORD
-      litLength += airlightLengthInside(media, ray.origin, ray.direction,
+      litLength += airlightLengthInside(ray.origin, ray.direction,
         airlightMarchDistance(march, a), airlightMarchDistance(march, b));
 #endif
     }

@@ -38,6 +38,6 @@ void airlightFindTranslucent()
 // Scattered into the ray before the fragment.
 vec3 airlightInscatterToFragment(vec3 origin, vec3 direction, float t)
 {
-  return airlightDiffuseRest(airlightMedia, origin, direction, t) +
+  return airlightDiffuseRest(origin, direction, t) +
     airlightTranslucentRadiance(airlightTranslucent);
 }
