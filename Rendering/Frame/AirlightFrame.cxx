@@ -71,6 +71,10 @@ bool Frame::Begin(const Input& input)
   {
     return this->Fail(this->Textures.GetError());
   }
+  if (this->Arrays.GetTexture())
+  {
+    this->Slots.Fill(this->GetWindow(), this->Textures.Distances);
+  }
   return this->BeginFroxels();
 }
 
@@ -515,6 +519,7 @@ void Frame::ReleaseObjects(vtkWindow* window)
   this->Shadows.ReleaseObjects(window);
   this->Textures.Release(window);
   this->Arrays.Release(window);
+  this->Slots.Release();
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,7 @@
 #include "Inscatter/AirlightInscatterPass.h"
 #include "Inscatter/AirlightLightShadows.h"
 #include "MapperShaders/AirlightSurfaceUniforms.h"
+#include "OpenGL/AirlightSamplerSlots.h"
 #include "Scene/AirlightCameraUniforms.h"
 #include "Scene/AirlightFrameScene.h"
 #include "Scene/AirlightSceneArrays.h"
@@ -187,6 +188,7 @@ private:
 
   Targets Textures;
   SceneArrays Arrays;
+  SamplerSlots Slots;
   TranslucentFragments FragmentLists;
   Froxels CoarseAir;
   GeometryPass Geometry;

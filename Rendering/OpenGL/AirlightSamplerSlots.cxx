@@ -26,43 +26,29 @@ std::string GetSource()
   {
     sum += " + texelFetch(slots[" + std::to_string(i) + "], ivec2(0), 0)";
   }
-  return GetShaderVersion(false) + Define("SLOT_COUNT", SlotCount) +
+  return "#version 150\n" + Define("SLOT_COUNT", SlotCount) +
     "uniform sampler2D slots[SLOT_COUNT];\n"
-    "layout(location = 0) out vec4 colour;\n"
+    "out vec4 colour;\n"
     "void main() { colour = " +
     sum + "; }\n";
 }
 }
 
-SamplerSlots::SamplerSlots() = default;
-SamplerSlots::~SamplerSlots() = default;
-
 //------------------------------------------------------------------------------
-void SamplerSlots::Fill(vtkOpenGLRenderWindow* window)
+void SamplerSlots::Fill(vtkOpenGLRenderWindow* window, vtkTextureObject* texture)
 {
-  vtkShaderProgram* program = this->Program.GetOrCompile(window, GetSource());
+  static const std::string source = GetSource();
+  vtkShaderProgram* program = this->Program.GetOrCompile(window, source);
   if (!program)
   {
     return;
   }
-  if (this->Texture->GetHandle() == 0)
-  {
-    this->Texture->SetContext(window);
-    this->Texture->Allocate2D(1, 1, 4, VTK_FLOAT);
-  }
-  this->Texture->Activate();
-  const std::vector<int> units(SlotCount, this->Texture->GetTextureUnit());
+  texture->Activate();
+  const std::vector<int> units(SlotCount, texture->GetTextureUnit());
   program->SetUniform1iv("slots", SlotCount, units.data());
   glEnable(GL_RASTERIZER_DISCARD);
   this->Program.Draw({});
   glDisable(GL_RASTERIZER_DISCARD);
-  this->Texture->Deactivate();
-}
-
-//------------------------------------------------------------------------------
-void SamplerSlots::Release(vtkWindow* window)
-{
-  this->Program.Release();
-  this->Texture->ReleaseGraphicsResources(window);
+  texture->Deactivate();
 }
 }

@@ -13,28 +13,22 @@
 
 #include "OpenGL/AirlightQuad.h"
 
-#include "vtkNew.h"
-
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
-class vtkWindow;
 
 namespace airlight
 {
 class SamplerSlots
 {
 public:
-  SamplerSlots();
-  ~SamplerSlots();
+  // With a program that has as many samplers as OpenGL promises, all of this texture, and draws
+  // nothing.
+  void Fill(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
 
-  // Draws nothing with a program that has as many samplers as OpenGL promises.
-  void Fill(vtkOpenGLRenderWindow* window);
-
-  void Release(vtkWindow* window);
+  void Release() { this->Program.Release(); }
 
 private:
   Quad Program;
-  vtkNew<vtkTextureObject> Texture;
 };
 }
 

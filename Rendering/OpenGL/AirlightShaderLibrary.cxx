@@ -199,10 +199,12 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     glows |= media.item[i].glow ? 1 << i : 0;
   }
   const bool surface = surfaces != 0;
+  const bool allSurfaces = surfaces == (1 << dimming) - 1;
   const bool grid = grids != 0;
   const bool sky = HasSky(media);
   const bool multiple = media.multiple.count > 0;
   return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_SURFACE_MEDIA", surfaces) +
+    "#define AIRLIGHT_ALL_SURFACES " + (allSurfaces ? "true\n" : "false\n") +
     Define("AIRLIGHT_HAS_GRID", grid) + Define("AIRLIGHT_GRID_MEDIA", grids) +
     Define("AIRLIGHT_ALBEDO_MEDIA", albedos) + Define("AIRLIGHT_GLOW_MEDIA", glows) +
     Define("AIRLIGHT_HAS_TABLE", table) + Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
@@ -227,8 +229,8 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + (sky ? AirlightSky : "") +
     AirlightMedium + AirlightClosedSurface + AirlightPath + AirlightHeightFog +
     (multiple ? AirlightSourceFunction : "") +
-    (surface ? UnrollForEach(media, AirlightMedia) : AirlightMedia) + AirlightAmbient +
-    AirlightLight + AirlightKinks + AirlightQuadrature +
+    (surface && !allSurfaces ? UnrollForEach(media, AirlightMedia) : AirlightMedia) +
+    AirlightAmbient + AirlightLight + AirlightKinks + AirlightQuadrature +
     (multiple ? std::string(AirlightLayeredScattering) + AirlightMultipleScattering : "") +
     AirlightGoniometricRay + AirlightPieces +
     (grid ? UnrollForEach(media, std::string(AirlightGridWay) + AirlightGridSteps + AirlightGridRay)

@@ -20,7 +20,8 @@ namespace airlight
 // The texts of the mathematics in the order in which they need one another, compiled for as many
 // media, and where there is one for as many poles, as there are. `lightKind` is the kind of light
 // that the text is to handle, below 0 for all; `photometry` tells whether lights may shine by
-// tables.
+// tables. Declares the uniform `airlightMedia`; after a definition of AIRLIGHT_OWN_MEDIA, the
+// uniform `givenMedia` and a variable `airlightMedia`, which main() is to fill.
 VTKAIRLIGHT_EXPORT std::string GetScatteringSource(
   const f64::AirlightMedia& media, int lightKind, bool photometry);
 

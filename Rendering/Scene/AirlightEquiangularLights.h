@@ -24,7 +24,8 @@ namespace airlight
 bool IsEquiangular(const FrameScene& scene, int light);
 bool AreEquiangular(const FrameScene& scene, const std::vector<int>& lights);
 
-// The quadrature and what it takes, with the medium as a global variable.
+// The quadrature and what it takes. The media are a global variable: AIRLIGHT_OWN_MEDIA must be
+// defined before GetScatteringSource().
 std::string GetEquiangularSource(const FrameScene& scene);
 
 // Whether the lights for which IsEquiangular() is true are in fog that falls with height. Of other

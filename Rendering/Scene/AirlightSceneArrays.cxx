@@ -122,17 +122,6 @@ bool SceneArrays::Upload(vtkOpenGLRenderWindow* window, const SceneSources& sour
   {
     *first[i] = this->Data.GetFirst(i);
   }
-  if (this->Data.GetTexture())
-  {
-    this->Slots.Fill(window);
-  }
   return ok;
-}
-
-//------------------------------------------------------------------------------
-void SceneArrays::Release(vtkWindow* window)
-{
-  this->Data.Release(window);
-  this->Slots.Release(window);
 }
 }

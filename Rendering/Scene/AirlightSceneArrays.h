@@ -8,7 +8,6 @@
 #define AirlightSceneArrays_h
 
 #include "Scene/AirlightLightGrid.h"
-#include "OpenGL/AirlightSamplerSlots.h"
 #include "Scene/AirlightSceneData.h"
 #include "Scene/AirlightSceneLights.h"
 
@@ -45,7 +44,7 @@ public:
   // Null without arrays.
   vtkTextureObject* GetTexture() { return this->Data.GetTexture(); }
 
-  void Release(vtkWindow* window);
+  void Release(vtkWindow* window) { this->Data.Release(window); }
 
 private:
   // Notes an array and where its position is to be put.
@@ -57,7 +56,6 @@ private:
   void ForgetGrids();
 
   SceneData Data;
-  SamplerSlots Slots;
   std::map<std::shared_ptr<const DensityGrid>, LightGrids> Grids;
 };
 }

@@ -82,7 +82,8 @@ AIRLIGHT_FN real3 airlightIrradiancePiece(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(Airlight
     if (to > from)
     {
       real3 errorEstimate;
-      sum += airlightPanel(AIRLIGHT_MEDIA_OUT light, ray, piece, sun, from, to, errorEstimate);
+      sum +=
+        airlightPanel(AIRLIGHT_MEDIA_OUT light, ray, piece, sun, from, to, false, errorEstimate);
     }
   }
   return sum;

@@ -141,10 +141,10 @@ AIRLIGHT_FN real3 airlightPanelValue(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight
 // One panel by Gauss-Legendre quadrature; `errorEstimate` is how much it may be wrong by. In
 // surfaces, where the way to the light can change at a stroke, it includes what lies between the
 // panel's ends and its outermost nodes, where the integrand at the ends is not the nodes'
-// polynomial.
+// polynomial, if `checksEnds`. The ends are in the loop of the nodes: see airlightIntegrand().
 AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
   AIRLIGHT_IN(AirlightRay) ray, AIRLIGHT_IN(AirlightPiece) piece, bool straight, real v0, real v1,
-  AIRLIGHT_OUT(real3) errorEstimate)
+  bool checksEnds, AIRLIGHT_OUT(real3) errorEstimate)
 {
   real3 sum = real3(real(0.0));
   real3 even = real3(real(0.0));
@@ -154,23 +154,28 @@ AIRLIGHT_FN real3 airlightPanel(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) lig
   real3 high = real3(real(0.0));
   real3 gap = real3(real(0.0)); // from the integrand there
 #endif
-  for (int k = 0; k < AIRLIGHT_ROLLED(AIRLIGHT_GAUSS_COUNT + 2 * AIRLIGHT_CHECK_ENDS); k++)
+  int ends = checksEnds ? 2 * AIRLIGHT_CHECK_ENDS : 0;
+  for (int k = 0; k < AIRLIGHT_ROLLED(AIRLIGHT_GAUSS_COUNT + ends); k++)
   {
     bool above = k % 2 == 0;
-    bool isEnd = k >= AIRLIGHT_GAUSS_COUNT;
+    bool isEnd = AIRLIGHT_CHECK_ENDS == 1 && k >= AIRLIGHT_GAUSS_COUNT;
     real2 node = isEnd ? real2(real(1.0), real(0.0)) : airlightGaussNode(k / 2);
     real share = real(0.5) + (above ? real(0.5) : real(-0.5)) * node.x;
     real3 value =
       airlightPanelValue(AIRLIGHT_MEDIA_OUT light, ray, piece, straight, v0 + share * (v1 - v0));
+#if AIRLIGHT_CHECK_ENDS
+    gap += isEnd ? abs(value - (above ? high : low)) : real3(real(0.0));
+#endif
+    // Chosen and not multiplied by 0: at an end it may be infinite.
+    value = isEnd ? real3(real(0.0)) : value;
     sum += node.y * value;
-    real2 rough = isEnd ? real2(real(0.0)) : airlightRoughWeight(k / 2);
+    real2 rough = airlightRoughWeight(k / 2);
     even += rough.x * value;
     odd += (above ? rough.y : -rough.y) * value;
 #if AIRLIGHT_CHECK_ENDS
-    real2 end = isEnd ? real2(real(0.0)) : airlightEndWeight(k / 2);
+    real2 end = airlightEndWeight(k / 2);
     low += (above ? end.y : end.x) * value;
     high += (above ? end.x : end.y) * value;
-    gap += isEnd ? abs(value - (above ? high : low)) : real3(real(0.0));
 #endif
   }
   errorEstimate = airlightRough(even, odd);

@@ -76,9 +76,9 @@ AIRLIGHT_FN bool airlightPieceHolds(AIRLIGHT_IN(AirlightPiece) piece, int i)
   return ((piece.inside >> i) & 1) != 0;
 }
 
-// The piece that begins at t0, at most up to t1.
-AIRLIGHT_FN AirlightPiece airlightPieceAt(
-  AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real t0, real t1)
+// The piece that begins at t0, at most up to t1; if it is asked for, with the depth before it.
+AIRLIGHT_FN AirlightPiece airlightMakePiece(
+  AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real t0, real t1, bool hasDepth)
 {
 #ifdef AIRLIGHT_DOUBLE
   const real apart = real(1e-13);
@@ -94,7 +94,7 @@ AIRLIGHT_FN AirlightPiece airlightPieceAt(
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
     real3 at = airlightPathAt(
-      airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), origin, direction, t0, after);
+      airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), origin, direction, t0, after, hasDepth);
     piece.depth += airlightMedia.item[i].sigmaT * at.x;
     piece.to = min(piece.to, at.y);
     piece.inside = at.z > real(0.5) ? piece.inside | (1 << i) : piece.inside;
@@ -103,18 +103,25 @@ AIRLIGHT_FN AirlightPiece airlightPieceAt(
   // From there on a volume is on the way to lights.
   for (int i = AIRLIGHT_MEDIUM_COUNT; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
-    piece.to =
-      min(piece.to, airlightPathAt(airlightMedia.item[i], false, origin, direction, t0, after).y);
+    real3 at =
+      airlightPathAt(airlightMedia.item[i], false, origin, direction, t0, after, false);
+    piece.to = min(piece.to, at.y);
   }
 #endif
   return piece;
+}
+
+AIRLIGHT_FN AirlightPiece airlightPieceAt(
+  AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real t0, real t1)
+{
+  return airlightMakePiece(AIRLIGHT_MEDIA_OUT origin, direction, t0, t1, true);
 }
 
 // The same where the optical depth before t0 is known.
 AIRLIGHT_FN AirlightPiece airlightPieceFrom(
   AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real t0, real t1, real3 depth)
 {
-  AirlightPiece piece = airlightPieceAt(AIRLIGHT_MEDIA_OUT origin, direction, t0, t1);
+  AirlightPiece piece = airlightMakePiece(AIRLIGHT_MEDIA_OUT origin, direction, t0, t1, false);
   piece.depth = depth;
   return piece;
 }
@@ -124,15 +131,15 @@ AIRLIGHT_FN AirlightPiece airlightPieceFrom(
 AIRLIGHT_FN real airlightLengthInside(
   AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real t0, real t1)
 {
-  if (AIRLIGHT_MEDIUM_COUNT == 1 &&
-    !AIRLIGHT_IS_SURFACE(0))
+  if (AIRLIGHT_MEDIUM_COUNT == 1 && !AIRLIGHT_IS_SURFACE(0))
   {
     return t1 - t0;
   }
   real sum = real(0.0);
   while (t0 < t1)
   {
-    AirlightPiece piece = airlightPieceAt(AIRLIGHT_MEDIA_OUT origin, direction, t0, t1);
+    AirlightPiece piece =
+      airlightMakePiece(AIRLIGHT_MEDIA_OUT origin, direction, t0, t1, false);
     sum += piece.inside != 0 ? piece.to - piece.from : real(0.0);
     t0 = piece.to;
   }

@@ -27,11 +27,11 @@ AIRLIGHT_FN real airlightSunDepth(
   return airlightPathDepth(medium, surface, point, toLight, real(AIRLIGHT_FAR));
 }
 
-// What is known of the path at t, a little before `after`; x: airlightPathDepth() up to t; y: where
-// after `after` the ray next enters or leaves the region, or a surface's box; z: 1 where it is
-// inside between, else 0.
+// What is known of the path at t, at or a little before `after`; x: airlightPathDepth() up to t, if
+// it is asked for; y: where after `after` the ray next enters or leaves the region, or a surface's
+// box; z: 1 where it is inside between, else 0.
 AIRLIGHT_FN real3 airlightPathAt(AIRLIGHT_IN(AirlightMedium) medium, bool surface, real3 origin,
-  real3 direction, real t, real after)
+  real3 direction, real t, real after, bool hasDepth)
 {
   real2 range = airlightRegionRange(medium.region, origin, direction, real(AIRLIGHT_FAR));
   real3 at = real3(real(0.0), range.y, real(1.0));
@@ -40,7 +40,7 @@ AIRLIGHT_FN real3 airlightPathAt(AIRLIGHT_IN(AirlightMedium) medium, bool surfac
     at = airlightSurfaceSums(medium, origin, direction, t, after);
     at.y = min(at.y, range.y);
   }
-  else
+  else if (hasDepth)
   {
     at.x = airlightInsideDepth(medium, origin, direction, range.x, clamp(t, range.x, range.y));
   }

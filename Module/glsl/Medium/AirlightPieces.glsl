@@ -35,7 +35,7 @@ AIRLIGHT_FN real3 airlightPanels(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) li
       bool ends = v1 - a < real(1.01) * step || (pass == 0 && i == most - 1);
       real b = ends ? v1 : a + step;
       real3 part;
-      real3 value = airlightPanel(AIRLIGHT_MEDIA_OUT light, ray, piece, straight, a, b, part);
+      real3 value = airlightPanel(AIRLIGHT_MEDIA_OUT light, ray, piece, straight, a, b, true, part);
       // Written so that what is not a number ends it, too.
       if (pass > 0 && any(greaterThan(part, limit)) && step > width * real(1.0 / 512.0) &&
         step > real(AIRLIGHT_NARROWEST) * abs(a) && AIRLIGHT_MAY_TRY)

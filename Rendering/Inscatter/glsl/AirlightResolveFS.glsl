@@ -138,8 +138,8 @@ void main()
   sum = mix(vec3(0.0), sum, greaterThan(sigmaS, vec3(0.0)));
   vec3 more = vec3(0.0);
 #if AIRLIGHT_MULTIPLE_LAMP >= 0
-  AirlightMultipleRay multiple = airlightMultipleAlong(AIRLIGHT_MULTIPLE_LAMP, origin,
-    direction, surface >= 0.0 ? surface : AIRLIGHT_FAR);
+  AirlightMultipleRay multiple = airlightMultipleAlong(
+    AIRLIGHT_MULTIPLE_LAMP, origin, direction, surface >= 0.0 ? surface : AIRLIGHT_FAR);
   more = airlightMultipleShaded(multiple, sum, state != AIRLIGHT_PAUSE);
 #endif
   airlightGive(

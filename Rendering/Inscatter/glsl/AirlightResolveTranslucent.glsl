@@ -32,9 +32,9 @@ bool airlightHasRadianceBefore(float t)
 void airlightGiveRadiance(vec3 radiance)
 {
 #if AIRLIGHT_MULTIPLE_LAMP >= 0
-  AirlightMultipleRay multiple =
-    airlightMultipleAlong(AIRLIGHT_MULTIPLE_LAMP, airlightFragmentsOrigin,
-      airlightFragmentsDirection, airlightSortedDistance(airlightRadianceNext));
+  AirlightMultipleRay multiple = airlightMultipleAlong(AIRLIGHT_MULTIPLE_LAMP,
+    airlightFragmentsOrigin, airlightFragmentsDirection,
+    airlightSortedDistance(airlightRadianceNext));
   radiance += airlightMultipleShaded(multiple, radiance, airlightFirstDraw);
 #endif
   airlightAddTranslucentRadiance(airlightSortedRecord(airlightRadianceNext), radiance);
@@ -71,9 +71,8 @@ void airlightLightRun(AirlightPassing passing, float runStart, float runEnd)
   }
 }
 
-void addToFragments(AirlightLight light, AirlightRay ray,
-  AirlightPassing passing, float runStart, float runEnd, float from,
-  vec3 fromTail, float to, vec3 sum)
+void addToFragments(AirlightLight light, AirlightRay ray, AirlightPassing passing, float runStart,
+  float runEnd, float from, vec3 fromTail, float to, vec3 sum)
 {
   if (airlightPasses(passing) && to > from)
   {
