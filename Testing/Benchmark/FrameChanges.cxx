@@ -7,8 +7,12 @@
 
 #include "vtkActor.h"
 #include "vtkAirlight.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRTAnalyticSource.h"
+#include "vtkSphereSource.h"
 
 #include <cstdlib>
 #include <string>
@@ -21,7 +25,40 @@ struct Change
 {
   const char* Name;
   void (*Apply)(FrameScene& scene);
+  int Width = 800;
+  int Height = 600;
 };
+
+void PutIntoSurface(vtkParticipatingMedium* medium)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0.0, 1.0, 0.0);
+  ball->SetRadius(4.0);
+  ball->SetThetaResolution(16);
+  ball->SetPhiResolution(16);
+  ball->Update();
+  medium->SetRegionToSurface();
+  medium->SetSurface(ball->GetOutput());
+}
+
+void SetImage(vtkParticipatingMedium* medium)
+{
+  vtkNew<vtkRTAnalyticSource> wavelet; // of 37 to 277
+  wavelet->Update();
+  medium->SetScattering(5e-4, 5e-4, 5e-4);
+  medium->SetAbsorption(1e-4, 1e-4, 1e-4);
+  medium->SetDensityImage(wavelet->GetOutput());
+  medium->SetDensityToImage();
+}
+
+// Beside the fog.
+void AddInside(FrameScene& scene, void (*change)(vtkParticipatingMedium* medium))
+{
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetScattering(0.1, 0.1, 0.1);
+  change(medium);
+  scene.AddMedium(medium);
+}
 
 const Change Numbers[] = {
   { "extinction", [](FrameScene& scene) { scene.Medium->SetScattering(0.05, 0.05, 0.05); } },
@@ -65,6 +102,11 @@ const Change Kinds[] = {
   { "sun", [](FrameScene& scene) { scene.GetFirstLamp()->SetPositional(false); } },
   { "translucent",
     [](FrameScene& scene) { scene.GetFirstActor()->GetProperty()->SetOpacity(0.5); } },
+  // Their frames take long.
+  { "surface", [](FrameScene& scene) { PutIntoSurface(scene.Medium); }, 160, 120 },
+  { "surface-in-fog", [](FrameScene& scene) { AddInside(scene, PutIntoSurface); }, 160, 120 },
+  { "image", [](FrameScene& scene) { SetImage(scene.Medium); }, 160, 120 },
+  { "image-in-fog", [](FrameScene& scene) { AddInside(scene, SetImage); }, 160, 120 },
 };
 }
 
@@ -77,6 +119,8 @@ std::vector<SceneRecipe> MakeChangeRecipes(const std::function<void(FrameScene&)
     recipe.Name = "changes/" + group + change.Name;
     recipe.Fill = fill;
     recipe.Change = change.Apply;
+    recipe.Width = change.Width;
+    recipe.Height = change.Height;
     recipe.Ways = { MakePlain(), MakeAutomatic() };
     recipes.push_back(recipe);
   };

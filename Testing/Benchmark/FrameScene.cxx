@@ -130,6 +130,9 @@ vtkLight* FrameScene::AddLamp(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
+void FrameScene::AddMedium(vtkParticipatingMedium* medium) { this->Pass->AddMedium(medium); }
+
+//------------------------------------------------------------------------------
 vtkActor* FrameScene::GetFirstActor()
 {
   return vtkActor::SafeDownCast(this->Renderer->GetActors()->GetItemAsObject(0));

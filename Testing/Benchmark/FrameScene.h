@@ -97,6 +97,7 @@ public:
 
   vtkActor* Add(vtkPolyData* data);
   vtkLight* AddLamp(double x, double y, double z);
+  void AddMedium(vtkParticipatingMedium* medium);
 
   // The first of those.
   vtkActor* GetFirstActor();
