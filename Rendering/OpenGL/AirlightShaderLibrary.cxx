@@ -204,11 +204,10 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
   const bool sky = HasSky(media);
   const bool multiple = media.multiple.count > 0;
   return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_SURFACE_MEDIA", surfaces) +
-    "#define AIRLIGHT_ALL_SURFACES " + (allSurfaces ? "true\n" : "false\n") +
-    Define("AIRLIGHT_HAS_GRID", grid) + Define("AIRLIGHT_GRID_MEDIA", grids) +
-    Define("AIRLIGHT_ALBEDO_MEDIA", albedos) + Define("AIRLIGHT_GLOW_MEDIA", glows) +
-    Define("AIRLIGHT_HAS_TABLE", table) + Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
-    (sky ? Define("AIRLIGHT_HAS_SKY", 1) : "") +
+    Define("AIRLIGHT_ALL_SURFACES", allSurfaces) + Define("AIRLIGHT_HAS_GRID", grid) +
+    Define("AIRLIGHT_GRID_MEDIA", grids) + Define("AIRLIGHT_ALBEDO_MEDIA", albedos) +
+    Define("AIRLIGHT_GLOW_MEDIA", glows) + Define("AIRLIGHT_HAS_TABLE", table) +
+    Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) + (sky ? Define("AIRLIGHT_HAS_SKY", 1) : "") +
     Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
     Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", dimming) +
     Define("AIRLIGHT_MEDIUM_COUNT", media.count) +

@@ -36,7 +36,8 @@ uniform int airlightZero;
 #define AIRLIGHT_PRECISE
 #endif
 // Whether medium i is inside a closed surface.
-#define AIRLIGHT_IS_SURFACE(i) (AIRLIGHT_ALL_SURFACES || ((AIRLIGHT_SURFACE_MEDIA >> (i)) & 1) != 0)
+#define AIRLIGHT_IS_SURFACE(i)                                                                     \
+  (AIRLIGHT_ALL_SURFACES == 1 || ((AIRLIGHT_SURFACE_MEDIA >> (i)) & 1) != 0)
 // Images of density, see AirlightGrid.glsl.
 #if AIRLIGHT_HAS_GRID
 #define AIRLIGHT_GRID_STEPS

@@ -28,7 +28,6 @@ layout(location = 4) out vec4 several; // scattered more than once
 void main()
 {
 #if AIRLIGHT_EQUIANGULAR
-  airlightMedia = givenMedia;
   airlightTakeMedium();
 #endif
   vec2 p = airlightPixel();

@@ -2,7 +2,6 @@
 
 void main()
 {
-  airlightMedia = givenMedia;
   airlightTakeMedium();
   light = givenLight;
   airlightTakeLight(0, light);

@@ -3,7 +3,6 @@
 
 void main()
 {
-  airlightMedia = givenMedia;
   airlightTakeMedium();
   vec2 p = airlightPixel();
   float parameter = texelFetch(distances, ivec2(p), 0).r;

@@ -3,9 +3,10 @@
 
 flat in vec4 airlightFlatConstants[24]; // AirlightFullScreenVS.glsl
 
-// Puts in what the constants say of the medium.
+// The medium as it is given, with what the constants say of it.
 void airlightTakeMedium()
 {
+  airlightMedia = givenMedia;
   airlightMedia.item[0].phase.pole[0].y = airlightFlatConstants[1].w;
   airlightMedia.item[0].sigmaT = airlightFlatConstants[2].xyz;
 }
