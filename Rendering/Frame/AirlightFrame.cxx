@@ -16,6 +16,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace airlight
 {
@@ -273,20 +274,24 @@ bool Frame::ScatterLights()
     return true;
   }
   const InscatterTargets targets = this->GetInscatterTargets();
-  if (!this->Textures.Bind(targets.Scattered, nullptr))
+  if (!this->ClearScattered(targets, 0.0f))
   {
-    return this->Fail(this->Textures.GetError());
+    return false;
   }
-  this->Textures.Clear(0.0f);
   if (!this->Shadows.Update(this->GetScene(), targets, this->Current->Casters->GetNonPolygonal(),
         this->Current->DrawInMap))
   {
     return this->Fail(this->Shadows.GetError());
   }
-  std::vector<int> unshadowed;
-  for (size_t k = 0; k < this->Current->SceneLights.size(); ++k)
+  float litBits = 0.0f;
+  const std::vector<int> effective = this->FindEffectiveLights(litBits);
+  if (litBits > 0.0f && !this->ClearScattered(targets, litBits))
   {
-    const int light = static_cast<int>(k);
+    return false;
+  }
+  std::vector<int> unshadowed;
+  for (int light : effective)
+  {
     if (this->MayJoinOthers(light))
     {
       unshadowed.push_back(light);
@@ -311,6 +316,48 @@ bool Frame::ScatterLights()
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+// The lights that leave something in the targets, and the bits of the others, which reach all
+// surfaces.
+std::vector<int> Frame::FindEffectiveLights(float& litBits)
+{
+  std::vector<int> effective;
+  for (int light = 0; light < static_cast<int>(this->Current->SceneLights.size()); ++light)
+  {
+    if (this->LeavesNothing(light))
+    {
+      litBits += std::ldexp(1.0f, light);
+    }
+    else
+    {
+      effective.push_back(light);
+    }
+  }
+  return effective;
+}
+
+//------------------------------------------------------------------------------
+// In alpha, the bits of lights that reach all surfaces, see AirlightSurface.glsl.
+bool Frame::ClearScattered(const InscatterTargets& targets, float litBits)
+{
+  if (!this->Textures.Bind(targets.Scattered, nullptr))
+  {
+    return this->Fail(this->Textures.GetError());
+  }
+  this->Textures.Clear(0.0f, litBits);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Lights that are fixed to the camera have neither power in the medium nor shadows: a pass over the
+// pixels for each of them would write nothing but what fragments' records and buffers ask for.
+bool Frame::LeavesNothing(int light)
+{
+  return !this->Plan.Record && !this->Plan.TranslucentFragments && !this->HasMoreLit() &&
+    !this->Current->SceneLights[light].HasPower() &&
+    this->Shadows.IsUnshadowed(this->GetScene(), light);
 }
 
 //------------------------------------------------------------------------------

@@ -171,6 +171,9 @@ private:
   LightShadows::Options GetShadowOptions() const;
   bool BeginFroxels();
   bool ScatterLight(const InscatterTargets& targets, int light);
+  bool ClearScattered(const InscatterTargets& targets, float litBits);
+  std::vector<int> FindEffectiveLights(float& litBits);
+  bool LeavesNothing(int light);
   bool MayJoinOthers(int light);
   bool ScatterUnshadowed(const InscatterTargets& targets, const std::vector<int>& lights);
   bool CompositeTranslucent();

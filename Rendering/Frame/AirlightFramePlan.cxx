@@ -140,7 +140,7 @@ std::vector<LightFacts> GetScatteringLights(const SceneFacts& scene)
 {
   std::vector<LightFacts> lights;
   std::copy_if(scene.Lights.begin(), scene.Lights.end(), std::back_inserter(lights),
-    [](const LightFacts& light) { return light.Scatters; });
+    [](const LightFacts& light) { return light.Scatters && light.HasPower; });
   return lights;
 }
 
@@ -154,10 +154,13 @@ bool IsUnshadowedInComposite(const FramePlan& plan, const SceneFacts& scene)
   {
     return false;
   }
+  if (plan.Shadows != ShadowMethod::None && HasShadowing(scene))
+  {
+    return false;
+  }
   const std::vector<LightFacts> lights = GetScatteringLights(scene);
   return std::all_of(lights.begin(), lights.end(), [&](const LightFacts& light) {
-    return (plan.Shadows == ShadowMethod::None || !light.CastsShadows) &&
-      light.Kind == lights[0].Kind && !light.Photometric &&
+    return light.Kind == lights[0].Kind && !light.Photometric &&
       lights.size() <= (HasClosedForm(light.Kind) ? MaximumUnshadowedLights : 1);
   });
 }

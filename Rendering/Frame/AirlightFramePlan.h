@@ -64,10 +64,11 @@ struct PassProperties
 // A light, as far as the plan depends on it.
 struct LightFacts
 {
-  bool Scatters = false; // the medium scatters it
+  bool Scatters = false; // it lights surfaces through the medium
   bool CastsShadows = false;
   int Kind = 0; // f64::AirlightLight::kind: the method of integration
   bool Photometric = false;
+  bool HasPower = true; // for the medium, which scatters it
 
   bool Shadows() const { return this->Scatters && this->CastsShadows; }
 };

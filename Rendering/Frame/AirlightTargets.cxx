@@ -161,11 +161,11 @@ void Targets::DrawInto(int count)
 }
 
 //------------------------------------------------------------------------------
-void Targets::Clear(float value)
+void Targets::Clear(float colour, float alpha)
 {
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglClearColor(value, value, value, value);
+  state->vtkglClearColor(colour, colour, colour, alpha);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
 }
 

@@ -50,7 +50,8 @@ public:
   void DrawInto(int count);
 
   // Clears the colours that are bound, all channels of all of them; and the depth.
-  void Clear(float value);
+  void Clear(float value) { this->Clear(value, value); }
+  void Clear(float colour, float alpha);
   void ClearDepth();
 
   // The framebuffer that the last Bind() made current.

@@ -557,8 +557,8 @@ SceneFacts PassRenderer::GetFacts(const Scene& scene) const
   }
   for (const SceneLight& light : scene.Lights)
   {
-    facts.Lights.push_back(
-      { light.Scatters(), light.CastsShadows, light.Values.kind, light.Values.goniometric != 0 });
+    facts.Lights.push_back({ light.Scatters(), light.CastsShadows, light.Values.kind,
+      light.Values.goniometric != 0, light.HasPower() });
   }
   facts.AllShadersInjectable = scene.Support->AllShadersInjectable;
   facts.PointGaussians = scene.Support->PointGaussians;

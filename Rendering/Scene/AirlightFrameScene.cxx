@@ -10,7 +10,7 @@ std::vector<int> FindScattering(const std::vector<SceneLight>& lights)
   std::vector<int> found;
   for (size_t k = 0; k < lights.size(); ++k)
   {
-    if (lights[k].Scatters())
+    if (lights[k].HasPower())
     {
       found.push_back(static_cast<int>(k));
     }

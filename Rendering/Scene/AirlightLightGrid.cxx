@@ -269,6 +269,14 @@ LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::Airligh
 }
 
 //------------------------------------------------------------------------------
+const LightGrid& LightGrid::GetDark()
+{
+  static const LightGrid dark{ PackSamples(std::vector<double>(8, 0.0), glm::ivec3(2)),
+    glm::dvec3(1.0), 0.0, true };
+  return dark;
+}
+
+//------------------------------------------------------------------------------
 template <typename Samples>
 FloatTexels PackSamples(const Samples& samples, const glm::ivec3& size)
 {

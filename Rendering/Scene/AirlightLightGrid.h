@@ -33,6 +33,9 @@ struct LightGrid
   // one would take longer than this, in seconds.
   static LightGrid Build(const f64::AirlightMedium& medium, const f64::AirlightLight& light,
     bool everywhere, double seconds);
+
+  // Of a light without power in the medium: shaders read it, and add nothing.
+  static const LightGrid& GetDark();
 };
 
 // Samples as airlightCell() reads them: 2 x 2 in x and y a texel.

@@ -22,9 +22,11 @@ double GetTimeForGrid(vtkOpenGLRenderWindow* window, const f64::AirlightMedia& m
   const std::vector<SceneLight>& lights)
 {
   const double rate = window->GetDesiredUpdateRate();
+  const auto powerful = std::count_if(
+    lights.begin(), lights.end(), [](const SceneLight& light) { return light.HasPower(); });
   return rate < 1.0
     ? std::numeric_limits<double>::infinity()
-    : 0.3 / (rate * std::max<double>((media.count + media.volumes) * lights.size(), 1.0));
+    : 0.3 / (rate * std::max<double>((media.count + media.volumes) * powerful, 1.0));
 }
 }
 
@@ -42,8 +44,9 @@ void SceneArrays::AddDensity(const Add& add, int index,
   {
     if (sceneLight.Scatters())
     {
-      const LightGrid& grid =
-        grids.GetLight(item, sceneLight.Values, item.gridOrigin, everywhere, seconds);
+      const LightGrid& grid = sceneLight.HasPower()
+        ? grids.GetLight(item, sceneLight.Values, item.gridOrigin, everywhere, seconds)
+        : LightGrid::GetDark();
       sceneLight.Values.gridSize[index] = grid.Cells;
       sceneLight.GridError += grid.Error;
       add(grid.Means, sceneLight.Values.gridFirst[index]);

@@ -166,6 +166,12 @@ void TestUnshadowedInComposite()
   Check(!scene.Make().UnshadowedInComposite, "nor are two kinds");
   scene.Scene.Lights[1].Scatters = false;
   Check(scene.Make().UnshadowedInComposite, "a light that does not scatter counts for nothing");
+  scene.Scene.Lights[1].Scatters = true;
+  scene.Scene.Lights[1].HasPower = false;
+  Check(scene.Make().UnshadowedInComposite, "nor does one without power in the medium");
+  scene.Properties.Technique = ShadowTechnique::Planes;
+  Check(!scene.Make().UnshadowedInComposite, "but for its shadows on surfaces");
+  scene.Properties.Technique = ShadowTechnique::None;
   scene.Scene.DensityImage = true;
   Check(!scene.Make().UnshadowedInComposite, "an image of density needs a step of its own");
   scene.Scene.DensityImage = false;

@@ -5,6 +5,7 @@
 // in vtkAirlightReference and in vtkAirlightPolyDataMapper.
 
 #include "AirlightTestCompareScene.h"
+#include "AirlightTestDensity.h"
 #include "AirlightTestErrors.h"
 #include "AirlightTestMapper.h"
 #include "AirlightTestWindowScene.h"
@@ -178,6 +179,50 @@ void TestSwitchedOn(const Kind& kind)
 }
 
 //------------------------------------------------------------------------------
+// Beside lamps: the picture is that which is drawn with records, where each light has its step.
+void TestBesideLamps(const std::string& name, int lamps, const std::function<void(Stage&)>& change)
+{
+  Stage stage;
+  for (int k = 0; k < lamps; ++k)
+  {
+    stage.AddPointLight({ k == 0 ? 3.0 : -3.0, 4.0, 2.0 });
+  }
+  stage.Pass->RecordBuffersOff();
+  change(stage);
+  const Picture alone = stage.Show(stage.Pass);
+  GetKinds()[3].Add(stage);
+  const Picture picture = stage.Show(stage.Pass);
+  stage.Pass->RecordBuffersOn();
+  const Picture recorded = stage.Show(stage.Pass);
+  Check(Compare(picture, alone) > 20, name + ": the kit lights surfaces");
+  Check(Compare(picture, recorded) <= 1, name + ": the same picture with records");
+}
+
+void TestBesideLamps()
+{
+  const auto addImage = [](Stage& stage) {
+    stage.Medium->SetDensityImage(MakeDensity({ 5, 6, 7 }, { -3, -2, -3 }, { 3, 2, 3 }));
+    stage.Medium->SetDensityToImage();
+  };
+  const auto nothing = [](Stage&) {};
+  for (int lamps = 0; lamps < 3; ++lamps)
+  {
+    TestBesideLamps(Text(lamps, " lamps"), lamps, nothing);
+    TestBesideLamps(Text(lamps, " lamps, unbounded"), lamps,
+      [](Stage& stage) { stage.Medium->SetRegionToUnbounded(); });
+    TestBesideLamps(Text(lamps, " lamps in an image"), lamps, addImage);
+  }
+  TestBesideLamps("a map", 2, [](Stage& stage) { stage.Pass->SetShadowTechniqueToShadowMap(); });
+  TestBesideLamps("no shadows", 2, [](Stage& stage) { stage.Pass->SetShadowTechniqueToNone(); });
+  TestBesideLamps("an image without shadows", 1, [&](Stage& stage) {
+    addImage(stage);
+    stage.Pass->SetShadowTechniqueToNone();
+  });
+  TestBesideLamps(
+    "a translucent ball", 2, [](Stage& stage) { stage.Ball->GetProperty()->SetOpacity(0.5); });
+}
+
+//------------------------------------------------------------------------------
 void TestMessages()
 {
   Stage stage;
@@ -275,6 +320,7 @@ int TestCameraLights(int, char*[])
     TestLeftOut(kind);
     TestSwitchedOn(kind);
   }
+  TestBesideLamps();
   TestMessages();
   TestMapper();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
