@@ -76,6 +76,23 @@ class PythonState(unittest.TestCase):
     def test_image_of_a_source(self):
         self.check_sources("image", Scattering=[0.003] * 3, Density="Image")
 
+    def test_medium_representation(self):
+        """Data as media are sources as all others, in any order."""
+        view = self.make_scene()
+        for name, value in CHANGES:
+            setattr(view, name, value)
+        display = simple.Show(simple.Box(XLength=1.5), view)
+        display.Representation = "Medium"
+        display.MediumColor = [0.9, 0.3, 0.2]
+        display.MediumVisibilityDistance = 1.2
+        simple.Render(view)
+        before = test.picture(view, "before-python-medium")
+        display.Visibility = 0
+        without = test.picture(view, "before-python-no-medium")
+        self.assertGreater(np.abs(before - without).max(), 20)
+        display.Visibility = 1
+        self.check(smstate.get_state(), before, "python-medium")
+
     def check_sources(self, name, **properties):
         """Sources of the medium, which the script makes after the view that names them: with the
         lines at its end that the documentation tells to move there."""

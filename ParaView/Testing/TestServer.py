@@ -26,7 +26,7 @@ def run_scene(*arguments):
 
 def read(name):
     return np.array([test.read_png(test.OUTPUT / f"{name}-{step}.png")
-                     for step in ("thin", "thick", "surface", "image")])
+                     for step in ("thin", "thick", "surface", "image", "media")])
 
 
 class Server(unittest.TestCase):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sources of the view's medium, chosen in ParaView's window."""
+"""Sources as media, chosen in ParaView's window: of the view's medium, and data as media."""
 
 import re
 
@@ -30,6 +30,25 @@ class WindowSources(window.TestCase):
                   for name, state in played.states.items()}
         self.assertEqual(
             chosen, {"all": 0, "none": 0, "surface": 1, "undone": 0, "redone": 1}, played.text)
+
+    def test_medium(self):
+        """Data as a medium by the list of representations, taken back and made again."""
+        played, views = self.play(
+            window.load_plugin() + window.make_view() + window.make_source("RTAnalyticSource")
+            + [("", "grab", "outline"),
+               (window.REPRESENTATION, "activated", "Medium"), ("", "grab", "medium"),
+               window.UNDO, ("", "grab", "undone"), window.REDO, ("", "grab", "redone"),
+               window.CHECK_MESSAGES], timeout=280)
+        self.assertEqual(played.status, 0, played.text)
+        self.assertNotIn("ERR|", played.text)
+        for name in ("undone", "redone"):
+            same = views["outline" if name == "undone" else "medium"]
+            self.assertLess(np.abs(views[name] - same).max(), 2, name)
+        darker = views["outline"].mean(axis=2) - views["medium"].mean(axis=2)
+        rows, columns = darker.shape
+        middle = darker[3 * rows // 8:5 * rows // 8, 3 * columns // 8:5 * columns // 8]
+        self.assertGreater(middle.mean(), 10, "the medium is seen")
+        self.assertLess(np.abs(darker[:, :columns // 8]).mean(), 3, "and nowhere else")
 
 
 if __name__ == "__main__":

@@ -38,6 +38,13 @@ def draw(name, threshold=0):
     view.Density = "Image"
     view.Scattering = [0.003] * 3  # at density 1; the image has some 200
     test.picture(view, f"{name}-image")
+    # The same two as media beside the view's own.
+    view.Density = "Uniform"
+    view.Scattering = [0.1] * 3
+    surface, image = test.show(view, view.RegionSurface, view.DensityImage, Representation="Medium")
+    surface.MediumColor = [0.9, 0.5, 0.3]
+    image.MediumDensityArray = ["POINTS", "RTData"]
+    test.picture(view, f"{name}-media")
 
 
 if len(sys.argv) > 1:

@@ -41,6 +41,8 @@ PROPERTIES = f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContent
 MESSAGES = "outputWidgetDock/outputWidget/stackedWidget/page_2/consoleWidget/0QTextEdit0"
 
 VIEW = f"{PROPERTIES}/ViewFrame/ProxyPanel"
+REPRESENTATION = (f"{PROPERTIES}/DisplayFrame/ProxyPanel/Representation/"
+                  "displayRepresentationWidget/comboBox")
 INSPECTOR = "lightInspectorDock/lightInspectorPanel"
 
 APPLY = (f"{PANEL}/Accept", "activate", "")

@@ -29,8 +29,7 @@ vtkDataObject* UpdatePort(vtkAlgorithmOutput* connection, double time)
   vtkNew<vtkInformationVector> requests;
   requests->SetNumberOfInformationObjects(port + 1);
   vtkInformation* request = requests->GetInformationObject(port);
-  request->Set(
-    Pipeline::UPDATE_PIECE_NUMBER(), controller ? controller->GetLocalProcessId() : 0);
+  request->Set(Pipeline::UPDATE_PIECE_NUMBER(), controller ? controller->GetLocalProcessId() : 0);
   request->Set(
     Pipeline::UPDATE_NUMBER_OF_PIECES(), controller ? controller->GetNumberOfProcesses() : 1);
   request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
@@ -60,11 +59,11 @@ void MediumSource::SetConnection(vtkAlgorithmOutput* connection)
 }
 
 //------------------------------------------------------------------------------
-void MediumSource::SetArrays(const MediumArrays& arrays)
+void MediumSource::SetArray(std::string& array, const char* name)
 {
-  this->Dirty = this->Dirty || arrays.Density != this->Arrays.Density ||
-    arrays.Albedo != this->Arrays.Albedo || arrays.Emission != this->Arrays.Emission;
-  this->Arrays = arrays;
+  const std::string given = name ? name : "";
+  this->Dirty = this->Dirty || array != given;
+  array = given;
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <string>
+
 class vtkAlgorithmOutput;
 class vtkDataObject;
 class vtkImageData;
@@ -36,8 +38,10 @@ public:
   // Null: none, as on processes without data.
   void SetConnection(vtkAlgorithmOutput* connection);
 
-  // The point arrays of densities and of colours.
-  void SetArrays(const MediumArrays& arrays);
+  // Names of the point arrays of densities and of colours; null is empty.
+  void SetDensityArray(const char* name) { this->SetArray(this->Arrays.Density, name); }
+  void SetAlbedoArray(const char* name) { this->SetArray(this->Arrays.Albedo, name); }
+  void SetEmissionArray(const char* name) { this->SetArray(this->Arrays.Emission, name); }
   const MediumArrays& GetArrays() const { return this->Arrays; }
 
   enum State
@@ -58,6 +62,7 @@ public:
   vtkImageData* GetImage() const;
 
 private:
+  void SetArray(std::string& array, const char* name);
   vtkSmartPointer<vtkDataObject> MakePiece() const;
 
   vtkSmartPointer<vtkAlgorithmOutput> Connection;

@@ -3,14 +3,13 @@
 #include "vtkPVAirlightRenderView.h"
 
 #include "AirlightFarPass.h"
-#include "AirlightMediumSource.h"
+#include "AirlightMediumSources.h"
 #include "AirlightRemoteSilhouettes.h"
 #include "AirlightViewLamp.h"
 #include "vtkAirlightLight.h"
 #include "vtkAirlightPass.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommunicator.h"
-#include "vtkImageData.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -21,11 +20,11 @@
 #include "vtkPVCenterAxesActor.h"
 #include "vtkPVDataRepresentation.h"
 #include "vtkPVGridAxes3DActor.h"
+#include "vtkPVMediumRepresentation.h"
 #include "vtkPVParticipatingMedium.h"
 #include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkParticipatingMedium.h"
-#include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSMViewProxy.h"
 #include "vtkToneMappingPass.h"
@@ -52,6 +51,53 @@ void KeepFromCasting(vtkProp* prop)
   keys->Set(vtkAirlightPass::CASTS_SHADOW(), 0);
   prop->SetPropertyKeys(keys);
 }
+
+// The visible representations of data as media.
+std::vector<vtkPVMediumRepresentation*> FindMedia(vtkPVAirlightRenderView* view)
+{
+  std::vector<vtkPVMediumRepresentation*> found;
+  for (int i = 0; i < view->GetNumberOfRepresentations(); ++i)
+  {
+    auto* shown = vtkPVMediumRepresentation::SafeDownCast(view->GetRepresentation(i));
+    if (shown && shown->GetVisibility() && shown->GetMedium())
+    {
+      found.push_back(shown);
+    }
+  }
+  return found;
+}
+
+// The pass is left alone while its media stay.
+void SetMedia(vtkAirlightPass* pass, const std::vector<vtkParticipatingMedium*>& media)
+{
+  bool isSame = pass->GetNumberOfMedia() == static_cast<int>(media.size());
+  for (int i = 0; isSame && i < pass->GetNumberOfMedia(); ++i)
+  {
+    isSame = pass->GetMedium(i) == media[i];
+  }
+  if (isSame)
+  {
+    return;
+  }
+  pass->RemoveAllMedia();
+  for (vtkParticipatingMedium* medium : media)
+  {
+    pass->AddMedium(medium);
+  }
+}
+
+bool IsClear(vtkParticipatingMedium* medium)
+{
+  double extinction[3];
+  medium->GetExtinction(extinction);
+  return std::all_of(extinction, extinction + 3, [](double c) { return c == 0.0; });
+}
+
+bool IsWithoutEffect(vtkParticipatingMedium* medium)
+{
+  const double* emission = medium->GetEmission();
+  return IsClear(medium) && std::all_of(emission, emission + 3, [](double c) { return c == 0.0; });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -59,8 +105,7 @@ vtkPVAirlightRenderView::vtkPVAirlightRenderView()
   : FarPass(vtkSmartPointer<AirlightFarPass>::New())
   , Remote(new airlight::RemoteSilhouettes)
   , Lamp(new airlight::ViewLamp)
-  , SurfaceSource(new airlight::MediumSource(VTK_POLY_DATA))
-  , ImageSource(new airlight::MediumSource(VTK_IMAGE_DATA))
+  , Sources(new airlight::MediumSources)
 {
   this->FarPass->SetDelegate(this->Pass);
   KeepFromCasting(this->CenterAxes);
@@ -91,37 +136,31 @@ void vtkPVAirlightRenderView::SetMedium(vtkParticipatingMedium* medium)
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetRegionSurfaceConnection(vtkAlgorithmOutput* connection)
 {
-  this->SurfaceSource->SetConnection(connection);
+  this->Sources->GetSurface().SetConnection(connection);
 }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetDensityImageConnection(vtkAlgorithmOutput* connection)
 {
-  this->ImageSource->SetConnection(connection);
+  this->Sources->GetImage().SetConnection(connection);
 }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetDensityArray(int, int, int, int, const char* name)
 {
-  airlight::MediumArrays arrays = this->ImageSource->GetArrays();
-  arrays.Density = name ? name : "";
-  this->ImageSource->SetArrays(arrays);
+  this->Sources->GetImage().SetDensityArray(name);
 }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetAlbedoArrayName(const char* name)
 {
-  airlight::MediumArrays arrays = this->ImageSource->GetArrays();
-  arrays.Albedo = name ? name : "";
-  this->ImageSource->SetArrays(arrays);
+  this->Sources->GetImage().SetAlbedoArray(name);
 }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetEmissionArrayName(const char* name)
 {
-  airlight::MediumArrays arrays = this->ImageSource->GetArrays();
-  arrays.Emission = name ? name : "";
-  this->ImageSource->SetArrays(arrays);
+  this->Sources->GetImage().SetEmissionArray(name);
 }
 
 //------------------------------------------------------------------------------
@@ -155,10 +194,7 @@ void vtkPVAirlightRenderView::SetTranslucentShadows(bool on)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVAirlightRenderView::SetVolumeShadows(bool on)
-{
-  this->Pass->SetVolumeShadows(on);
-}
+void vtkPVAirlightRenderView::SetVolumeShadows(bool on) { this->Pass->SetVolumeShadows(on); }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetScatteredSurfaceLight(bool on)
@@ -312,51 +348,51 @@ void vtkPVAirlightRenderView::Render(bool interactive, bool skip_rendering)
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkPVAirlightRenderView::UpdateSource(airlight::MediumSource& source)
+// Those whose automatic values the view gives: its own one, and those of visible data.
+std::vector<vtkPVParticipatingMedium*> vtkPVAirlightRenderView::FindOwnMedia()
 {
-  vtkTypeUInt64 state = 0;
-  this->AllReduce(source.Update(this->GetViewTime()), state, vtkCommunicator::MAX_OP);
-  if (state != airlight::MediumSource::UNCHANGED)
+  std::vector<vtkPVParticipatingMedium*> media;
+  if (this->OwnMedium)
   {
-    source.Deliver(state);
+    media.push_back(this->OwnMedium);
   }
-  return state;
+  for (vtkPVMediumRepresentation* shown : FindMedia(this))
+  {
+    media.push_back(shown->GetMedium());
+  }
+  return media;
 }
 
 //------------------------------------------------------------------------------
-// All processes have the same region and density here. Sources that they do not need are left.
-void vtkPVAirlightRenderView::UpdateSources(vtkPVParticipatingMedium* medium)
+// All processes come here, with the same representations.
+void vtkPVAirlightRenderView::UpdateMedia()
 {
-  using Source = airlight::MediumSource;
-  const bool needsSurface = medium->GetRegion() == vtkParticipatingMedium::SURFACE;
-  const bool needsImage = medium->GetDensity() == vtkParticipatingMedium::IMAGE;
-  if (needsSurface)
+  const double time = this->GetViewTime();
+  const auto findLargest = [this](vtkTypeUInt64 number) {
+    vtkTypeUInt64 largest = 0;
+    this->AllReduce(number, largest, vtkCommunicator::MAX_OP);
+    return largest;
+  };
+  std::vector<vtkParticipatingMedium*> media;
+  if (this->Medium &&
+    (!this->OwnMedium || this->Sources->Update(this->OwnMedium, time, findLargest)))
   {
-    const vtkTypeUInt64 state = this->UpdateSource(*this->SurfaceSource);
-    if (state != Source::UNCHANGED)
+    media.push_back(this->Medium);
+  }
+  for (vtkPVMediumRepresentation* shown : FindMedia(this))
+  {
+    if (shown->UpdateMedium(time, findLargest))
     {
-      medium->FollowSurface(state == Source::CHANGED ? this->SurfaceSource->GetSurface() : nullptr);
+      media.push_back(shown->GetMedium());
     }
   }
-  if (needsImage)
+  // Clear air beside other media would take their rays some times as long.
+  const auto clear = std::remove_if(media.begin(), media.end(), IsWithoutEffect);
+  if (clear != media.begin())
   {
-    const vtkTypeUInt64 state = this->UpdateSource(*this->ImageSource);
-    if (state != Source::UNCHANGED)
-    {
-      medium->FollowDensityImage(
-        state == Source::CHANGED ? this->ImageSource->GetImage() : nullptr);
-      medium->SetAlbedoArrayName(this->ImageSource->GetArrays().Albedo);
-      medium->SetEmissionArrayName(this->ImageSource->GetArrays().Emission);
-    }
+    media.erase(clear, media.end());
   }
-  // A window draws before a user has come to the list of sources: that is no error.
-  const bool lacksSource =
-    (needsSurface && !medium->GetSurface()) || (needsImage && !medium->GetDensityImage());
-  if (lacksSource == (this->Pass->GetNumberOfMedia() > 0))
-  {
-    this->Pass->RemoveAllMedia();
-    this->Pass->SetMedium(lacksSource ? nullptr : medium);
-  }
+  SetMedia(this->Pass, media);
 }
 
 //------------------------------------------------------------------------------
@@ -364,10 +400,7 @@ void vtkPVAirlightRenderView::Update()
 {
   this->Superclass::Update();
   this->MeasureData();
-  if (this->OwnMedium)
-  {
-    this->UpdateSources(this->OwnMedium);
-  }
+  this->UpdateMedia();
 }
 
 //------------------------------------------------------------------------------
@@ -429,8 +462,7 @@ void vtkPVAirlightRenderView::UpdateBackground(vtkRenderer* other)
 {
   this->Superclass::UpdateBackground(other);
   vtkRenderer* renderer = this->GetRenderer();
-  if (!this->OwnMedium || (other && other != renderer) ||
-    vtkSMViewProxy::GetTransparentBackground())
+  if ((other && other != renderer) || vtkSMViewProxy::GetTransparentBackground())
   {
     return;
   }
@@ -443,7 +475,10 @@ void vtkPVAirlightRenderView::UpdateBackground(vtkRenderer* other)
     std::transform(background, background + 3, top, background,
       [](double low, double high) { return 0.5 * (low + high); });
   }
-  this->OwnMedium->SetBackground(background);
+  for (vtkPVParticipatingMedium* medium : this->FindOwnMedia())
+  {
+    medium->SetBackground(background);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -454,12 +489,11 @@ void vtkPVAirlightRenderView::ChooseToneMapping()
     this->Pass->SetToneMapping(this->ToneMapping);
     return;
   }
-  double extinction[3] = {};
-  if (this->Medium)
+  bool isClear = true;
+  for (int i = 0; i < this->Pass->GetNumberOfMedia(); ++i)
   {
-    this->Medium->GetExtinction(extinction);
+    isClear = isClear && IsClear(this->Pass->GetMedium(i));
   }
-  const bool isClear = std::all_of(extinction, extinction + 3, [](double c) { return c == 0.0; });
   this->Pass->SetToneMapping(isClear ? vtkAirlightPass::CLAMP : vtkAirlightPass::NEUTRAL_PBR);
 }
 

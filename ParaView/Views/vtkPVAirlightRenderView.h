@@ -28,6 +28,7 @@
 #include "vtkSmartPointer.h" // for the pass around it
 
 #include <memory> // for the silhouettes of other ranks
+#include <vector> // for media
 
 class AirlightFarPass;
 class vtkAirlightPass;
@@ -37,7 +38,7 @@ class vtkPVParticipatingMedium;
 
 namespace airlight
 {
-class MediumSource;
+class MediumSources;
 class RemoteSilhouettes;
 class ViewLamp;
 }
@@ -88,8 +89,9 @@ public:
   ///@}
 
   /**
-   * The medium. The view passes the size of the visible data to a vtkPVParticipatingMedium.
-   * Default: none, which leaves shadows on surfaces only.
+   * The medium. The view passes the size of the visible data to a vtkPVParticipatingMedium. Those
+   * of visible vtkPVMediumRepresentations stand beside it, at most eight in all. Default: none,
+   * which leaves shadows on surfaces only.
    */
   void SetMedium(vtkParticipatingMedium* medium);
 
@@ -198,8 +200,8 @@ private:
   void FollowData();
   void ChooseToneMapping();
   bool IsParallel();
-  vtkTypeUInt64 UpdateSource(airlight::MediumSource& source);
-  void UpdateSources(vtkPVParticipatingMedium* medium);
+  void UpdateMedia();
+  std::vector<vtkPVParticipatingMedium*> FindOwnMedia();
   void StartFrame();
 
   bool Airlight = true;
@@ -213,10 +215,9 @@ private:
   vtkSmartPointer<AirlightFarPass> FarPass;            // around it
   std::unique_ptr<airlight::RemoteSilhouettes> Remote;
   std::unique_ptr<airlight::ViewLamp> Lamp;
-  std::unique_ptr<airlight::MediumSource> SurfaceSource;
-  std::unique_ptr<airlight::MediumSource> ImageSource;
-  vtkBoundingBox DataBounds; // visible, of all ranks
-  bool Parallel = false;     // the current frame
+  std::unique_ptr<airlight::MediumSources> Sources; // of OwnMedium
+  vtkBoundingBox DataBounds;                        // visible, of all ranks
+  bool Parallel = false;                            // the current frame
   unsigned long StartTag = 0;
 };
 

@@ -91,17 +91,28 @@ void vtkPVParticipatingMedium::SetThickness(int thickness)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVParticipatingMedium::SetVisibilityDistance(double distance)
+void vtkPVParticipatingMedium::TakeDistance(const char* name, double value, double& distance)
 {
-  if (!std::isfinite(distance) || distance < 0.0)
+  if (!std::isfinite(value) || value < 0.0)
   {
-    vtkErrorMacro(<< "VisibilityDistance " << distance
-                  << " must be finite and at least 0; it stays " << this->VisibilityDistance
+    vtkErrorMacro(<< name << " " << value << " must be finite and at least 0; it stays " << distance
                   << ".");
     return;
   }
-  this->VisibilityDistance = distance;
+  distance = value;
   this->UpdateThickness();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetVisibilityDistance(double distance)
+{
+  this->TakeDistance("VisibilityDistance", distance, this->VisibilityDistance);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVParticipatingMedium::SetAutomaticVisibility(double distance)
+{
+  this->TakeDistance("AutomaticVisibility", distance, this->AutomaticVisibility);
 }
 
 //------------------------------------------------------------------------------
@@ -206,6 +217,10 @@ double vtkPVParticipatingMedium::GetEffectiveVisibility()
   if (this->VisibilityDistance > 0.0)
   {
     return this->VisibilityDistance;
+  }
+  if (this->AutomaticVisibility > 0.0)
+  {
+    return this->AutomaticVisibility;
   }
   return this->SceneSize > 0.0
     ? ContrastThreshold / -std::log(FarTransmittance) * FarEnd * this->SceneSize
@@ -412,6 +427,7 @@ void vtkPVParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Thickness: " << (this->Thickness == VISIBILITY ? "Visibility" : "Coefficients")
      << "\n";
   os << indent << "VisibilityDistance: " << this->VisibilityDistance << "\n";
+  os << indent << "AutomaticVisibility: " << this->AutomaticVisibility << "\n";
   os << indent << "SceneSize: " << this->SceneSize << "\n";
   print("Color", this->Color);
   print("ScatteringCoefficient", this->ScatteringCoefficient);

@@ -53,7 +53,8 @@ public:
   ///@{
   /**
    * The meteorological range, see vtkParticipatingMedium::SetVisibility(), in world units. 0:
-   * automatic, see SetSceneBounds(). Range: finite, at least 0. Default: 10.
+   * automatic, see SetSceneBounds() and SetAutomaticVisibility(). Range: finite, at least 0.
+   * Default: 10.
    */
   void SetVisibilityDistance(double distance);
   vtkGetMacro(VisibilityDistance, double);
@@ -68,6 +69,15 @@ public:
    */
   void SetSceneBounds(const double bounds[6]);
   vtkGetMacro(SceneSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * The visibility while VisibilityDistance is 0, world units, in place of that of the scene. 0:
+   * none. Range: finite, at least 0. Default: 0.
+   */
+  void SetAutomaticVisibility(double distance);
+  vtkGetMacro(AutomaticVisibility, double);
   ///@}
 
   ///@{
@@ -172,6 +182,7 @@ private:
   vtkPVParticipatingMedium(const vtkPVParticipatingMedium&) = delete;
   void operator=(const vtkPVParticipatingMedium&) = delete;
 
+  void TakeDistance(const char* name, double value, double& distance);
   bool SetRange(const char* name, const double values[3], double most, double target[3]);
   void TakeLength(double value, double& length, void (vtkParticipatingMedium::*set)(double),
     double (vtkParticipatingMedium::*get)());
@@ -183,6 +194,7 @@ private:
   int Thickness = VISIBILITY;
   double VisibilityDistance = 10.0;
   double SceneSize = 0.0;
+  double AutomaticVisibility = 0.0;
   std::unique_ptr<airlight::SceneLengths> Lengths;
   double Color[3] = { 1.0, 1.0, 1.0 };
   double ScatteringCoefficient[3] = { 0.1, 0.1, 0.1 };
