@@ -23,8 +23,9 @@ namespace
 vtkVolumeMapper* GetRayCaster(vtkVolume* volume)
 {
   vtkAbstractVolumeMapper* mapper = volume->GetMapper();
-  const bool known =
-    mapper && (mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkSmartVolumeMapper"));
+  const bool known = mapper &&
+    (mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkSmartVolumeMapper") ||
+      mapper->IsA("vtkMultiBlockVolumeMapper"));
   return known && !volume->IsA("vtkMultiVolume") ? vtkVolumeMapper::SafeDownCast(mapper) : nullptr;
 }
 

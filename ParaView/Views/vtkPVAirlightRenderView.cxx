@@ -28,6 +28,7 @@
 #include "vtkRenderer.h"
 #include "vtkSMViewProxy.h"
 #include "vtkToneMappingPass.h"
+#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -420,6 +421,28 @@ void vtkPVAirlightRenderView::SwitchCameraLights()
 }
 
 //------------------------------------------------------------------------------
+// Volumes that a script has made media stay so while the view's switch is off.
+void vtkPVAirlightRenderView::SwitchVolumes()
+{
+  if (!this->VolumesScatter && !this->VolumesScattered)
+  {
+    return;
+  }
+  vtkVolumeCollection* volumes = this->GetRenderer()->GetVolumes();
+  vtkCollectionSimpleIterator it = nullptr;
+  volumes->InitTraversal(it);
+  while (vtkVolume* volume = volumes->GetNextVolume(it))
+  {
+    vtkInformation* keys = volume->GetPropertyKeys();
+    if (!keys || (keys->Get(vtkAirlightPass::VOLUME_SCATTERS()) == 1) != this->VolumesScatter)
+    {
+      vtkAirlightPass::SetVolumeScatters(volume, this->VolumesScatter);
+    }
+  }
+  this->VolumesScattered = this->VolumesScatter;
+}
+
+//------------------------------------------------------------------------------
 // ParaView's own bounds also have those of props, which are still the former ones at this time:
 // data that shrink would not count before the next update.
 void vtkPVAirlightRenderView::MeasureData()
@@ -522,6 +545,7 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
   this->SwitchCameraLights();
+  this->SwitchVolumes();
   this->FollowData();
   this->ChooseToneMapping();
   this->Parallel = this->Airlight && this->IsParallel();
@@ -552,6 +576,7 @@ void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CameraLightsScatter: " << this->CameraLightsScatter << "\n";
   os << indent << "ToneMapping: " << this->ToneMapping << "\n";
   os << indent << "Lamp: " << this->Lamp->On << "\n";
+  os << indent << "VolumesScatter: " << this->VolumesScatter << "\n";
   os << indent << "ProgressiveRefinement: " << this->ProgressiveRefinement << "\n";
   os << indent << "AirlightPass:\n";
   this->Pass->PrintSelf(os, indent.GetNextIndent());

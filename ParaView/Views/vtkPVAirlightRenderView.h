@@ -125,6 +125,16 @@ public:
 
   ///@{
   /**
+   * Whether data that are shown as volumes are media, as vtkAirlightPass::SetVolumeScatters() has
+   * it: their opacity is extinction, their colours are albedo. On several ranks each has its own
+   * part only: use vtkPVMediumRepresentation there. Default: false.
+   */
+  vtkSetMacro(VolumesScatter, bool);
+  vtkGetMacro(VolumesScatter, bool);
+  ///@}
+
+  ///@{
+  /**
    * As in vtkAirlightPass.
    */
   void SetShadowTechnique(int technique);
@@ -196,6 +206,7 @@ private:
   void operator=(const vtkPVAirlightRenderView&) = delete;
 
   void SwitchCameraLights();
+  void SwitchVolumes();
   void MeasureData();
   void FollowData();
   void ChooseToneMapping();
@@ -207,6 +218,8 @@ private:
   bool Airlight = true;
   bool CameraLightsScatter = false;
   bool ProgressiveRefinement = false;
+  bool VolumesScatter = false;
+  bool VolumesScattered = false; // in the last frame
   bool WarnedOrdered = false;
   int ToneMapping = -1;
   vtkNew<vtkAirlightPass> Pass;

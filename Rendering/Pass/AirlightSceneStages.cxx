@@ -270,7 +270,7 @@ void SceneStages::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapp
 void SceneStages::SetVolumeUniforms(
   vtkShaderProgram* program, vtkVolume* volume, const SurfaceUniforms& values)
 {
-  this->VolumesSeen.insert(volume);
+  this->VolumesSeen.insert(volume->GetPropertyKeys());
   if (IsVolumeProgram(program))
   {
     SetSurfaceUniforms(program, values);
@@ -293,7 +293,8 @@ void SceneStages::CheckVolumes()
   for (vtkVolume* volume : this->Support->Volumes)
   {
     const double* bounds = volume->GetBounds();
-    if (this->VolumesSeen.count(volume) == 0 && bounds && vtkMath::AreBoundsInitialized(bounds))
+    if (this->VolumesSeen.count(volume->GetPropertyKeys()) == 0 && bounds &&
+      vtkMath::AreBoundsInitialized(bounds))
     {
       this->Messages.ReportVolumeMapper(volume);
     }

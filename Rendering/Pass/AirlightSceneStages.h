@@ -99,8 +99,9 @@ private:
   const vtkRenderState* State = nullptr; // into the frame's targets
   const SceneSupport* Support = nullptr; // of the props that the frame began with
   SurfaceStage Stage = SurfaceStage::Colour;
-  MapFace* Face = nullptr; // that is drawn; null: the picture
-  std::set<vtkProp*> VolumesSeen;
+  MapFace* Face = nullptr;               // that is drawn; null: the picture
+  // Their property keys, which parts that draw for a prop share with it.
+  std::set<vtkInformation*> VolumesSeen;
 };
 }
 
