@@ -30,6 +30,8 @@ airlight_sources(
     glsl/Integrals/AirlightLayeredScattering.glsl
     glsl/Integrals/AirlightMultipleScattering.glsl
     glsl/Integrals/AirlightQuadrature.glsl
+    glsl/Integrals/AirlightBeside.glsl
+    glsl/Integrals/AirlightDirectionalLight.glsl
     glsl/Integrals/AirlightScattering.glsl
     glsl/Integrals/AirlightEquiangular.glsl
     glsl/Integrals/AirlightEquiangularPanel.glsl

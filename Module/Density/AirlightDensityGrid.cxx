@@ -47,7 +47,8 @@ namespace
 // Where the first sample is the origin: far away from that of the world, it keeps more digits.
 f64::AirlightGrid MakeGrid(const DensityGrid& grid)
 {
-  return { grid.GetAxes(), glm::dvec3(0.0), grid.GetLast(), &grid.GetSamples() };
+  return { grid.GetAxes(), glm::dvec3(0.0), grid.GetLast(), &grid.GetSamples(), grid.GetFilledLow(),
+    grid.GetFilledHigh() };
 }
 
 bool IsFinite(const glm::dvec3& v)
@@ -135,7 +136,37 @@ bool DensityGrid::ReadSamples(vtkImageData* image, std::string& error)
     error = text.str();
     return false;
   }
-  return this->Samples.Read(scalars, error);
+  if (!this->Samples.Read(scalars, error))
+  {
+    return false;
+  }
+  this->FindFilled();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// A cell has a density where one of its corners has.
+void DensityGrid::FindFilled()
+{
+  glm::ivec3 low = this->Size;
+  glm::ivec3 high(-1);
+  size_t row = 0;
+  for (int k = 0; k < this->Size.z; ++k)
+  {
+    for (int j = 0; j < this->Size.y; ++j)
+    {
+      const auto [first, last] = this->Samples.FindAboveZero(row, row + this->Size.x);
+      if (first <= last)
+      {
+        low = glm::min(low, glm::ivec3(static_cast<int>(first - row), j, k));
+        high = glm::max(high, glm::ivec3(static_cast<int>(last - row), j, k));
+      }
+      row += this->Size.x;
+    }
+  }
+  const bool isEmpty = high.x < 0;
+  this->FilledLow = isEmpty ? glm::dvec3(0.0) : glm::dvec3(glm::max(low - 1, glm::ivec3(0)));
+  this->FilledHigh = isEmpty ? glm::dvec3(0.0) : glm::dvec3(glm::min(high + 1, this->Size - 1));
 }
 
 //------------------------------------------------------------------------------

@@ -61,6 +61,9 @@ public:
   const glm::dmat3& GetAxes() const { return this->Axes; }
   // Of the last sample.
   glm::dvec3 GetLast() const { return glm::dvec3(this->Size - 1); }
+  // Corners of a box, in samples, outside of which there is nothing.
+  const glm::dvec3& GetFilledLow() const { return this->FilledLow; }
+  const glm::dvec3& GetFilledHigh() const { return this->FilledHigh; }
   // x fastest.
   const DensitySamples& GetSamples() const { return this->Samples; }
 
@@ -68,6 +71,7 @@ private:
   DensityGrid() = default;
   bool ReadGeometry(vtkImageData* image, std::string& error);
   bool ReadSamples(vtkImageData* image, std::string& error);
+  void FindFilled();
 
   glm::ivec3 Size{ 0 }; // numbers of samples
   DensitySamples Samples;
@@ -75,6 +79,8 @@ private:
   glm::dmat3 Axes{ 1.0 };  // from the world to samples
   glm::dvec3 Least{ 0.0 };
   glm::dvec3 Greatest{ 0.0 };
+  glm::dvec3 FilledLow{ 0.0 };
+  glm::dvec3 FilledHigh{ 0.0 };
 };
 }
 

@@ -7,6 +7,7 @@
 #include "vtkDataArrayRange.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace airlight
@@ -71,6 +72,24 @@ bool DensitySamples::IsAnyAboveZero(size_t begin, size_t end) const
     [begin, end](const auto& values) {
       return std::any_of(
         values.begin() + begin, values.begin() + end, [](auto value) { return value > 0; });
+    },
+    this->All);
+}
+
+//------------------------------------------------------------------------------
+std::pair<size_t, size_t> DensitySamples::FindAboveZero(size_t begin, size_t end) const
+{
+  return std::visit(
+    [begin, end](const auto& values) {
+      const auto isAbove = [](auto value) { return value > 0; };
+      const auto from = values.begin() + begin;
+      const auto to = values.begin() + end;
+      const auto first = std::find_if(from, to, isAbove);
+      const auto last =
+        std::find_if(std::make_reverse_iterator(to), std::make_reverse_iterator(first), isAbove);
+      return first == to
+        ? std::pair<size_t, size_t>(end, begin)
+        : std::pair<size_t, size_t>(first - values.begin(), last.base() - 1 - values.begin());
     },
     this->All);
 }

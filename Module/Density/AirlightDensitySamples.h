@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -45,6 +46,8 @@ public:
   }
 
   bool IsAnyAboveZero(size_t begin, size_t end) const;
+  // The first and the last one that is; a first after the last where none is.
+  std::pair<size_t, size_t> FindAboveZero(size_t begin, size_t end) const;
 
   // Memory, without what the vector itself takes.
   size_t GetNumberOfBytes() const;

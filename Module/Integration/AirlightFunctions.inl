@@ -71,6 +71,7 @@
 #include "Integrals/AirlightMultipleScattering.glsl"
 #include "Integrals/AirlightGoniometricRay.glsl"
 #include "Medium/AirlightPieces.glsl"
+#include "Integrals/AirlightDirectionalLight.glsl"
 #include "Integrals/AirlightScattering.glsl"
 #include "Integrals/AirlightEquiangular.glsl"
 #include "Integrals/AirlightEquiangularPanel.glsl"

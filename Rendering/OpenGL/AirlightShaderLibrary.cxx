@@ -3,8 +3,12 @@
 #include "OpenGL/AirlightShaderLibrary.h"
 
 #include "AirlightAmbient.h"
+#include "AirlightBeside.h"
 #include "AirlightClosedSurface.h"
 #include "AirlightDiffuseLight.h"
+#include "AirlightDirectionalLight.h"
+#include "AirlightEquiangular.h"
+#include "AirlightEquiangularPanel.h"
 #include "AirlightExponentialIntegral.h"
 #include "AirlightGauss.h"
 #include "AirlightGoniometric.h"
@@ -64,6 +68,10 @@ std::string DefineCommon(const f64::AirlightMedia& media)
     return phase.rows == 0 && phase.power.x <= 0.0 && phase.poleCount == 1 && phase.order == 1 &&
       phase.pole[0].x == 1.0;
   });
+  const bool samePoles = std::all_of(first, end, [first](const auto& medium) {
+    return medium.phase.poleCount == first->phase.poleCount &&
+      medium.phase.order == first->phase.order;
+  });
   int kinds = 0; // bit i: a region is of kind i
   for (const auto* medium = first; medium != last; ++medium)
   {
@@ -73,7 +81,10 @@ std::string DefineCommon(const f64::AirlightMedia& media)
     Define("AIRLIGHT_REGION_KINDS", kinds) +
     (sameDensity ? Define("AIRLIGHT_DENSITY_KIND(medium)", first->density) : "") +
     Define("AIRLIGHT_HAS_POWER", power) + Define("AIRLIGHT_GREY", grey) +
-    (isotropic ? Define("AIRLIGHT_ISOTROPIC", 1) : "");
+    (isotropic ? Define("AIRLIGHT_ISOTROPIC", 1) : "") +
+    (samePoles ? Define("AIRLIGHT_POLE_COUNT", first->phase.poleCount) +
+          Define("AIRLIGHT_POLE_ORDER", first->phase.order)
+               : "");
 }
 
 // Whether one channel's multiply scattered light is that of all.
@@ -81,6 +92,27 @@ bool IsMultipleGrey(const f64::AirlightMedium& medium)
 {
   const glm::dvec3& scattering = medium.sigmaS;
   return f64::airlightIsGrey(medium) && scattering == glm::dvec3(scattering.x);
+}
+
+// The number of the only medium that is not bounded, if it is uniform and has a closed form beside
+// bounded media; else -1. Tables of phase functions have none.
+int FindEverywhere(const f64::AirlightMedia& media)
+{
+  int found = -1;
+  const int dimming = media.count + media.volumes;
+  for (int i = 0; i < dimming; ++i)
+  {
+    const f64::AirlightMedium& medium = media.item[i];
+    if (medium.region.kind == AIRLIGHT_REGION_UNBOUNDED && medium.density != AIRLIGHT_DENSITY_GRID)
+    {
+      if (found >= 0 || medium.density != AIRLIGHT_DENSITY_UNIFORM || medium.phase.rows > 0)
+      {
+        return -1;
+      }
+      found = i;
+    }
+  }
+  return dimming > 1 ? found : -1;
 }
 
 // Replaces each loop over so many media by as many copies of its block, which must not leave or
@@ -203,6 +235,10 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
   const bool grid = grids != 0;
   const bool sky = HasSky(media);
   const bool multiple = media.multiple.count > 0;
+  const int everywhere = FindEverywhere(media);
+  const std::string beside = everywhere < 0
+    ? ""
+    : std::string(AirlightEquiangular) + AirlightEquiangularPanel + AirlightBeside;
   return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_SURFACE_MEDIA", surfaces) +
     Define("AIRLIGHT_ALL_SURFACES", allSurfaces) + Define("AIRLIGHT_HAS_GRID", grid) +
     Define("AIRLIGHT_GRID_MEDIA", grids) + Define("AIRLIGHT_ALBEDO_MEDIA", albedos) +
@@ -220,20 +256,18 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     Define("AIRLIGHT_MULTIPLE_SUNS", media.multiple.suns) +
     "#define AIRLIGHT_MULTIPLE_COLLISIONS " + (HasCollisions(media) ? "true\n" : "false\n") +
     Define("AIRLIGHT_MULTIPLE_NODES", AIRLIGHT_MULTIPLE_NODES) +
-    (media.count == 1 ? Define("AIRLIGHT_POLE_COUNT", media.item[0].phase.poleCount) +
-          Define("AIRLIGHT_POLE_ORDER", media.item[0].phase.order)
-                      : "") +
-    DefineCommon(media) + (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") +
-    AirlightExponentialIntegral + AirlightGauss + AirlightGoniometric + AirlightPhase +
-    AirlightPointLight + AirlightRegion + (grid ? AirlightGrid : "") + (sky ? AirlightSky : "") +
-    AirlightMedium + AirlightClosedSurface + AirlightPath + AirlightHeightFog +
-    (multiple ? AirlightSourceFunction : "") +
+    (everywhere >= 0 ? Define("AIRLIGHT_EVERYWHERE", everywhere) : "") + DefineCommon(media) +
+    (lightKind >= 0 ? Define("AIRLIGHT_LIGHT_KIND", lightKind) : "") + AirlightExponentialIntegral +
+    AirlightGauss + AirlightGoniometric + AirlightPhase + AirlightPointLight + AirlightRegion +
+    (grid ? AirlightGrid : "") + (sky ? AirlightSky : "") + AirlightMedium + AirlightClosedSurface +
+    AirlightPath + AirlightHeightFog + (multiple ? AirlightSourceFunction : "") +
     (surface && !allSurfaces ? UnrollForEach(media, AirlightMedia) : AirlightMedia) +
     AirlightAmbient + AirlightLight + AirlightKinks + AirlightQuadrature +
     (multiple ? std::string(AirlightLayeredScattering) + AirlightMultipleScattering : "") +
-    AirlightGoniometricRay + AirlightPieces +
-    (grid ? UnrollForEach(media, std::string(AirlightGridWay) + AirlightGridSteps + AirlightGridRay)
-          : "") +
+    AirlightGoniometricRay + AirlightPieces + AirlightDirectionalLight +
+    (grid ? UnrollForEach(
+              media, std::string(AirlightGridWay) + AirlightGridSteps + AirlightGridRay + beside)
+          : beside) +
     AirlightScattering + AirlightDiffuseLight;
 }
 
@@ -247,7 +281,8 @@ std::string GetScatteredIrradianceSource()
 GridUniforms GetGridUniforms(const f64::AirlightMedium& medium)
 {
   return { medium.grid->GetAxes(), medium.grid->ToSamples(medium.gridOrigin),
-    medium.grid->GetLast(), medium.gridFirst };
+    medium.grid->GetLast(), medium.gridFirst, medium.grid->GetFilledLow(),
+    medium.grid->GetFilledHigh() };
 }
 
 //------------------------------------------------------------------------------

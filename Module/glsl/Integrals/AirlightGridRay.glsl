@@ -200,14 +200,18 @@ real3 airlightGridPiece(
   return sum;
 }
 
-// The integral over [t0, t1], sigmaS included; `before` is the optical depth before t0.
-real3 airlightGridInterval(AirlightLight light, AirlightRay ray, real t0, real3 before, real t1)
+// The integral over [t0, t1], sigmaS included; `before` is the optical depth before t0, and becomes
+// that before t1, or what is dark.
+real3 airlightGridInterval(
+  AirlightLight light, AirlightRay ray, real t0, inout real3 before, real t1)
 {
   AirlightWay way = airlightWay(light, ray);
 #if AIRLIGHT_DIMMING_COUNT == 1
   // Its region is convex: all of the interval is inside.
   AirlightPiece whole = AirlightPiece(t0, t1, 1, before);
-  return airlightGridPiece(light, ray, way, whole);
+  real3 sum = airlightGridPiece(light, ray, way, whole);
+  before = whole.depth;
+  return sum;
 #else
   real3 clear = airlightClearChannels();
   real3 sum = real3(0.0);

@@ -17,6 +17,9 @@ struct AirlightGrid
   real3 start;  // the eye in samples, counted from the first one
   real3 last;   // the last sample
   AIRLIGHT_SAMPLES first;
+  // In samples, corners of a box outside of which there is nothing.
+  real3 filledLow;
+  real3 filledHigh;
 };
 
 // The eight samples of a cell: those of its lower and its upper layer, x fastest.
