@@ -13,7 +13,6 @@ from paraview import simple
 import paraviewtest as test
 
 RUN = pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "paraview-test.sh"
-EYE = np.array(test.CAMERA["position"])
 LOW, HIGH = np.array([-1.1, -0.7, -0.9]), np.array([1.1, 0.7, 0.9])
 
 
@@ -47,35 +46,14 @@ def show_medium(view, source, thickness=0.0, **properties):
     return display
 
 
-def make_view():
-    """A white background without lights: what is left of it tells the optical depth."""
-    view = test.make_view()
-    view.Background = [1, 1, 1]
-    view.Thickness = "Coefficients"
-    view.Scattering = [0, 0, 0]
-    view.AmbientFromBackground = 0
-    return view
+class MediumRepresentation(test.ClearViewTestCase):
+    """Before a white background: what is left of it tells the optical depth."""
 
+    NAME = "medium"
 
-def lengths_in_box(low=LOW, high=HIGH):
-    enter, leave = test.cross_box(EYE, test.pixel_rays(*test.SIZE), low, high)
-    return leave - enter
-
-
-class MediumRepresentation(unittest.TestCase):
     def setUp(self):
-        test.load_plugin()
-        self.view = make_view()
-
-    def tearDown(self):
-        for source in list(simple.GetSources().values()):
-            simple.Delete(source)
-        simple.Delete(self.view)
-
-    def picture(self, name):
-        simple.Render(self.view)
-        test.place_camera(self.view)
-        return test.picture(self.view, f"medium-{name}")[..., 0] / 255
+        super().setUp()
+        self.view.Background = [1, 1, 1]
 
     def check(self, depths, name):
         """Pixels on the medium's edges may see any part of it."""
@@ -88,14 +66,14 @@ class MediumRepresentation(unittest.TestCase):
 
     def test_surface(self):
         show_medium(self.view, make_box(), 0.8)
-        seen = self.check(0.8 * lengths_in_box(), "surface")
+        seen = self.check(0.8 * test.lengths_in_box(LOW, HIGH), "surface")
         self.assertLess(seen.min(), 0.3)
 
     def test_image(self):
         """The coefficients are those at density 1."""
         display = show_medium(self.view, make_image(), 0.4)
         display.MediumDensityArray = ["POINTS", "density"]
-        self.check(0.8 * lengths_in_box(), "image")
+        self.check(0.8 * test.lengths_in_box(LOW, HIGH), "image")
 
     def test_several(self):
         """A surface, an image and the view's fog: their depths add up. Hidden data are no media."""
@@ -107,22 +85,22 @@ class MediumRepresentation(unittest.TestCase):
         view.Region = "Box"
         view.RegionBounds = [-0.2, 1.3, -0.9, 0.9, -2, -0.6]
         view.Absorption = [0.2] * 3
-        fog = lengths_in_box(np.array([-0.2, -0.9, -2]), np.array([1.3, 0.9, -0.6]))
-        depths = 0.6 * lengths_in_box() + 0.5 * lengths_in_box(*ends) + 0.2 * fog
+        fog = test.lengths_in_box(np.array([-0.2, -0.9, -2]), np.array([1.3, 0.9, -0.6]))
+        depths = 0.6 * test.lengths_in_box(LOW, HIGH) + 0.5 * test.lengths_in_box(*ends) + 0.2 * fog
         self.check(depths, "several")
         surface.Visibility = 0
-        self.check(depths - 0.5 * lengths_in_box(*ends), "fewer")
+        self.check(depths - 0.5 * test.lengths_in_box(*ends), "fewer")
         surface.Visibility = 1
         image.Representation = "Outline"
         self.assertEqual(image.Representation, "Outline")
         image.Visibility = 0
-        self.check(depths - 0.6 * lengths_in_box(), "one")
+        self.check(depths - 0.6 * test.lengths_in_box(LOW, HIGH), "one")
 
     def test_automatic_visibility(self):
         """2 % of the light is left along the diagonal at the greatest density."""
         diagonal = np.linalg.norm(HIGH - LOW)
         show_medium(self.view, make_box(), MediumColor=[0, 0, 0])
-        seen = self.check(3.912 / diagonal * lengths_in_box(), "automatic")
+        seen = self.check(3.912 / diagonal * test.lengths_in_box(LOW, HIGH), "automatic")
         simple.Delete(simple.FindSource("Box1") or list(simple.GetSources().values())[0])
         image = show_medium(self.view, make_image("7"), MediumColor=[0, 0, 0])
         image.MediumDensityArray = ["POINTS", "density"]
@@ -163,7 +141,7 @@ from paraview import simple
 import paraviewtest as test
 import TestMediumRepresentation as medium
 test.load_plugin()
-view = medium.make_view()
+view = test.make_view()
 {}
 simple.Render(view)
 print("DRAWN", flush=True)
@@ -175,7 +153,8 @@ print("DRAWN", flush=True)
             "view": ("view = simple.CreateView('RenderView');"
                      "medium.show_medium(view, medium.make_box(), 1)", "Render View + Airlight"),
             "none": ("medium.show_medium(view, simple.Threshold(Input=medium.make_image(),"
-                     "LowerThreshold=5, UpperThreshold=6, Scalars=['POINTS', 'density']), 1)", "no polygons"),
+                     "LowerThreshold=5, UpperThreshold=6, Scalars=['POINTS', 'density']), 1)",
+                     "no polygons"),
         }
         folder = pathlib.Path(__file__).parent
         for name, (lines, message) in cases.items():

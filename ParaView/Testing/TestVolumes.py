@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data as volumes, which ParaView draws by volumes within volumes: in the medium, casting shadows, and
-as media themselves."""
+"""Data as volumes, which ParaView draws by volumes within volumes: in the medium, casting shadows,
+and as media themselves."""
 
 import sys
 import unittest
@@ -11,13 +11,7 @@ from paraview import simple
 
 import paraviewtest as test
 
-EYE = np.array(test.CAMERA["position"])
 OPACITY = 0.5  # per unit of length
-
-
-def lengths_in_box(low, high):
-    enter, leave = test.cross_box(EYE, test.pixel_rays(*test.SIZE), np.array(low), np.array(high))
-    return leave - enter
 
 
 def show_volume(view, colour):
@@ -34,24 +28,12 @@ def show_volume(view, colour):
     return display
 
 
-class Volumes(unittest.TestCase):
+class Volumes(test.ClearViewTestCase):
+    NAME = "volume"
+
     def setUp(self):
-        test.load_plugin()
-        self.view = view = test.make_view()
-        view.UseFXAA = 0
-        view.Thickness = "Coefficients"
-        view.Scattering = [0, 0, 0]
-        view.AmbientFromBackground = 0
-
-    def tearDown(self):
-        for source in list(simple.GetSources().values()):
-            simple.Delete(source)
-        simple.Delete(self.view)
-
-    def picture(self, name):
-        simple.Render(self.view)
-        test.place_camera(self.view)
-        return test.picture(self.view, f"volume-{name}")[..., 0] / 255
+        super().setUp()
+        self.view.UseFXAA = 0
 
     def test_in_the_medium(self):
         """Dimmed by the medium before it."""
@@ -60,7 +42,7 @@ class Volumes(unittest.TestCase):
         self.view.Absorption = [0.5] * 3
         self.view.Region = "Box"
         self.view.RegionBounds = [-3, 3, -3, 3, 1.5, 2.5]
-        depth = 0.5 * lengths_in_box((-3, -3, 1.5), (3, 3, 2.5))
+        depth = 0.5 * test.lengths_in_box((-3, -3, 1.5), (3, 3, 2.5))
         fog = self.picture("fog")
         self.assertGreater(clear.max(), 0.5)
         self.assertLess(np.abs(fog - clear * np.exp(-depth)).max(), 2.5 / 255)
@@ -86,7 +68,7 @@ class Volumes(unittest.TestCase):
         cast = self.picture("cast")
         self.view.VolumesScatter = 1
         medium = self.picture("medium")
-        depth = -np.log(1 - OPACITY) * lengths_in_box((-1, -1, -1), (1, 1, 1))
+        depth = -np.log(1 - OPACITY) * test.lengths_in_box((-1, -1, -1), (1, 1, 1))
         slope = np.abs(np.gradient(depth)).sum(axis=0)
         self.assertLess((np.abs(medium - np.exp(-depth)) - slope).max(), 1.5 / 255)
         self.assertLess(np.abs(medium - cast)[slope < 0.02].max(), 0.03)

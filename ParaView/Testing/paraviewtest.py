@@ -7,6 +7,7 @@ AIRLIGHT_PLUGIN names the plugin's file, AIRLIGHT_TEST_OUTPUT a folder for pictu
 
 import os
 import pathlib
+import unittest
 
 import numpy as np
 from paraview import simple
@@ -130,3 +131,34 @@ def cross_box(origins, rays, low, high):
         ends = (np.array([low, high])[:, None, None] - origins) / rays
     enter = np.maximum(ends.min(axis=0).max(axis=-1), 0)
     return enter, np.maximum(ends.max(axis=0).min(axis=-1), enter)
+
+
+def lengths_in_box(low, high):
+    """How long each pixel's ray of SIZE is in a box."""
+    rays = pixel_rays(*SIZE)
+    enter, leave = cross_box(np.array(CAMERA["position"]), rays, np.array(low), np.array(high))
+    return leave - enter
+
+
+class ClearViewTestCase(unittest.TestCase):
+    """Each test has a view of its own in clear air, without lights, and takes its sources along."""
+
+    NAME = "clear"  # of pictures
+
+    def setUp(self):
+        load_plugin()
+        self.view = make_view()
+        self.view.Thickness = "Coefficients"
+        self.view.Scattering = [0, 0, 0]
+        self.view.AmbientFromBackground = 0
+
+    def tearDown(self):
+        for source in list(simple.GetSources().values()):
+            simple.Delete(source)
+        simple.Delete(self.view)
+
+    def picture(self, name):
+        """Red, 0 to 1."""
+        simple.Render(self.view)
+        place_camera(self.view)
+        return picture(self.view, f"{self.NAME}-{name}")[..., 0] / 255
