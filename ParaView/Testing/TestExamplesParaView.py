@@ -85,12 +85,13 @@ class Examples(unittest.TestCase):
     def test_documentation(self):
         """The scripts in Documentation/paraview.md, one after the other."""
         text = (ROOT / "Documentation" / "paraview.md").read_text()
-        sources, view, attached = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+        smoke, sources, view, attached = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
         view = view.replace('"AirlightParaView.so"', repr(os.environ["AIRLIGHT_PLUGIN"]))
         with tempfile.TemporaryDirectory() as folder:
             script = pathlib.Path(folder, "script.py")
             script.write_text(view + "view.ViewSize = [160, 120]\n"
                               "Show(Sphere(), view)\nRender(view)\n"
+                              + smoke + "Render(view)\nHide(view=view)\n"
                               + sources.replace("\n\n", "\nRender(view)\n")
                               + "Render(view)\nDelete(view)\n"
                               "view = CreateView('RenderView')\nShow(Sphere(), view)\n" + attached
