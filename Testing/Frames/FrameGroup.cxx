@@ -104,7 +104,8 @@ FrameGroup::FrameGroup(std::uint64_t number)
   , Recent(number >= FirstRecentFrameGroup)
 {
   Random random(Mix(11, number));
-  const bool image = this->Density == Medium::IMAGE; // in no closed surface
+  // Earlier groups know no image in a closed surface.
+  const bool image = this->Density == Medium::IMAGE && !this->Recent;
   const int media = TakeInTurn(MediumCounts, number, 12);
   for (int i = 0; i < media; ++i)
   {

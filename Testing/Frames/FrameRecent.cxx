@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the pass learned after the first seeds were kept: skies, holes in casters, volumes that cast
-// shadows, multiple scattering. Only recent groups have it, from random numbers of its own: so
+// shadows or are media, images with colours, multiple scattering. Only recent groups have it, from random numbers of its own: so
 // earlier seeds still mean the scenes that they meant.
 
 #include "FrameScene.h"
 
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkTexture.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 
@@ -57,6 +60,45 @@ void FrameScene::SetSky(vtkParticipatingMedium* medium, Random& random)
 }
 
 //------------------------------------------------------------------------------
+// Colours of each sample, for the albedo, the emission or both; or none.
+void FrameScene::SetColours(vtkParticipatingMedium* medium, Random& random)
+{
+  const int kind = random.Index(4);
+  this->Note("colours ", kind);
+  medium->SetAlbedoArrayName(kind & 1 ? "Colours" : "");
+  medium->SetEmissionArrayName(kind & 2 ? "Colours" : "");
+  vtkImageData* image = medium->GetDensityImage();
+  if (!image || kind == 0)
+  {
+    return;
+  }
+  vtkNew<vtkFloatArray> colours;
+  colours->SetName("Colours");
+  colours->SetNumberOfComponents(random.Index(2) ? 3 : 1);
+  colours->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < colours->GetNumberOfValues(); ++i)
+  {
+    colours->SetValue(i, static_cast<float>(std::max(random.Uniform(-0.5, 1.0), 0.0)));
+  }
+  image->GetPointData()->AddArray(colours);
+  const double emission = 0.1 / this->Unit;
+  medium->SetEmission(emission, 2.0 * emission, 0.0);
+}
+
+//------------------------------------------------------------------------------
+void FrameScene::ScatterInVolumes(Random& random)
+{
+  for (const FrameItem& item : this->Items)
+  {
+    if (vtkVolume* volume = vtkVolume::SafeDownCast(item.Prop))
+    {
+      vtkAirlightPass::SetVolumeScatters(volume, random.Index(2) != 0);
+      this->Note("a volume is a medium");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void FrameScene::AddCutOut(Random& random)
 {
   FrameItem item = MakeFrameItem(FRAME_TEXTURED, random, this->Renderer->GetActiveCamera());
@@ -75,7 +117,12 @@ void FrameScene::AddRecent(Random& random)
   {
     this->SetSky(medium, random);
     medium->SetMultipleScattering(random.Index(3) == 0);
+    if (medium->GetDensity() == vtkParticipatingMedium::IMAGE)
+    {
+      this->SetColours(medium, random);
+    }
   }
+  this->ScatterInVolumes(random);
   if (random.Index(2) == 0)
   {
     this->AddCutOut(random);
@@ -88,7 +135,7 @@ void FrameScene::ChangeRecent(Random& random)
 {
   vtkParticipatingMedium* medium =
     this->Media[static_cast<size_t>(random.Index(static_cast<int>(this->Media.size())))];
-  const int change = random.Index(6);
+  const int change = random.Index(8);
   this->Note("recent change ", change);
   switch (change)
   {
@@ -111,6 +158,15 @@ void FrameScene::ChangeRecent(Random& random)
         {
           CutHoles(item.Actors[0]->GetTexture(), random);
         }
+      }
+      break;
+    case 5:
+      this->ScatterInVolumes(random);
+      break;
+    case 6:
+      if (medium->GetDensity() == vtkParticipatingMedium::IMAGE)
+      {
+        this->SetColours(medium, random);
       }
       break;
     default:

@@ -96,6 +96,8 @@ private:
   void AddRecent(Random& random);
   void AddCutOut(Random& random);
   void SetSky(vtkParticipatingMedium* medium, Random& random);
+  void SetColours(vtkParticipatingMedium* medium, Random& random);
+  void ScatterInVolumes(Random& random);
   void ChangeRecent(Random& random);
 
   // FrameChanges.cxx
