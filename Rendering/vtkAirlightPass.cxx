@@ -174,6 +174,11 @@ vtkInformationIntegerKey* vtkAirlightPass::CASTS_SHADOW() { return GetCastsShado
 
 vtkInformationIntegerKey* vtkAirlightPass::VOLUME_SCATTERS() { return GetVolumeScattersKey(); }
 
+vtkInformationObjectBaseKey* vtkAirlightPass::VOLUME_PHASE_FUNCTION()
+{
+  return GetVolumePhaseFunctionKey();
+}
+
 vtkInformationDoubleVectorKey* vtkAirlightPass::SHADOW_OPACITY() { return GetShadowOpacityKey(); }
 
 //------------------------------------------------------------------------------
@@ -196,6 +201,17 @@ void vtkAirlightPass::SetVolumeScatters(vtkVolume* volume, bool scatters)
     return;
   }
   airlight::SetVolumeScatters(volume, scatters);
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetVolumePhaseFunction(vtkVolume* volume, vtkPhaseFunction* function)
+{
+  if (!volume)
+  {
+    vtkErrorWithObjectMacro(nullptr, "SetVolumePhaseFunction() needs a volume; it got null.");
+    return;
+  }
+  airlight::SetVolumePhaseFunction(volume, function);
 }
 
 //------------------------------------------------------------------------------

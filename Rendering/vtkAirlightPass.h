@@ -42,8 +42,10 @@
 class vtkImageData;
 class vtkInformationDoubleVectorKey;
 class vtkInformationIntegerKey;
+class vtkInformationObjectBaseKey;
 class vtkLight;
 class vtkParticipatingMedium;
+class vtkPhaseFunction;
 class vtkProp;
 class vtkRenderer;
 class vtkUnsignedCharArray;
@@ -591,11 +593,10 @@ public:
   /**
    * Whether a volume is a medium itself: smoke, cloud or tissue that scatters the lights, shades
    * itself and all else, in place of the glowing fog that ray casting makes of it. Its extinction
-   * is that of VolumeShadows, its albedo at each place is its colour function, its phase function
-   * is isotropic; colours count as they are, without gamma, and shading and ambient properties have
-   * no effect. The pass draws it, among at most
-   * eight media, and vtkAirlightReference reads it, too. Default: false. It is the key
-   * VOLUME_SCATTERS() in the volume's property keys, where 1 means true.
+   * is that of VolumeShadows, its albedo at each place is its colour function; colours count as
+   * they are, without gamma, and shading and ambient properties have no effect. The pass draws it,
+   * among at most eight media, and vtkAirlightReference reads it, too. Default: false. It is the
+   * key VOLUME_SCATTERS() in the volume's property keys, where 1 means true.
    *
    * The volume must be a visible prop of the renderer and one that can cast shadows
    * (VolumeShadows); others give a warning and are drawn by VTK. In an assembly the key has no
@@ -607,6 +608,22 @@ public:
    */
   static void SetVolumeScatters(vtkVolume* volume, bool scatters);
   static vtkInformationIntegerKey* VOLUME_SCATTERS();
+  ///@}
+
+  ///@{
+  /**
+   * The phase function of a volume that is a medium: smoke and clouds scatter forward. Several
+   * volumes and media may share it, and changes of its parameters are followed. Default: null,
+   * which is isotropic. It is the key VOLUME_PHASE_FUNCTION() in the volume's property keys. A null
+   * volume gives an error.
+   * @code
+   *   vtkNew<vtkHenyeyGreensteinPhaseFunction> forward;
+   *   forward->SetAnisotropy(0.8);
+   *   vtkAirlightPass::SetVolumePhaseFunction(plume, forward);
+   * @endcode
+   */
+  static void SetVolumePhaseFunction(vtkVolume* volume, vtkPhaseFunction* function);
+  static vtkInformationObjectBaseKey* VOLUME_PHASE_FUNCTION();
   ///@}
 
   ///@{

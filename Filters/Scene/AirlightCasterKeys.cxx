@@ -5,7 +5,9 @@
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkNew.h"
+#include "vtkPhaseFunction.h"
 #include "vtkProp.h"
 
 #include <algorithm>
@@ -67,6 +69,14 @@ vtkInformationIntegerKey* GetVolumeScattersKey()
 }
 
 //------------------------------------------------------------------------------
+vtkInformationObjectBaseKey* GetVolumePhaseFunctionKey()
+{
+  static vtkInformationObjectBaseKey* key =
+    vtkInformationObjectBaseKey::MakeKey("VOLUME_PHASE_FUNCTION", Location);
+  return key;
+}
+
+//------------------------------------------------------------------------------
 vtkInformationDoubleVectorKey* GetShadowOpacityKey()
 {
   static vtkInformationDoubleVectorKey* key =
@@ -88,6 +98,13 @@ bool IsMedium(vtkProp* part, vtkProp* prop)
   vtkInformation* keys = part->GetPropertyKeys();
   vtkInformationIntegerKey* key = GetVolumeScattersKey();
   return part == prop && part->IsA("vtkVolume") && keys && keys->Has(key) && keys->Get(key) != 0;
+}
+
+//------------------------------------------------------------------------------
+vtkPhaseFunction* GetVolumePhaseFunction(vtkProp* volume)
+{
+  vtkInformation* keys = volume->GetPropertyKeys();
+  return keys ? vtkPhaseFunction::SafeDownCast(keys->Get(GetVolumePhaseFunctionKey())) : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -122,6 +139,13 @@ void SetVolumeScatters(vtkProp* volume, bool scatters)
 {
   ChangeKeys(
     volume, [&](vtkInformation* keys) { keys->Set(GetVolumeScattersKey(), scatters ? 1 : 0); });
+}
+
+//------------------------------------------------------------------------------
+void SetVolumePhaseFunction(vtkProp* volume, vtkPhaseFunction* function)
+{
+  ChangeKeys(
+    volume, [&](vtkInformation* keys) { keys->Set(GetVolumePhaseFunctionKey(), function); });
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "Scene/AirlightVolumeExtinction.h"
 
 #include "vtkMatrix4x4.h"
+#include "vtkPhaseFunction.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -60,6 +61,10 @@ const VolumeMedium& VolumeMedia::Get(vtkVolume* volume)
     entry.Found = MakeMedium(volume);
     // A property makes the functions that it does not have.
     entry.Time = GetVolumeTime(volume);
+  }
+  if (entry.Found.Medium)
+  {
+    entry.Found.Medium->SetPhaseFunction(GetVolumePhaseFunction(volume));
   }
   return entry.Found;
 }

@@ -15,6 +15,7 @@
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPhaseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
@@ -166,6 +167,7 @@ void SceneStamp::AddKeys(vtkProp* prop)
   ReadShadowOpacity(prop, opacity, error);
   this->Times.push_back((CastsShadow(prop) ? 1 : 0) + (IsMedium(prop, prop) ? 2 : 0));
   this->AddNumbers(&opacity.x, 3);
+  this->Add(GetVolumePhaseFunction(prop));
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,8 @@
 
 #include "FaultTrial.h"
 
+#include "AirlightTestCloudVolume.h"
+
 using namespace airlight_test;
 
 namespace
@@ -16,15 +18,20 @@ struct Expected
   Picture Good;
 };
 
-// A window of this size where nothing is wrong.
-Expected Draw(int width, int height)
+// Where nothing is wrong.
+Expected Draw(WindowScene& scene)
 {
-  WindowScene scene(width, height, 1);
   Expected pictures;
   pictures.Good = Capture(scene.Window);
   scene.Renderer->SetPass(nullptr);
   pictures.Plain = Capture(scene.Window);
   return pictures;
+}
+
+Expected Draw(int width, int height)
+{
+  WindowScene scene(width, height, 1);
+  return Draw(scene);
 }
 
 void CheckFrames(
@@ -73,6 +80,30 @@ void TestTextureBufferSize(const Expected& small)
   ClaimTextureBufferSize(0);
 }
 
+// So does a volume that is a medium itself: VTK's picture has it.
+void AddVolume(WindowScene& scene)
+{
+  const auto image = MakeDensity(glm::ivec3(12), glm::dvec3(-1.5), glm::dvec3(1.5));
+  FillCloud(image, 81027);
+  const auto volume = MakeCloudVolume(image, 0.8, 0.7);
+  scene.Renderer->AddVolume(volume);
+  vtkAirlightPass::SetVolumeScatters(volume, true);
+}
+
+void TestVolume(const Expected& small)
+{
+  WindowScene other(80, 60, 1);
+  AddVolume(other);
+  const Expected expected = Draw(other);
+  Check(Compare(expected.Plain, small.Plain) != 0, "the volume is seen");
+  WindowScene scene(80, 60, 1);
+  AddVolume(scene);
+  ClaimTextureBufferSize(8);
+  CheckFrames(scene, expected, "the graphics card has room for 8", "a volume as a medium");
+  ClaimTextureBufferSize(0);
+  CheckRecovered(scene, expected, "a volume as a medium, with room");
+}
+
 // The pass goes to a window whose OpenGL is newer.
 void TestVersion(const Expected& small)
 {
@@ -114,6 +145,7 @@ int TestFaultsLimits(int, char*[])
   const Expected large = Draw(120, 90);
   TestTextureSize(small, large);
   TestTextureBufferSize(small);
+  TestVolume(small);
   TestVersion(small);
   TestLostContext(small);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

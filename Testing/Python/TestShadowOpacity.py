@@ -112,6 +112,10 @@ class TestShadowOpacity(unittest.TestCase):
             lambda: airlight.vtkAirlightPass.SetShadowOpacity(None, 0.5, 0.5, 0.5)))
         self.assertIn("null", take_errors(
             lambda: airlight.vtkAirlightPass.SetCastsShadow(None, False)))
+        self.assertIn("null", take_errors(
+            lambda: airlight.vtkAirlightPass.SetVolumeScatters(None, True)))
+        self.assertIn("null", take_errors(
+            lambda: airlight.vtkAirlightPass.SetVolumePhaseFunction(None, None)))
 
 
 if __name__ == "__main__":
