@@ -23,7 +23,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 RUN = {"PyVista": "PyVista", "Python": "VTK in Python"}
 LISTED = {"ParaView": "ParaView", "vedo": "vedo", "trame": "trame", "Jupyter": "Jupyter"}
 # Why some are not run.
-NOT_RUN = {"fire_smoke": "It is a part of `fire_visibility.py`.",
+NOT_RUN = {"cloud_beside_vtk": "It needs a `.vdb` or `.vti` file.",
+           "fire_smoke": "It is a part of `fire_visibility.py`.",
            "openvdb_to_numpy": "It needs a `.vdb` file.",
            "plume_as_fog": "It needs a `.vdb` file."}
 SUFFIXES = (".png", ".jpg", ".gif")

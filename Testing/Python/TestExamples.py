@@ -236,6 +236,24 @@ class TestExamples(ExampleTest):
         return Grid(samples, image.GetOrigin(), image.GetSpacing()), samples, image
 
     @unittest.skipUnless(WRITE_OPENVDB, "built without OpenVDB")
+    def test_cloud_beside_vtk(self):
+        """The pass is near the exact picture, VTK's plain ray casting is not."""
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([WRITE_OPENVDB, folder + "/"], check=True, timeout=60)
+            text = self.run_example("cloud_beside_vtk.py", folder + "/plume.vdb", "density", "-o",
+                                    folder + "/clouds.png", "--size", "48", "48")
+            picture = read_png(folder + "/clouds.png")
+        print(text)
+        errors = {name: float(error)
+                  for name, error in re.findall(r"^(\S.*?) +error +(\S+)", text, re.MULTILINE)}
+        self.assertEqual(picture.shape, (48, 48 * len(errors), 3))
+        self.assertEqual(errors["vtkAirlightReference"], 0)
+        self.assertLess(errors["vtkAirlightPass"], 0.02)
+        self.assertGreater(errors["VTK, no shadows"], 0.3)
+        cloud = picture[:, :48].max(axis=-1)
+        self.assertTrue(0.1 < (cloud > 0.1).mean() < 0.6 and cloud.max() > 0.9)
+
+    @unittest.skipUnless(WRITE_OPENVDB, "built without OpenVDB")
     def test_plume_as_fog(self):
         width, height = 18, 27
         with tempfile.TemporaryDirectory() as folder:
