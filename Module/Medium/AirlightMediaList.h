@@ -70,24 +70,6 @@ public:
         " are drawn: the first ones are. Call RemoveMedium() for those not needed.";
   }
 
-  // Empty, or why the pass cannot draw them.
-  std::string CheckImages() const
-  {
-    const char* remedy = "; choose another density, or compute the picture with "
-                         "vtkAirlightReference";
-    for (int i = 0; i < this->GetSize(); ++i)
-    {
-      const bool image = this->Get(i)->GetDensity() == vtkParticipatingMedium::IMAGE;
-      if (image && this->Get(i)->GetRegion() == vtkParticipatingMedium::SURFACE)
-      {
-        return "medium " + std::to_string(i) +
-          " has its density from an image inside a closed surface, which is not drawn" + remedy +
-          ", or make the image 0 outside the surface and the region another one";
-      }
-    }
-    return "";
-  }
-
   // Empty, or why vtkAirlightPolyDataMapper cannot draw them.
   std::string CheckDensities() const
   {

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The medium of the view in a closed surface and with densities of an image, both of sources."""
+"""The medium of the view in a closed surface, with densities of an image, and both, of sources."""
 
 import pathlib
 import subprocess
@@ -74,6 +74,14 @@ class MediumSources(unittest.TestCase):
         enter, leave = test.cross_box(eye, turn_y(rays, -turn), np.array(low), np.array(high))
         return SCATTERING * (leave - enter)
 
+    def ramp_depths(self, low, high):
+        """Of make_ramp() in a box, whose mean density along a ray is that of the middle."""
+        rays = test.pixel_rays(*test.SIZE)
+        enter, leave = test.cross_box(
+            np.broadcast_to(EYE, rays.shape), rays, np.array(low), np.array(high))
+        middle = EYE[0] + 0.5 * (enter + leave) * rays[..., 0]
+        return SCATTERING / 4 * (leave - enter) * (middle + 3)
+
     def test_surface(self):
         """A turned box, which changes, and whose filter does."""
         box = make_box()
@@ -144,18 +152,19 @@ class MediumSources(unittest.TestCase):
         self.view.DensityArray = ["POINTS", "ramp"]
         self.view.Density = "Image"
         self.view.Scattering = [SCATTERING / 4] * 3
-        rays = test.pixel_rays(*test.SIZE)
-        enter, leave = test.cross_box(np.broadcast_to(EYE, rays.shape), rays, np.array([-2, -2, -1]),
-                                  np.array([2, 2, 1]))
-        middle = EYE[0] + 0.5 * (enter + leave) * rays[..., 0]
-        self.check_opacity(SCATTERING / 4 * (leave - enter) * (middle + 3), "image")
+        depths = self.ramp_depths([-2, -2, -1], [2, 2, 1])
+        self.check_opacity(depths, "image")
         # The other array, whose values are at least 37.
         self.view.DensityArray = ["POINTS", "RTData"]
         dense = test.picture(self.view, "image-dense", TransparentBackground=1)[..., 3]
         self.assertEqual(dense[75, 100], 255)
         # Without a choice the active scalars, which are those of the Calculator.
         self.view.DensityArray = [None, ""]
-        self.check_opacity(SCATTERING / 4 * (leave - enter) * (middle + 3), "image-scalars")
+        self.check_opacity(depths, "image-scalars")
+        # A closed surface cuts it.
+        self.view.RegionSurface = make_box()
+        self.view.Region = "Surface"
+        self.check_opacity(self.ramp_depths(-SIZES / 2, SIZES / 2), "image-in-surface")
         self.view.Scattering = [SCATTERING] * 3
 
     def test_colours(self):

@@ -471,11 +471,6 @@ bool PassRenderer::CollectScene(const vtkRenderState* s, const Settings& setting
     this->Error = "the camera's matrices are not finite or cannot be inverted";
     return false;
   }
-  this->Error = this->Media.CheckImages();
-  if (!this->Error.empty())
-  {
-    return false;
-  }
   scene.Sources.Media = this->Media.GetAll();
   scene.Sources.Media.insert(
     scene.Sources.Media.end(), this->MediaOfVolumes.begin(), this->MediaOfVolumes.end());

@@ -4,12 +4,14 @@
 
 #include "Density/AirlightTrilinear.h"
 #include "Integration/AirlightMembers.h"
+#include "Scene/AirlightPackedSamples.h"
 #include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace airlight
@@ -17,22 +19,26 @@ namespace airlight
 namespace
 {
 // Grids are refined until optical depths between their points are no more wrong than this, up to
-// the largest grid: points along the image's longest side.
+// the largest grid: points along the image's longest side. The shadows of images that have more
+// samples than it has points have more detail: a finer one serves them where that takes less than
+// half a second on two cores.
 constexpr double Tolerance = 1e-3;
 constexpr int Smallest = 5;
 constexpr int Largest = 65;
+constexpr int Finer = 129;
+constexpr double MostOfFiner = 1e8; // points, times the samples on a way
 
 constexpr int TestPoints = 500;
 // Where less light than this is left, errors do not matter.
 constexpr double OpaqueDepth = 5.0; // optical depth
 constexpr int MostAge = 4;
-// Density that single precision can reckon with, and through which nothing is seen.
-constexpr double Opaque = 1e25;
 
 // Samples that are looked at before a way is followed: it has hundreds itself.
 constexpr double MostSearched = 5000.0;
 // Inside by so much, in samples: ways along the image's faces are inside it.
 constexpr double Inset = 1e-6;
+
+constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
 // The ways from points of the image to a light.
 class Ways
@@ -43,10 +49,12 @@ public:
     , Grid(*medium.grid)
     , Light(light.position)
     , Directional(f64::airlightIsDirectional(light))
+    , IsSurface(medium.region.kind == AIRLIGHT_REGION_SURFACE)
   {
   }
 
-  // Mean density and length of a way from a place in samples.
+  // Mean density and length of a way from a place in samples; in a closed surface, of what is
+  // inside, unknown where that is nothing.
   glm::dvec2 Measure(const glm::dvec3& samples) const
   {
     const glm::dvec3 inside = glm::clamp(
@@ -62,27 +70,47 @@ public:
     }
     glm::dvec2 range = f64::airlightRegionRange(this->Medium.region, point, way, length);
     range = this->Grid.GetRange(point, way, range.x, range.y);
-    length = std::max(range.y - range.x, 0.0);
-    const bool any = length * glm::length(this->Grid.GetAxes() * way) > 10.0 * Inset;
-    return { any ? this->Grid.Integrate(point, way, range.x, range.y) / length
-                 : this->Grid.GetDensityAt(inside),
-      length };
+    range.y = std::max(range.x, range.y);
+    const glm::dvec3 entry = point + range.x * way;
+    const double end = range.y - range.x;
+    const double reach =
+      this->IsSurface ? f64::airlightSurfaceSums(this->Medium, entry, way, end, 0.0).x : end;
+    if (reach * glm::length(this->Grid.GetAxes() * way) > 10.0 * Inset)
+    {
+      return { this->Integrate(point, way, range) / reach, reach };
+    }
+    return { this->IsSurface && !this->Holds(point) ? Unknown : this->Grid.GetDensityAt(inside),
+      reach };
   }
 
   // Whether something is scattered there.
   bool Scatters(const glm::dvec3& samples) const
   {
-    return this->Grid.GetDensityAt(samples) > 0.0 &&
-      f64::airlightHolds(this->Medium.region, this->Grid.ToWorld(samples));
+    return this->Grid.GetDensityAt(samples) > 0.0 && this->Holds(this->Grid.ToWorld(samples));
   }
 
   const DensityGrid& GetGrid() const { return this->Grid; }
 
 private:
+  double Integrate(const glm::dvec3& point, const glm::dvec3& way, const glm::dvec2& range) const
+  {
+    return this->IsSurface
+      ? f64::airlightGridDepthInSurface(this->Medium, point, way, range.x, range.y)
+      : this->Grid.Integrate(point, way, range.x, range.y);
+  }
+
+  // Whether the region does.
+  bool Holds(const glm::dvec3& point) const
+  {
+    const glm::dvec3 up(0.0, 0.0, 1.0);
+    return f64::airlightPathAt(this->Medium, this->IsSurface, point, up, 0.0, 0.0, false).z > 0.5;
+  }
+
   const f64::AirlightMedium& Medium;
   const DensityGrid& Grid;
   glm::dvec3 Light;
   bool Directional;
+  bool IsSurface;
 };
 
 // As many points along each side as make cells about as long as wide.
@@ -93,6 +121,15 @@ glm::ivec3 GetSize(const DensityGrid& grid, int longest)
     glm::dvec3(glm::length(steps[0]), glm::length(steps[1]), glm::length(steps[2]));
   const double most = std::max({ sides.x, sides.y, sides.z });
   return glm::max(glm::ivec3(glm::ceil(sides / most * (longest - 1.0))), 1) + 1;
+}
+
+int GetLargest(const DensityGrid& grid)
+{
+  const glm::dvec3 last = grid.GetLast();
+  const double samples = std::max({ last.x, last.y, last.z }) + 1.0;
+  const glm::dvec3 size(GetSize(grid, Finer));
+  const bool finer = samples > Largest && size.x * size.y * size.z * samples <= MostOfFiner;
+  return finer ? Finer : Largest;
 }
 
 // Whether the medium is in a cell that a point of the light's grid belongs to. `scale` is from
@@ -121,6 +158,45 @@ bool IsNeeded(const DensityGrid& grid, const glm::dvec3& node, const glm::dvec3&
   return false;
 }
 
+// The mean of those points around a point that are known; 0 without any.
+double GetMeanAround(
+  const std::vector<double>& means, const glm::ivec3& size, const glm::ivec3& point)
+{
+  const glm::ivec3 low = glm::max(point - 1, 0);
+  const glm::ivec3 high = glm::min(point + 1, size - 1);
+  double sum = 0.0;
+  int count = 0;
+  for (int k = low.z; k <= high.z; ++k)
+  {
+    for (int j = low.y; j <= high.y; ++j)
+    {
+      for (int i = low.x; i <= high.x; ++i)
+      {
+        const double mean = means[(static_cast<size_t>(k) * size.y + j) * size.x + i];
+        sum += std::isnan(mean) ? 0.0 : mean;
+        count += std::isnan(mean) ? 0 : 1;
+      }
+    }
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+// Beside a closed surface, cells that it cuts shall not mix in what is nowhere inside.
+std::vector<double> FillUnknown(const std::vector<double>& means, const glm::ivec3& size)
+{
+  std::vector<double> filled = means;
+  for (size_t i = 0; i < means.size(); ++i)
+  {
+    if (std::isnan(means[i]))
+    {
+      const int at = static_cast<int>(i);
+      filled[i] =
+        GetMeanAround(means, size, { at % size.x, at / size.x % size.y, at / (size.x * size.y) });
+    }
+  }
+  return filled;
+}
+
 // 0 where nothing is scattered, unless `everywhere`.
 std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size, bool everywhere)
 {
@@ -142,7 +218,7 @@ std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size, bool ev
       }
     }
   });
-  return means;
+  return FillUnknown(means, size);
 }
 
 // Van der Corput's sequence in this base: evenly spread and the same every time.
@@ -180,6 +256,14 @@ std::vector<TestPoint> MakeTests(const Ways& ways, double sigmaT, bool everywher
     }
   }
   return points;
+}
+
+std::shared_ptr<const std::vector<glm::vec4>> Pack(
+  const std::vector<double>& means, const glm::ivec3& size)
+{
+  auto texels = std::make_shared<std::vector<glm::vec4>>(CountTexels(size));
+  PackSamples(means, size, texels->data());
+  return texels;
 }
 
 //------------------------------------------------------------------------------
@@ -242,8 +326,9 @@ LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::Airligh
   const Ways ways(medium, light);
   const double sigmaT = std::max({ medium.sigmaT.x, medium.sigmaT.y, medium.sigmaT.z });
   const std::vector<TestPoint> tests = MakeTests(ways, sigmaT, everywhere);
+  const int largest = GetLargest(ways.GetGrid());
   LightGrid result{};
-  for (int longest = Smallest; longest <= Largest; longest = 2 * longest - 1)
+  for (int longest = Smallest; longest <= largest; longest = 2 * longest - 1)
   {
     const auto start = std::chrono::steady_clock::now();
     const glm::ivec3 size = GetSize(ways.GetGrid(), longest);
@@ -254,13 +339,13 @@ LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::Airligh
       const double mean = InterpolateTrilinearly(means, size, test.Share * glm::dvec3(size - 1));
       result.Error = std::max(result.Error, sigmaT * std::abs(mean - test.Mean) * test.Length);
     }
-    result.IsFinest = result.Error <= Tolerance || 2 * longest - 1 > Largest;
+    result.IsFinest = result.Error <= Tolerance || 2 * longest - 1 > largest;
     // The next one has eight times as many points.
     const std::chrono::duration<double> next = 8.0 * (std::chrono::steady_clock::now() - start);
     if (result.IsFinest || next.count() > seconds)
     {
       result.Cells = glm::dvec3(size - 1);
-      result.Means = PackSamples(means, size);
+      result.Means = Pack(means, size);
       break;
     }
     seconds -= 0.125 * next.count();
@@ -271,47 +356,15 @@ LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::Airligh
 //------------------------------------------------------------------------------
 const LightGrid& LightGrid::GetDark()
 {
-  static const LightGrid dark{ PackSamples(std::vector<double>(8, 0.0), glm::ivec3(2)),
-    glm::dvec3(1.0), 0.0, true };
+  static const LightGrid dark{ Pack(std::vector<double>(8, 0.0), glm::ivec3(2)), glm::dvec3(1.0),
+    0.0, true };
   return dark;
 }
 
 //------------------------------------------------------------------------------
-template <typename Samples>
-FloatTexels PackSamples(const Samples& samples, const glm::ivec3& size)
-{
-  const auto at = [&](int i, int j, int k) {
-    return std::min(samples[(static_cast<size_t>(k) * size.y + j) * size.x + i], Opaque);
-  };
-  auto texels = std::make_shared<std::vector<glm::vec4>>();
-  texels->reserve(static_cast<size_t>(size.x - 1) * (size.y - 1) * size.z);
-  for (int k = 0; k < size.z; ++k)
-  {
-    for (int j = 0; j + 1 < size.y; ++j)
-    {
-      for (int i = 0; i + 1 < size.x; ++i)
-      {
-        texels->emplace_back(at(i, j, k), at(i + 1, j, k), at(i, j + 1, k), at(i + 1, j + 1, k));
-      }
-    }
-  }
-  return texels;
-}
-
-//------------------------------------------------------------------------------
-FloatTexels LightGrids::GetSamples(const DensityGrid& grid)
-{
-  if (!this->Samples)
-  {
-    this->Samples = PackSamples(grid.GetSamples(), glm::ivec3(grid.GetLast()) + 1);
-  }
-  this->Age = 0;
-  return this->Samples;
-}
-
-//------------------------------------------------------------------------------
 const LightGrid& LightGrids::GetLight(const f64::AirlightMedium& medium,
-  const f64::AirlightLight& light, const glm::dvec3& eye, bool everywhere, double seconds)
+  const std::shared_ptr<const SurfaceTree>& surface, const f64::AirlightLight& light,
+  const glm::dvec3& eye, bool everywhere, double seconds)
 {
   const bool directional = f64::airlightIsDirectional(light);
   // Back in the world, where a moving eye rounds a little.
@@ -324,9 +377,9 @@ const LightGrid& LightGrids::GetLight(const f64::AirlightMedium& medium,
     1e-9 * (glm::length(eye) + glm::length(there.region.boxMax - there.region.boxMin));
   for (const std::unique_ptr<Entry>& entry : this->Entries)
   {
-    if (entry->Directional == directional && IsNear(entry->Position, sceneLight.position, near) &&
-      entry->Everywhere == everywhere && entry->SigmaT == medium.sigmaT &&
-      IsSame(entry->Region, there.region, near))
+    if (entry->Surface == surface && entry->Directional == directional &&
+      IsNear(entry->Position, sceneLight.position, near) && entry->Everywhere == everywhere &&
+      entry->SigmaT == medium.sigmaT && IsSame(entry->Region, there.region, near))
     {
       entry->Age = 0;
       if (!entry->Values.IsFinest && std::isinf(seconds))
@@ -337,8 +390,8 @@ const LightGrid& LightGrids::GetLight(const f64::AirlightMedium& medium,
     }
   }
   this->Entries.push_back(
-    std::make_unique<Entry>(Entry{ there.region, medium.sigmaT, sceneLight.position, directional,
-      everywhere, 0, LightGrid::Build(there, sceneLight, everywhere, seconds) }));
+    std::make_unique<Entry>(Entry{ surface, there.region, medium.sigmaT, sceneLight.position,
+      directional, everywhere, 0, LightGrid::Build(there, sceneLight, everywhere, seconds) }));
   return this->Entries.back()->Values;
 }
 
@@ -348,6 +401,6 @@ bool LightGrids::Forget()
   this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
                         [](const std::unique_ptr<Entry>& entry) { return ++entry->Age > MostAge; }),
     this->Entries.end());
-  return ++this->Age > MostAge;
+  return this->Entries.empty();
 }
 }

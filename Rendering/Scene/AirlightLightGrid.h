@@ -14,16 +14,17 @@
 #define AirlightLightGrid_h
 
 #include "Integration/AirlightMath.h"
-#include "Scene/AirlightSceneData.h"
 
 #include <memory>
 #include <vector>
 
 namespace airlight
 {
+class SurfaceTree;
+
 struct LightGrid
 {
-  FloatTexels Means; // as airlightCell() reads them
+  std::shared_ptr<const std::vector<glm::vec4>> Means; // AirlightPackedSamples.h
   glm::dvec3 Cells;
   double Error; // the largest of optical depths found between the points, where light is left
   bool IsFinest;
@@ -38,17 +39,14 @@ struct LightGrid
   static const LightGrid& GetDark();
 };
 
-// Samples as airlightCell() reads them: 2 x 2 in x and y a texel.
-template <typename Samples>
-FloatTexels PackSamples(const Samples& samples, const glm::ivec3& size);
-
-// What the last frame needed of one image.
+// What the last frames needed of one image.
 class LightGrids
 {
 public:
-  // The image's samples, and the grid of a light; medium and light relative to `eye`.
-  FloatTexels GetSamples(const DensityGrid& grid);
-  const LightGrid& GetLight(const f64::AirlightMedium& medium, const f64::AirlightLight& light,
+  // The grid of a light; medium and light relative to `eye`. `surface`: that of the medium's
+  // region, or null.
+  const LightGrid& GetLight(const f64::AirlightMedium& medium,
+    const std::shared_ptr<const SurfaceTree>& surface, const f64::AirlightLight& light,
     const glm::dvec3& eye, bool everywhere, double seconds);
 
   // Forgets what was not used in the last few frames: renderers may share a pass. True where that
@@ -58,6 +56,7 @@ public:
 private:
   struct Entry
   {
+    std::shared_ptr<const SurfaceTree> Surface;
     f64::AirlightRegion Region; // of the world
     glm::dvec3 SigmaT;
     glm::dvec3 Position;
@@ -67,8 +66,6 @@ private:
     LightGrid Values;
   };
 
-  FloatTexels Samples;
-  int Age = 0; // calls of Forget() since they were used
   std::vector<std::unique_ptr<Entry>> Entries;
 };
 }

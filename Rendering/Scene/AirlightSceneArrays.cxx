@@ -4,6 +4,7 @@
 
 #include "Phase/AirlightPhaseShape.h"
 #include "Region/AirlightSurfaceTree.h"
+#include "Scene/AirlightPackedSamples.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkParticipatingMedium.h"
@@ -28,28 +29,40 @@ double GetTimeForGrid(vtkOpenGLRenderWindow* window, const f64::AirlightMedia& m
     ? std::numeric_limits<double>::infinity()
     : 0.3 / (rate * std::max<double>((media.count + media.volumes) * powerful, 1.0));
 }
+
+// Numbers that a shared object holds.
+template <typename Vector>
+SceneArray MakeArray(const std::shared_ptr<const void>& owner, const std::vector<Vector>& texels)
+{
+  const auto write = [all = &texels](glm::vec4* to) { std::copy(all->begin(), all->end(), to); };
+  return { owner, texels.size(), write };
+}
 }
 
 //------------------------------------------------------------------------------
 // The image of density and, for each light, the grid of depths from there to it.
-void SceneArrays::AddDensity(const Add& add, int index,
-  const std::shared_ptr<const DensityGrid>& image, f64::AirlightMedia& converted,
-  std::vector<SceneLight>& sceneLights, double seconds)
+void SceneArrays::AddDensity(const Add& add, int index, const DensitySource& source,
+  f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights, double seconds)
 {
-  LightGrids& grids = this->Grids[image];
+  LightGrids& grids = this->Grids[source.Image];
   const bool everywhere = converted.count + converted.volumes > 1;
   f64::AirlightMedium& item = converted.item[index];
-  add(grids.GetSamples(*image), item.gridFirst);
+  const DensitySamples& samples = source.Image->GetSamples();
+  const glm::ivec3 size = glm::ivec3(source.Image->GetLast()) + 1;
+  add({ source.Image, CountTexels(size),
+        [&samples, size](glm::vec4* to) { PackSamples(samples, size, to); } },
+    item.gridFirst);
   for (SceneLight& sceneLight : sceneLights)
   {
     if (sceneLight.Scatters())
     {
       const LightGrid& grid = sceneLight.HasPower()
-        ? grids.GetLight(item, sceneLight.Values, item.gridOrigin, everywhere, seconds)
+        ? grids.GetLight(
+            item, source.Surface, sceneLight.Values, item.gridOrigin, everywhere, seconds)
         : LightGrid::GetDark();
       sceneLight.Values.gridSize[index] = grid.Cells;
       sceneLight.GridError += grid.Error;
-      add(grid.Means, sceneLight.Values.gridFirst[index]);
+      add(MakeArray(grid.Means, *grid.Means), sceneLight.Values.gridFirst[index]);
     }
   }
 }
@@ -60,7 +73,7 @@ void SceneArrays::AddColours(
 {
   if (colours)
   {
-    add(FloatTexels(colours, &colours->GetTexels()), first);
+    add(MakeArray(colours, colours->GetTexels()), first);
   }
 }
 
@@ -78,9 +91,9 @@ bool SceneArrays::Upload(vtkOpenGLRenderWindow* window, const SceneSources& sour
   f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights)
 {
   const std::vector<vtkParticipatingMedium*>& media = sources.Media;
-  std::vector<Texels> arrays;
+  std::vector<SceneArray> arrays;
   std::vector<int*> first;
-  const Add add = [&](const Texels& array, int& position) {
+  const Add add = [&](const SceneArray& array, int& position) {
     arrays.push_back(array);
     first.push_back(&position);
   };
@@ -90,12 +103,12 @@ bool SceneArrays::Upload(vtkOpenGLRenderWindow* window, const SceneSources& sour
     if (medium.region.kind == AIRLIGHT_REGION_SURFACE)
     {
       const std::shared_ptr<const SurfaceTree> tree = media[i]->GetSurfaceTree();
-      add(DoubleTexels(tree, &tree->GetTexels()), medium.region.first);
+      add(MakeArray(tree, tree->GetTexels()), medium.region.first);
     }
     if (medium.phase.rows > 0)
     {
       const std::shared_ptr<const PhaseShape> shape = media[i]->GetPhaseShape();
-      add(DoubleTexels(shape, &shape->Rows), medium.phase.first);
+      add(MakeArray(shape, shape->Rows), medium.phase.first);
     }
   }
   const double seconds = GetTimeForGrid(window, converted, sceneLights);
@@ -103,21 +116,25 @@ bool SceneArrays::Upload(vtkOpenGLRenderWindow* window, const SceneSources& sour
   {
     if (converted.item[i].density == AIRLIGHT_DENSITY_GRID)
     {
-      this->AddDensity(add, i, media[i]->GetDensityGrid(), converted, sceneLights, seconds);
+      const bool isSurface = converted.item[i].region.kind == AIRLIGHT_REGION_SURFACE;
+      const DensitySource source = { media[i]->GetDensityGrid(),
+        isSurface ? media[i]->GetSurfaceTree() : nullptr };
+      this->AddDensity(add, i, source, converted, sceneLights, seconds);
       AddColours(add, media[i]->GetAlbedoColours(), converted.item[i].albedoFirst);
       AddColours(add, media[i]->GetEmissionColours(), converted.item[i].glowFirst);
     }
   }
   for (int i = 0; i < converted.volumes; ++i)
   {
-    this->AddDensity(add, converted.count + i, sources.Volumes[i], converted, sceneLights, seconds);
+    this->AddDensity(
+      add, converted.count + i, { sources.Volumes[i], nullptr }, converted, sceneLights, seconds);
   }
   this->ForgetGrids();
   for (SceneLight& sceneLight : sceneLights)
   {
     if (sceneLight.Table)
     {
-      add(sceneLight.Table, sceneLight.Values.photometry.first);
+      add(MakeArray(sceneLight.Table, *sceneLight.Table), sceneLight.Values.photometry.first);
     }
   }
   const bool ok = this->Data.Update(window, arrays);

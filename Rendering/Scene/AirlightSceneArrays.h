@@ -48,8 +48,14 @@ public:
 
 private:
   // Notes an array and where its position is to be put.
-  using Add = std::function<void(const Texels&, int&)>;
-  void AddDensity(const Add& add, int index, const std::shared_ptr<const DensityGrid>& image,
+  using Add = std::function<void(const SceneArray&, int&)>;
+  // An image, and the closed surface that it fills, or null.
+  struct DensitySource
+  {
+    std::shared_ptr<const DensityGrid> Image;
+    std::shared_ptr<const SurfaceTree> Surface;
+  };
+  void AddDensity(const Add& add, int index, const DensitySource& source,
     f64::AirlightMedia& converted, std::vector<SceneLight>& sceneLights, double seconds);
   static void AddColours(
     const Add& add, const std::shared_ptr<const ImageColours>& colours, int& first);

@@ -8,67 +8,212 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+
 namespace airlight
 {
+namespace
+{
+// Room for a lamp's next grid, which may be finer.
+constexpr double Spare = 0.125;
+
+GLsizeiptr GetBytes(size_t texels) { return static_cast<GLsizeiptr>(texels * sizeof(glm::vec4)); }
+
+void CopyTexels(vtkOpenGLBufferObject* source, size_t from, size_t to, size_t count)
+{
+  glBindBuffer(GL_COPY_READ_BUFFER, source->GetHandle());
+  glCopyBufferSubData(
+    GL_COPY_READ_BUFFER, GL_TEXTURE_BUFFER, GetBytes(from), GetBytes(to), GetBytes(count));
+  glBindBuffer(GL_COPY_READ_BUFFER, 0);
+}
+}
+
+//------------------------------------------------------------------------------
 SceneData::SceneData() = default;
 SceneData::~SceneData() = default;
 
 //------------------------------------------------------------------------------
-bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<Texels>& arrays)
+bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<SceneArray>& arrays)
 {
-  if (arrays == this->Arrays)
+  this->KeepOnly(arrays);
+  if (!this->Add(window, arrays))
   {
-    return true;
+    this->Places.clear();
+    return false;
   }
-  this->Arrays.clear();
   this->First.clear();
-  std::vector<glm::vec4> texels;
-  for (const Texels& array : arrays)
+  for (const SceneArray& array : arrays)
   {
-    this->First.push_back(static_cast<int>(texels.size()));
-    std::visit(
-      [&texels](const auto& all) { texels.insert(texels.end(), all->begin(), all->end()); }, array);
+    this->First.push_back(this->Find(array)->First);
   }
-  if (texels.empty())
+  return true;
+}
+
+//------------------------------------------------------------------------------
+const SceneData::Place* SceneData::Find(const SceneArray& array) const
+{
+  const auto it = std::find_if(this->Places.begin(), this->Places.end(),
+    [&array](const Place& place) { return place.Key == array.Key; });
+  return it == this->Places.end() ? nullptr : &*it;
+}
+
+//------------------------------------------------------------------------------
+void SceneData::KeepOnly(const std::vector<SceneArray>& arrays)
+{
+  const auto isGone = [&arrays](const Place& place) {
+    return std::none_of(arrays.begin(), arrays.end(),
+      [&place](const SceneArray& array) { return array.Key == place.Key; });
+  };
+  this->Places.erase(
+    std::remove_if(this->Places.begin(), this->Places.end(), isGone), this->Places.end());
+}
+
+//------------------------------------------------------------------------------
+bool SceneData::FindGap(size_t size, size_t& first) const
+{
+  first = 0;
+  for (const Place& place : this->Places)
   {
-    return true;
+    if (place.First >= first + size)
+    {
+      return true;
+    }
+    first = place.First + place.Size;
   }
+  return first + size <= this->Capacity;
+}
+
+//------------------------------------------------------------------------------
+bool SceneData::Add(vtkOpenGLRenderWindow* window, const std::vector<SceneArray>& arrays)
+{
+  size_t sum = 0;
+  for (const SceneArray& array : arrays)
+  {
+    sum += array.Size;
+  }
+  // A large buffer is given back.
+  if ((sum > this->Capacity || sum < this->Capacity / 2) && !this->Allocate(window, sum))
+  {
+    return false;
+  }
+  for (const SceneArray& array : arrays)
+  {
+    size_t first = 0;
+    if (this->Find(array))
+    {
+      continue;
+    }
+    if (!this->FindGap(array.Size, first))
+    {
+      if (!this->Allocate(window, sum))
+      {
+        return false;
+      }
+      this->FindGap(array.Size, first);
+    }
+    if (!this->Write(array, first))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool SceneData::Write(const SceneArray& array, size_t first)
+{
+  this->Buffer->Bind();
+  void* texels = glMapBufferRange(GL_TEXTURE_BUFFER, GetBytes(first), GetBytes(array.Size),
+    GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_RANGE_BIT);
+  if (texels)
+  {
+    array.Write(static_cast<glm::vec4*>(texels));
+  }
+  const bool ok = texels && glUnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE;
+  this->Buffer->Release();
+  if (!ok)
+  {
+    this->Error = "the graphics card did not take the media's surfaces, images and tables: draw "
+                  "again, or use coarser ones";
+    return false;
+  }
+  const Place place = { array.Key, first, array.Size };
+  this->Places.insert(std::upper_bound(this->Places.begin(), this->Places.end(), place,
+                        [](const Place& a, const Place& b) { return a.First < b.First; }),
+    place);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Another buffer, to which the arrays move one after the other.
+bool SceneData::Allocate(vtkOpenGLRenderWindow* window, size_t texels)
+{
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  if (texels.size() > static_cast<size_t>(most))
+  if (texels > static_cast<size_t>(most))
   {
-    this->Error = "surfaces, images and tables take " + std::to_string(texels.size()) +
+    this->Error = "surfaces, images and tables take " + std::to_string(texels) +
       " texels and the graphics card has room for " + std::to_string(most) + "; use coarser ones";
     return false;
   }
+  const vtkSmartPointer<vtkOpenGLBufferObject> before = this->Buffer;
+  this->Buffer = nullptr;
+  this->Capacity = 0;
+  if (texels == 0)
+  {
+    return true;
+  }
+  const size_t capacity = std::min(
+    texels + static_cast<size_t>(Spare * static_cast<double>(texels)), static_cast<size_t>(most));
   ForgetErrors();
+  auto buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+  buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer);
+  buffer->Bind();
+  glBufferData(GL_TEXTURE_BUFFER, GetBytes(capacity), nullptr, GL_STATIC_DRAW);
+  bool ok = !IsOutOfMemory();
+  size_t end = 0;
+  for (Place& place : this->Places)
+  {
+    if (ok)
+    {
+      CopyTexels(before, place.First, end, place.Size);
+    }
+    place.First = end;
+    end += place.Size;
+  }
+  buffer->Release();
   this->Texture->SetContext(window);
-  this->Buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer);
-  if (!this->Buffer->Upload(texels, vtkOpenGLBufferObject::TextureBuffer) ||
-    !this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(texels.size()), 4, VTK_FLOAT, this->Buffer) ||
-    IsOutOfMemory())
+  ok = ok &&
+    this->Texture->CreateTextureBuffer(static_cast<unsigned int>(capacity), 4, VTK_FLOAT, buffer) &&
+    !IsOutOfMemory();
+  if (!ok)
   {
     this->Error = "no memory on the graphics card for the media's surfaces, images and tables: use "
                   "coarser ones";
     return false;
   }
-  this->Arrays = arrays;
+  this->Buffer = buffer;
+  this->Capacity = capacity;
   return true;
 }
 
 //------------------------------------------------------------------------------
 vtkTextureObject* SceneData::GetTexture()
 {
-  return this->Arrays.empty() ? nullptr : this->Texture.Get();
+  return this->Places.empty() ? nullptr : this->Texture.Get();
 }
 
 //------------------------------------------------------------------------------
 void SceneData::Release(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
-  this->Buffer->ReleaseGraphicsResources();
-  this->Arrays.clear();
+  if (this->Buffer)
+  {
+    this->Buffer->ReleaseGraphicsResources();
+  }
+  this->Buffer = nullptr;
+  this->Capacity = 0;
+  this->Places.clear();
   this->First.clear();
 }
 }

@@ -1,20 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The arrays that the shaders read beside their uniforms (surfaces of media, tables), one after the
- * other in a buffer on the graphics card.
+ * The arrays that the shaders read beside their uniforms (surfaces of media, images, tables), in
+ * one buffer on the graphics card. An array that stays keeps its place: what changes beside it, the
+ * grid of a lamp that moves, is all that is written again.
  */
 
 #ifndef AirlightSceneData_h
 #define AirlightSceneData_h
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 class vtkOpenGLBufferObject;
@@ -24,10 +26,15 @@ class vtkWindow;
 
 namespace airlight
 {
-// Numbers that the CPU uses, too, or that only cards need.
-using DoubleTexels = std::shared_ptr<const std::vector<glm::dvec4>>;
-using FloatTexels = std::shared_ptr<const std::vector<glm::vec4>>;
-using Texels = std::variant<DoubleTexels, FloatTexels>;
+// An array of texels.
+struct SceneArray
+{
+  // What it is made of, which tells it from others and does not change.
+  std::shared_ptr<const void> Key;
+  size_t Size;
+  // Writes so many texels, at least one.
+  std::function<void(glm::vec4*)> Write;
+};
 
 class SceneData
 {
@@ -35,10 +42,10 @@ public:
   SceneData();
   ~SceneData();
 
-  // Uploads the arrays unless they are there already, and says where each begins. Arrays must not
-  // change once they are here. False with a reason in GetError() where the card has no room.
-  bool Update(vtkOpenGLRenderWindow* window, const std::vector<Texels>& arrays);
-  int GetFirst(size_t array) const { return this->First[array]; }
+  // Puts those arrays on the card that are not there, and says where each begins. False with a
+  // reason in GetError() where the card has no room.
+  bool Update(vtkOpenGLRenderWindow* window, const std::vector<SceneArray>& arrays);
+  int GetFirst(size_t array) const { return static_cast<int>(this->First[array]); }
   const std::string& GetError() const { return this->Error; }
 
   // Null without arrays.
@@ -47,9 +54,24 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  std::vector<Texels> Arrays;
-  std::vector<int> First;
-  vtkNew<vtkOpenGLBufferObject> Buffer;
+  struct Place
+  {
+    std::shared_ptr<const void> Key;
+    size_t First;
+    size_t Size;
+  };
+
+  const Place* Find(const SceneArray& array) const;
+  void KeepOnly(const std::vector<SceneArray>& arrays);
+  bool FindGap(size_t size, size_t& first) const;
+  bool Add(vtkOpenGLRenderWindow* window, const std::vector<SceneArray>& arrays);
+  bool Write(const SceneArray& array, size_t first);
+  bool Allocate(vtkOpenGLRenderWindow* window, size_t texels);
+
+  std::vector<Place> Places; // in the order of their beginnings
+  std::vector<size_t> First;
+  size_t Capacity = 0; // texels
+  vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Texture;
   std::string Error;
 };

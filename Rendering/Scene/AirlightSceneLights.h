@@ -8,7 +8,6 @@
 #define AirlightSceneLights_h
 
 #include "Medium/AirlightConvert.h"
-#include "Scene/AirlightSceneData.h"
 #include "vtkWeakPointer.h"
 
 #include <glm/glm.hpp>
@@ -31,8 +30,9 @@ struct SceneLight
   f64::AirlightLight Values; // relative to the eye
   glm::dvec4 World{ 0.0 };   // homogeneous position
   bool CastsShadows = false;
-  bool LeftOut = false;   // of the medium, as it is fixed to the camera and its user did not set it
-  DoubleTexels Table;     // of a light that shines by a photometric file, else null
+  bool LeftOut = false; // of the medium, as it is fixed to the camera and its user did not set it
+  // Of a light that shines by a photometric file, else null.
+  std::shared_ptr<const std::vector<glm::dvec4>> Table;
   double GridError = 0.0; // of the optical depth on the way to it, where an image is the density
 
   bool Scatters() const { return this->Support == LightSupport::Scatters; }

@@ -153,7 +153,7 @@ AIRLIGHT_FN real3 airlightAmbientInPiece(
 }
 
 #ifdef AIRLIGHT_GRID_STEPS // AirlightGridRay.glsl
-real3 airlightAmbientInImages(AirlightPiece piece, real3 origin, real3 direction);
+real3 airlightAmbientInImages(inout AirlightPiece piece, real3 origin, real3 direction);
 #endif
 
 // On [0, l] of a ray. One medium alone depends on its depth only, wherever it is, but for colours.
@@ -179,12 +179,17 @@ AIRLIGHT_FN real3 airlightAmbient(AIRLIGHT_MEDIA_IN real3 origin, real3 directio
   }
   real3 sum = real3(real(0.0));
   real t = real(0.0);
+#ifdef AIRLIGHT_GRID_STEPS
+  real3 before = real3(0.0); // optical depth before t
+#endif
   while (t < l)
   {
-    AirlightPiece piece = airlightPieceAt(AIRLIGHT_MEDIA_OUT origin, direction, t, l);
 #ifdef AIRLIGHT_GRID_STEPS
+    AirlightPiece piece = airlightPieceFrom(origin, direction, t, l, before);
     sum += airlightAmbientInImages(piece, origin, direction);
+    before = piece.depth;
 #else
+    AirlightPiece piece = airlightPieceAt(AIRLIGHT_MEDIA_OUT origin, direction, t, l);
     sum += airlightAmbientInPiece(AIRLIGHT_MEDIA_OUT piece, origin, direction);
 #endif
     t = piece.to;

@@ -15,11 +15,12 @@
 #define AIRLIGHT_PANEL_ANGLE 0.8
 #define AIRLIGHT_MOST_PARTS 64.0
 #endif
-// Colours are cubics in a step, as the density is.
-#if AIRLIGHT_ALBEDO_MEDIA || AIRLIGHT_GLOW_MEDIA
-#define AIRLIGHT_PARTS_OF_COLOURS 2.0
+// Colours are cubics in a step, as the density is; ways to the light have kinks at the edges of a
+// surface.
+#if AIRLIGHT_ALBEDO_MEDIA || AIRLIGHT_GLOW_MEDIA || AIRLIGHT_HAS_SURFACE
+#define AIRLIGHT_LEAST_PARTS 2.0
 #else
-#define AIRLIGHT_PARTS_OF_COLOURS 1.0
+#define AIRLIGHT_LEAST_PARTS 1.0
 #endif
 // The next boundary often lies a little further on the same ray: what is known of it is kept.
 real3 airlightCachedOrigin = real3(0.0);
@@ -33,7 +34,14 @@ real3 airlightImagesDepth(real3 origin, real3 direction, real from, real to)
   real3 depth = real3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (AIRLIGHT_IS_GRID(i))
+    if (AIRLIGHT_IS_GRID(i) && AIRLIGHT_IS_SURFACE(i))
+    {
+#if AIRLIGHT_HAS_SURFACE
+      depth += airlightMedia.item[i].sigmaT *
+        airlightGridDepthInSurface(airlightMedia.item[i], origin, direction, from, to);
+#endif
+    }
+    else if (AIRLIGHT_IS_GRID(i))
     {
       real2 range = airlightRegionRange(airlightMedia.item[i].region, origin, direction, to);
       range.x = max(range.x, from);
@@ -112,7 +120,7 @@ real3 airlightStepIntegral(AirlightLight light, AirlightRay ray, AirlightStep pa
   real count = 2.0 * part.rate * (b - a) / AIRLIGHT_PART_DEPTH;
   count = straight ? count : max(count, (v1 - v0) / AIRLIGHT_PANEL_ANGLE);
   count = max(count, airlightBehindImages(light, ray, part.inImages, a, b));
-  count = max(count, max(part.rise * (b - a), AIRLIGHT_PARTS_OF_COLOURS));
+  count = max(count, max(part.rise * (b - a), AIRLIGHT_LEAST_PARTS));
   int parts = int(clamp(ceil(count), 1.0, AIRLIGHT_MOST_PARTS));
   real width = (v1 - v0) / real(parts);
   real3 sum = real3(0.0);
@@ -206,7 +214,7 @@ real3 airlightGridInterval(
   AirlightLight light, AirlightRay ray, real t0, inout real3 before, real t1)
 {
   AirlightWay way = airlightWay(light, ray);
-#if AIRLIGHT_DIMMING_COUNT == 1
+#if AIRLIGHT_DIMMING_COUNT == 1 && !AIRLIGHT_HAS_SURFACE
   // Its region is convex: all of the interval is inside.
   AirlightPiece whole = AirlightPiece(t0, t1, 1, before);
   real3 sum = airlightGridPiece(light, ray, way, whole);
@@ -235,7 +243,7 @@ real3 airlightGridInterval(
 real3 airlightAmbientInStep(AirlightStep part, real3 origin, real3 direction, real3 before)
 {
   real parts = clamp(ceil(2.0 * part.rate * (part.to - part.from) / AIRLIGHT_PART_DEPTH),
-    AIRLIGHT_PARTS_OF_COLOURS, AIRLIGHT_MOST_PARTS);
+    AIRLIGHT_LEAST_PARTS, AIRLIGHT_MOST_PARTS);
   real width = (part.to - part.from) / parts;
   real3 sum = real3(0.0);
   for (int node = 0; node < 3 * int(parts); node++)
@@ -258,7 +266,8 @@ real3 airlightAmbientInStep(AirlightStep part, real3 origin, real3 direction, re
   return width * sum;
 }
 
-real3 airlightAmbientInImages(AirlightPiece piece, real3 origin, real3 direction)
+// piece.depth becomes what is before its end.
+real3 airlightAmbientInImages(inout AirlightPiece piece, real3 origin, real3 direction)
 {
   AirlightSteps steps = airlightSteps(piece, origin, direction);
   real3 clear = airlightClearChannels();

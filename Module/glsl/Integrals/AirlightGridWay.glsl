@@ -2,11 +2,13 @@
 // shaders: in an image, the mean density on its way, interpolated from a coarser grid
 // (AirlightLightGrid.h), times the length.
 
-// So many cells of a light's grid may be crossed by the ways from a part of a ray.
+// So many cells of a light's grid may be crossed by the ways from a part of a ray, and such a share
+// of the image.
 #define AIRLIGHT_PART_CELLS 4.0
+#define AIRLIGHT_PART_SHARE 0.0625
 
 // The part of a way to the light that is in an image: where it begins, in cells of the light's
-// grid, and how long it is.
+// grid, and how long it is; in a closed surface, how long the part of it inside is.
 struct AirlightGridWay
 {
   real3 cells;
@@ -14,7 +16,7 @@ struct AirlightGridWay
 };
 
 AirlightGridWay airlightGridWay(
-  AirlightMedium medium, real3 gridSize, AirlightLight light, real3 point)
+  AirlightMedium medium, bool surface, real3 gridSize, AirlightLight light, real3 point)
 {
   real3 way = light.position;
   real l = AIRLIGHT_FAR;
@@ -31,6 +33,12 @@ AirlightGridWay airlightGridWay(
   real3 entry = point + (result.reach > 0.0 ? range.x : 0.0) * way;
   real3 position = (medium.grid.start + medium.grid.axes * entry) / medium.grid.last;
   result.cells = clamp(position, 0.0, 1.0) * gridSize;
+#if AIRLIGHT_HAS_SURFACE
+  if (surface)
+  {
+    result.reach = airlightSurfaceSums(medium, entry, way, result.reach, 0.0).x;
+  }
+#endif
   return result;
 }
 
@@ -41,7 +49,8 @@ real3 airlightLightDepth(AirlightLight light, real3 point)
   {
     if (AIRLIGHT_IS_GRID(i))
     {
-      AirlightGridWay way = airlightGridWay(airlightMedia.item[i], light.gridSize[i], light, point);
+      AirlightGridWay way = airlightGridWay(
+        airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), light.gridSize[i], light, point);
       if (way.reach > 0.0)
       {
         real mean = airlightInterpolated(light.gridFirst[i], light.gridSize[i], way.cells);
@@ -77,18 +86,19 @@ real airlightBehindImages(AirlightLight light, AirlightRay ray, int inImages, re
       AirlightMedium medium = airlightMedia.item[i];
       real3 size = light.gridSize[i];
       real3 middle = ray.origin + 0.5 * (a + b) * ray.direction;
-      if (airlightGridWay(medium, size, light, middle).reach > 0.0)
+      if (airlightGridWay(medium, false, size, light, middle).reach > 0.0)
       {
         // A little inside, where no end is one by rounding.
         real inset = 1e-3 * (b - a);
         real3 from = ray.origin + (a + inset) * ray.direction;
         real3 to = ray.origin + (b - inset) * ray.direction;
-        real3 moved = abs(airlightGridWay(medium, size, light, from).cells -
-          airlightGridWay(medium, size, light, to).cells);
+        real3 moved = abs(airlightGridWay(medium, false, size, light, from).cells -
+          airlightGridWay(medium, false, size, light, to).cells);
+        moved = min(moved / AIRLIGHT_PART_CELLS, moved / (AIRLIGHT_PART_SHARE * size));
         most = max(most, max(moved.x, max(moved.y, moved.z)));
       }
     }
   }
 #endif
-  return most / AIRLIGHT_PART_CELLS;
+  return most;
 }

@@ -53,10 +53,9 @@ uniform int airlightZero;
 #define AIRLIGHT_HAS_ALBEDO(i) (((AIRLIGHT_ALBEDO_MEDIA >> (i)) & 1) != 0)
 #define AIRLIGHT_HAS_GLOW(i) (((AIRLIGHT_GLOW_MEDIA >> (i)) & 1) != 0)
 #define AIRLIGHT_HAS_COLOURS(medium) ((AIRLIGHT_ALBEDO_MEDIA | AIRLIGHT_GLOW_MEDIA) != 0)
-// Samples are in texels, each with 2 x 2 in x and y.
+// Where samples are: their first texel.
 #define AIRLIGHT_SAMPLES int
-#define AIRLIGHT_LAYER(first, size, cell)                                                          \
-  texelFetch(airlightData, (first) + (cell).x + (size).x * ((cell).y + (size).y * (cell).z))
+#define AIRLIGHT_LAYER airlightLayer
 #define AIRLIGHT_GRID_DENSITY(medium, point) airlightGridDensity((medium).grid, point)
 #define AIRLIGHT_GRID_DEPTH(medium, o, d, from, to) airlightGridDepth((medium).grid, o, d, from, to)
 #else
@@ -74,4 +73,19 @@ uniform int airlightZero;
 #define AIRLIGHT_FETCH(owner, i) texelFetch(airlightData, i)
 #if AIRLIGHT_HAS_DATA
 uniform samplerBuffer airlightData;
+#endif
+#if AIRLIGHT_HAS_GRID
+// The samples at the corners of a cell in one layer; `size`: the image's number of cells. Texels
+// are as AirlightPackedSamples.h says: three cells in each along x.
+real4 airlightLayer(int first, int3 size, int3 cell)
+{
+  const float third = 0.33333334; // rounded up, so that no integer becomes a smaller one
+  int texels = int(float(size.x + 2) * third); // of a row
+  int column = int(float(cell.x) * third);
+  int at = first + column + texels * (cell.y + (size.y + 1) * cell.z);
+  real4 a = texelFetch(airlightData, at);
+  real4 b = texelFetch(airlightData, at + texels);
+  int place = cell.x - 3 * column;
+  return place == 0 ? real4(a.xy, b.xy) : place == 1 ? real4(a.yz, b.yz) : real4(a.zw, b.zw);
+}
 #endif

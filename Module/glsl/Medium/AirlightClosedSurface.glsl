@@ -155,7 +155,7 @@ AIRLIGHT_FN void airlightTestTriangle(
   if (hit.y != real(0.0) && hit.x > real(0.0))
   {
     real to = min(hit.x, walk.l);
-    real depth = airlightInsideDepth(
+    real depth = airlightFormulaDepth(
       medium, walk.origin, walk.direction, min(walk.start, to), max(walk.start, to));
     walk.sums.x += hit.y * (to > walk.start ? depth : -depth);
     walk.sums.y = hit.x > walk.t ? min(walk.sums.y, hit.x) : walk.sums.y;
@@ -186,8 +186,9 @@ AIRLIGHT_FN void airlightTestNode(
 }
 #endif
 
-// Of a medium inside a surface: x: integral of the density on [0, l] of a ray; y: the next t_i
-// after t; z: how many times the surface holds the ray after t, which is 0 or 1.
+// Of a medium inside a surface: x: integral of the density on [0, l] of a ray, of an image the
+// length inside; y: the next t_i after t; z: how many times the surface holds the ray after t,
+// which is 0 or 1.
 AIRLIGHT_FN real3 airlightSurfaceSums(
   AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real l, real t)
 {
@@ -222,7 +223,7 @@ AIRLIGHT_FN real3 airlightSurfaceSums(
   // distance: what is inside the surface is inside its box.
   real2 range = airlightRegionRange(medium.region, origin, direction, l);
   walk.sums.x = clamp(
-    walk.sums.x, real(0.0), airlightInsideDepth(medium, origin, direction, range.x, range.y));
+    walk.sums.x, real(0.0), airlightFormulaDepth(medium, origin, direction, range.x, range.y));
   return walk.sums;
 #else
   return real3(real(0.0), real(AIRLIGHT_FAR), real(0.0));

@@ -80,12 +80,7 @@ AIRLIGHT_FN bool airlightPieceHolds(AIRLIGHT_IN(AirlightPiece) piece, int i)
 AIRLIGHT_FN AirlightPiece airlightMakePiece(
   AIRLIGHT_MEDIA_IN real3 origin, real3 direction, real t0, real t1, bool hasDepth)
 {
-#ifdef AIRLIGHT_DOUBLE
-  const real apart = real(1e-13);
-#else
-  const real apart = real(1e-6);
-#endif
-  real after = t0 + apart * abs(t0); // ends closer than this are one end
+  real after = airlightAfter(t0);
   AirlightPiece piece;
   piece.from = t0;
   piece.to = t1;

@@ -140,20 +140,15 @@ AIRLIGHT_FN real airlightDensity(AIRLIGHT_IN(AirlightMedium) medium, real3 point
   return airlightExponentialDensity(airlightHeight(medium, point) * medium.inverseScaleHeight);
 }
 
-// Integral of the density along [from, to] of a ray, all of it inside the region.
-AIRLIGHT_FN real airlightInsideDepth(
+// Integral of the density along [from, to] of a ray, all of it inside the region; of an image its
+// length.
+AIRLIGHT_FN real airlightFormulaDepth(
   AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real from, real to)
 {
-  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_UNIFORM)
+  if (AIRLIGHT_DENSITY_KIND(medium) != AIRLIGHT_DENSITY_HEIGHT)
   {
     return to - from;
   }
-#if AIRLIGHT_HAS_GRID
-  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_GRID)
-  {
-    return AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to);
-  }
-#endif
   // From the lower end, where the density is largest.
   real rate = dot(medium.up, direction) * medium.inverseScaleHeight;
   real lower = rate >= real(0.0) ? from : to;
@@ -162,6 +157,19 @@ AIRLIGHT_FN real airlightInsideDepth(
   return min(airlightDensity(medium, origin + lower * direction) *
       airlightOpticalLength(abs(rate), to - from),
     real(1e30));
+}
+
+// The same of any density.
+AIRLIGHT_FN real airlightInsideDepth(
+  AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real from, real to)
+{
+#if AIRLIGHT_HAS_GRID
+  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_GRID)
+  {
+    return AIRLIGHT_GRID_DEPTH(medium, origin, direction, from, to);
+  }
+#endif
+  return airlightFormulaDepth(medium, origin, direction, from, to);
 }
 
 // True where all channels fade alike, so that one of them serves for three.

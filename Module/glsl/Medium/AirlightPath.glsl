@@ -1,6 +1,39 @@
 // A ray's way through one medium. `surface`: whether its region is a closed surface, which of a
 // medium among others is known when a shader is compiled.
 
+// Ends closer to t than this are at t.
+AIRLIGHT_FN real airlightAfter(real t)
+{
+#ifdef AIRLIGHT_DOUBLE
+  return t + real(1e-13) * abs(t);
+#else
+  return t + real(1e-6) * abs(t);
+#endif
+}
+
+#if AIRLIGHT_HAS_GRID && AIRLIGHT_HAS_SURFACE
+// The same as airlightPathDepth() for [from, to], of an image inside a closed surface: from hit to
+// hit.
+AIRLIGHT_FN real airlightGridDepthInSurface(
+  AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real from, real to)
+{
+  real2 range = airlightRegionRange(medium.region, origin, direction, to);
+  real t = max(from, range.x);
+  real sum = real(0.0);
+  while (t < range.y)
+  {
+    real3 at = airlightSurfaceSums(medium, origin, direction, t, airlightAfter(t));
+    real end = min(at.y, range.y);
+    if (at.z > real(0.5))
+    {
+      sum += airlightInsideDepth(medium, origin, direction, t, end);
+    }
+    t = end;
+  }
+  return sum;
+}
+#endif
+
 // Integral of the density along the part of [0, l] of a ray that is inside the region: times
 // sigmaT it is the optical depth.
 AIRLIGHT_FN real airlightPathDepth(
@@ -8,6 +41,12 @@ AIRLIGHT_FN real airlightPathDepth(
 {
   if (surface)
   {
+#if AIRLIGHT_HAS_GRID && AIRLIGHT_HAS_SURFACE
+    if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_GRID)
+    {
+      return airlightGridDepthInSurface(medium, origin, direction, real(0.0), l);
+    }
+#endif
     return airlightSurfaceSums(medium, origin, direction, l, real(0.0)).x;
   }
   real2 range = airlightRegionRange(medium.region, origin, direction, l);
@@ -39,6 +78,12 @@ AIRLIGHT_FN real3 airlightPathAt(AIRLIGHT_IN(AirlightMedium) medium, bool surfac
   {
     at = airlightSurfaceSums(medium, origin, direction, t, after);
     at.y = min(at.y, range.y);
+#if AIRLIGHT_HAS_GRID && AIRLIGHT_HAS_SURFACE
+    if (hasDepth && AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_GRID)
+    {
+      at.x = airlightGridDepthInSurface(medium, origin, direction, real(0.0), t);
+    }
+#endif
   }
   else if (hasDepth)
   {

@@ -57,11 +57,11 @@ void CheckCombinations(DensityScene& scene)
 
   scene.Medium->SetSurface(MakeSphere(2.0));
   scene.Medium->SetRegionToSurface();
-  Check(GetPicture(scene) == plain, "a closed surface: the scene without the medium");
-  CheckText(errors, "medium 0 has its density from an image inside a closed surface", "a surface");
+  const std::vector<unsigned char> filled = GetPicture(scene);
+  Check(filled != plain && filled != fogged, "a closed surface is filled by the image");
   scene.Medium->SetRegionToUnbounded();
-  Check(GetPicture(scene) == fogged, "after errors the medium is drawn again");
-  Check(errors.Take() == 0, "and there are none");
+  Check(GetPicture(scene) == fogged, "after other regions the picture is the same");
+  Check(errors.Take() == 0, "regions are no error");
 
   ErrorListener warnings(scene.Pass, vtkCommand::WarningEvent);
   scene.Pass->SetScatteredSurfaceLight(true);
