@@ -14,10 +14,29 @@ namespace airlight
 {
 namespace
 {
-// Room for a lamp's next grid, which may be finer.
+// Room for a lamp's next grid, which may be finer: a share of the whole, and no more texels.
 constexpr double Spare = 0.125;
+constexpr size_t MostSpare = 700000;
+
+size_t AddSpare(size_t texels)
+{
+  return texels + std::min(static_cast<size_t>(Spare * static_cast<double>(texels)), MostSpare);
+}
 
 GLsizeiptr GetBytes(size_t texels) { return static_cast<GLsizeiptr>(texels * sizeof(glm::vec4)); }
+
+// An array may be there more than once.
+size_t CountAll(const std::vector<SceneArray>& arrays)
+{
+  size_t sum = 0;
+  for (auto array = arrays.begin(); array != arrays.end(); ++array)
+  {
+    const bool counted = std::any_of(
+      arrays.begin(), array, [&array](const SceneArray& other) { return other.Key == array->Key; });
+    sum += counted ? 0 : array->Size;
+  }
+  return sum;
+}
 
 void CopyTexels(vtkOpenGLBufferObject* source, size_t from, size_t to, size_t count)
 {
@@ -86,11 +105,7 @@ bool SceneData::FindGap(size_t size, size_t& first) const
 //------------------------------------------------------------------------------
 bool SceneData::Add(vtkOpenGLRenderWindow* window, const std::vector<SceneArray>& arrays)
 {
-  size_t sum = 0;
-  for (const SceneArray& array : arrays)
-  {
-    sum += array.Size;
-  }
+  const size_t sum = CountAll(arrays);
   // A large buffer is given back.
   if ((sum > this->Capacity || sum < this->Capacity / 2) && !this->Allocate(window, sum))
   {
@@ -156,15 +171,20 @@ bool SceneData::Allocate(vtkOpenGLRenderWindow* window, size_t texels)
       " texels and the graphics card has room for " + std::to_string(most) + "; use coarser ones";
     return false;
   }
-  const vtkSmartPointer<vtkOpenGLBufferObject> before = this->Buffer;
+  vtkSmartPointer<vtkOpenGLBufferObject> before = this->Buffer;
   this->Buffer = nullptr;
   this->Capacity = 0;
+  if (this->Places.empty())
+  {
+    // There is nothing to keep, and a card may not have room for both. The texture holds it, too.
+    this->Texture->ReleaseGraphicsResources(window);
+    before = nullptr;
+  }
   if (texels == 0)
   {
     return true;
   }
-  const size_t capacity = std::min(
-    texels + static_cast<size_t>(Spare * static_cast<double>(texels)), static_cast<size_t>(most));
+  const size_t capacity = std::min(AddSpare(texels), static_cast<size_t>(most));
   ForgetErrors();
   auto buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
   buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer);

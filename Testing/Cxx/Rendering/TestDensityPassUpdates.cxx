@@ -99,6 +99,33 @@ void TestPlace()
 }
 
 //------------------------------------------------------------------------------
+// Images come, grow, shrink and go, and lamps move beside one that stays: the card has what it
+// would have if all were sent again.
+void TestPlacesOnCard()
+{
+  DensityScene scene(MakeDensity({ 12, 14, 10 }, glm::dvec3(-3), glm::dvec3(3)));
+  FillCloud(scene.Image, 61);
+  vtkNew<vtkParticipatingMedium> other;
+  other->SetScattering(0.5, 0.4, 0.3);
+  other->SetDensityToImage();
+  scene.Pass->AddMedium(other);
+  vtkLight* lamp = scene.AddPointLight({ 0.5, 2.2, -1.5 });
+  for (const int size : { 9, 31, 30, 8, 44, 12, 17 })
+  {
+    const auto image = MakeDensity(glm::ivec3(size), glm::dvec3(-2, -1, -2), glm::dvec3(2, 3, 2));
+    FillCloud(image, 62 + size);
+    other->SetDensityImage(image);
+    lamp->SetPosition(0.1 * size, 2.2, -1.5);
+    scene.Window->Render();
+    const Buffers kept = scene.CopyBuffers();
+    scene.Pass->ReleaseGraphicsResources(scene.Window);
+    scene.Window->Render();
+    CheckErrors(Text("beside an image of ", size), scene.GetBuffer("Airlight"),
+      kept.at("Airlight")->GetPointData()->GetScalars(), 0.0, 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Whatever changes, the next picture is the reference's.
 void TestUpdates()
 {
@@ -175,5 +202,6 @@ int TestDensityPassUpdates(int, char*[])
   TestDragged();
   TestPlace();
   TestUpdates();
+  TestPlacesOnCard();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
