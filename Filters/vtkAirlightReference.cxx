@@ -7,6 +7,7 @@
 #include "Reference/AirlightPathPicture.h"
 #include "Reference/AirlightReferencePicture.h"
 #include "Reference/AirlightReferenceTracer.h"
+#include "Scene/AirlightCasterKeys.h"
 #include "Scene/AirlightVTKVersions.h"
 #include "Scene/AirlightVolumeMedia.h"
 #include "vtkAirlightLight.h"
@@ -20,6 +21,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkParticipatingMedium.h"
+#include "vtkPhaseFunction.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -203,6 +205,10 @@ vtkMTimeType vtkAirlightReference::GetMTime()
   while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(it))
   {
     time = std::max(time, prop->GetRedrawMTime());
+    if (vtkPhaseFunction* function = GetVolumePhaseFunction(prop))
+    {
+      time = std::max(time, function->GetMTime());
+    }
   }
   return std::max(
     { time, renderer->GetLights()->GetMTime(), renderer->GetViewProps()->GetMTime() });

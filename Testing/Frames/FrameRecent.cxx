@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the pass learned after the first seeds were kept: skies, holes in casters, volumes that cast
-// shadows or are media, images with colours, multiple scattering. Only recent groups have it, from random numbers of its own: so
-// earlier seeds still mean the scenes that they meant.
+// shadows or are media, images with colours, multiple scattering. Only recent groups have it, from
+// random numbers of its own: so earlier seeds still mean the scenes that they meant.
 
 #include "FrameScene.h"
 
 #include "vtkFloatArray.h"
+#include "vtkHenyeyGreensteinPhaseFunction.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkTexture.h"
@@ -92,8 +93,13 @@ void FrameScene::ScatterInVolumes(Random& random)
   {
     if (vtkVolume* volume = vtkVolume::SafeDownCast(item.Prop))
     {
-      vtkAirlightPass::SetVolumeScatters(volume, random.Index(2) != 0);
-      this->Note("a volume is a medium");
+      const bool scatters = random.Index(2) != 0;
+      vtkAirlightPass::SetVolumeScatters(volume, scatters);
+      vtkNew<vtkHenyeyGreensteinPhaseFunction> phase;
+      phase->SetAnisotropy(random.Uniform(-0.9, 0.9));
+      const bool even = random.Index(2) != 0;
+      vtkAirlightPass::SetVolumePhaseFunction(volume, even ? nullptr : phase.Get());
+      this->Note("volume scatters ", scatters, even ? "" : " with a phase function");
     }
   }
 }

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Volumes that are media: a volume of one scalar against a uniform box, with a phase function of its
-// own; a cloud in vtkAirlightPass
-// and vtkAirlightReference against midpoint sums of its transfer functions; the pass against the
-// reference, in fog and with a sun. Volumes that cannot be media are drawn as before, with a
-// warning.
+// Volumes that are media: a volume of one scalar against a uniform box, with a phase function of
+// its own; a cloud in vtkAirlightPass and vtkAirlightReference against midpoint sums of its
+// transfer functions; the pass against the reference, in fog and with a sun. Volumes that cannot be
+// media are drawn as before, with a warning.
 
 #include "AirlightTestCloudVolume.h"
 #include "AirlightTestErrors.h"
@@ -261,7 +260,9 @@ void TestPhaseFunction(ScatteringScene& scene, double isotropic)
   vtkAirlightPass::SetVolumePhaseFunction(scene.Volume, phase);
   const double even = GetSum(scene, "Airlight");
   Check(std::abs(even / isotropic - 1.0) < 1e-3, Text("g of 0: ", even, " as ", isotropic));
+  const vtkMTimeType time = scene.Reference->GetMTime();
   phase->SetAnisotropy(0.8);
+  Check(scene.Reference->GetMTime() > time, "the reference follows it");
   const double forward = GetSum(scene, "Airlight");
   phase->SetAnisotropy(-0.8);
   const double backward = GetSum(scene, "Airlight");
