@@ -49,6 +49,8 @@ def read_density(path, grid):
     image = reader.GetOutput()
     if image.GetNumberOfPoints() == 0:
         raise SystemExit(1)  # VTK has reported the reason
+    if image.GetPointData().GetScalars() is None:
+        raise SystemExit(f"{path}: its points have no scalars, which would be the density")
     values = vtk_to_numpy(image.GetPointData().GetScalars())
     np.maximum(values, 0, out=values)  # simulations overshoot
     image.Modified()
@@ -59,6 +61,8 @@ def find_extinction(image, depth):
     """That which gives the largest ways along one axis this optical depth."""
     density = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1])
     longest = min(density.sum(axis=2 - i).max() * image.GetSpacing()[i] for i in range(3))
+    if longest == 0:
+        raise SystemExit("the density is 0 everywhere")
     return depth / longest
 
 
