@@ -45,8 +45,8 @@ std::string FindProblem(vtkParticipatingMedium* medium)
   }
   if (medium->GetRegion() == vtkParticipatingMedium::SURFACE)
   {
-    return "the region of the medium is a closed surface, which is not sampled: use another region "
-           "or a density image";
+    return "the region of the medium is a closed surface, which is not sampled: use another "
+           "region, or a density image that is 0 outside the surface";
   }
   if (medium->GetRegion() == vtkParticipatingMedium::UNBOUNDED &&
     medium->GetDensity() != vtkParticipatingMedium::IMAGE)

@@ -3,7 +3,6 @@
 #include "Scene/AirlightLightGrid.h"
 
 #include "Density/AirlightTrilinear.h"
-#include "Integration/AirlightMembers.h"
 #include "Scene/AirlightPackedSamples.h"
 #include "vtkSMPTools.h"
 #include "vtkType.h"
@@ -12,7 +11,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace airlight
 {
@@ -21,7 +19,7 @@ namespace
 // Grids are refined until optical depths between their points are no more wrong than this, up to
 // the largest grid: points along the image's longest side. The shadows of images that have more
 // samples than it has points have more detail: a finer one serves them where that takes less than
-// half a second on two cores.
+// half a second on two cores. Ways in closed surfaces take longer.
 constexpr double Tolerance = 1e-3;
 constexpr int Smallest = 5;
 constexpr int Largest = 65;
@@ -31,7 +29,6 @@ constexpr double MostOfFiner = 1e8; // points, times the samples on a way
 constexpr int TestPoints = 500;
 // Where less light than this is left, errors do not matter.
 constexpr double OpaqueDepth = 5.0; // optical depth
-constexpr int MostAge = 4;
 
 // Samples that are looked at before a way is followed: it has hundreds itself.
 constexpr double MostSearched = 5000.0;
@@ -77,7 +74,9 @@ public:
       this->IsSurface ? f64::airlightSurfaceSums(this->Medium, entry, way, end, 0.0).x : end;
     if (reach * glm::length(this->Grid.GetAxes() * way) > 10.0 * Inset)
     {
-      return { this->Integrate(point, way, range) / reach, reach };
+      const double depth =
+        f64::airlightGridDepthInRegion(this->Medium, this->IsSurface, point, way, range.x, range.y);
+      return { depth / reach, reach };
     }
     return { this->IsSurface && !this->Holds(point) ? Unknown : this->Grid.GetDensityAt(inside),
       reach };
@@ -90,15 +89,9 @@ public:
   }
 
   const DensityGrid& GetGrid() const { return this->Grid; }
+  bool IsInSurface() const { return this->IsSurface; }
 
 private:
-  double Integrate(const glm::dvec3& point, const glm::dvec3& way, const glm::dvec2& range) const
-  {
-    return this->IsSurface
-      ? f64::airlightGridDepthInSurface(this->Medium, point, way, range.x, range.y)
-      : this->Grid.Integrate(point, way, range.x, range.y);
-  }
-
   // Whether the region does.
   bool Holds(const glm::dvec3& point) const
   {
@@ -123,13 +116,13 @@ glm::ivec3 GetSize(const DensityGrid& grid, int longest)
   return glm::max(glm::ivec3(glm::ceil(sides / most * (longest - 1.0))), 1) + 1;
 }
 
-int GetLargest(const DensityGrid& grid)
+int GetLargest(const Ways& ways)
 {
-  const glm::dvec3 last = grid.GetLast();
+  const glm::dvec3 last = ways.GetGrid().GetLast();
   const double samples = std::max({ last.x, last.y, last.z }) + 1.0;
-  const glm::dvec3 size(GetSize(grid, Finer));
+  const glm::dvec3 size(GetSize(ways.GetGrid(), Finer));
   const bool finer = samples > Largest && size.x * size.y * size.z * samples <= MostOfFiner;
-  return finer ? Finer : Largest;
+  return finer && !ways.IsInSurface() ? Finer : Largest;
 }
 
 // Whether the medium is in a cell that a point of the light's grid belongs to. `scale` is from
@@ -158,7 +151,7 @@ bool IsNeeded(const DensityGrid& grid, const glm::dvec3& node, const glm::dvec3&
   return false;
 }
 
-// The mean of those points around a point that are known; 0 without any.
+// The mean of those points around a point that are known, those that were measured; 0 without any.
 double GetMeanAround(
   const std::vector<double>& means, const glm::ivec3& size, const glm::ivec3& point)
 {
@@ -200,7 +193,8 @@ std::vector<double> FillUnknown(const std::vector<double>& means, const glm::ive
 // 0 where nothing is scattered, unless `everywhere`.
 std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size, bool everywhere)
 {
-  std::vector<double> means(static_cast<size_t>(size.x) * size.y * size.z);
+  const size_t count = static_cast<size_t>(size.x) * size.y * size.z;
+  std::vector<double> means(count, ways.IsInSurface() ? Unknown : 0.0);
   const glm::dvec3 step = ways.GetGrid().GetLast() / glm::dvec3(size - 1); // samples
   vtkSMPTools::For(0, static_cast<vtkIdType>(size.y) * size.z, 1, [&](vtkIdType a, vtkIdType b) {
     for (vtkIdType row = a; row < b; ++row)
@@ -218,7 +212,7 @@ std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size, bool ev
       }
     }
   });
-  return FillUnknown(means, size);
+  return ways.IsInSurface() ? FillUnknown(means, size) : means;
 }
 
 // Van der Corput's sequence in this base: evenly spread and the same every time.
@@ -242,7 +236,9 @@ struct TestPoint
 std::vector<TestPoint> MakeTests(const Ways& ways, double sigmaT, bool everywhere)
 {
   std::vector<TestPoint> points;
-  for (int i = 1; i <= TestPoints; ++i)
+  // A surface may be a small part of an image.
+  const int most = ways.IsInSurface() ? 10 * TestPoints : TestPoints;
+  for (int i = 1; i <= most && points.size() < TestPoints; ++i)
   {
     const glm::dvec3 share(Spread(i, 2), Spread(i, 3), Spread(i, 5));
     const glm::dvec3 position = share * ways.GetGrid().GetLast();
@@ -265,58 +261,6 @@ std::shared_ptr<const std::vector<glm::vec4>> Pack(
   PackSamples(means, size, texels->data());
   return texels;
 }
-
-//------------------------------------------------------------------------------
-bool IsNear(const glm::dvec3& a, const glm::dvec3& b, double near)
-{
-  return glm::length(a - b) <= near;
-}
-
-// Whether regions are the same but for positions, which may be `near` each other, as a moving eye
-// rounds them.
-class RegionComparison
-{
-public:
-  explicit RegionComparison(double near)
-    : Near(near)
-  {
-  }
-  bool IsSame() const { return this->Same; }
-
-  void operator()(const Member& member, const glm::dvec3& a, const glm::dvec3& b)
-  {
-    this->Same = this->Same && IsNear(a, b, member.IsPosition ? this->Near : 0.0);
-  }
-  template <typename Number>
-  void operator()(const Member&, Number a, Number b)
-  {
-    this->Same = this->Same && a == b;
-  }
-
-private:
-  double Near;
-  bool Same = true;
-};
-
-bool IsSame(const f64::AirlightRegion& a, const f64::AirlightRegion& b, double near)
-{
-  RegionComparison comparison(near);
-  VisitRegion(comparison, a, b);
-  return comparison.IsSame();
-}
-
-f64::AirlightRegion Translate(f64::AirlightRegion region, const glm::dvec3& way)
-{
-  VisitRegion(
-    [&way](const Member& member, auto& value) {
-      if constexpr (std::is_same_v<decltype(value), glm::dvec3&>)
-      {
-        value += member.IsPosition ? way : glm::dvec3(0.0);
-      }
-    },
-    region);
-  return region;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -326,7 +270,7 @@ LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::Airligh
   const Ways ways(medium, light);
   const double sigmaT = std::max({ medium.sigmaT.x, medium.sigmaT.y, medium.sigmaT.z });
   const std::vector<TestPoint> tests = MakeTests(ways, sigmaT, everywhere);
-  const int largest = GetLargest(ways.GetGrid());
+  const int largest = GetLargest(ways);
   LightGrid result{};
   for (int longest = Smallest; longest <= largest; longest = 2 * longest - 1)
   {
@@ -359,48 +303,5 @@ const LightGrid& LightGrid::GetDark()
   static const LightGrid dark{ Pack(std::vector<double>(8, 0.0), glm::ivec3(2)), glm::dvec3(1.0),
     0.0, true };
   return dark;
-}
-
-//------------------------------------------------------------------------------
-const LightGrid& LightGrids::GetLight(const f64::AirlightMedium& medium,
-  const std::shared_ptr<const SurfaceTree>& surface, const f64::AirlightLight& light,
-  const glm::dvec3& eye, bool everywhere, double seconds)
-{
-  const bool directional = f64::airlightIsDirectional(light);
-  // Back in the world, where a moving eye rounds a little.
-  f64::AirlightMedium there = medium;
-  there.gridOrigin = glm::dvec3(0.0);
-  there.region = Translate(medium.region, eye);
-  f64::AirlightLight sceneLight = light;
-  sceneLight.position += directional ? glm::dvec3(0.0) : eye;
-  const double near =
-    1e-9 * (glm::length(eye) + glm::length(there.region.boxMax - there.region.boxMin));
-  for (const std::unique_ptr<Entry>& entry : this->Entries)
-  {
-    if (entry->Surface == surface && entry->Directional == directional &&
-      IsNear(entry->Position, sceneLight.position, near) && entry->Everywhere == everywhere &&
-      entry->SigmaT == medium.sigmaT && IsSame(entry->Region, there.region, near))
-    {
-      entry->Age = 0;
-      if (!entry->Values.IsFinest && std::isinf(seconds))
-      {
-        entry->Values = LightGrid::Build(there, sceneLight, everywhere, seconds);
-      }
-      return entry->Values;
-    }
-  }
-  this->Entries.push_back(
-    std::make_unique<Entry>(Entry{ surface, there.region, medium.sigmaT, sceneLight.position,
-      directional, everywhere, 0, LightGrid::Build(there, sceneLight, everywhere, seconds) }));
-  return this->Entries.back()->Values;
-}
-
-//------------------------------------------------------------------------------
-bool LightGrids::Forget()
-{
-  this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
-                        [](const std::unique_ptr<Entry>& entry) { return ++entry->Age > MostAge; }),
-    this->Entries.end());
-  return this->Entries.empty();
 }
 }

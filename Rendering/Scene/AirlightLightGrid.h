@@ -20,8 +20,6 @@
 
 namespace airlight
 {
-class SurfaceTree;
-
 struct LightGrid
 {
   std::shared_ptr<const std::vector<glm::vec4>> Means; // AirlightPackedSamples.h
@@ -37,36 +35,6 @@ struct LightGrid
 
   // Of a light without power in the medium: shaders read it, and add nothing.
   static const LightGrid& GetDark();
-};
-
-// What the last frames needed of one image.
-class LightGrids
-{
-public:
-  // The grid of a light; medium and light relative to `eye`. `surface`: that of the medium's
-  // region, or null.
-  const LightGrid& GetLight(const f64::AirlightMedium& medium,
-    const std::shared_ptr<const SurfaceTree>& surface, const f64::AirlightLight& light,
-    const glm::dvec3& eye, bool everywhere, double seconds);
-
-  // Forgets what was not used in the last few frames: renderers may share a pass. True where that
-  // is all.
-  bool Forget();
-
-private:
-  struct Entry
-  {
-    std::shared_ptr<const SurfaceTree> Surface;
-    f64::AirlightRegion Region; // of the world
-    glm::dvec3 SigmaT;
-    glm::dvec3 Position;
-    bool Directional;
-    bool Everywhere;
-    int Age; // calls of Forget() since it was used
-    LightGrid Values;
-  };
-
-  std::vector<std::unique_ptr<Entry>> Entries;
 };
 }
 

@@ -7,7 +7,7 @@
 #ifndef AirlightSceneArrays_h
 #define AirlightSceneArrays_h
 
-#include "Scene/AirlightLightGrid.h"
+#include "Scene/AirlightLightGrids.h"
 #include "Scene/AirlightSceneData.h"
 #include "Scene/AirlightSceneLights.h"
 

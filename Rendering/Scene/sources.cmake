@@ -10,6 +10,7 @@ airlight_sources(
     AirlightSceneArrays
     AirlightSceneLights
     AirlightLightGrid
+    AirlightLightGrids
     AirlightPackedSamples
     AirlightSceneData
     AirlightScrambledNet

@@ -34,22 +34,11 @@ real3 airlightImagesDepth(real3 origin, real3 direction, real from, real to)
   real3 depth = real3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (AIRLIGHT_IS_GRID(i) && AIRLIGHT_IS_SURFACE(i))
+    if (AIRLIGHT_IS_GRID(i))
     {
-#if AIRLIGHT_HAS_SURFACE
       depth += airlightMedia.item[i].sigmaT *
-        airlightGridDepthInSurface(airlightMedia.item[i], origin, direction, from, to);
-#endif
-    }
-    else if (AIRLIGHT_IS_GRID(i))
-    {
-      real2 range = airlightRegionRange(airlightMedia.item[i].region, origin, direction, to);
-      range.x = max(range.x, from);
-      if (range.y > range.x)
-      {
-        depth += airlightMedia.item[i].sigmaT *
-          airlightGridDepth(airlightMedia.item[i].grid, origin, direction, range.x, range.y);
-      }
+        airlightGridDepthInRegion(
+          airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), origin, direction, from, to);
     }
   }
   return depth;
@@ -80,8 +69,8 @@ real3 airlightDepthTo(AirlightRay ray, real t)
 }
 
 // What is scattered at t, with the optical depth before it on the ray.
-real3 airlightStepIntegrand(
-  AirlightLight light, AirlightRay ray, AirlightStep part, real t, real3 before)
+real3 airlightStepIntegrand(AirlightLight light, AirlightRay ray, AirlightStep part, real t,
+  real3 before, AirlightOutside outside)
 {
   real3 point = ray.origin + t * ray.direction;
   bool sun = airlightIsDirectional(light);
@@ -99,7 +88,7 @@ real3 airlightStepIntegrand(
       before += airlightMedia.item[i].sigmaT * density.y;
     }
   }
-  scattered *= airlightTransmittanceOf(before + airlightLightDepth(light, point));
+  scattered *= airlightTransmittanceOf(before + airlightInsideLightDepth(light, point, outside));
   return sun
     ? scattered
     : scattered * airlightFalloff(light, point, r) * airlightPhotometricShare(light, point);
@@ -123,6 +112,21 @@ real3 airlightStepIntegral(AirlightLight light, AirlightRay ray, AirlightStep pa
   count = max(count, max(part.rise * (b - a), AIRLIGHT_LEAST_PARTS));
   int parts = int(clamp(ceil(count), 1.0, AIRLIGHT_MOST_PARTS));
   real width = (v1 - v0) / real(parts);
+  AirlightOutside first;
+  AirlightOutside last;
+#if AIRLIGHT_HAS_SURFACE
+  // Where the ray's walks through trees have taken many rounds, between the step's ends: steps are
+  // short in images of many cells.
+  bool each = AIRLIGHT_FEW_ROUNDS;
+  for (int i = 0; i < (each ? 0 : 2); i++)
+  {
+    last = airlightOutsideAt(light, ray.origin + (i == 0 ? a : b) * ray.direction);
+    if (i == 0)
+    {
+      first = last;
+    }
+  }
+#endif
   real3 sum = real3(0.0);
   for (int i = 0; i < 3 * parts; i++)
   {
@@ -133,7 +137,14 @@ real3 airlightStepIntegral(AirlightLight light, AirlightRay ray, AirlightStep pa
     real t = straight ? v : tL + 0.5 * ray.foot.h * (e - 1.0 / e);
     real weight = k == 1 ? 0.44444444444444444 : 0.27777777777777778;
     weight *= straight ? 1.0 : 0.5 * ray.foot.h * (e + 1.0 / e);
-    sum += weight * airlightStepIntegrand(light, ray, part, t, before);
+    AirlightOutside outside = airlightMixOutside(first, last, (t - a) / (b - a));
+#if AIRLIGHT_HAS_SURFACE
+    if (each)
+    {
+      outside = airlightOutsideAt(light, ray.origin + t * ray.direction);
+    }
+#endif
+    sum += weight * airlightStepIntegrand(light, ray, part, t, before, outside);
   }
   return width * sum;
 }

@@ -8,49 +8,84 @@
 #define AIRLIGHT_PART_SHARE 0.0625
 
 // The part of a way to the light that is in an image: where it begins, in cells of the light's
-// grid, and how long it is; in a closed surface, how long the part of it inside is.
+// grid, too, where it goes, and how long it is.
 struct AirlightGridWay
 {
   real3 cells;
+  real3 entry;
+  real3 direction;
   real reach;
 };
 
 AirlightGridWay airlightGridWay(
-  AirlightMedium medium, bool surface, real3 gridSize, AirlightLight light, real3 point)
+  AirlightMedium medium, real3 gridSize, AirlightLight light, real3 point)
 {
-  real3 way = light.position;
+  AirlightGridWay result;
+  result.direction = light.position;
   real l = AIRLIGHT_FAR;
   if (!airlightIsDirectional(light))
   {
-    way = light.position - point;
-    l = max(length(way), 1e-30);
-    way /= l;
+    result.direction = light.position - point;
+    l = max(length(result.direction), 1e-30);
+    result.direction /= l;
   }
-  real2 range = airlightRegionRange(medium.region, point, way, l);
-  range = airlightGridRange(medium.grid, point, way, range.x, range.y);
-  AirlightGridWay result;
+  real2 range = airlightRegionRange(medium.region, point, result.direction, l);
+  range = airlightGridRange(medium.grid, point, result.direction, range.x, range.y);
   result.reach = max(range.y - range.x, 0.0);
-  real3 entry = point + (result.reach > 0.0 ? range.x : 0.0) * way;
-  real3 position = (medium.grid.start + medium.grid.axes * entry) / medium.grid.last;
+  result.entry = point + (result.reach > 0.0 ? range.x : 0.0) * result.direction;
+  real3 position = (medium.grid.start + medium.grid.axes * result.entry) / medium.grid.last;
   result.cells = clamp(position, 0.0, 1.0) * gridSize;
-#if AIRLIGHT_HAS_SURFACE
-  if (surface)
-  {
-    result.reach = airlightSurfaceSums(medium, entry, way, result.reach, 0.0).x;
-  }
-#endif
   return result;
 }
 
-real3 airlightLightDepth(AirlightLight light, real3 point)
+// Of the ways from a point to the light through images in closed surfaces: how much of their reach
+// is outside.
+struct AirlightOutside
+{
+  real reach[AIRLIGHT_DIMMING_COUNT];
+};
+
+AirlightOutside airlightOutsideAt(AirlightLight light, real3 point)
+{
+  AirlightOutside outside;
+  for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
+  {
+    outside.reach[i] = 0.0;
+#if AIRLIGHT_HAS_SURFACE
+    if (AIRLIGHT_IS_GRID(i) && AIRLIGHT_IS_SURFACE(i))
+    {
+      AirlightGridWay way = airlightGridWay(airlightMedia.item[i], light.gridSize[i], light, point);
+      if (way.reach > 0.0)
+      {
+        outside.reach[i] = way.reach -
+          airlightSurfaceSums(airlightMedia.item[i], way.entry, way.direction, way.reach, 0.0).x;
+      }
+    }
+#endif
+  }
+  return outside;
+}
+
+AirlightOutside airlightMixOutside(AirlightOutside a, AirlightOutside b, real u)
+{
+  for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
+  {
+    a.reach[i] = mix(a.reach[i], b.reach[i], u);
+  }
+  return a;
+}
+
+real3 airlightInsideLightDepth(AirlightLight light, real3 point, AirlightOutside outside)
 {
   real3 depth = real3(0.0);
   for (int i = 0; i < AIRLIGHT_DIMMING_COUNT; i++)
   {
     if (AIRLIGHT_IS_GRID(i))
     {
-      AirlightGridWay way = airlightGridWay(
-        airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), light.gridSize[i], light, point);
+      AirlightGridWay way = airlightGridWay(airlightMedia.item[i], light.gridSize[i], light, point);
+#if AIRLIGHT_HAS_SURFACE
+      way.reach -= outside.reach[i];
+#endif
       if (way.reach > 0.0)
       {
         real mean = airlightInterpolated(light.gridFirst[i], light.gridSize[i], way.cells);
@@ -73,6 +108,11 @@ real3 airlightLightDepth(AirlightLight light, real3 point)
   return depth;
 }
 
+real3 airlightLightDepth(AirlightLight light, real3 point)
+{
+  return airlightInsideLightDepth(light, point, airlightOutsideAt(light, point));
+}
+
 // How many parts the ways from [a, b] of a ray take for the images that they meet further on:
 // the shadow of a cloud has the cloud's details.
 real airlightBehindImages(AirlightLight light, AirlightRay ray, int inImages, real a, real b)
@@ -86,14 +126,14 @@ real airlightBehindImages(AirlightLight light, AirlightRay ray, int inImages, re
       AirlightMedium medium = airlightMedia.item[i];
       real3 size = light.gridSize[i];
       real3 middle = ray.origin + 0.5 * (a + b) * ray.direction;
-      if (airlightGridWay(medium, false, size, light, middle).reach > 0.0)
+      if (airlightGridWay(medium, size, light, middle).reach > 0.0)
       {
         // A little inside, where no end is one by rounding.
         real inset = 1e-3 * (b - a);
         real3 from = ray.origin + (a + inset) * ray.direction;
         real3 to = ray.origin + (b - inset) * ray.direction;
-        real3 moved = abs(airlightGridWay(medium, false, size, light, from).cells -
-          airlightGridWay(medium, false, size, light, to).cells);
+        real3 moved = abs(airlightGridWay(medium, size, light, from).cells -
+          airlightGridWay(medium, size, light, to).cells);
         moved = min(moved / AIRLIGHT_PART_CELLS, moved / (AIRLIGHT_PART_SHARE * size));
         most = max(most, max(moved.x, max(moved.y, moved.z)));
       }

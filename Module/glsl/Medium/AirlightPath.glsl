@@ -11,9 +11,9 @@ AIRLIGHT_FN real airlightAfter(real t)
 #endif
 }
 
-#if AIRLIGHT_HAS_GRID && AIRLIGHT_HAS_SURFACE
-// The same as airlightPathDepth() for [from, to], of an image inside a closed surface: from hit to
-// hit.
+#if AIRLIGHT_HAS_GRID
+#if AIRLIGHT_HAS_SURFACE
+// From hit to hit.
 AIRLIGHT_FN real airlightGridDepthInSurface(
   AIRLIGHT_IN(AirlightMedium) medium, real3 origin, real3 direction, real from, real to)
 {
@@ -26,11 +26,26 @@ AIRLIGHT_FN real airlightGridDepthInSurface(
     real end = min(at.y, range.y);
     if (at.z > real(0.5))
     {
-      sum += airlightInsideDepth(medium, origin, direction, t, end);
+      sum += AIRLIGHT_GRID_DEPTH(medium, origin, direction, t, end);
     }
     t = end;
   }
   return sum;
+}
+#endif
+
+// Integral of the density of an image along the part of [from, to] of a ray that is in the region.
+AIRLIGHT_FN real airlightGridDepthInRegion(AIRLIGHT_IN(AirlightMedium) medium, bool surface,
+  real3 origin, real3 direction, real from, real to)
+{
+#if AIRLIGHT_HAS_SURFACE
+  if (surface)
+  {
+    return airlightGridDepthInSurface(medium, origin, direction, from, to);
+  }
+#endif
+  real2 range = airlightRegionRange(medium.region, origin, direction, to);
+  return AIRLIGHT_GRID_DEPTH(medium, origin, direction, max(range.x, from), range.y);
 }
 #endif
 
@@ -39,18 +54,18 @@ AIRLIGHT_FN real airlightGridDepthInSurface(
 AIRLIGHT_FN real airlightPathDepth(
   AIRLIGHT_IN(AirlightMedium) medium, bool surface, real3 origin, real3 direction, real l)
 {
+#if AIRLIGHT_HAS_GRID
+  if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_GRID)
+  {
+    return airlightGridDepthInRegion(medium, surface, origin, direction, real(0.0), l);
+  }
+#endif
   if (surface)
   {
-#if AIRLIGHT_HAS_GRID && AIRLIGHT_HAS_SURFACE
-    if (AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_GRID)
-    {
-      return airlightGridDepthInSurface(medium, origin, direction, real(0.0), l);
-    }
-#endif
     return airlightSurfaceSums(medium, origin, direction, l, real(0.0)).x;
   }
   real2 range = airlightRegionRange(medium.region, origin, direction, l);
-  return airlightInsideDepth(medium, origin, direction, range.x, range.y);
+  return airlightFormulaDepth(medium, origin, direction, range.x, range.y);
 }
 
 // The same on the way to a light at infinity. An unbounded uniform medium would swallow it: there
@@ -78,16 +93,19 @@ AIRLIGHT_FN real3 airlightPathAt(AIRLIGHT_IN(AirlightMedium) medium, bool surfac
   {
     at = airlightSurfaceSums(medium, origin, direction, t, after);
     at.y = min(at.y, range.y);
-#if AIRLIGHT_HAS_GRID && AIRLIGHT_HAS_SURFACE
-    if (hasDepth && AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_GRID)
-    {
-      at.x = airlightGridDepthInSurface(medium, origin, direction, real(0.0), t);
-    }
-#endif
   }
-  else if (hasDepth)
+#if AIRLIGHT_HAS_GRID
+  bool image = AIRLIGHT_DENSITY_KIND(medium) == AIRLIGHT_DENSITY_GRID;
+  if (hasDepth && image)
   {
-    at.x = airlightInsideDepth(medium, origin, direction, range.x, clamp(t, range.x, range.y));
+    at.x = airlightGridDepthInRegion(medium, surface, origin, direction, real(0.0), t);
+  }
+#else
+  const bool image = false;
+#endif
+  if (hasDepth && !image && !surface)
+  {
+    at.x = airlightFormulaDepth(medium, origin, direction, range.x, clamp(t, range.x, range.y));
   }
   if (range.y <= range.x || after >= range.y)
   {
