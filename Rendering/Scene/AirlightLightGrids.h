@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Airlight developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The grids of all lights in one image, kept from frame to frame while light, image and region rest.
+ * The grids of all lights in one image, kept from frame to frame while light, image and region
+ * rest.
  */
 
 #ifndef AirlightLightGrids_h
