@@ -19,16 +19,16 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
-from vtkmodules.vtkRenderingCore import (
-    vtkColorTransferFunction, vtkLight, vtkRenderer, vtkRenderWindow, vtkVolume)
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkLight, vtkRenderer, vtkVolume
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 VTK's renderer
-import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401 VTK's volume renderer
 
 import airlight
+import airlight.display
+import plume_as_fog
 
 ALBEDO = 0.99
 ANISOTROPY = 0.5
@@ -40,10 +40,8 @@ FRAMES = 3
 
 def read_density(path, grid):
     if path.endswith(".vdb"):
-        reader = airlight.vtkOpenVDBDensityReader()
-        reader.SetGridName(grid)
-    else:
-        reader = vtkXMLImageDataReader()
+        return plume_as_fog.read_density(path, grid)
+    reader = vtkXMLImageDataReader()
     reader.SetFileName(path)
     reader.Update()
     image = reader.GetOutput()
@@ -59,8 +57,7 @@ def read_density(path, grid):
 
 def find_extinction(image, depth):
     """That which gives the largest ways along one axis this optical depth."""
-    density = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1])
-    longest = min(density.sum(axis=2 - i).max() * image.GetSpacing()[i] for i in range(3))
+    longest = plume_as_fog.longest_way(image)
     if longest == 0:
         raise SystemExit("the density is 0 everywhere")
     return depth / longest
@@ -82,16 +79,6 @@ def make_renderer(bounds):
     camera.SetViewAngle(VIEW_ANGLE)
     camera.SetClippingRange(0.5 * radius, 8 * radius)
     return renderer, sun
-
-
-def open_window(renderer, size):
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(0)
-    window.SetSize(size)
-    window.AddRenderer(renderer)
-    window.Render()
-    return window
 
 
 def read_pixels(window, size):
@@ -132,21 +119,14 @@ def draw_by_airlight(image, extinction, size):
     render_pass = airlight.vtkAirlightPass()
     render_pass.AddMedium(medium)
     renderer.SetPass(render_pass)
-    window = open_window(renderer, size)
+    window = airlight.display.open_window(renderer, size=size, offscreen=True)
     seconds = time_frame(window, renderer.GetActiveCamera())
     render_pass.RecordBuffersOn()
     window.Render()
     drawn = vtk_to_numpy(render_pass.GetBuffer("Radiance").GetPointData().GetScalars())
-    reference = airlight.vtkAirlightReference()
-    reference.SetRenderer(renderer)
-    reference.AddMedium(medium)
-    reference.SetSize(size)
-    start = time.perf_counter()
-    reference.Update()
-    exact_seconds = time.perf_counter() - start
-    exact = vtk_to_numpy(reference.GetOutput().GetPointData().GetArray("Radiance"))
-    shape = (size[1], size[0], 3)
-    return drawn.reshape(shape).copy(), seconds, exact.reshape(shape).copy(), exact_seconds
+    drawn = drawn.reshape(size[1], size[0], 3).copy()
+    exact, _, exact_seconds = plume_as_fog.render_reference(renderer, medium, size)
+    return drawn, seconds, exact, exact_seconds
 
 
 def make_volume(image, extinction, shadows):
@@ -182,7 +162,7 @@ def make_volume(image, extinction, shadows):
 def draw_by_vtk(image, extinction, size, shadows):
     renderer, sun = make_renderer(image.GetBounds())
     renderer.AddVolume(make_volume(image, extinction, shadows))
-    window = open_window(renderer, size)
+    window = airlight.display.open_window(renderer, size=size, offscreen=True)
     # As bright as eight bits allow.
     for _ in range(12):
         brightest = read_pixels(window, size).max()
@@ -203,13 +183,8 @@ def fit(picture, exact):
 def write_picture(path, pictures):
     white = np.percentile(pictures[0].max(axis=-1), 99.5)
     pixels = np.concatenate([(part / white).clip(0, 1) ** (1 / 2.2) for part in pictures], axis=1)
-    height, width, _ = pixels.shape
-    image = vtkImageData()
-    image.SetDimensions(width, height, 1)
-    values = (255 * pixels + 0.5).astype(np.uint8).reshape(-1, 3)
-    image.GetPointData().SetScalars(numpy_to_vtk(values, deep=True))
     writer = vtkPNGWriter()
-    writer.SetInputData(image)
+    writer.SetInputData(plume_as_fog.make_image((255 * pixels + 0.5).astype(np.uint8)))
     writer.SetFileName(path)
     writer.Write()
 

@@ -174,7 +174,7 @@ double GetMeanAround(
   return count > 0 ? sum / count : 0.0;
 }
 
-// Beside a closed surface, cells that it cuts shall not mix in what is nowhere inside.
+// Beside a closed surface: cells that it cuts shall not mix in densities of the outside.
 std::vector<double> FillUnknown(const std::vector<double>& means, const glm::ivec3& size)
 {
   std::vector<double> filled = means;
