@@ -44,7 +44,7 @@ public:
     const glm::dvec3& origin, const glm::dvec3& direction, double from, double to) const;
 
   // Adds where between from and to the ray passes from one cell to the next, or enters or leaves
-  // the image, in ascending order: there the density has kinks and jumps.
+  // the box of what is filled, in ascending order: there the density has kinks and jumps.
   void AddCuts(const glm::dvec3& origin, const glm::dvec3& direction, double from, double to,
     std::vector<double>& cuts) const;
 

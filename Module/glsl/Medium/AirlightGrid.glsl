@@ -45,29 +45,33 @@ struct AirlightWalk
   real end;
 };
 
-// Clips the range of a line to one axis of the image.
-AIRLIGHT_FN real2 airlightClipToSamples(real2 range, real o, real d, real last)
+// Clips the range of a line to one axis of a box of samples.
+AIRLIGHT_FN real2 airlightClipToSamples(real2 range, real o, real d, real first, real last)
 {
   if (abs(d) < real(AIRLIGHT_STILL))
   {
-    return o >= real(0.0) && o <= last ? range : real2(real(0.0), real(0.0));
+    return o >= first && o <= last ? range : real2(real(0.0), real(0.0));
   }
-  real a = -o / d;
+  real a = (first - o) / d;
   real b = (last - o) / d;
   return real2(max(range.x, min(a, b)), min(range.y, max(a, b)));
+}
+
+// The part of a range of a line that is inside a box; x >= y: none. All in samples.
+AIRLIGHT_FN real2 airlightClipToBox(real2 range, real3 o, real3 d, real3 low, real3 high)
+{
+  range = airlightClipToSamples(range, o.x, d.x, low.x, high.x);
+  range = airlightClipToSamples(range, o.y, d.y, low.y, high.y);
+  range = airlightClipToSamples(range, o.z, d.z, low.z, high.z);
+  return range;
 }
 
 // The part of [from, to] of a ray that is inside the image; x >= y: none.
 AIRLIGHT_FN real2 airlightGridRange(
   AIRLIGHT_IN(AirlightGrid) grid, real3 origin, real3 direction, real from, real to)
 {
-  real3 o = grid.start + grid.axes * origin;
-  real3 d = grid.axes * direction;
-  real2 range = real2(from, to);
-  range = airlightClipToSamples(range, o.x, d.x, grid.last.x);
-  range = airlightClipToSamples(range, o.y, d.y, grid.last.y);
-  range = airlightClipToSamples(range, o.z, d.z, grid.last.z);
-  return range;
+  return airlightClipToBox(real2(from, to), grid.start + grid.axes * origin,
+    grid.axes * direction, real3(real(0.0)), grid.last);
 }
 
 AIRLIGHT_FN void airlightFindLeaves(AIRLIGHT_INOUT(AirlightWalk) walk)
@@ -75,13 +79,15 @@ AIRLIGHT_FN void airlightFindLeaves(AIRLIGHT_INOUT(AirlightWalk) walk)
   walk.leaves = (real3(walk.cell) + walk.ahead - walk.origin) * walk.inverse + walk.never;
 }
 
+// In the box of cells that are filled.
 AIRLIGHT_FN AirlightWalk airlightWalk(
   AIRLIGHT_IN(AirlightGrid) grid, real3 origin, real3 direction, real from, real to)
 {
   AirlightWalk walk;
-  real2 range = airlightGridRange(grid, origin, direction, from, to);
   walk.origin = grid.start + grid.axes * origin;
   walk.slope = grid.axes * direction;
+  real2 range = airlightClipToBox(
+    real2(from, to), walk.origin, walk.slope, grid.filledLow, grid.filledHigh);
   bool3 still = lessThan(abs(walk.slope), real3(real(AIRLIGHT_STILL)));
   walk.inverse = mix(real(1.0) / mix(walk.slope, real3(real(1.0)), still), real3(real(0.0)), still);
   walk.never = mix(real3(real(0.0)), real3(real(AIRLIGHT_FAR)), still);
