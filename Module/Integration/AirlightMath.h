@@ -59,9 +59,10 @@
   const ImageColours* glow;                                                 \
   int albedoFirst;                                                          \
   int glowFirst;
-#define AIRLIGHT_LIGHT_GRID_MEMBERS  \
-  int gridFirst[AIRLIGHT_MAX_MEDIA]; \
-  real3 gridSize[AIRLIGHT_MAX_MEDIA];
+#define AIRLIGHT_LIGHT_GRID_MEMBERS   \
+  int gridFirst[AIRLIGHT_MAX_MEDIA];  \
+  real3 gridSize[AIRLIGHT_MAX_MEDIA]; \
+  real4x4 gridCells[AIRLIGHT_MAX_MEDIA];
 #define AIRLIGHT_GRID_DENSITY(medium, point) \
   real((medium).grid->GetDensity((medium).gridOrigin + glm::dvec3(point)))
 #define AIRLIGHT_GRID_COLOUR(medium, colours, point)                                               \
@@ -81,6 +82,7 @@ using real = double;
 using real2 = glm::dvec2;
 using real3 = glm::dvec3;
 using real4 = glm::dvec4;
+using real4x4 = glm::dmat4;
 using bool3 = glm::bvec3;
 using namespace glm;
 #define AIRLIGHT_DOUBLE
@@ -94,6 +96,7 @@ using real = float;
 using real2 = glm::vec2;
 using real3 = glm::vec3;
 using real4 = glm::vec4;
+using real4x4 = glm::mat4;
 using bool3 = glm::bvec3;
 using namespace glm;
 #include "Integration/AirlightFunctions.inl"

@@ -111,6 +111,7 @@ void VisitLight(Visitor&& visit, Light&... light)
   VisitPhotometry(VisitIn("photometry", visit), light.photometry...);
   visit(Member{ "gridFirst" }, light.gridFirst...);
   visit(Member{ "gridSize" }, light.gridSize...);
+  visit(Member{ "gridCells" }, light.gridCells...);
 }
 
 template <typename Visitor, typename... Multiple>

@@ -203,6 +203,14 @@ public:
     this->Program->SetUniform4fv(
       this->GetName(member).c_str(), static_cast<int>(Count), &single[0].x);
   }
+  template <std::size_t Count>
+  void operator()(const Member& member, const glm::dmat4 (&values)[Count]) const
+  {
+    glm::mat4 single[Count];
+    std::copy(values, values + Count, single);
+    this->Program->SetUniformMatrix4x4v(
+      this->GetName(member).c_str(), static_cast<int>(Count), &single[0][0].x);
+  }
 
 private:
   std::string GetName(const Member& member) const { return this->Name + "." + member.Name; }

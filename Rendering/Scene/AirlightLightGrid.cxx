@@ -3,6 +3,7 @@
 #include "Scene/AirlightLightGrid.h"
 
 #include "Density/AirlightTrilinear.h"
+#include "Scene/AirlightLightWays.h"
 #include "Scene/AirlightPackedSamples.h"
 #include "vtkSMPTools.h"
 #include "vtkType.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 namespace airlight
 {
@@ -18,13 +18,14 @@ namespace
 {
 // Grids are refined until optical depths between their points are no more wrong than this, up to
 // the largest grid: points along the image's longest side. The shadows of images that have more
-// samples than it has points have more detail: a finer one serves them where that takes less than
-// half a second on two cores. Ways in closed surfaces take longer.
+// samples than it has points have more detail: they get the finest one up to another limit that
+// takes about half a second on two cores. Ways in closed surfaces take longer.
 constexpr double Tolerance = 1e-3;
-constexpr int Smallest = 5;
-constexpr int Largest = 65;
-constexpr int Finer = 129;
-constexpr double MostOfFiner = 1e8; // points, times the samples on a way
+constexpr double Smallest = 5.0;
+constexpr double Largest = 65.0;
+constexpr double Finer = 129.0;
+constexpr double MostOfFiner = 1e8;  // points, times the cells that each of them takes
+constexpr double CellsOnRays = 16.0; // of a point in a row of them on a ray from the light
 
 constexpr int TestPoints = 500;
 // Where less light than this is left, errors do not matter.
@@ -32,97 +33,25 @@ constexpr double OpaqueDepth = 5.0; // optical depth
 
 // Samples that are looked at before a way is followed: it has hundreds itself.
 constexpr double MostSearched = 5000.0;
-// Inside by so much, in samples: ways along the image's faces are inside it.
-constexpr double Inset = 1e-6;
 
-constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
-
-// The ways from points of the image to a light.
-class Ways
+LightGridMap BuildMap(const LightWays& ways, double longest)
 {
-public:
-  Ways(const f64::AirlightMedium& medium, const f64::AirlightLight& light)
-    : Medium(medium)
-    , Grid(*medium.grid)
-    , Light(light.position)
-    , Directional(f64::airlightIsDirectional(light))
-    , IsSurface(medium.region.kind == AIRLIGHT_REGION_SURFACE)
-  {
-  }
-
-  // Mean density and length of a way from a place in samples; in a closed surface, of what is
-  // inside, unknown where that is nothing.
-  glm::dvec2 Measure(const glm::dvec3& samples) const
-  {
-    const glm::dvec3 inside = glm::clamp(
-      samples, glm::dvec3(Inset), glm::max(this->Grid.GetLast() - Inset, glm::dvec3(Inset)));
-    const glm::dvec3 point = this->Grid.ToWorld(inside);
-    glm::dvec3 way = this->Light;
-    double length = AIRLIGHT_FAR;
-    if (!this->Directional)
-    {
-      way = this->Light - point;
-      length = std::max(glm::length(way), 1e-300);
-      way /= length;
-    }
-    glm::dvec2 range = f64::airlightRegionRange(this->Medium.region, point, way, length);
-    range = this->Grid.GetRange(point, way, range.x, range.y);
-    range.y = std::max(range.x, range.y);
-    const glm::dvec3 entry = point + range.x * way;
-    const double end = range.y - range.x;
-    const double reach =
-      this->IsSurface ? f64::airlightSurfaceSums(this->Medium, entry, way, end, 0.0).x : end;
-    if (reach * glm::length(this->Grid.GetAxes() * way) > 10.0 * Inset)
-    {
-      const double depth =
-        f64::airlightGridDepthInRegion(this->Medium, this->IsSurface, point, way, range.x, range.y);
-      return { depth / reach, reach };
-    }
-    return { this->IsSurface && !this->Holds(point) ? Unknown : this->Grid.GetDensityAt(inside),
-      reach };
-  }
-
-  // Whether something is scattered there.
-  bool Scatters(const glm::dvec3& samples) const
-  {
-    return this->Grid.GetDensityAt(samples) > 0.0 && this->Holds(this->Grid.ToWorld(samples));
-  }
-
-  const DensityGrid& GetGrid() const { return this->Grid; }
-  bool IsInSurface() const { return this->IsSurface; }
-
-private:
-  // Whether the region does.
-  bool Holds(const glm::dvec3& point) const
-  {
-    const glm::dvec3 up(0.0, 0.0, 1.0);
-    return f64::airlightPathAt(this->Medium, this->IsSurface, point, up, 0.0, 0.0, false).z > 0.5;
-  }
-
-  const f64::AirlightMedium& Medium;
-  const DensityGrid& Grid;
-  glm::dvec3 Light;
-  bool Directional;
-  bool IsSurface;
-};
-
-// As many points along each side as make cells about as long as wide.
-glm::ivec3 GetSize(const DensityGrid& grid, int longest)
-{
-  const glm::dmat3 steps = glm::inverse(grid.GetAxes());
-  const glm::dvec3 sides = grid.GetLast() *
-    glm::dvec3(glm::length(steps[0]), glm::length(steps[1]), glm::length(steps[2]));
-  const double most = std::max({ sides.x, sides.y, sides.z });
-  return glm::max(glm::ivec3(glm::ceil(sides / most * (longest - 1.0))), 1) + 1;
+  return ways.AreParallel() ? LightGridMap::BuildAlong(ways.GetGrid(), ways.GetLight(), longest)
+                            : LightGridMap::BuildEven(ways.GetGrid(), longest);
 }
 
-int GetLargest(const Ways& ways)
+// Points along the image's longest side of the finest grid.
+double GetLargest(const LightWays& ways)
 {
   const glm::dvec3 last = ways.GetGrid().GetLast();
   const double samples = std::max({ last.x, last.y, last.z }) + 1.0;
-  const glm::dvec3 size(GetSize(ways.GetGrid(), Finer));
-  const bool finer = samples > Largest && size.x * size.y * size.z * samples <= MostOfFiner;
-  return finer && !ways.IsInSurface() ? Finer : Largest;
+  if (samples <= Largest || ways.IsInSurface())
+  {
+    return Largest;
+  }
+  const double cells = ways.AreParallel() ? CellsOnRays : samples;
+  const double affordable = MostOfFiner / (BuildMap(ways, Finer).CountPoints() * cells);
+  return std::floor(std::clamp(Finer * std::cbrt(affordable), Largest, Finer));
 }
 
 // Whether the medium is in a cell that a point of the light's grid belongs to. `scale` is from
@@ -190,11 +119,31 @@ std::vector<double> FillUnknown(const std::vector<double>& means, const glm::ive
   return filled;
 }
 
+// Row by row along the light's rays.
+std::vector<double> MeasureRays(const LightWays& ways, const LightGridMap& map)
+{
+  const glm::ivec3 size = map.GetSize();
+  const vtkIdType rows = static_cast<vtkIdType>(size.x) * size.y;
+  const glm::dvec3 samples = ways.GetGrid().GetLast();
+  std::vector<double> means(static_cast<size_t>(rows) * size.z);
+  vtkSMPTools::For(0, rows, 64, [&](vtkIdType a, vtkIdType b) {
+    for (vtkIdType row = a; row < b; ++row)
+    {
+      const glm::dvec3 first(
+        static_cast<double>(row % size.x), static_cast<double>(row / size.x), 0.0);
+      const glm::dvec3 last = first + glm::dvec3(0.0, 0.0, size.z - 1.0);
+      ways.MeasureRay(samples * map.ToPlace(first), samples * map.ToPlace(last), size.z,
+        [&means, rows, row](int k, double mean) { means[k * rows + row] = mean; });
+    }
+  });
+  return means;
+}
+
 // 0 where nothing is scattered, unless `everywhere`.
-std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size, bool everywhere)
+std::vector<double> MeasurePoints(const LightWays& ways, const glm::ivec3& size, bool everywhere)
 {
   const size_t count = static_cast<size_t>(size.x) * size.y * size.z;
-  std::vector<double> means(count, ways.IsInSurface() ? Unknown : 0.0);
+  std::vector<double> means(count, ways.IsInSurface() ? LightWays::Unknown : 0.0);
   const glm::dvec3 step = ways.GetGrid().GetLast() / glm::dvec3(size - 1); // samples
   vtkSMPTools::For(0, static_cast<vtkIdType>(size.y) * size.z, 1, [&](vtkIdType a, vtkIdType b) {
     for (vtkIdType row = a; row < b; ++row)
@@ -212,7 +161,14 @@ std::vector<double> MeasureAll(const Ways& ways, const glm::ivec3& size, bool ev
       }
     }
   });
-  return ways.IsInSurface() ? FillUnknown(means, size) : means;
+  return means;
+}
+
+std::vector<double> MeasureAll(const LightWays& ways, const LightGridMap& map, bool everywhere)
+{
+  const std::vector<double> means =
+    ways.AreParallel() ? MeasureRays(ways, map) : MeasurePoints(ways, map.GetSize(), everywhere);
+  return ways.IsInSurface() ? FillUnknown(means, map.GetSize()) : means;
 }
 
 // Van der Corput's sequence in this base: evenly spread and the same every time.
@@ -233,7 +189,7 @@ struct TestPoint
   double Length;
 };
 
-std::vector<TestPoint> MakeTests(const Ways& ways, double sigmaT, bool everywhere)
+std::vector<TestPoint> MakeTests(const LightWays& ways, double sigmaT, bool everywhere)
 {
   std::vector<TestPoint> points;
   // A surface may be a small part of an image.
@@ -267,30 +223,32 @@ std::shared_ptr<const std::vector<glm::vec4>> Pack(
 LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::AirlightLight& light,
   bool everywhere, double seconds)
 {
-  const Ways ways(medium, light);
+  const LightWays ways(medium, light);
   const double sigmaT = std::max({ medium.sigmaT.x, medium.sigmaT.y, medium.sigmaT.z });
   const std::vector<TestPoint> tests = MakeTests(ways, sigmaT, everywhere);
-  const int largest = GetLargest(ways);
+  const double largest = GetLargest(ways);
   LightGrid result{};
-  for (int longest = Smallest; longest <= largest; longest = 2 * longest - 1)
+  for (double longest = Smallest; result.Means == nullptr;
+       longest = std::min(2.0 * longest - 1.0, largest))
   {
     const auto start = std::chrono::steady_clock::now();
-    const glm::ivec3 size = GetSize(ways.GetGrid(), longest);
-    const std::vector<double> means = MeasureAll(ways, size, everywhere);
+    const LightGridMap map = BuildMap(ways, longest);
+    const glm::ivec3& size = map.GetSize();
+    const std::vector<double> means = MeasureAll(ways, map, everywhere);
     result.Error = 0.0;
     for (const TestPoint& test : tests)
     {
-      const double mean = InterpolateTrilinearly(means, size, test.Share * glm::dvec3(size - 1));
+      const double mean = InterpolateTrilinearly(means, size, map.ToPoints(test.Share));
       result.Error = std::max(result.Error, sigmaT * std::abs(mean - test.Mean) * test.Length);
     }
-    result.IsFinest = result.Error <= Tolerance || 2 * longest - 1 > largest;
+    result.IsFinest = result.Error <= Tolerance || longest == largest;
     // The next one has eight times as many points.
     const std::chrono::duration<double> next = 8.0 * (std::chrono::steady_clock::now() - start);
     if (result.IsFinest || next.count() > seconds)
     {
       result.Cells = glm::dvec3(size - 1);
+      result.ToCells = map.GetMatrix();
       result.Means = Pack(means, size);
-      break;
     }
     seconds -= 0.125 * next.count();
   }
@@ -301,7 +259,7 @@ LightGrid LightGrid::Build(const f64::AirlightMedium& medium, const f64::Airligh
 const LightGrid& LightGrid::GetDark()
 {
   static const LightGrid dark{ Pack(std::vector<double>(8, 0.0), glm::ivec3(2)), glm::dvec3(1.0),
-    0.0, true };
+    glm::dmat4(1.0), 0.0, true };
   return dark;
 }
 }

@@ -3,17 +3,17 @@
 /**
  * What light loses on its way through a medium whose density is an image, for the shaders.
  *
- * On a regular grid in the image: the mean density of the way from each point to the light, as far
- * as it is in the medium. Unlike the optical depth, which is that times the way's length, the mean
- * is constant where the density is, and has no singularity at the light and no kinks where ways
- * begin to leave through another face; so a grid coarser than the image will do, and linear
- * interpolation.
+ * On a grid in the image (AirlightLightGridMap.h): the mean density of the way from each point to
+ * the light, as far as it is in the medium. Unlike the optical depth, which is that times the way's
+ * length, the mean is constant where the density is, and has no singularity at the light and no
+ * kinks where ways begin to leave through another face; so a grid coarser than the image will do,
+ * and linear interpolation.
  */
 
 #ifndef AirlightLightGrid_h
 #define AirlightLightGrid_h
 
-#include "Integration/AirlightMath.h"
+#include "Scene/AirlightLightGridMap.h"
 
 #include <memory>
 #include <vector>
@@ -24,7 +24,8 @@ struct LightGrid
 {
   std::shared_ptr<const std::vector<glm::vec4>> Means; // AirlightPackedSamples.h
   glm::dvec3 Cells;
-  double Error; // the largest of optical depths found between the points, where light is left
+  glm::dmat4 ToCells; // of places in the image, as LightGridMap::GetMatrix()
+  double Error;       // the largest of optical depths found between the points, where light is left
   bool IsFinest;
 
   // Of the light, for media and light relative to the world's origin. `everywhere`: also where the

@@ -9,6 +9,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkParticipatingMedium.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -28,6 +30,14 @@ double GetTimeForGrid(vtkOpenGLRenderWindow* window, const f64::AirlightMedia& m
   return rate < 1.0
     ? std::numeric_limits<double>::infinity()
     : 0.3 / (rate * std::max<double>((media.count + media.volumes) * powerful, 1.0));
+}
+
+// From positions relative to `origin` to shares of the image's sides.
+glm::dmat4 GetMatrixToPlaces(const DensityGrid& grid, const glm::dvec3& origin)
+{
+  glm::dmat4 matrix(grid.GetAxes());
+  matrix[3] = glm::dvec4(grid.ToSamples(origin), 1.0);
+  return glm::scale(glm::dmat4(1.0), 1.0 / grid.GetLast()) * matrix;
 }
 
 // Numbers that a shared object holds.
@@ -52,6 +62,7 @@ void SceneArrays::AddDensity(const Add& add, int index, const DensitySource& sou
   add({ source.Image, CountTexels(size),
         [&samples, size](glm::vec4* to) { PackSamples(samples, size, to); } },
     item.gridFirst);
+  const glm::dmat4 toPlaces = GetMatrixToPlaces(*source.Image, item.gridOrigin);
   for (SceneLight& sceneLight : sceneLights)
   {
     if (sceneLight.Scatters())
@@ -61,6 +72,7 @@ void SceneArrays::AddDensity(const Add& add, int index, const DensitySource& sou
             item, source.Surface, sceneLight.Values, item.gridOrigin, everywhere, seconds)
         : LightGrid::GetDark();
       sceneLight.Values.gridSize[index] = grid.Cells;
+      sceneLight.Values.gridCells[index] = grid.ToCells * toPlaces;
       sceneLight.GridError += grid.Error;
       add(MakeArray(grid.Means, *grid.Means), sceneLight.Values.gridFirst[index]);
     }

@@ -10,6 +10,8 @@ airlight_sources(
     AirlightSceneArrays
     AirlightSceneLights
     AirlightLightGrid
+    AirlightLightGridMap
+    AirlightLightWays
     AirlightLightGrids
     AirlightPackedSamples
     AirlightSceneData

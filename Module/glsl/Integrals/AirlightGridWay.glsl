@@ -18,7 +18,7 @@ struct AirlightGridWay
 };
 
 AirlightGridWay airlightGridWay(
-  AirlightMedium medium, real3 gridSize, AirlightLight light, real3 point)
+  AirlightMedium medium, real3 gridSize, real4x4 gridCells, AirlightLight light, real3 point)
 {
   AirlightGridWay result;
   result.direction = light.position;
@@ -33,8 +33,8 @@ AirlightGridWay airlightGridWay(
   range = airlightGridRange(medium.grid, point, result.direction, range.x, range.y);
   result.reach = max(range.y - range.x, 0.0);
   result.entry = point + (result.reach > 0.0 ? range.x : 0.0) * result.direction;
-  real3 position = (medium.grid.start + medium.grid.axes * result.entry) / medium.grid.last;
-  result.cells = clamp(position, 0.0, 1.0) * gridSize;
+  real3 cells = (gridCells * real4(result.entry, 1.0)).xyz;
+  result.cells = clamp(cells, real3(0.0), gridSize);
   return result;
 }
 
@@ -54,7 +54,8 @@ AirlightOutside airlightOutsideAt(AirlightLight light, real3 point)
 #if AIRLIGHT_HAS_SURFACE
     if (AIRLIGHT_IS_GRID(i) && AIRLIGHT_IS_SURFACE(i))
     {
-      AirlightGridWay way = airlightGridWay(airlightMedia.item[i], light.gridSize[i], light, point);
+      AirlightGridWay way = airlightGridWay(
+        airlightMedia.item[i], light.gridSize[i], light.gridCells[i], light, point);
       if (way.reach > 0.0)
       {
         outside.reach[i] = way.reach -
@@ -82,7 +83,8 @@ real3 airlightInsideLightDepth(AirlightLight light, real3 point, AirlightOutside
   {
     if (AIRLIGHT_IS_GRID(i))
     {
-      AirlightGridWay way = airlightGridWay(airlightMedia.item[i], light.gridSize[i], light, point);
+      AirlightGridWay way = airlightGridWay(
+        airlightMedia.item[i], light.gridSize[i], light.gridCells[i], light, point);
 #if AIRLIGHT_HAS_SURFACE
       way.reach -= outside.reach[i];
 #endif
@@ -125,15 +127,16 @@ real airlightBehindImages(AirlightLight light, AirlightRay ray, int inImages, re
     {
       AirlightMedium medium = airlightMedia.item[i];
       real3 size = light.gridSize[i];
+      real4x4 cells = light.gridCells[i];
       real3 middle = ray.origin + 0.5 * (a + b) * ray.direction;
-      if (airlightGridWay(medium, size, light, middle).reach > 0.0)
+      if (airlightGridWay(medium, size, cells, light, middle).reach > 0.0)
       {
         // A little inside, where no end is one by rounding.
         real inset = 1e-3 * (b - a);
         real3 from = ray.origin + (a + inset) * ray.direction;
         real3 to = ray.origin + (b - inset) * ray.direction;
-        real3 moved = abs(airlightGridWay(medium, size, light, from).cells -
-          airlightGridWay(medium, size, light, to).cells);
+        real3 moved = abs(airlightGridWay(medium, size, cells, light, from).cells -
+          airlightGridWay(medium, size, cells, light, to).cells);
         moved = min(moved / AIRLIGHT_PART_CELLS, moved / (AIRLIGHT_PART_SHARE * size));
         most = max(most, max(moved.x, max(moved.y, moved.z)));
       }

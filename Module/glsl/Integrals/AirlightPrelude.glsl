@@ -6,6 +6,7 @@
 #define bool3 bvec3
 #define int3 ivec3
 #define real3x3 mat3
+#define real4x4 mat4
 #define AIRLIGHT_FN
 #define AIRLIGHT_OUT(T) out T
 #define AIRLIGHT_INOUT(T) inout T
@@ -46,7 +47,8 @@ uniform int airlightZero;
   int glowFirst;
 #define AIRLIGHT_LIGHT_GRID_MEMBERS                                                                \
   int gridFirst[AIRLIGHT_MAX_MEDIA];                                                               \
-  real3 gridSize[AIRLIGHT_MAX_MEDIA];
+  real3 gridSize[AIRLIGHT_MAX_MEDIA];                                                              \
+  real4x4 gridCells[AIRLIGHT_MAX_MEDIA];
 // Whether medium i has an image: so it is known when a shader is compiled.
 #define AIRLIGHT_IS_GRID(i) (((AIRLIGHT_GRID_MEDIA >> (i)) & 1) != 0)
 // Likewise whether it has arrays of colours there.

@@ -21,7 +21,7 @@ struct AirlightLight
   int goniometric;   // 1: `photometry` says how much goes in each direction
   AirlightPhotometry photometry;
   // For each medium with an image: texel of the means between a place and the light
-  // (AirlightLightGrid.h), and their numbers of cells.
+  // (AirlightLightGrid.h), their numbers of cells, and in which of these a place is.
   AIRLIGHT_LIGHT_GRID_MEMBERS
 };
 

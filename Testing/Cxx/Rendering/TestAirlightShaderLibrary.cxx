@@ -46,6 +46,7 @@ public:
     text = std::regex_replace(text, std::regex("\\bAIRLIGHT_DATA_MEMBER\\b"), "");
     text = std::regex_replace(text, std::regex("\\bAIRLIGHT_SAMPLES\\b"), "int");
     text = std::regex_replace(text, std::regex("\\breal3x3\\b"), "mat3");
+    text = std::regex_replace(text, std::regex("\\breal4x4\\b"), "mat4");
     text = std::regex_replace(text, std::regex("\\breal(?=\\b)"), "float");
     text = std::regex_replace(text, std::regex("\\breal(?=[234]\\b)"), "vec");
     const std::regex structure("\\bstruct\\s+(\\w+)\\s*\\{([^}]*)\\}");
@@ -105,6 +106,11 @@ public:
   void operator()(const Member& member, const glm::dvec4 (&)[Count])
   {
     this->Add("vec4", member.Name + "[]");
+  }
+  template <std::size_t Count>
+  void operator()(const Member& member, const glm::dmat4 (&)[Count])
+  {
+    this->Add("mat4", member.Name + "[]");
   }
 
   Names Visited;
