@@ -19,6 +19,14 @@ bool HasGrid(const f64::AirlightMedia& media)
 }
 
 //------------------------------------------------------------------------------
+bool HasLongWays(const f64::AirlightMedia& media)
+{
+  return HasGrid(media) ||
+    std::any_of(media.item, media.item + media.count,
+      [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
+}
+
+//------------------------------------------------------------------------------
 glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::AirlightLight& light,
   const f64::AirlightRay& ray, double from, double to)
 {

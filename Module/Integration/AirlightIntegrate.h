@@ -17,6 +17,9 @@ namespace airlight
 // Whether the density of one of the media comes from an image, or volumes dim lights.
 bool HasGrid(const f64::AirlightMedia& media);
 
+// Whether ways through them are walks, from cell to cell or from hit to hit of a closed surface.
+bool HasLongWays(const f64::AirlightMedia& media);
+
 // What the light scatters into the part [from, to] of a ray that lies inside ray.lit.
 glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::AirlightLight& light,
   const f64::AirlightRay& ray, double from, double to);

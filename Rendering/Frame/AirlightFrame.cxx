@@ -67,6 +67,7 @@ bool Frame::Begin(const Input& input)
   needs.Record = this->Plan.Record;
   needs.Several = this->RecordsSeveral();
   needs.Radiance = this->HasRadiance();
+  needs.LightLayers = this->Plan.LightLayers;
   if (!this->Textures.Prepare(
         this->GetWindow(), input.Rays.GetWidth(), input.Rays.GetHeight(), needs))
   {
@@ -89,7 +90,7 @@ bool Frame::Draw(SceneDrawer& scene)
   }
   scene.UpdateCasters();
   if (!this->CollectFragments(scene) || !this->ScatterLights() ||
-    !(single || this->DrawColours(scene)))
+    !(single || (this->WalkLightWays() && this->DrawColours(scene))))
   {
     return false;
   }
@@ -418,6 +419,14 @@ bool Frame::ScatterLight(const InscatterTargets& targets, int light)
 }
 
 //------------------------------------------------------------------------------
+bool Frame::WalkLightWays()
+{
+  return this->Plan.LightLayers == 0 ||
+    this->LightWays.Draw(this->GetScene(), this->Plan.LightLayers, this->Textures) ||
+    this->Fail(this->LightWays.GetError());
+}
+
+//------------------------------------------------------------------------------
 ShadowTechnique Frame::GetTechnique() const
 {
   return this->Shadows.HasMap()   ? ShadowTechnique::Map
@@ -543,6 +552,11 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
   values.SceneLights = &input.SceneLights;
   values.Lit = this->Textures.Scattered;
   values.MoreLit = this->HasMoreLit() ? this->Textures.Lit : this->Textures.Scattered;
+  if (this->Plan.LightLayers > 0)
+  {
+    values.LightWays = this->Textures.LightWays;
+    values.LightLayers = LightWaysPass::GetLayers(this->GetScene(), this->Plan.LightLayers);
+  }
   values.Data = this->Arrays.GetTexture();
   values.ScatteredIrradiance = this->Plan.ScatteredSurfaceLight;
   values.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
@@ -560,6 +574,7 @@ void Frame::ReleaseObjects(vtkWindow* window)
 {
   this->Geometry.Release();
   this->Inscatter.Release();
+  this->LightWays.Release();
   this->Composition.Release();
   this->FragmentLists.Release();
   this->CoarseAir.Release(window);

@@ -30,6 +30,7 @@
 #include "Frame/AirlightFrameRecorder.h"
 #include "Frame/AirlightFroxels.h"
 #include "Frame/AirlightGeometryPass.h"
+#include "Frame/AirlightLightWaysPass.h"
 #include "Frame/AirlightTargets.h"
 #include "Inscatter/AirlightInscatterPass.h"
 #include "Inscatter/AirlightLightShadows.h"
@@ -168,6 +169,7 @@ private:
   bool CollectFragments(SceneDrawer& scene);
   bool SortFragments();
   bool ScatterLights();
+  bool WalkLightWays();
   LightShadows::Options GetShadowOptions() const;
   bool BeginFroxels();
   bool ScatterLight(const InscatterTargets& targets, int light);
@@ -197,6 +199,7 @@ private:
   GeometryPass Geometry;
   LightShadows Shadows;
   InscatterPass Inscatter;
+  LightWaysPass LightWays;
   CompositePass Composition;
   FrameRecorder Buffers;
   std::string Error;

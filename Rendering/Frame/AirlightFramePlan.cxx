@@ -109,12 +109,33 @@ bool IsPlain(const FramePlan& plan, const PassProperties& properties, const Scen
 }
 
 //------------------------------------------------------------------------------
-// Shadows on surfaces are known only after the distances. Where a single light casts them, colours
-// are drawn with and without it.
+int CountDimmed(const SceneFacts& scene)
+{
+  return static_cast<int>(std::count_if(scene.Lights.begin(), scene.Lights.end(),
+    [](const LightFacts& light) { return light.Scatters; }));
+}
+
+// More rows are beyond some graphics cards' textures.
+int CountLightLayers(const SceneFacts& scene)
+{
+  constexpr int MostRows = 8192;
+  constexpr int MostLayers = 8;
+  constexpr double MostBytes = 268435456.0;
+  constexpr double BytesOfPixel = 16.0;
+  const double room = MostBytes / (BytesOfPixel * scene.Width * scene.Height);
+  return std::min({ CountDimmed(scene), MostLayers, MostRows / std::max(scene.Height, 1),
+    static_cast<int>(std::min(room, 1.0 * MostLayers)) });
+}
+
+// Shadows on surfaces, and what media leave of lights where that takes long, are known only after
+// the distances. Where a single light casts shadows, colours are drawn with and without it.
 void PlanGeometryPasses(FramePlan& plan, const SceneFacts& scene)
 {
-  plan.SingleGeometryPass = plan.AllShadersInjectable;
-  if (!plan.AllShadersInjectable || plan.Shadows == ShadowMethod::None || !plan.SurfaceShadows)
+  plan.LightLayers = scene.LongWays ? CountLightLayers(scene) : 0;
+  plan.AllLightLayers = plan.LightLayers == CountDimmed(scene);
+  plan.SingleGeometryPass = plan.AllShadersInjectable && plan.LightLayers == 0;
+  if (plan.LightLayers > 0 || !plan.AllShadersInjectable || plan.Shadows == ShadowMethod::None ||
+    !plan.SurfaceShadows)
   {
     return;
   }

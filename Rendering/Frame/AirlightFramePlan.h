@@ -78,6 +78,7 @@ struct SceneFacts
 {
   bool Clear = false;           // no medium scatters or absorbs
   bool DensityImage = false;    // the density of a medium comes from an image
+  bool LongWays = false;        // to be walked through images, volumes or closed surfaces
   double PhaseErrorBound = 0.0; // the largest of the media, relative
   double MultipleErrorBound = 0.0;
   std::vector<LightFacts> Lights;
@@ -161,6 +162,10 @@ struct FramePlan
   // that casts them is this one, -1 if there is none: the scene is drawn with and without it.
   bool SingleGeometryPass = false;
   int ShadowingLight = -1;
+  // For the step that walks the lights' ways to opaque surfaces (AirlightLightWaysPass.h): as many
+  // of the lights that media dim as there is memory for; 0 where ways are short.
+  int LightLayers = 0;
+  bool AllLightLayers = false;
   // No light's airlight has shadows: the composite integrates it, without a step of its own.
   bool UnshadowedInComposite = false;
 

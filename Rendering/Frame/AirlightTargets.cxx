@@ -21,8 +21,9 @@ Targets::Targets() = default;
 Targets::~Targets() = default;
 
 //------------------------------------------------------------------------------
-bool Targets::Allocate(vtkTextureObject* texture, int components)
+bool Targets::Allocate(vtkTextureObject* texture, int components, int layers)
 {
+  const int height = layers * this->Height;
   if (texture->GetHandle() != 0 && texture->GetComponents() != components)
   {
     texture->ReleaseGraphicsResources(this->Window);
@@ -37,9 +38,9 @@ bool Targets::Allocate(vtkTextureObject* texture, int components)
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
     texture->SetWrapS(vtkTextureObject::ClampToEdge);
     texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    return texture->Allocate2D(this->Width, this->Height, components, VTK_FLOAT);
+    return texture->Allocate2D(this->Width, height, components, VTK_FLOAT);
   }
-  texture->Resize(this->Width, this->Height);
+  texture->Resize(this->Width, height);
   return true;
 }
 
@@ -64,7 +65,8 @@ bool Targets::Prepare(vtkOpenGLRenderWindow* window, int width, int height, cons
     this->Allocate(this->Scattered, 4) &&
     (needs.SceneLights <= BitsPerChannel || this->Allocate(this->Lit, 4)) &&
     (!needs.Drawn || this->Allocate(this->Drawn, 2)) &&
-    (!needs.WithoutLight || this->Allocate(this->WithoutLight, 4));
+    (!needs.WithoutLight || this->Allocate(this->WithoutLight, 4)) &&
+    (needs.LightLayers == 0 || this->Allocate(this->LightWays, 4, needs.LightLayers));
   if (this->Depth->GetHandle() == 0)
   {
     this->Depth->SetContext(window);
@@ -207,10 +209,10 @@ vtkSmartPointer<vtkImageData> Targets::Read(
 void Targets::Release(vtkWindow* window)
 {
   for (vtkTextureObject* texture :
-    { this->Distances.Get(), this->Drawn.Get(), this->Depth.Get(), this->Scene.Get(),
-      this->WithoutLight.Get(), this->Scattered.Get(), this->Lit.Get(), this->Counts.Get(),
-      this->Single.Get(), this->SeveralOfLights.Get(), this->Several.Get(), this->Radiance.Get(),
-      this->Airlight.Get(), this->Surface.Get(), this->Transmittance.Get() })
+    { this->Distances.Get(), this->Drawn.Get(), this->Depth.Get(), this->LightWays.Get(),
+      this->Scene.Get(), this->WithoutLight.Get(), this->Scattered.Get(), this->Lit.Get(),
+      this->Counts.Get(), this->Single.Get(), this->SeveralOfLights.Get(), this->Several.Get(),
+      this->Radiance.Get(), this->Airlight.Get(), this->Surface.Get(), this->Transmittance.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

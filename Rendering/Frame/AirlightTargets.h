@@ -37,6 +37,7 @@ public:
     bool Record = false;
     bool Several = false; // recorded: light that is scattered more than once
     bool Radiance = false;
+    int LightLayers = 0;
   };
   bool Prepare(vtkOpenGLRenderWindow* window, int width, int height, const Needs& needs);
   const std::string& GetError() const { return this->Error; }
@@ -64,6 +65,7 @@ public:
   vtkNew<vtkTextureObject> Distances;
   vtkNew<vtkTextureObject> Drawn; // R: the same as the mappers drew it; G: below 0 where they did
   vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkTextureObject> LightWays; // see AirlightLightWaysPass.h; only with layers
   vtkNew<vtkTextureObject> Scene;
   vtkNew<vtkTextureObject> WithoutLight; // the scene without the light that casts shadows on it
   vtkNew<vtkTextureObject> Scattered;    // RGB: airlight, A: bits of the first 24 lights (litBit)
@@ -78,7 +80,7 @@ public:
   vtkNew<vtkTextureObject> Transmittance;
 
 private:
-  bool Allocate(vtkTextureObject* texture, int components);
+  bool Allocate(vtkTextureObject* texture, int components, int layers = 1);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   int Width = 0;

@@ -9,6 +9,7 @@ airlight_sources(
     AirlightFrameRecorder
     AirlightFroxels
     AirlightGeometryPass
+    AirlightLightWaysPass
     AirlightMeanPicture
     AirlightSubpixelMean
     AirlightTargets
@@ -20,5 +21,6 @@ airlight_sources(
     glsl/AirlightFroxelFS.glsl
     glsl/AirlightFroxelLossFS.glsl
     glsl/AirlightDistancesFS.glsl
+    glsl/AirlightLightWaysFS.glsl
     glsl/AirlightLuminanceFS.glsl
     glsl/AirlightMaskFS.glsl)

@@ -38,7 +38,7 @@ const char* StorageSystem = "#version 430\n"
 
 // The prelude's words must not reach the mapper's own options.
 const char* Undefine = "#undef real\n#undef real2\n#undef real3\n#undef real4\n#undef "
-                       "bool3\n#undef int3\n#undef real3x3\n";
+                       "bool3\n#undef int3\n#undef real3x3\n#undef real4x4\n";
 
 std::string DefineStages()
 {
@@ -56,6 +56,13 @@ bool HasShadowTransmittance(const SurfaceShaderOptions& options)
 }
 
 bool HasFroxels(const SurfaceShaderOptions& options) { return options.InPass && options.Froxels; }
+
+// Translucent surfaces are in front of those to which ways are known.
+KnownWays GetWays(const SurfaceShaderOptions& options)
+{
+  const bool some = options.Translucent && options.Ways == KnownWays::All;
+  return !options.InPass ? KnownWays::None : some ? KnownWays::Some : options.Ways;
+}
 
 // The light that a surface receives from a scene light, for AirlightSurface.glsl.
 std::string GetReceivedLight(const LightSpecialization& sceneLight, const std::string& index)
@@ -101,6 +108,7 @@ std::string CommonDeclarations(const SurfaceShaderOptions& options)
       options.SingleGeometryPass && options.ViewportIsTarget && !options.Translucent) +
     define("MORE_LIT", options.SceneLightCount > BitsPerChannel) +
     define("IN_PASS", options.InPass) + define("READS_LIT", options.InPass && options.ReadsLit) +
+    define("LIGHT_WAYS", static_cast<int>(GetWays(options))) +
     define("AT_VERTICES", options.AtVertices) + define("ENCODED_INPUT", options.EncodedInput) +
     define("UNIFORM_MEDIA", options.UniformMedia) +
     (options.ViewportIsTarget

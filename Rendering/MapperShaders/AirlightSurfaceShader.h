@@ -42,6 +42,14 @@ constexpr int MaximumShadowingLights = 4 * BitsPerChannel;
 // Lights whose scattered light lights surfaces: uniforms are few.
 constexpr int MaximumScatteringLights = 32;
 
+// The lights whose ways to opaque surfaces are known (AirlightLightWaysPass.h).
+enum class KnownWays
+{
+  None = 0, // the shaders walk them
+  Some = 1,
+  All = 2
+};
+
 // What a mapper's shaders are rewritten for.
 struct SurfaceShaderOptions
 {
@@ -53,8 +61,9 @@ struct SurfaceShaderOptions
   bool TranslucentFragments = false;       // and have records (AirlightTranslucentFragments.h)
   bool Froxels = false;                    // or, as shadows do, read a grid (AirlightFroxels.h)
   bool Hides = false; // all fragments may be left out of a stage, as those of point Gaussians
-  bool TransmitsShadows = false;   // casters may let light through (AirlightShadowTransmittance.h)
-  bool ReadsLit = true;            // on opaque surfaces, by bits of a texture
+  bool TransmitsShadows = false; // casters may let light through (AirlightShadowTransmittance.h)
+  bool ReadsLit = true;          // on opaque surfaces, by bits of a texture
+  KnownWays Ways = KnownWays::None;
   bool SingleGeometryPass = false; // colours and distances of opaque surfaces are drawn at once
   int ShadowingLight = -1;         // then: the light without which colours are drawn, too
   // The viewport is the target, and whether the projection is parallel is known when the shaders

@@ -64,7 +64,7 @@ std::vector<vtkTextureObject*> SurfaceUniforms::GetTextures() const
 {
   std::vector<vtkTextureObject*> textures;
   for (vtkTextureObject* texture :
-    { this->Lit, this->MoreLit != this->Lit ? this->MoreLit : nullptr, this->Data,
+    { this->Lit, this->MoreLit != this->Lit ? this->MoreLit : nullptr, this->LightWays, this->Data,
       this->Froxels ? this->Froxels->GetTexture() : nullptr })
   {
     if (texture)
@@ -84,6 +84,8 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
     // A sampler left at unit 0 would clash with the mapper's own.
     program->SetUniformi("airlightLit", values.Lit->GetTextureUnit());
     program->SetUniformi("airlightMoreLit", values.MoreLit->GetTextureUnit());
+    program->SetUniformi(
+      "airlightLightWays", (values.LightWays ? values.LightWays : values.Lit)->GetTextureUnit());
     program->SetUniformi("airlightUseLit", values.UseLit ? 1 : 0);
   }
   values.Rays->SetUniforms(program, values.ViewportX, values.ViewportY, values.Pixels);
@@ -123,6 +125,12 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   }
   program->SetUniformi("airlightSceneLightCount", static_cast<int>(sceneLights.size()));
   SetPhotometries(program, *values.SceneLights);
+  if (!values.LightLayers.empty())
+  {
+    program->SetUniformi("airlightLayerRows", values.Height);
+    program->SetUniform1iv("airlightLightLayers", static_cast<int>(values.LightLayers.size()),
+      values.LightLayers.data());
+  }
   if (values.Transmittances)
   {
     values.Transmittances->UseInMapper(program);

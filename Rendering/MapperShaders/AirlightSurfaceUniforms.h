@@ -36,9 +36,11 @@ struct SurfaceUniforms
   const f64::AirlightMedia* Media = nullptr;
   const std::vector<vtkVolume*>* CastingVolumes = nullptr; // those after the media, or null
   const std::vector<SceneLight>* SceneLights = nullptr;
-  vtkTextureObject* Lit = nullptr;     // in the pass, an active texture in any case
-  vtkTextureObject* MoreLit = nullptr; // likewise; the same where there are few lights
-  vtkTextureObject* Data = nullptr;    // an active texture, or null where the shaders read none
+  vtkTextureObject* Lit = nullptr;       // in the pass, an active texture in any case
+  vtkTextureObject* MoreLit = nullptr;   // likewise; the same where there are few lights
+  vtkTextureObject* LightWays = nullptr; // see AirlightLightWaysPass.h; null without layers
+  std::vector<int> LightLayers;          // of each light, -1: it has none
+  vtkTextureObject* Data = nullptr;      // an active texture, or null where the shaders read none
   const TranslucentFragments* Records = nullptr; // null: there are none
   const ShadowTransmittance* Transmittances =
     nullptr;                            // what casters leave of lights on opaque surfaces

@@ -39,12 +39,16 @@ void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia&
   const bool hides = options.Hides || input.Delegate;
   const bool reads =
     !plan.SingleGeometryPass && plan.Shadows != ShadowMethod::None && plan.SurfaceShadows;
+  const KnownWays ways = plan.LightLayers == 0 ? KnownWays::None
+    : plan.AllLightLayers                      ? KnownWays::All
+                                               : KnownWays::Some;
   // Shadow maps may be drawn with the same shaders.
   const bool known = plan.SingleGeometryPass &&
     (plan.Shadows == ShadowMethod::None ||
       (plan.Shadows == ShadowMethod::Planes && !plan.MapNonPolygonal));
   const bool other = records != options.TranslucentFragments || hides != options.Hides ||
-    reads != options.ReadsLit || plan.SingleGeometryPass != options.SingleGeometryPass ||
+    reads != options.ReadsLit || ways != options.Ways ||
+    plan.SingleGeometryPass != options.SingleGeometryPass ||
     plan.ShadowingLight != options.ShadowingLight || known != options.ViewportIsTarget ||
     plan.Froxels != options.Froxels || plan.EncodedInput != options.EncodedInput ||
     (known && input.Parallel != options.Parallel);
@@ -55,6 +59,7 @@ void MapperHooks::UpdateOptions(const FramePlan& plan, const f64::AirlightMedia&
   options.Parallel = known && input.Parallel;
   options.Hides = hides;
   options.ReadsLit = reads;
+  options.Ways = ways;
   options.SingleGeometryPass = plan.SingleGeometryPass;
   options.ShadowingLight = plan.ShadowingLight;
   if (UpdateSurfaceShaderOptions(

@@ -543,6 +543,9 @@ SceneFacts PassRenderer::GetFacts(const Scene& scene) const
   SceneFacts facts;
   facts.Clear = IsClear(scene.Converted);
   facts.DensityImage = HasGrid(scene.Converted);
+  // Delegates may draw in another size, or what is translucent with the rest.
+  facts.LongWays =
+    !facts.Clear && HasLongWays(scene.Converted) && !this->Stages.GetPasses().GetDelegate();
   for (vtkParticipatingMedium* medium : scene.Sources.Media)
   {
     facts.PhaseErrorBound = std::max(facts.PhaseErrorBound, medium->GetPhaseErrorBound());

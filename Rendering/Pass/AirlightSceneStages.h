@@ -48,6 +48,7 @@ public:
 
   // What draws them.
   StagePasses& GetPasses() { return this->Passes; }
+  const StagePasses& GetPasses() const { return this->Passes; }
 
   // Before a frame and after it: takes hold of the props' shaders, and leaves them.
   void Begin(const vtkRenderState* s, const SceneSupport& support);

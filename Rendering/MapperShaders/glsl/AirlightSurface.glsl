@@ -53,13 +53,42 @@ vec3 airlightReceivedLight[AIRLIGHT_SCENE_LIGHTS];
 // of one of them; see SurfaceShaderOptions::ShadowingLight
 float airlightShadowingLightFactor = 1.0;
 
+#if AIRLIGHT_LIGHT_WAYS
+// What media leave of lights on opaque surfaces (AirlightLightWaysPass.h). Delegates do without.
+uniform sampler2D airlightLightWays;
+uniform int airlightLayerRows;                          // of the texture, for each light
+uniform int airlightLightLayers[AIRLIGHT_SCENE_LIGHTS]; // of light k, -1: it has none
+
+vec3 airlightKnownWay(int k)
+{
+  ivec2 layer = ivec2(0, airlightLightLayers[k] * airlightLayerRows);
+  return texelFetch(airlightLightWays, ivec2(airlightPixel()) + layer, 0).rgb;
+}
+#endif
+
 // The share of light k that the medium leaves of it on its way to a point; `sun`: the light is at
 // infinity.
 vec3 airlightLightTransmittance(int k, bool sun, vec3 point)
 {
-  vec3 share = airlightTransmittanceOf(sun
-      ? airlightSunDepths(point, airlightSceneLights[k].xyz)
-      : airlightDepthBetween(point, airlightSceneLights[k].xyz));
+#if AIRLIGHT_LIGHT_WAYS == 2
+  vec3 share = airlightKnownWay(k);
+#else
+  bool known = false;
+  vec3 share = vec3(1.0);
+#if AIRLIGHT_LIGHT_WAYS
+  known = airlightStage == AIRLIGHT_STAGE_COLOUR && airlightLightLayers[k] >= 0;
+  if (known)
+  {
+    share = airlightKnownWay(k);
+  }
+#endif
+  if (!known)
+  {
+    share = airlightTransmittanceOf(sun
+        ? airlightSunDepths(point, airlightSceneLights[k].xyz)
+        : airlightDepthBetween(point, airlightSceneLights[k].xyz));
+  }
+#endif
 #if AIRLIGHT_HAS_PHOTOMETRY
   if (airlightGoniometric[k] != 0)
   {

@@ -137,6 +137,25 @@ void TestGeometryPasses()
   other.Properties.Technique = ShadowTechnique::None;
   Check(!other.Make().SingleGeometryPass, "a shader that the pass cannot change: two passes");
 
+  Case image;
+  image.Scene.LongWays = true;
+  FramePlan walked = image.Make();
+  Check(!walked.SingleGeometryPass && walked.LightLayers == 1 && walked.AllLightLayers,
+    "ways through an image are walked once distances are known");
+  image.Scene.Lights.resize(9, MakeLamp(true));
+  walked = image.Make();
+  Check(walked.LightLayers == 8 && !walked.AllLightLayers, "those of eight lights at most");
+  image.Scene.Width = 8000;
+  image.Scene.Height = 1000;
+  Check(image.Make().LightLayers == 2, "those of two in 256 MB");
+  image.Scene.Height = 8000;
+  Check(image.Make().LightLayers == 0, "there is no room for any");
+  for (LightFacts& light : image.Scene.Lights)
+  {
+    light.Scatters = false;
+  }
+  Check(image.Make().LightLayers == 0, "no light scatters");
+
   Case gaussians;
   gaussians.Scene.PointGaussians = true;
   gaussians.Scene.DrawsOverMedium = true;
