@@ -33,7 +33,6 @@ glm::ivec3 CountPointsAlong(const glm::dvec3& lengths, double spacing)
   // Rounding adds none.
   return glm::max(glm::ivec3(glm::ceil(lengths / spacing * (1.0 - 1e-9))), 1) + 1;
 }
-
 }
 
 //------------------------------------------------------------------------------
