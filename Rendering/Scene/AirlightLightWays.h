@@ -30,8 +30,7 @@ public:
 
   // Gives `keep` the means of the ways from `count` points, from a on the light's side to b, which
   // are in samples and on one ray from the light. Points before the medium have the density where
-  // it begins; those behind it have the mean of all of the ray in it. For
-  // AreParallel() alone.
+  // it begins; those behind it have the mean of all of the ray in it. For AreParallel() alone.
   void MeasureRay(const glm::dvec3& a, const glm::dvec3& b, int count,
     const std::function<void(int, double)>& keep) const;
 
@@ -48,6 +47,7 @@ public:
 private:
   double GetMeanAt(const glm::dvec3& point) const;
   bool Holds(const glm::dvec3& point) const;
+
   const f64::AirlightMedium& Medium;
   const DensityGrid& Grid;
   glm::dvec3 Light;

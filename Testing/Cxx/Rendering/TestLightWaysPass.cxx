@@ -78,6 +78,17 @@ double FindLargest(const std::vector<double>& values)
   return *std::max_element(values.begin(), values.end());
 }
 
+// The largest difference, as a share of the brightest of b.
+double Compare(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double difference = 0.0;
+  for (size_t i = 0; i < a.size(); ++i)
+  {
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+  }
+  return difference / FindLargest(b);
+}
+
 //------------------------------------------------------------------------------
 void TestSum(const std::string& name, const Change& change)
 {
@@ -94,12 +105,7 @@ void TestSum(const std::string& name, const Change& change)
     const std::vector<double> alone = GetSurface(scene);
     std::transform(sum.begin(), sum.end(), alone.begin(), sum.begin(), std::plus<>());
   }
-  double difference = 0.0;
-  for (size_t i = 0; i < sum.size(); ++i)
-  {
-    difference = std::max(difference, std::abs(sum[i] - together[i]));
-  }
-  difference /= FindLargest(sum);
+  const double difference = Compare(together, sum);
   std::cout << name << ": the sum differs by " << difference << " of the brightest, "
             << FindLargest(sum) << "\n";
   Check(difference < 2e-6, name + ": nine lamps are the sum of each of them");
@@ -147,14 +153,7 @@ void TestUniform()
   box.Medium->SetDensityToUniform();
   box.Medium->SetRegionToBox();
   box.Medium->SetBounds(low.x, high.x, low.y, high.y, low.z, high.z);
-  const std::vector<double> a = GetSurface(image);
-  const std::vector<double> b = GetSurface(box);
-  double difference = 0.0;
-  for (size_t i = 0; i < a.size(); ++i)
-  {
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-  }
-  difference /= FindLargest(b);
+  const double difference = Compare(GetSurface(image), GetSurface(box));
   std::cout << "an image of ones: surfaces differ by " << difference << " of the brightest\n";
   Check(difference < 1e-5, "an image of ones dims surfaces as the uniform box does");
 }
