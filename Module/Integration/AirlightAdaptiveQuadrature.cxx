@@ -72,9 +72,7 @@ AdaptiveQuadrature::AdaptiveQuadrature(const f64::AirlightMedia& media,
   this->FirstRule = images ? 1 : 2;
   // The path to the light can pass a corner of a surface on so short a part of the ray that no node
   // of larger panels sees it.
-  const bool surfaces = std::any_of(media.item, media.item + media.count,
-    [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
-  this->Fineness = surfaces && !images ? 8 : 1;
+  this->Fineness = HasSurface(media) && !images ? 8 : 1;
   if (this->Share)
   {
     // Its kinks are at places that are not known, and small shadows must not fall between nodes.

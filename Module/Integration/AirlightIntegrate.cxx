@@ -19,12 +19,14 @@ bool HasGrid(const f64::AirlightMedia& media)
 }
 
 //------------------------------------------------------------------------------
-bool HasLongWays(const f64::AirlightMedia& media)
+bool HasSurface(const f64::AirlightMedia& media)
 {
-  return HasGrid(media) ||
-    std::any_of(media.item, media.item + media.count,
-      [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
+  return std::any_of(media.item, media.item + media.count,
+    [](const auto& medium) { return medium.region.kind == AIRLIGHT_REGION_SURFACE; });
 }
+
+//------------------------------------------------------------------------------
+bool HasLongWays(const f64::AirlightMedia& media) { return HasGrid(media) || HasSurface(media); }
 
 //------------------------------------------------------------------------------
 glm::dvec3 IntegrateAirlight(const f64::AirlightMedia& media, const f64::AirlightLight& light,

@@ -17,6 +17,9 @@ namespace airlight
 // Whether the density of one of the media comes from an image, or volumes dim lights.
 bool HasGrid(const f64::AirlightMedia& media);
 
+// Whether one of them is in a closed surface.
+bool HasSurface(const f64::AirlightMedia& media);
+
 // Whether ways through them are walks, from cell to cell or from hit to hit of a closed surface.
 bool HasLongWays(const f64::AirlightMedia& media);
 
