@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lamps in ParaView's window: that of the view, by its check box, and a light that is dragged."""
 
-import re
-
 import numpy as np
 
 import windowtest as window
@@ -27,15 +25,10 @@ class WindowLamp(window.TestCase):
         self.assertGreater(np.abs(views["lamp"] - views["plain"]).mean(), 5)
         np.testing.assert_array_equal(views["undone"], views["plain"])
         np.testing.assert_array_equal(views["redone"], views["lamp"])
-        self.assertEqual(self.read(played.states["light"], "LightPosition"), [0, 0, 1])
-        self.assertGreater(abs(self.read(played.states["dragged"], "LightPosition")[0]), 0.1)
+        self.assertEqual(window.read_numbers(played.states["light"], "LightPosition"), [0, 0, 1])
+        dragged = window.read_numbers(played.states["dragged"], "LightPosition")
+        self.assertGreater(abs(dragged[0]), 0.1)
         self.assertGreater(np.abs(views["dragged"] - views["light"]).mean(), 3)
-
-    @staticmethod
-    def read(state, name):
-        """The numbers of a property in a state file."""
-        found = re.search(rf'<Property name="{name}" .*?</Property>', state, re.DOTALL)
-        return [float(value) for value in re.findall(r'index="\d+" value="([^"]*)"', found[0])]
 
 
 if __name__ == "__main__":

@@ -18,8 +18,6 @@ import numpy as np
 import windowtest as window
 
 COW = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Data" / "meshes" / "cow.ply"
-LIGHT = (f"{window.INSPECTOR}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/"
-         "LightContainer0/1pqProxyWidget0")
 SEARCH = f"{window.PANEL}/SearchBox/SearchLineEdit"
 PLUGINS = np.s_[74:641, 166:966]  # the list of plugins: rows from the top, and columns
 BOTTOM = (f"{window.PANEL}/scrollArea/qt_scrollarea_vcontainer/1QScrollBar0", "set_int", "5000")
@@ -37,14 +35,14 @@ def add_light():
     """A spotlight behind the mesh, that falls off as real lamps do."""
     events = [("menubar/menu_View", "activate", "Light Inspector"),
               (f"{window.INSPECTOR}/addLight", "activate", ""),
-              (f"{LIGHT}/InteractiveLight/positionalComboBox", "activated", "Positional")]
+              (f"{window.LIGHT}/InteractiveLight/positionalComboBox", "activated", "Positional")]
     for axis, value in zip("XYZ", (0.5, 1.2, -0.7)):
-        events += set_line(f"{LIGHT}/InteractiveLight/worldPosition{axis}", value)
-    events += set_line(f"{LIGHT}/InteractiveLight/coneAngle/DoubleLineEdit", 60)
+        events += set_line(f"{window.LIGHT}/InteractiveLight/worldPosition{axis}", value)
+    events += set_line(f"{window.LIGHT}/InteractiveLight/coneAngle/DoubleLineEdit", 60)
     # The last term first: 0 0 0 is no attenuation.
     for i, value in ((2, 1), (0, 0)):
-        events += set_line(f"{LIGHT}/Attenuation/DoubleLineEdit{i}", value)
-    return events + set_line(f"{LIGHT}/LightIntensity/DoubleLineEdit0", 2)
+        events += set_line(f"{window.LIGHT}/Attenuation/DoubleLineEdit{i}", value)
+    return events + set_line(f"{window.LIGHT}/LightIntensity/DoubleLineEdit0", 2)
 
 
 EVENTS = [

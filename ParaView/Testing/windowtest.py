@@ -6,11 +6,13 @@
         played = screen.play(windowtest.load_plugin() + [windowtest.CHECK_MESSAGES])
 
 An event is (object, command, argument): what a widget is made to do, by its path of names below the
-main window. One that finds no widget makes the playback fail and lists the names that there are.
+main window, or by DIALOG and its own. One that finds no widget makes the playback fail and lists the
+names that there are.
 """
 
 import os
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -44,6 +46,9 @@ VIEW = f"{PROPERTIES}/ViewFrame/ProxyPanel"
 REPRESENTATION = (f"{PROPERTIES}/DisplayFrame/ProxyPanel/Representation/"
                   "displayRepresentationWidget/comboBox")
 INSPECTOR = "lightInspectorDock/lightInspectorPanel"
+LIGHT = (f"{INSPECTOR}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/LightContainer0/"
+         "1pqProxyWidget0")
+DIALOG = "!"  # before the name of a dialog that is not below the main window
 
 APPLY = (f"{PANEL}/Accept", "activate", "")
 UNDO = ("menubar/menu_Edit", "activate", "actionEditUndo")
@@ -115,7 +120,8 @@ def save_state(path):
 def to_xml(events):
     lines = ['<?xml version="1.0" ?>', "<pqevents>"]
     for name, command, argument in events:
-        target = quoteattr("/".join(filter(None, ("pqClientMainWindow", name))))
+        names = [name[1:]] if name.startswith(DIALOG) else ["pqClientMainWindow", name]
+        target = quoteattr("/".join(filter(None, names)))
         if command.startswith("check "):
             lines.append(f"  <pqcheck object={target} property={quoteattr(command[6:])} "
                          f"arguments={quoteattr(argument)} />")
@@ -217,6 +223,12 @@ class Screen:
         return grabs, states
 
 
+def read_numbers(state, name):
+    """The numbers of the first property of a name in a state file's text."""
+    found = re.search(rf'<Property name="{name}" .*?</Property>', state, re.DOTALL)
+    return [float(value) for value in re.findall(r'index="\d+" value="([^"]*)"', found[0])]
+
+
 def keep(name, pixels):
     """A picture of the screen, to be looked at."""
     image = vtkImageData()
@@ -251,6 +263,8 @@ class TestCase(unittest.TestCase):
 def main():
     """Run a file's tests; exit as ctest expects."""
     result = unittest.main(module="__main__", argv=sys.argv, exit=False).result
-    if result.skipped and result.wasSuccessful():
+    # pvpython loses its window where a script calls sys.exit() with a view open.
+    if not result.wasSuccessful():
+        sys.exit(1)
+    if result.skipped:
         sys.exit(SKIPPED)
-    sys.exit(0 if result.wasSuccessful() else 1)

@@ -45,9 +45,9 @@ def add_lamp(view=None):
     lamp.DiffuseColor = [1, 1, 1]
     lamp.Intensity = RADIANCE * (diagonal * math.hypot(*PLACE)) ** 2
     lamp.Attenuation = [0, 0, 1]
-    simple.Render(view)
+    view.StillRender()  # simple.Render() would reset a camera once
     return lamp
 
 
-if __name__ == "__main__":
+if __name__ in ("__main__", "__vtkconsole__"):  # the latter in ParaView's window
     add_lamp()

@@ -33,7 +33,7 @@ def convert(view=None):
             shown.SetScalarBarVisibility(new, True)
     replace(view, new)
     simple.SetActiveView(new)
-    simple.Render(new)
+    new.StillRender()  # simple.Render() would reset a camera once
     return new
 
 
@@ -48,5 +48,5 @@ def replace(view, new):
         layout.AssignView(location, new.SMProxy)
 
 
-if __name__ == "__main__":
+if __name__ in ("__main__", "__vtkconsole__"):  # the latter in ParaView's window
     convert()
