@@ -26,7 +26,8 @@ def run_scene(*arguments):
 
 def read(name):
     return np.array([test.read_png(test.OUTPUT / f"{name}-{step}.png")
-                     for step in ("thin", "thick", "surface", "image", "media")])
+                     for step in ("thin", "thick", "surface", "image", "media",
+                                  "photometry")])
 
 
 class Server(unittest.TestCase):

@@ -3,11 +3,15 @@
 """One scene in one process or, for TestServer.py, drawn with a pvserver: server_scene.py [PORT]."""
 
 import os
+import pathlib
 import sys
 
 from paraview import simple
 
 import paraviewtest as test
+
+DATA = pathlib.Path(__file__).resolve().parents[2] / "Testing" / "Data"
+PHOTOMETRY = DATA / "Photometry" / "lowbeam.ies"
 
 
 def draw(name, threshold=0):
@@ -19,7 +23,7 @@ def draw(name, threshold=0):
     view.Background = [0.3, 0.4, 0.6]
     view.UseFXAA = 0  # ParaView antialiases twice on one rank, once on several
     view.RemoteRenderThreshold = threshold
-    test.add_lamp(view)
+    lamp = test.add_lamp(view)
     test.show(view, *test.make_sources())
     view.Thickness = "Coefficients"
     for step, scattering in (("thin", 0.12), ("thick", 0.4)):
@@ -45,6 +49,11 @@ def draw(name, threshold=0):
     surface.MediumColor = [0.9, 0.5, 0.3]
     image.MediumDensityArray = ["POINTS", "RTData"]
     test.picture(view, f"{name}-media")
+    lamp.Photometry = str(PHOTOMETRY)  # which each process reads
+    lamp.FocalPoint = [0, 0, 0]
+    simple.Hide(view.RegionSurface, view)
+    simple.Hide(view.DensityImage, view)
+    test.picture(view, f"{name}-photometry")
 
 
 if len(sys.argv) > 1:
