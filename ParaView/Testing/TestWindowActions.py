@@ -49,6 +49,12 @@ ACTIONS = {
     "surface": represent("Surface"),
     "image": window.make_source("RTAnalyticSource"),
     "scatters": choose("VolumesScatter", True),
+    "split": [(f"{window.FRAME}/SplitHorizontal", "activate", ""),
+              (window.new_view("AirlightRenderView", 2), "activate", "")],
+    "second-source": window.make_source("ConeSource"),
+    "joined": [(f"{window.LAYOUT}/Frame.2/Close", "activate", "")],
+    "comparative": window.make_view("AirlightComparativeView"),
+    "comparative-source": window.make_source("CylinderSource"),
 }
 
 

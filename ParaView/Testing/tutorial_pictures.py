@@ -48,7 +48,7 @@ def add_light():
 EVENTS = [
     *window.load_plugin()[:-1], grab("plugin"), window.load_plugin()[-1],
     (f"{window.FRAME}/Close", "activate", ""), grab("views"),
-    (f"{window.NEW_VIEWS}/AirlightRenderView", "activate", ""),
+    (window.new_view("AirlightRenderView"), "activate", ""),
     ("menubar/menu_File", "activate", "actionFileOpen"),
     ("FileOpenDialog", "filesSelected", str(COW)), window.APPLY,
     *window.drag((0.5, 0.5), (0.38, 0.55)), grab("first-view"),

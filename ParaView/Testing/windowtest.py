@@ -24,21 +24,23 @@ import unittest
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
+from paraview import servermanager
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 import paraviewtest as test
 
+VERSION = (servermanager.vtkSMProxyManager.GetVersionMajor(),
+           servermanager.vtkSMProxyManager.GetVersionMinor())
 PLUGIN = os.environ.get("AIRLIGHT_PLUGIN", "")
 RUN = pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "paraview-test.sh"
 SKIPPED = 125  # by the script
 
 PANEL = "propertiesDock/propertiesPanel"
-FRAME = ("centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/"
-         "Container/Frame.0")
-NEW_VIEWS = (f"{FRAME}/CentralWidgetFrame/EmptyView/scrollArea/qt_scrollarea_viewport/widgetFoo/"
-             "ConvertActionsFrame")
+LAYOUT = ("centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/"
+          "Container")
+FRAME = f"{LAYOUT}/Frame.0"
 PROPERTIES = f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents"
 MESSAGES = "outputWidgetDock/outputWidget/stackedWidget/page_2/consoleWidget/0QTextEdit0"
 
@@ -69,15 +71,22 @@ class Played(NamedTuple):
 def load_plugin(plugin=PLUGIN):
     """As users do: Tools, Manage Plugins, Load New."""
     dialog = "PluginManagerDialog"
+    file_dialog = "pqFileDialog" if VERSION < (5, 12) else "1pqFileDialog0"
     return [("menubar/menuTools", "activate", "actionManage_Plugins"),
             (f"{dialog}/splitter/localGroup/loadLocal", "activate", ""),
-            (f"{dialog}/pqFileDialog", "filesSelected", str(plugin)),
+            (f"{dialog}/{file_dialog}", "filesSelected", str(plugin)),
             (f"{dialog}/buttonBox/1QPushButton0", "activate", "")]
+
+
+def new_view(name, frame=0):
+    """The entry of the list that an empty frame of the layout shows."""
+    return (f"{LAYOUT}/Frame.{frame}/CentralWidgetFrame/EmptyView/scrollArea/qt_scrollarea_viewport/"
+            f"widgetFoo/ConvertActionsFrame/{name}")
 
 
 def make_view(name="AirlightRenderView"):
     """Close the layout's view, and choose another from the list that is then shown."""
-    return [(f"{FRAME}/Close", "activate", ""), (f"{NEW_VIEWS}/{name}", "activate", "")]
+    return [(f"{FRAME}/Close", "activate", ""), (new_view(name), "activate", "")]
 
 
 def set_view(name, value):
