@@ -293,6 +293,7 @@ void vtkAirlightPass::Render(const vtkRenderState* s)
   };
   settings.Environment = this->UseEnvironmentTexture;
   settings.Delegate = this->DelegatePass;
+  settings.ChoosePixels = this->ChoosePixels;
   PassProperties& properties = settings.Properties;
   properties.Technique = static_cast<airlight::ShadowTechnique>(this->ShadowTechnique);
   properties.View = static_cast<airlight::DebugView>(this->DebugView);
@@ -507,6 +508,13 @@ void vtkAirlightPass::RemoveAllRemoteSilhouettes()
     this->Impl->GetFrame().RemoveAllRemoteSilhouettes();
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkAirlightPass::SetPixelChooser(const PixelChooser& chooser)
+{
+  this->ChoosePixels = chooser;
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------

@@ -36,8 +36,9 @@
 #include "vtkAirlightModule.h" // for export macro
 #include "vtkDepthImageProcessingPass.h"
 
-#include <memory> // for the implementation
-#include <string> // for shader sources
+#include <functional> // for the chooser of pixels
+#include <memory>     // for the implementation
+#include <string>     // for shader sources
 
 class vtkImageData;
 class vtkInformationDoubleVectorKey;
@@ -543,6 +544,24 @@ public:
   void RemoveAllRemoteSilhouettes();
   ///@}
 
+#ifndef __VTK_WRAP__
+  /**
+   * For the same programs: leaves pixels to the processes that have something nearer there. The
+   * function is called in each frame, once its opaque surfaces are drawn, with their depths (0 to
+   * 1; 1 where there is none; rows from the bottom). It writes 0 into `drawn`, which holds 1, for
+   * each pixel that another process draws, and returns true; or false, if all shall be drawn.
+   * Pixels left out are transparent black in the picture, at depth 1. Null, the default: all are
+   * drawn.
+   *
+   * It is not called by frames with translucent surfaces, volumes, SubpixelFrames, multisampling,
+   * automatic exposure, recorded buffers, debug views, ambient occlusion, hidden line removal or a
+   * delegate, nor by frames in clear air without shadows: these draw all pixels. C++ only.
+   */
+  using PixelChooser =
+    std::function<bool(int width, int height, const float* depths, unsigned char* drawn)>;
+  void SetPixelChooser(const PixelChooser& chooser);
+#endif
+
   /**
    * The buffer of this name of the last frame, or null before the first recorded frame or for an
    * unknown name; of the renderer rendered last. Single precision, linear, bottom row first. The
@@ -695,6 +714,9 @@ private:
   int MemoryLimit = 1024;
   bool RecordBuffers = false;
 
+#ifndef __VTK_WRAP__
+  PixelChooser ChoosePixels;
+#endif
   std::unique_ptr<airlight::PassRenderer> Impl;
 };
 

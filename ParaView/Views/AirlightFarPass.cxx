@@ -40,6 +40,10 @@ void AirlightFarPass::Render(const vtkRenderState* s)
 {
   this->Delegate->Render(s);
   this->NumberOfRenderedProps = this->Delegate->GetNumberOfRenderedProps();
+  if (this->Rendered)
+  {
+    this->Rendered();
+  }
   if (!this->Moves || s->GetRenderer()->GetSelector())
   {
     return;

@@ -12,6 +12,7 @@
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <memory>
 
 class vtkOpenGLQuadHelper;
@@ -25,6 +26,8 @@ public:
   void SetDelegate(vtkRenderPass* delegate);
   // If off, it only renders with the delegate.
   void SetMoves(bool moves) { this->Moves = moves; }
+  // Called between the two.
+  void SetRendered(const std::function<void()>& rendered) { this->Rendered = rendered; }
 
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -37,6 +40,7 @@ private:
 
   vtkSmartPointer<vtkRenderPass> Delegate;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::function<void()> Rendered;
   bool Moves = false;
 };
 

@@ -4,6 +4,7 @@
 
 #include "AirlightFarPass.h"
 #include "AirlightMediumSources.h"
+#include "AirlightRemoteDepths.h"
 #include "AirlightRemoteSilhouettes.h"
 #include "AirlightViewLamp.h"
 #include "vtkAirlightLight.h"
@@ -105,10 +106,12 @@ bool IsWithoutEffect(vtkParticipatingMedium* medium)
 vtkPVAirlightRenderView::vtkPVAirlightRenderView()
   : FarPass(vtkSmartPointer<AirlightFarPass>::New())
   , Remote(new airlight::RemoteSilhouettes)
+  , Depths(new airlight::RemoteDepths)
   , Lamp(new airlight::ViewLamp)
   , Sources(new airlight::MediumSources)
 {
   this->FarPass->SetDelegate(this->Pass);
+  this->FarPass->SetRendered([this] { this->EndFrame(); });
   KeepFromCasting(this->CenterAxes);
   // After ParaView's own observer, which brings the camera to all ranks.
   vtkNew<vtkCallbackCommand> start;
@@ -533,11 +536,31 @@ bool vtkPVAirlightRenderView::IsParallel()
 // All ranks that draw come here together, with the same camera and lights.
 void vtkPVAirlightRenderView::StartFrame()
 {
-  if (this->Parallel)
+  if (!this->Parallel)
   {
-    this->Remote->Update(
-      this->GetRenderer(), this->Pass, vtkMultiProcessController::GetGlobalController());
+    return;
   }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  this->Remote->Update(this->GetRenderer(), this->Pass, controller);
+  int size[2];
+  int corner[2];
+  this->GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
+  // The parts of a tiled display are drawn one by one, and what is translucent has no depth.
+  this->Depths->Begin(
+    controller, !this->InTileDisplayMode() && !this->GetUseOrderedCompositing(), size[0], size[1]);
+}
+
+//------------------------------------------------------------------------------
+// The background at pixels left to other ranks is theirs.
+void vtkPVAirlightRenderView::EndFrame()
+{
+  if (!this->Parallel)
+  {
+    return;
+  }
+  this->Depths->End();
+  this->FarPass->SetMoves(!this->Depths->HasChosen() ||
+    vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0);
 }
 
 //------------------------------------------------------------------------------
@@ -548,7 +571,16 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
   this->SwitchVolumes();
   this->FollowData();
   this->ChooseToneMapping();
-  this->Parallel = this->Airlight && this->IsParallel();
+  const bool parallel = this->Airlight && this->IsParallel();
+  if (parallel != this->Parallel)
+  {
+    this->Parallel = parallel;
+    this->Pass->SetPixelChooser(!parallel
+        ? vtkAirlightPass::PixelChooser()
+        : [this](int width, int height, const float* depths, unsigned char* drawn) {
+            return this->Depths->Choose(width, height, depths, drawn);
+          });
+  }
   this->FarPass->SetMoves(this->Parallel);
   if (!this->Parallel)
   {

@@ -39,6 +39,7 @@ class vtkPVParticipatingMedium;
 namespace airlight
 {
 class MediumSources;
+class RemoteDepths;
 class RemoteSilhouettes;
 class ViewLamp;
 }
@@ -214,6 +215,7 @@ private:
   void UpdateMedia();
   std::vector<vtkPVParticipatingMedium*> FindOwnMedia();
   void StartFrame();
+  void EndFrame();
 
   bool Airlight = true;
   bool CameraLightsScatter = false;
@@ -227,6 +229,7 @@ private:
   vtkSmartPointer<vtkPVParticipatingMedium> OwnMedium; // null if it is of another class
   vtkSmartPointer<AirlightFarPass> FarPass;            // around it
   std::unique_ptr<airlight::RemoteSilhouettes> Remote;
+  std::unique_ptr<airlight::RemoteDepths> Depths;
   std::unique_ptr<airlight::ViewLamp> Lamp;
   std::unique_ptr<airlight::MediumSources> Sources; // of OwnMedium
   vtkBoundingBox DataBounds;                        // visible, of all ranks

@@ -44,6 +44,7 @@ std::string GetSource(const FrameScene& scene, const CompositePass::Options& opt
     (intoTextures && options.Record ? "#define AIRLIGHT_RECORD\n" : "") +
     Define("AIRLIGHT_RECORD_SEVERAL", intoTextures && options.Several) +
     Define("AIRLIGHT_MASKED", options.Masked) +
+    Define("AIRLIGHT_CHOSEN", options.Chosen && !intoTextures) +
     Define("AIRLIGHT_DEBUG_VIEW", intoTextures ? 0 : options.DebugView) +
     Define("AIRLIGHT_SHADOWING_LIGHT", options.ShadowingLight) +
     Define("AIRLIGHT_BITS", options.LightsPerChannel) +

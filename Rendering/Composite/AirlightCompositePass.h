@@ -40,6 +40,7 @@ public:
     bool EncodedInput = false;
     std::vector<SunDisc> Suns; // that are seen where there is nothing else
     DisplayStage Display;      // into viewports only
+    bool Chosen = false;       // pixels of depth 0 are left out, see PixelChoice
     bool Masked = false;       // the depth that is bound is a mask (Quad::MaskedDraw) and stays
   };
 

@@ -60,6 +60,7 @@ void Frame::SetMask(vtkTextureObject* mask, bool hides)
 bool Frame::Begin(const Input& input)
 {
   this->Current = input;
+  this->Choice.Forget();
   Targets::Needs needs;
   needs.SceneLights = input.SceneLights.size();
   needs.Drawn = !this->Plan.AllShadersInjectable;
@@ -84,7 +85,8 @@ bool Frame::Begin(const Input& input)
 bool Frame::Draw(SceneDrawer& scene)
 {
   const bool single = this->Plan.SingleGeometryPass;
-  if (!(single ? this->DrawColours(scene) : this->DrawDistances(scene)) || !this->PrepareCasters())
+  if (!(single ? this->DrawColours(scene) : this->DrawDistances(scene)) ||
+    !this->LeavesPixelsOut() || !this->PrepareCasters())
   {
     return false;
   }
@@ -115,6 +117,28 @@ bool Frame::DrawDistances(SceneDrawer& scene)
   scene.DrawDistances();
   return this->Geometry.CompleteDistances(this->GetScene(), this->Plan) ||
     this->Fail(this->Geometry.GetError());
+}
+
+//------------------------------------------------------------------------------
+void Frame::BeginSurfaces()
+{
+  this->Geometry.BeginSurfaces(this->GetScene(), this->Plan);
+  // The renderer has cleared the depth before the colours.
+  this->Choice.Hide(this->GetWindow());
+}
+
+//------------------------------------------------------------------------------
+bool Frame::LeavesPixelsOut()
+{
+  const FramePlan& plan = this->Plan;
+  if (!this->ChoosePixels || this->Mask || this->HasRadiance() || plan.KeepBuffers ||
+    plan.LinearFrame || plan.View != DebugView::Shaded)
+  {
+    return true;
+  }
+  return this->Choice.Apply(this->GetWindow(), this->Textures, this->Current->Rays.GetWidth(),
+           this->Current->Rays.GetHeight(), this->ChoosePixels) ||
+    this->Fail(this->Choice.GetError());
 }
 
 //------------------------------------------------------------------------------
@@ -261,7 +285,10 @@ InscatterTargets Frame::GetInscatterTargets()
   }
   targets.Distances = this->Textures.Distances;
   targets.Depth = this->Textures.Depth;
-  targets.Mask = this->Mask;
+  targets.Mask = this->Choice.IsSome() ? this->Textures.Depth.Get() : this->Mask;
+  const CameraUniforms& rays = this->Current->Rays;
+  targets.Area = this->Choice.IsSome() ? this->Choice.GetArea()
+                                       : PixelArea{ 0, 0, rays.GetWidth(), rays.GetHeight() };
   return targets;
 }
 
@@ -473,6 +500,7 @@ CompositePass::Options Frame::GetCompositeOptions() const
   options.EncodedInput = this->Plan.EncodedInput;
   options.Suns = this->Current->Suns;
   options.Masked = this->Mask != nullptr;
+  options.Chosen = this->Choice.IsSome();
   return options;
 }
 
@@ -575,6 +603,7 @@ void Frame::ReleaseObjects(vtkWindow* window)
   this->Geometry.Release();
   this->Inscatter.Release();
   this->LightWays.Release();
+  this->Choice.Release(window);
   this->Composition.Release();
   this->FragmentLists.Release();
   this->CoarseAir.Release(window);

@@ -3,7 +3,7 @@
 /**
  * One frame of vtkAirlightPass, step by step, and what is kept from frame to frame:
  *
- *   1. distances of the opaque surfaces, and what casts shadows;
+ *   1. distances of the opaque surfaces, pixels that are left out, and what casts shadows;
  *   2. for each light: shadow planes into lists, or casters into a shadow map, and from these
  *      airlight and the bit that says whether the light reaches the surface;
  *   3. colours of the scene, each light dimmed and shadowed;
@@ -31,6 +31,7 @@
 #include "Frame/AirlightFroxels.h"
 #include "Frame/AirlightGeometryPass.h"
 #include "Frame/AirlightLightWaysPass.h"
+#include "Frame/AirlightPixelChoice.h"
 #include "Frame/AirlightTargets.h"
 #include "Inscatter/AirlightInscatterPass.h"
 #include "Inscatter/AirlightLightShadows.h"
@@ -113,6 +114,10 @@ public:
   // own, so that the others may be hidden.
   void SetMask(vtkTextureObject* mask, bool hides);
 
+  // Who chooses the pixels of a frame that are drawn; null: all are. Ignored where a frame is more
+  // than its opaque surfaces, is recorded, or is one of a mean.
+  void SetPixelChooser(const PixelChoice::Chooser& choose) { this->ChoosePixels = choose; }
+
   // Sets up a frame. False with a reason in GetError() where the graphics card cannot.
   bool Begin(const Input& input);
 
@@ -123,7 +128,7 @@ public:
   bool HasShadowTransmittance() const { return this->Shadows.TransmitsLight(); }
 
   // Before the opaque surfaces are drawn and after them.
-  void BeginSurfaces() { this->Geometry.BeginSurfaces(this->GetScene(), this->Plan); }
+  void BeginSurfaces();
   void EndSurfaces() { this->Geometry.EndSurfaces(this->GetScene(), this->Plan); }
 
   // The buffers of vtkAirlightPass::GetBuffer(), after that.
@@ -179,6 +184,7 @@ private:
   bool MayJoinOthers(int light);
   bool ScatterUnshadowed(const InscatterTargets& targets, const std::vector<int>& lights);
   bool CompositeTranslucent();
+  bool LeavesPixelsOut();
   bool HasRadiance() const { return this->Plan.Translucent || this->Plan.MeasuresExposure; }
 
   FrameScene GetScene();
@@ -205,6 +211,8 @@ private:
   std::string Error;
 
   vtkTextureObject* Mask = nullptr;
+  PixelChoice::Chooser ChoosePixels;
+  PixelChoice Choice;
 
   // This frame's.
   std::optional<Input> Current;

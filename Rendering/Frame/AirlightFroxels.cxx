@@ -119,6 +119,7 @@ InscatterTargets Froxels::GetTargets()
   targets.Scattered = { this->Textures.Scattered };
   targets.Distances = this->Textures.Distances;
   targets.Depth = this->Textures.Depth;
+  targets.Area = { 0, 0, this->Rays->GetWidth(), this->Rays->GetHeight() };
   return targets;
 }
 

@@ -11,6 +11,7 @@ airlight_sources(
     AirlightGeometryPass
     AirlightLightWaysPass
     AirlightMeanPicture
+    AirlightPixelChoice
     AirlightSubpixelMean
     AirlightTargets
   HEADERS
@@ -21,6 +22,7 @@ airlight_sources(
     glsl/AirlightFroxelFS.glsl
     glsl/AirlightFroxelLossFS.glsl
     glsl/AirlightDistancesFS.glsl
+    glsl/AirlightHidingFS.glsl
     glsl/AirlightLightWaysFS.glsl
     glsl/AirlightLuminanceFS.glsl
     glsl/AirlightMaskFS.glsl)

@@ -12,6 +12,7 @@
 #define AirlightLightShadow_h
 
 #include "Casters/AirlightCasters.h"
+#include "OpenGL/AirlightPixelArea.h"
 #include "Scene/AirlightFrameScene.h"
 #include "ShadowMaps/AirlightShadowMap.h"
 #include "ShadowVolumes/AirlightPlanarOccluders.h"
@@ -40,6 +41,7 @@ struct InscatterTargets
   vtkTextureObject* Distances = nullptr;    // of the opaque surfaces
   vtkTextureObject* Depth = nullptr;
   vtkTextureObject* Mask = nullptr; // as depth: the pixels to be drawn; null for all
+  PixelArea Area{ 0, 0, 0, 0 };     // outside of which no pixel is drawn
 };
 
 // What casts shadows in a frame.

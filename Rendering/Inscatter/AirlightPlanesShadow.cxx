@@ -174,7 +174,7 @@ bool PlanesShadow::ForEachDraw(const FrameScene& scene, int light, const Inscatt
     {
       return this->Fail(reason);
     }
-    const int rows = this->Lists.Fill(source, row, scene.Height - row);
+    const int rows = this->Lists.Fill(source, targets.Area, row, scene.Height - row);
     if (rows == 0)
     {
       return this->Fail(this->Lists.GetError());

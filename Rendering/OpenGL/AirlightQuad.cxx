@@ -115,7 +115,7 @@ void Quad::DrawDepths(vtkOpenGLState* state, const Textures& textures)
 }
 
 //------------------------------------------------------------------------------
-// A quad's own depth is one half.
+// A quad's own depth becomes 0.
 Quad::MaskedDraw::MaskedDraw(vtkOpenGLState* state, bool masked)
   : State(state)
   , Masked(masked)
@@ -128,6 +128,7 @@ Quad::MaskedDraw::MaskedDraw(vtkOpenGLState* state, bool masked)
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LESS);
   state->vtkglDepthMask(GL_FALSE);
+  glDepthRange(0.0, 0.0);
 }
 
 Quad::MaskedDraw::~MaskedDraw()
@@ -136,6 +137,7 @@ Quad::MaskedDraw::~MaskedDraw()
   {
     this->State->vtkglDepthFunc(GL_LEQUAL);
     this->State->vtkglDepthMask(GL_TRUE);
+    glDepthRange(0.0, 1.0);
   }
 }
 

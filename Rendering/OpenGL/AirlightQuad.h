@@ -44,8 +44,8 @@ public:
   // Draws depths that the shader writes into all of the depth buffer that is bound.
   void DrawDepths(vtkOpenGLState* state, const Textures& textures);
 
-  // Until this goes out of scope, the depth that is bound is a mask: quads are drawn where it is 1
-  // and not where it is 0. If not `masked`, everywhere.
+  // Until this goes out of scope, the depth that is bound is a mask: quads are drawn where it is
+  // above 0. If not `masked`, everywhere.
   class MaskedDraw
   {
   public:

@@ -425,9 +425,11 @@ bool PassRenderer::RenderPlan(const vtkRenderState* s, const Settings& settings,
   this->EffectiveExposure = plan.Plain ? 1.0 : plan.Display.Exposure;
   this->Messages.CheckPlan(plan, properties, this->Casters, scene.Window);
   this->Messages.CheckColorSpace(plan.Display, scene.Window);
-  this->CurrentFrame.SetMask(this->EdgeMask,
-    !settings.Delegate && !plan.Froxels && facts.Volumes == 0 && !s->GetRenderer()->GetUseSSAO() &&
-      !s->GetRenderer()->GetUseHiddenLineRemoval());
+  // Whether nothing that draws the scene reads the pixels beside its own.
+  const bool hides = !settings.Delegate && !plan.Froxels && facts.Volumes == 0 &&
+    !s->GetRenderer()->GetUseSSAO() && !s->GetRenderer()->GetUseHiddenLineRemoval();
+  this->CurrentFrame.SetMask(this->EdgeMask, hides);
+  this->CurrentFrame.SetPixelChooser(hides ? settings.ChoosePixels : nullptr);
   this->FoundPlain = plan.Plain && properties.EdgeSample;
   if (this->FoundPlain)
   {

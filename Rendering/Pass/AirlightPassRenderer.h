@@ -57,6 +57,7 @@ public:
     bool Multisampling = false; // one frame has more samples at its edges
     airlight::SubpixelFrames::Progress Progress;
     vtkRenderPass* Delegate = nullptr;
+    PixelChoice::Chooser ChoosePixels; // null: all pixels are drawn
   };
   // Where a frame goes: the viewport in the framebuffer that is bound.
   struct Viewport

@@ -126,7 +126,10 @@ bool ShadowLists::DrawFragments(const Source& source, PlaneKind kind, int row, i
   }
   program->SetUniformi("distances", source.Distances->GetTextureUnit());
   program->SetUniformi("inParallel", source.Rays.IsParallel() ? 1 : 0);
-  this->Window->GetState()->vtkglScissor(0, row, this->Width, rows);
+  const int first = std::max(row, this->Area.Y);
+  const int last = std::min(row + rows, this->Area.Y + this->Area.Height);
+  this->Window->GetState()->vtkglScissor(
+    this->Area.X, first, this->Area.Width, std::max(last - first, 0));
   this->Store.Use(program);
   this->Planes.Draw(kind, source.LightNumber);
   return true;
@@ -196,8 +199,9 @@ int ShadowLists::DrawRows(const Source& source, int row, int rows)
 }
 
 //------------------------------------------------------------------------------
-int ShadowLists::Fill(const Source& source, int row, int rows)
+int ShadowLists::Fill(const Source& source, const PixelArea& area, int row, int rows)
 {
+  this->Area = area;
   if (!this->SetTruncationPlanes(source))
   {
     return 0;

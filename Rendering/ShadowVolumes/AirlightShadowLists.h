@@ -9,6 +9,7 @@
 #ifndef AirlightShadowLists_h
 #define AirlightShadowLists_h
 
+#include "OpenGL/AirlightPixelArea.h"
 #include "OpenGL/AirlightProgram.h"
 #include "ShadowVolumes/AirlightBoundaryBuffer.h"
 #include "ShadowVolumes/AirlightBoundarySort.h"
@@ -65,10 +66,11 @@ public:
     std::vector<glm::vec4> TruncationPlanes; // of planes, FindTruncationPlanes()
   };
 
-  // Fills the lists of the rows [row, row + rows) into the bound framebuffer, which has the
-  // scene's depth. Returns the number of rows done, fewer where the memory limit asks for it; 0
-  // with a reason in GetError() where nothing could be drawn.
-  int Fill(const Source& source, int row, int rows);
+  // Fills the lists of the pixels of an area in the rows [row, row + rows) into the bound
+  // framebuffer, which has the scene's depth; the others' are empty. Returns the number of rows
+  // done, fewer where the memory limit asks for it; 0 with a reason in GetError() where nothing
+  // could be drawn.
+  int Fill(const Source& source, const PixelArea& area, int row, int rows);
 
   // In place of lists: adds the boundaries of a light's planes to the nodes of a froxel grid, whose
   // framebuffer is bound, without Prepare(). False with a reason in GetError() where a shader does
@@ -112,6 +114,7 @@ private:
   int Height = 0;
   bool Budgeted = false;
   bool OverBudget = false;
+  PixelArea Area{ 0, 0, 0, 0 };
   std::uint32_t Longest = 0; // list
   BoundarySort::Rows Filled; // that the lists are of
   ShadowPlaneBuffers Planes;

@@ -32,6 +32,14 @@ void main()
 #endif
   vec2 p = airlightPixel();
   ivec2 pixel = ivec2(p);
+#if AIRLIGHT_CHOSEN
+  if (texelFetch(sceneDepth, pixel, 0).r <= 0.0)
+  {
+    radiance = vec4(0.0);
+    gl_FragDepth = 1.0;
+    return;
+  }
+#endif
   float parameter = texelFetch(distances, pixel, 0).r;
   vec4 colour = texelFetch(scene, pixel, 0);
   float unit = airlightRayUnit(p);

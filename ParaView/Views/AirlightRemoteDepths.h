@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) Airlight developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Lets each rank of a parallel ParaView draw only the pixels at which it has the nearest surface:
+ * all ranks exchange the depths of a frame before the medium is computed, and the first one draws
+ * the background. Otherwise each of them computes the whole picture's medium, and IceT throws most
+ * of it away.
+ *
+ * All ranks must take part in each exchange, as often as the others: each frame has one, either
+ * when the pass asks (Choose()), or at its end (End()), for a rank whose pass does not.
+ */
+
+#ifndef AirlightRemoteDepths_h
+#define AirlightRemoteDepths_h
+
+class vtkMultiProcessController;
+
+namespace airlight
+{
+class RemoteDepths
+{
+public:
+  // Begins a frame: all ranks must call it together. `possible`: depths may be exchanged, on all
+  // ranks alike. Sizes that differ between the ranks are not.
+  void Begin(vtkMultiProcessController* controller, bool possible, int width, int height);
+
+  // vtkAirlightPass::PixelChooser.
+  bool Choose(int width, int height, const float* depths, unsigned char* drawn);
+
+  // Whether the frame has left pixels to other ranks.
+  bool HasChosen() const { return this->Chosen; }
+
+  // Ends it, before the pictures are composited.
+  void End();
+
+private:
+  vtkMultiProcessController* Controller = nullptr; // of a frame whose exchange is still to come
+  int Width = 0;
+  int Height = 0;
+  bool Chosen = false;
+};
+}
+
+#endif
