@@ -30,6 +30,7 @@ BAD = (
     ("AmbientRadiance", [-1, 0, 0], "AmbientRadiance (-1, 0, 0) must be finite"),
     ("Emission", [0, -1, 0], "Emission (0, -1, 0) must be finite"),
     ("SkyRadiance", [0, -1, 0], "SkyRadiance (0, -1, 0) must be finite"),
+    ("VolumesAnisotropy", 5, "Anisotropy 5 must be from -0.99 to 0.99"),
     ("LampColor", [0, 2, 0], "LampColor (0, 2, 0) must be from 0 to 1"),
     ("LampBrightness", -1, "LampBrightness -1 must be finite and at least 0; it stays 1"),
     ("LampRadius", -1, "LampRadius -1 must be finite and at least 0; it stays 0"),

@@ -134,6 +134,30 @@ class Filters(unittest.TestCase):
         forward = vtk_to_numpy(fetch(probe).GetPointData().GetArray("Radiance"))
         self.assertGreater(np.abs(forward / isotropic - 1).max(), 0.05)
 
+    def test_linked_with_a_view(self):
+        """A filter's lamp and medium follow those of a light and a view by property links."""
+        view = simple.CreateView("AirlightRenderView")
+        lamp = test.add_lamp(view)
+        probe = simple.AirlightProbe(Input=simple.Line(Point1=[0, 0, 0], Point2=[4, 0, 0]))
+        for source, name, target, copy in (
+                (view, "Thickness", probe, "Thickness"), (view, "Scattering", probe, "Scattering"),
+                (view, "Absorption", probe, "Absorption"),
+                (lamp, "LightPosition", probe, "LampPosition")):
+            link = servermanager.vtkSMPropertyLink()
+            link.AddLinkedProperty(source.SMProxy, name, 1)
+            link.AddLinkedProperty(target.SMProxy, copy, 2)
+            servermanager.ProxyManager().RegisterLink(f"{name}-{copy}", link)
+        view.Thickness = "Coefficients"
+        view.Scattering = [0.2, 0.2, 0.2]
+        view.Absorption = [0.1, 0.1, 0.1]
+        lamp.Position = [0, 3, 0]
+        data = fetch(probe)
+        points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+        r = np.linalg.norm(points - (0, 3, 0), axis=1)
+        array = vtk_to_numpy(data.GetPointData().GetArray("DirectIrradiance"))
+        np.testing.assert_allclose(array[:, 0], np.pi / r**2 * np.exp(-0.3 * r), rtol=1e-6)
+        simple.Delete(view)
+
     def test_comparison(self):
         """Two images of which one is 1 % brighter everywhere."""
         image = simple.Wavelet(WholeExtent=[0, 7, 0, 7, 0, 0])

@@ -7,8 +7,10 @@ import unittest
 
 import numpy as np
 from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import mutable, vtkCollection
 from vtkmodules.vtkCommonDataModel import vtkCellLocator
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 import paraviewtest as test
 
@@ -362,6 +364,63 @@ class View(unittest.TestCase):
         view.CameraLightsScatter = 0
         self.assertEqual(test.picture(view, "kit-off").max(), 0)
         simple.Delete(view)
+
+    def test_level_of_detail(self):
+        """While the camera moves, decimated data with their shadows; then all of them again."""
+        before = test.picture(self.view, "before-detail")
+        self.view.LODThreshold = 0
+        self.view.LODResolution = 0
+        self.view.SMProxy.InteractiveRender()
+        coarse = self.read_window(self.view)
+        self.view.SMProxy.StillRender()
+        changed = np.abs(coarse - before).max(axis=-1)
+        self.assertGreater(changed.max(), 10, "the ball is coarser")
+        self.assertLess(np.mean(changed > 10), 0.05, "in the same fog and light")
+        self.assert_same(self.read_window(self.view), before, 0, "still again")
+        for name in ("LODThreshold", "LODResolution"):
+            self.view.GetProperty(name).ResetToDefault()
+        self.view.UpdateVTKObjects()
+
+    @staticmethod
+    def read_window(view):
+        """What the window shows, without another rendering."""
+        reader = vtkWindowToImageFilter()
+        reader.SetInput(view.SMProxy.GetRenderWindow())
+        reader.SetReadFrontBuffer(False)
+        reader.SetShouldRerender(False)
+        reader.Update()
+        image = reader.GetOutput()
+        width, height, _ = image.GetDimensions()
+        pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)
+        return pixels[::-1].astype(float)
+
+    def test_settings_of_views(self):
+        """Each changes the picture as it does ParaView's, and it is the same afterwards."""
+        self.view.StereoType = "Anaglyph"
+        before = test.picture(self.view, "before-settings")
+        for name, value, default in (
+                ("UseAmbientOcclusion", 1, 0), ("StereoRender", 1, 0),
+                ("CameraParallelProjection", 1, 0), ("CenterAxesVisibility", 1, 0)):
+            with self.subTest(name):
+                setattr(self.view, name, value)
+                seen = test.picture(self.view, f"setting-{name}")
+                self.assertGreater(np.abs(seen - before).max(), 5)
+                self.assertGreater(seen.std(), 5)
+                setattr(self.view, name, default)
+                self.assert_same(test.picture(self.view, f"after-{name}"), before, 0, name)
+
+    def test_palettes(self):
+        """A white background makes light fog, and a black one the former picture."""
+        simple.LoadPalette("BlackBackground")
+        self.view.UseColorPaletteForBackground = 1
+        before = test.picture(self.view, "palette-black")
+        simple.LoadPalette("WhiteBackground")
+        white = test.picture(self.view, "palette-white")
+        self.assertGreater((white - before).min(), 0)
+        self.assertGreater((white - before).mean(), 50)
+        simple.LoadPalette("BlackBackground")
+        self.assert_same(test.picture(self.view, "palette-again"), before, 0, "palette")
+        self.view.UseColorPaletteForBackground = 0
 
     def test_debug_views(self):
         """Airlight alone is less than the picture, and there are boundaries at the shadow."""

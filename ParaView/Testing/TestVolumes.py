@@ -75,6 +75,31 @@ class Volumes(test.ClearViewTestCase):
         self.view.VolumesScatter = 0
         self.assertLess(np.abs(self.picture("again") - cast).max(), 1.5 / 255)
 
+    def test_anisotropy(self):
+        """As the same data as a medium with the phase function of Henyey and Greenstein."""
+        display = show_volume(self.view, (1, 1, 1))
+        test.add_lamp(self.view, position=(0.3, 0.5, -3.0), intensity=8)
+        self.view.VolumesScatter = 1
+        evenly = self.picture("evenly")
+        self.view.VolumesAnisotropy = 0.7
+        forward = self.picture("forward")
+        self.view.VolumesScatter = 0
+        display.Visibility = 0
+        ones = simple.Calculator(Input=simple.Wavelet(WholeExtent=[-1, 1, -1, 1, -1, 1]),
+                                 ResultArrayName="ones", Function="1")
+        medium = simple.Show(ones, self.view)
+        medium.Representation = "Medium"
+        medium.MediumDensityArray = ["POINTS", "ones"]
+        medium.MediumThickness = "Coefficients"
+        medium.MediumScattering = [-np.log(1 - OPACITY)] * 3
+        medium.MediumPhaseFunction = "Henyey-Greenstein"
+        medium.MediumAnisotropy = 0.7
+        expected = self.picture("forward-medium")
+        print(f"anisotropy: {np.abs(forward - expected).max()} from the medium's, "
+              f"{np.abs(forward - evenly).max()} from even scattering")
+        self.assertLess(np.abs(forward - expected).max(), 2.5 / 255)
+        self.assertGreater((forward - evenly).max(), 0.1)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1], verbosity=2)

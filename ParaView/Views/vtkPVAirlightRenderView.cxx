@@ -11,6 +11,7 @@
 #include "vtkAirlightPass.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommunicator.h"
+#include "vtkHenyeyGreensteinPhaseFunction.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -270,6 +271,17 @@ void vtkPVAirlightRenderView::SetLampBrightness(double brightness)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::SetVolumesAnisotropy(double anisotropy)
+{
+  this->VolumeFunction->SetAnisotropy(anisotropy);
+}
+
+double vtkPVAirlightRenderView::GetVolumesAnisotropy()
+{
+  return this->VolumeFunction->GetAnisotropy();
+}
+
+//------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetLampRadius(double radius)
 {
   if (!std::isfinite(radius) || radius < 0.0)
@@ -441,6 +453,11 @@ void vtkPVAirlightRenderView::SwitchVolumes()
     {
       vtkAirlightPass::SetVolumeScatters(volume, this->VolumesScatter);
     }
+    if (this->VolumesScatter)
+    {
+      vtkAirlightPass::SetVolumePhaseFunction(
+        volume, this->GetVolumesAnisotropy() != 0.0 ? this->VolumeFunction.Get() : nullptr);
+    }
   }
   this->VolumesScattered = this->VolumesScatter;
 }
@@ -609,6 +626,7 @@ void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ToneMapping: " << this->ToneMapping << "\n";
   os << indent << "Lamp: " << this->Lamp->On << "\n";
   os << indent << "VolumesScatter: " << this->VolumesScatter << "\n";
+  os << indent << "VolumesAnisotropy: " << this->VolumeFunction->GetAnisotropy() << "\n";
   os << indent << "ProgressiveRefinement: " << this->ProgressiveRefinement << "\n";
   os << indent << "AirlightPass:\n";
   this->Pass->PrintSelf(os, indent.GetNextIndent());

@@ -33,6 +33,7 @@
 class AirlightFarPass;
 class vtkAirlightPass;
 class vtkAlgorithmOutput;
+class vtkHenyeyGreensteinPhaseFunction;
 class vtkParticipatingMedium;
 class vtkPVParticipatingMedium;
 
@@ -136,6 +137,15 @@ public:
 
   ///@{
   /**
+   * Where volumes that are media send light, see vtkHenyeyGreensteinPhaseFunction: above 0 forward,
+   * as clouds and smoke do. Range: [-0.99, 0.99]. Default: 0, evenly.
+   */
+  void SetVolumesAnisotropy(double anisotropy);
+  double GetVolumesAnisotropy();
+  ///@}
+
+  ///@{
+  /**
    * As in vtkAirlightPass.
    */
   void SetShadowTechnique(int technique);
@@ -222,6 +232,7 @@ private:
   bool ProgressiveRefinement = false;
   bool VolumesScatter = false;
   bool VolumesScattered = false; // in the last frame
+  vtkNew<vtkHenyeyGreensteinPhaseFunction> VolumeFunction;
   bool WarnedOrdered = false;
   int ToneMapping = -1;
   vtkNew<vtkAirlightPass> Pass;
