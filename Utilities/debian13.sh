@@ -10,9 +10,10 @@ if [[ ${1:-} == -h || ${1:-} == --help ]]; then
   sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
   exit
 fi
-# ParaView's packages miss a library that no dependency installs.
+# ParaView's packages miss a library that no dependency installs. Its editor of scripts says so where
+# it lacks pygments.
 # shellcheck disable=SC2016 # the inner shell replaces them
 exec "$(dirname "${BASH_SOURCE[0]}")/bare-root.sh" --suite trixie \
   ${AIRLIGHT_ROOT:+--root "$AIRLIGHT_ROOT"} bash -c 'apt-get -q update &&
-    apt-get -qy install --no-install-recommends libadios2-mpi-c++11-2.10 &&
+    apt-get -qy install --no-install-recommends libadios2-mpi-c++11-2.10 python3-pygments &&
     exec Utilities/test.sh "$@"' bash "$@"

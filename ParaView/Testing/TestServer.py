@@ -26,8 +26,20 @@ def run_scene(*arguments):
 
 def read(name):
     return np.array([test.read_png(test.OUTPUT / f"{name}-{step}.png")
-                     for step in ("thin", "thick", "surface", "image", "media",
-                                  "photometry")])
+                     for step in ("thin", "thick", "surface", "image", "media", "photometry")])
+
+
+def find_children(process):
+    """The numbers of the processes that a process has started."""
+    found = []
+    for path in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = path.read_text(encoding="utf-8").rpartition(")")[2].split()
+        except OSError:
+            continue  # it has ended meanwhile
+        if int(fields[1]) == process:
+            found.append(int(path.parent.name))
+    return sorted(found)
 
 
 class Server(unittest.TestCase):
@@ -38,7 +50,8 @@ class Server(unittest.TestCase):
         for former, latter in zip(cls.one, cls.one[1:]):
             assert np.abs(former - latter).max() > 20, "the fog is seen"
 
-    def check_pictures(self, ranks):
+    def serve(self, ranks):
+        """A server that waits for its client: the process and its port."""
         with socket.socket() as free:
             free.bind(("localhost", 0))
             port = str(free.getsockname()[1])
@@ -49,13 +62,19 @@ class Server(unittest.TestCase):
         clean = {key: value for key, value in os.environ.items()
                  if not key.startswith(("OMPI_", "PMIX_", "ORTE_"))}
         clean.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-        with subprocess.Popen(command, env=clean, stdout=subprocess.PIPE, text=True) as server:
-            self.addCleanup(server.kill)
-            while "Accepting" not in server.stdout.readline():
-                self.assertIsNone(server.poll(), "pvserver runs")
-            run_scene(port)
-            server.communicate(timeout=60)  # it ends with its client
-            self.assertEqual(server.returncode, 0)
+        server = subprocess.Popen(command, env=clean, stdout=subprocess.PIPE, text=True)
+        self.addCleanup(server.stdout.close)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.kill)
+        while "Accepting" not in server.stdout.readline():
+            self.assertIsNone(server.poll(), "pvserver runs")
+        return server, port
+
+    def check_pictures(self, ranks):
+        server, port = self.serve(ranks)
+        run_scene(port)
+        server.communicate(timeout=60)  # it ends with its client
+        self.assertEqual(server.returncode, 0)
         for name in ("by-server", "by-client"):
             difference = np.abs(read(name) - self.one).max(axis=(1, 2, 3))
             print(f"pvserver of {ranks} ranks, {name}: largest differences {difference}")
@@ -67,6 +86,25 @@ class Server(unittest.TestCase):
     @unittest.skipUnless(shutil.which("mpirun"), "no mpirun")
     def test_two_ranks(self):
         self.check_pictures(2)
+
+    @unittest.skipUnless(shutil.which("mpirun"), "no mpirun")
+    def test_lost_rank(self):
+        """An error and no waiting; another server then gives the same picture."""
+        server, port = self.serve(2)
+        _, other = self.serve(1)
+        done = subprocess.run(
+            [str(RUN), "--run", str(HERE / "lost_server.py"), port,
+             str(find_children(server.pid)[-1]), other],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        server.communicate(timeout=60)
+        self.assertNotEqual(server.returncode, 0, "it ends with its rank")
+        lost = done.stdout.partition("without the server")[2].partition("going on")[0]
+        self.assertIn("Socket error", lost)
+        before, after = (test.read_png(test.OUTPUT / f"{name}-loss.png")
+                         for name in ("before", "after"))
+        self.assertGreater(before.std(), 5)
+        self.assertLessEqual(np.abs(after - before).max(), 1)
 
 
 if __name__ == "__main__":

@@ -23,7 +23,8 @@ class WindowLamp(window.TestCase):
         self.assertNotIn("ERR|", played.text)
         self.assertEqual(len(views), 6, played.text)
         self.assertGreater(np.abs(views["lamp"] - views["plain"]).mean(), 5)
-        np.testing.assert_array_equal(views["undone"], views["plain"])
+        if window.UNDOES:
+            np.testing.assert_array_equal(views["undone"], views["plain"])
         np.testing.assert_array_equal(views["redone"], views["lamp"])
         self.assertEqual(window.read_numbers(played.states["light"], "LightPosition"), [0, 0, 1])
         dragged = window.read_numbers(played.states["dragged"], "LightPosition")

@@ -54,6 +54,7 @@ DIALOG = "!"  # before the name of a dialog that is not below the main window
 
 APPLY = (f"{PANEL}/Accept", "activate", "")
 UNDO = ("menubar/menu_Edit", "activate", "actionEditUndo")
+UNDOES = VERSION < (5, 12)  # later the playback undoes nothing, in ParaView's own views either
 REDO = ("menubar/menu_Edit", "activate", "actionEditRedo")
 CHECK_MESSAGES = (MESSAGES, "check plainText", "")  # that the output window is empty
 
