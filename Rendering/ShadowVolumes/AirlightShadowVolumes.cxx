@@ -5,6 +5,7 @@
 #include "Casters/AirlightCasterBox.h"
 #include "Scene/AirlightCameraUniforms.h"
 #include "ShadowVolumes/AirlightClippedRegions.h"
+#include "ShadowVolumes/AirlightMergedEdges.h"
 #include "ShadowVolumes/AirlightRayStart.h"
 #include "ShadowVolumes/AirlightSilhouetteExchange.h"
 #include "Silhouette/AirlightSilhouette.h"
@@ -191,7 +192,11 @@ void ShadowVolumes::CollectEdges()
     std::for_each(
       this->Caps.begin() + caps, this->Caps.end(), [layer](ShadowCap& cap) { cap.C.w = layer; });
   }
-  this->CollectRemoteSilhouettes();
+  if (!this->Remote.empty())
+  {
+    this->CollectRemoteSilhouettes();
+    this->Edges = MergeEdges(this->Edges);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@ airlight_sources(
     AirlightBoundarySort
     AirlightBoundaryEstimate
     AirlightClippedRegions
+    AirlightMergedEdges
     AirlightPlanarOccluders
     AirlightRayStart
     AirlightShadowLists

@@ -8,6 +8,10 @@
 #include "AirlightTestErrors.h"
 #include "AirlightTestScene.h"
 
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCleanPolyData.h"
+#include "vtkIdList.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -185,6 +189,78 @@ void TestSun()
   CheckSame(alone.CopyBuffers(), parts.Second.CopyBuffers(), "without the others' silhouettes");
 }
 
+// Some of the triangles of a ball.
+vtkSmartPointer<vtkPolyData> CutBall(bool upper)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(1.2);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(19);
+  ball->Update();
+  vtkPolyData* whole = ball->GetOutput();
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->SetPoints(whole->GetPoints());
+  part->AllocateExact(whole->GetNumberOfCells(), 3);
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < whole->GetNumberOfCells(); ++cell)
+  {
+    whole->GetCellPoints(cell, points);
+    if ((whole->GetPoint(points->GetId(0))[0] > 0.1) == upper)
+    {
+      part->InsertNextCell(VTK_TRIANGLE, points);
+    }
+  }
+  return part;
+}
+
+// The borders of a body that is cut into two parts cancel out: rays meet as many boundaries as with
+// the whole body, where they would be far more.
+void TestCut()
+{
+  Scene whole;
+  Scene first;
+  Scene second;
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(CutBall(false));
+  both->AddInputData(CutBall(true));
+  vtkNew<vtkCleanPolyData> joined;
+  joined->SetInputConnection(both->GetOutputPort());
+  joined->PointMergingOn();
+  joined->SetTolerance(0.0);
+  joined->Update();
+  whole.Add(joined->GetOutput());
+  first.Add(CutBall(false));
+  second.Add(CutBall(true));
+  for (Scene* scene : { &whole, &first, &second })
+  {
+    scene->AddPointLight({ 2, 4, 3 });
+  }
+  const Buffers alone = first.Render();
+  vtkNew<vtkUnsignedCharArray> bytes;
+  second.Pass->GetSilhouettes(second.Renderer, bytes);
+  Check(first.Pass->AddRemoteSilhouettes(bytes), "silhouettes are taken");
+  const Buffers expected = whole.Render();
+  const Buffers found = first.Render();
+  double sums[3] = { 0.0, 0.0, 0.0 };
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < expected.at("Depth")->GetNumberOfPoints(); ++i)
+  {
+    if (Get(expected, "Depth", i) < 0.0)
+    {
+      sums[0] += Get(expected, "BoundaryCount", i);
+      sums[1] += Get(found, "BoundaryCount", i);
+      sums[2] += Get(alone, "BoundaryCount", i);
+      const double airlight = Get(expected, "Airlight", i);
+      worst = std::max(worst, std::abs(Get(found, "Airlight", i) - airlight) / airlight);
+    }
+  }
+  std::cout << "a ball that is cut: " << sums[0] << " boundaries of the whole, " << sums[1]
+            << " of its parts, " << sums[2] << " of one of them; airlight is at most " << worst
+            << " off\n";
+  Check(sums[0] > 1000.0 && sums[1] == sums[0], "no boundaries along the cut");
+  Check(worst < 2e-5, "the airlight is that of the whole ball");
+}
+
 // What casts no shadow of its own is drawn with those of the others.
 void TestNothingOfItsOwn()
 {
@@ -282,6 +358,7 @@ int TestRemoteSilhouettes(int, char*[])
 {
   TestPictures();
   TestSun();
+  TestCut();
   TestNothingOfItsOwn();
   TestErrors();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
