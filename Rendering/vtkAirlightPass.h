@@ -547,15 +547,19 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * For the same programs: leaves pixels to the processes that have something nearer there. The
-   * function is called in each frame, once its opaque surfaces are drawn, with their depths (0 to
-   * 1; 1 where there is none; rows from the bottom). It writes 0 into `drawn`, which holds 1, for
-   * each pixel that another process draws, and returns true; or false, if all shall be drawn.
-   * Pixels left out are transparent black in the picture, at depth 1. Null, the default: all are
-   * drawn.
+   * function is called in each frame of a renderer, of each eye, once its opaque surfaces are
+   * drawn, with their depths (0 to 1; 1 where there is none; rows from the bottom); twice if the
+   * frame has to be drawn again with less memory. It writes 0 into `drawn`, which holds 1, for each
+   * pixel that another process draws, and returns true; or false, if all shall be drawn.
    *
-   * It is not called by frames with translucent surfaces, volumes, SubpixelFrames, multisampling,
-   * automatic exposure, recorded buffers, debug views, ambient occlusion, hidden line removal or a
-   * delegate, nor by frames in clear air without shadows: these draw all pixels. C++ only.
+   * Pixels left out are transparent black in the picture, at depth 1; in a renderer above others
+   * they stay as they were. VTK's FXAA reads the pixels around one: draw some more then. Null, the
+   * default: all are drawn.
+   *
+   * It is not called by frames with translucent surfaces, point Gaussians, volumes,
+   * SubpixelFrames, multisampling, automatic exposure, recorded buffers, debug views, ambient
+   * occlusion, hidden line removal or a delegate, nor by frames in clear air without shadows: these
+   * draw all pixels. C++ only.
    */
   using PixelChooser =
     std::function<bool(int width, int height, const float* depths, unsigned char* drawn)>;

@@ -10,8 +10,8 @@ if [[ ${1:-} == -h || ${1:-} == --help ]]; then
   sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
   exit
 fi
-# ParaView's packages miss a library that no dependency installs. Its editor of scripts says so where
-# it lacks pygments.
+# ParaView's packages miss a library that no dependency installs. Its script editor
+# prints a message if pygments is missing.
 # shellcheck disable=SC2016 # the inner shell replaces them
 exec "$(dirname "${BASH_SOURCE[0]}")/bare-root.sh" --suite trixie \
   ${AIRLIGHT_ROOT:+--root "$AIRLIGHT_ROOT"} bash -c 'apt-get -q update &&

@@ -16,6 +16,14 @@ HERE = pathlib.Path(__file__).resolve().parent
 RUN = HERE.parents[1] / "Utilities" / "paraview-test.sh"
 
 
+def neighbours(picture):
+    """The least and the greatest of each pixel and those around it."""
+    wide = np.pad(picture, ((1, 1), (1, 1), (0, 0)), mode="edge")
+    height, width, _ = picture.shape
+    shifted = [wide[y:y + height, x:x + width] for y in range(3) for x in range(3)]
+    return np.min(shifted, axis=0), np.max(shifted, axis=0)
+
+
 class Parallel(unittest.TestCase):
     def run_scene(self, ranks, name):
         command = [str(RUN), "--run", "-n", str(ranks), str(HERE / "parallel_scene.py"), name]
@@ -31,9 +39,9 @@ class Parallel(unittest.TestCase):
         for ranks in (1, 2, 4):
             name = f"ranks{ranks}"
             texts[ranks] = self.run_scene(ranks, name)
-            for step in ("fog", "moved", "cloud", "translucent", "off"):
+            for step in ("fog", "selected", "smooth", "moved", "cloud", "translucent", "off"):
                 pictures[ranks, step] = test.read_png(test.OUTPUT / f"{name}-{step}.png")
-        for step in ("fog", "moved", "cloud", "off"):
+        for step in ("fog", "selected", "moved", "cloud", "off"):
             serial = pictures[1, step]
             self.assertGreater(serial.std(), 5, "there is something to be seen")
             for ranks in (2, 4):
@@ -41,6 +49,16 @@ class Parallel(unittest.TestCase):
                 print(f"{step}, {ranks} ranks: largest difference {difference.max()}, "
                       f"{np.count_nonzero(difference.max(axis=-1))} pixels")
                 self.assertLessEqual(difference.max(), 1, (step, ranks))
+        # FXAA makes no dark fringes where ranks meet: it comes after they are composited.
+        for ranks in (1, 2, 4):
+            np.testing.assert_array_equal(pictures[ranks, "selected"], pictures[ranks, "fog"])
+            low, high = neighbours(pictures[ranks, "fog"])
+            seen = pictures[ranks, "smooth"]
+            outside = np.maximum(low - seen, seen - high).max()
+            print(f"{ranks} ranks: FXAA is at most {outside} outside of the neighbours' colours")
+            self.assertLessEqual(outside, 2)
+            self.assertLessEqual(np.abs(seen - pictures[1, "smooth"]).max(), 1)
+            self.assertGreater(np.abs(seen - pictures[ranks, "fog"]).max(), 20)
         # What moved moved its shadow, too, on ranks that do not have it.
         self.assertGreater(np.mean(np.abs(pictures[1, "moved"] - pictures[1, "fog"]) > 3), 0.01)
 
@@ -50,6 +68,12 @@ class Parallel(unittest.TestCase):
                     for ranks, text in texts.items()}
         cells = int(re.search(r"(\d+) cells", texts[1])[1])
         self.assertEqual(gathered[1], 0)
+        left = {ranks: int(re.search(r"(\d+) pixels left out", text)[1])
+                for ranks, text in texts.items()}
+        print(f"pixels that the first rank leaves out: {left}")
+        self.assertEqual(left[1], 0)
+        for ranks in (2, 4):
+            self.assertGreater(left[ranks], 500)
         for ranks in (2, 4):
             self.assertGreater(gathered[ranks], 48 * 4, "the plate's four edges, and more")
             self.assertLess(gathered[ranks], 36 * cells / 2)

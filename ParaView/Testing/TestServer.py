@@ -19,14 +19,19 @@ HERE = pathlib.Path(__file__).resolve().parent
 RUN = HERE.parents[1] / "Utilities" / "paraview-test.sh"
 
 
+STEPS = ("thin", "thick", "surface", "image", "media", "photometry", "transparent")
+
+
 def run_scene(*arguments):
     subprocess.run([str(RUN), "--run", str(HERE / "server_scene.py"), *arguments], check=True,
                    timeout=200)
 
 
 def read(name):
-    return np.array([test.read_png(test.OUTPUT / f"{name}-{step}.png")
-                     for step in ("thin", "thick", "surface", "image", "media", "photometry")])
+    """The pictures of a run; colours of the last one times its opacity."""
+    found = [test.read_png(test.OUTPUT / f"{name}-{step}.png") for step in STEPS]
+    found[-1][..., :3] *= found[-1][..., 3:] / 255
+    return found
 
 
 def find_children(process):
@@ -47,7 +52,7 @@ class Server(unittest.TestCase):
     def setUpClass(cls):
         run_scene()
         cls.one = read("by-one")
-        for former, latter in zip(cls.one, cls.one[1:]):
+        for former, latter in zip(cls.one, cls.one[1:-1]):
             assert np.abs(former - latter).max() > 20, "the fog is seen"
 
     def serve(self, ranks):
@@ -76,9 +81,11 @@ class Server(unittest.TestCase):
         server.communicate(timeout=60)  # it ends with its client
         self.assertEqual(server.returncode, 0)
         for name in ("by-server", "by-client"):
-            difference = np.abs(read(name) - self.one).max(axis=(1, 2, 3))
+            difference = [np.abs(found - one).max() for found, one in zip(read(name), self.one)]
             print(f"pvserver of {ranks} ranks, {name}: largest differences {difference}")
-            self.assertLessEqual(difference.max(), 1)
+            self.assertLessEqual(max(difference[:-1]), 1)
+            # The opacity is the difference of two pictures.
+            self.assertLessEqual(difference[-1], 2)
 
     def test_one_rank(self):
         self.check_pictures(1)
@@ -100,7 +107,8 @@ class Server(unittest.TestCase):
         server.communicate(timeout=60)
         self.assertNotEqual(server.returncode, 0, "it ends with its rank")
         lost = done.stdout.partition("without the server")[2].partition("going on")[0]
-        self.assertIn("Socket error", lost)
+        if test.VERSION < (5, 12):  # later ParaView says nothing
+            self.assertIn("Socket error", lost)
         before, after = (test.read_png(test.OUTPUT / f"{name}-loss.png")
                          for name in ("before", "after"))
         self.assertGreater(before.std(), 5)

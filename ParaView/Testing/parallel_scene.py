@@ -10,6 +10,7 @@ import sys
 import time
 
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkCollection
 
 import airlight.paraview
 import paraviewtest as test
@@ -41,6 +42,14 @@ cells = sum(source.GetDataInformation().GetNumberOfCells()
 view.SMProxy.UpdatePropertyInformation()
 print(f"{name}: {cells} cells, gathered {view.GetProperty('GatheredBytes')} bytes of silhouettes, "
       f"{1000 * frame:.0f} ms a frame")
+
+print(f"{view.GetProperty('PixelsLeftOut')} pixels left out")
+# While cells are selected, ranks have other parts of the picture.
+view.SMProxy.SelectSurfaceCells([20, 20, 180, 130], vtkCollection(), vtkCollection(), True)
+test.picture(view, name + "-selected")
+view.UseFXAA = 1
+test.picture(view, name + "-smooth")
+view.UseFXAA = 0
 
 # The helper for scripts draws on one process.
 try:

@@ -10,11 +10,13 @@ import pathlib
 import unittest
 
 import numpy as np
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 OUTPUT = pathlib.Path(os.environ.get("AIRLIGHT_TEST_OUTPUT", "."))
+VERSION = (servermanager.vtkSMProxyManager.GetVersionMajor(),
+           servermanager.vtkSMProxyManager.GetVersionMinor())
 SIZE = (200, 150)
 CAMERA = {"position": (0.4, 0.6, 5.0), "focal_point": (0, 0, 0), "view_angle": 30.0}
 

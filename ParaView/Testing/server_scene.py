@@ -54,6 +54,10 @@ def draw(name, threshold=0):
     simple.Hide(view.RegionSurface, view)
     simple.Hide(view.DensityImage, view)
     test.picture(view, f"{name}-photometry")
+    # Before ParaView's own white and black, which the medium does not follow.
+    view.Region = "Sphere"
+    view.RegionRadius = 1.5
+    test.picture(view, f"{name}-transparent", TransparentBackground=1)
 
 
 if len(sys.argv) > 1:

@@ -24,15 +24,12 @@ import unittest
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
-from paraview import servermanager
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 import paraviewtest as test
 
-VERSION = (servermanager.vtkSMProxyManager.GetVersionMajor(),
-           servermanager.vtkSMProxyManager.GetVersionMinor())
 PLUGIN = os.environ.get("AIRLIGHT_PLUGIN", "")
 RUN = pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "paraview-test.sh"
 SKIPPED = 125  # by the script
@@ -54,7 +51,7 @@ DIALOG = "!"  # before the name of a dialog that is not below the main window
 
 APPLY = (f"{PANEL}/Accept", "activate", "")
 UNDO = ("menubar/menu_Edit", "activate", "actionEditUndo")
-UNDOES = VERSION < (5, 12)  # later the playback undoes nothing, in ParaView's own views either
+UNDOES = test.VERSION < (5, 12)  # later the playback undoes nothing, in ParaView's own views either
 REDO = ("menubar/menu_Edit", "activate", "actionEditRedo")
 CHECK_MESSAGES = (MESSAGES, "check plainText", "")  # that the output window is empty
 
@@ -72,7 +69,7 @@ class Played(NamedTuple):
 def load_plugin(plugin=PLUGIN):
     """As users do: Tools, Manage Plugins, Load New."""
     dialog = "PluginManagerDialog"
-    file_dialog = "pqFileDialog" if VERSION < (5, 12) else "1pqFileDialog0"
+    file_dialog = "pqFileDialog" if test.VERSION < (5, 12) else "1pqFileDialog0"
     return [("menubar/menuTools", "activate", "actionManage_Plugins"),
             (f"{dialog}/splitter/localGroup/loadLocal", "activate", ""),
             (f"{dialog}/{file_dialog}", "filesSelected", str(plugin)),

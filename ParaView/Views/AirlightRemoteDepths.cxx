@@ -12,22 +12,23 @@ namespace airlight
 {
 //------------------------------------------------------------------------------
 void RemoteDepths::Begin(
-  vtkMultiProcessController* controller, bool possible, int width, int height)
+  vtkMultiProcessController* controller, bool possible, const std::array<int, 2>& size)
 {
   this->Controller = nullptr;
   this->Chosen = false;
+  this->LeftOut = 0;
   if (!possible)
   {
     return;
   }
-  const int own[4] = { width, -width, height, -height };
+  const int own[4] = { size[0], -size[0], size[1], -size[1] };
   int least[4];
   controller->AllReduce(own, least, 4, vtkCommunicator::MIN_OP);
-  if (least[0] == -least[1] && least[2] == -least[3] && width > 0 && height > 0)
+  if (least[0] == -least[1] && least[2] == -least[3] && size[0] > 0 && size[1] > 0)
   {
     this->Controller = controller;
-    this->Width = width;
-    this->Height = height;
+    this->Width = size[0];
+    this->Height = size[1];
   }
 }
 
@@ -46,6 +47,7 @@ bool RemoteDepths::Choose(int width, int height, const float* depths, unsigned c
   {
     drawn[i] = depths[i] <= nearest[i] && (depths[i] < 1.0f || isFirst) ? 1 : 0;
   }
+  this->LeftOut = std::count(drawn, drawn + count, 0);
   this->Controller = nullptr;
   this->Chosen = true;
   return true;

@@ -7,11 +7,14 @@
  * of it away.
  *
  * All ranks must take part in each exchange, as often as the others: each frame has one, either
- * when the pass asks (Choose()), or at its end (End()), for a rank whose pass does not.
+ * when the pass asks (Choose()), or at its end (End()), for a rank whose pass does not: that one
+ * draws all its pixels.
  */
 
 #ifndef AirlightRemoteDepths_h
 #define AirlightRemoteDepths_h
+
+#include <array>
 
 class vtkMultiProcessController;
 
@@ -21,14 +24,17 @@ class RemoteDepths
 {
 public:
   // Begins a frame: all ranks must call it together. `possible`: depths may be exchanged, on all
-  // ranks alike. Sizes that differ between the ranks are not.
-  void Begin(vtkMultiProcessController* controller, bool possible, int width, int height);
+  // ranks alike. If the sizes of the ranks' pictures differ, nothing is.
+  void Begin(vtkMultiProcessController* controller, bool possible, const std::array<int, 2>& size);
 
   // vtkAirlightPass::PixelChooser.
   bool Choose(int width, int height, const float* depths, unsigned char* drawn);
 
   // Whether the frame has left pixels to other ranks.
   bool HasChosen() const { return this->Chosen; }
+
+  // How many pixels the last frame has left to them.
+  long long GetLeftOut() const { return this->LeftOut; }
 
   // Ends it, before the pictures are composited.
   void End();
@@ -38,6 +44,7 @@ private:
   int Width = 0;
   int Height = 0;
   bool Chosen = false;
+  long long LeftOut = 0;
 };
 }
 

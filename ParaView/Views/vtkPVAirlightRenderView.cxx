@@ -28,7 +28,6 @@
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkParticipatingMedium.h"
 #include "vtkRenderer.h"
-#include "vtkSMViewProxy.h"
 #include "vtkToneMappingPass.h"
 #include "vtkVolumeCollection.h"
 
@@ -126,6 +125,8 @@ vtkPVAirlightRenderView::vtkPVAirlightRenderView()
 vtkPVAirlightRenderView::~vtkPVAirlightRenderView()
 {
   this->GetRenderer()->RemoveObserver(this->StartTag);
+  this->FarPass->SetRendered(nullptr);
+  this->Pass->SetPixelChooser(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -359,6 +360,7 @@ void vtkPVAirlightRenderView::Render(bool interactive, bool skip_rendering)
   this->Pass->SetProgressiveRefinement(
     this->ProgressiveRefinement && this->GetInteractor() && !this->GetInCaptureScreenshot());
   this->Superclass::Render(interactive, skip_rendering);
+  this->InFrame = false;
   this->Pass->SetOutputColorSpace(space);
   this->Remote->Spread(this->GetRenderer(), false);
 }
@@ -443,6 +445,9 @@ void vtkPVAirlightRenderView::SwitchVolumes()
   {
     return;
   }
+  vtkPhaseFunction* wanted = this->VolumesScatter && this->GetVolumesAnisotropy() != 0.0
+    ? this->VolumeFunction.Get()
+    : nullptr;
   vtkVolumeCollection* volumes = this->GetRenderer()->GetVolumes();
   vtkCollectionSimpleIterator it = nullptr;
   volumes->InitTraversal(it);
@@ -453,10 +458,11 @@ void vtkPVAirlightRenderView::SwitchVolumes()
     {
       vtkAirlightPass::SetVolumeScatters(volume, this->VolumesScatter);
     }
-    if (this->VolumesScatter)
+    // Each change of keys is one of the scene. A script's own function stays.
+    vtkObjectBase* function = keys ? keys->Get(vtkAirlightPass::VOLUME_PHASE_FUNCTION()) : nullptr;
+    if (wanted != function && (wanted || function == this->VolumeFunction))
     {
-      vtkAirlightPass::SetVolumePhaseFunction(
-        volume, this->GetVolumesAnisotropy() != 0.0 ? this->VolumeFunction.Get() : nullptr);
+      vtkAirlightPass::SetVolumePhaseFunction(volume, wanted);
     }
   }
   this->VolumesScattered = this->VolumesScatter;
@@ -499,13 +505,12 @@ void vtkPVAirlightRenderView::FollowData()
 }
 
 //------------------------------------------------------------------------------
-// For transparent screenshots, ParaView draws before white and before black, which do not count. A
-// server does not know of them.
+// For transparent screenshots, ParaView draws before white and before black, which do not count.
 void vtkPVAirlightRenderView::UpdateBackground(vtkRenderer* other)
 {
   this->Superclass::UpdateBackground(other);
   vtkRenderer* renderer = this->GetRenderer();
-  if ((other && other != renderer) || vtkSMViewProxy::GetTransparentBackground())
+  if ((other && other != renderer) || this->KeepsBackground)
   {
     return;
   }
@@ -562,9 +567,11 @@ void vtkPVAirlightRenderView::StartFrame()
   int size[2];
   int corner[2];
   this->GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
-  // The parts of a tiled display are drawn one by one, and what is translucent has no depth.
-  this->Depths->Begin(
-    controller, !this->InTileDisplayMode() && !this->GetUseOrderedCompositing(), size[0], size[1]);
+  // The parts of a tiled display are drawn one by one, what is translucent has no depth, and while
+  // something is selected IceT may leave out ranks that have nothing in view.
+  const bool possible =
+    this->InFrame && !this->InTileDisplayMode() && !this->GetUseOrderedCompositing();
+  this->Depths->Begin(controller, possible, { size[0], size[1] });
 }
 
 //------------------------------------------------------------------------------
@@ -599,6 +606,7 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
           });
   }
   this->FarPass->SetMoves(this->Parallel);
+  this->InFrame = true;
   if (!this->Parallel)
   {
     this->Remote->Clear(this->Pass);
@@ -616,6 +624,8 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkPVAirlightRenderView::GetGatheredBytes() { return this->Remote->GetBytes(); }
+
+vtkTypeInt64 vtkPVAirlightRenderView::GetPixelsLeftOut() { return this->Depths->GetLeftOut(); }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)

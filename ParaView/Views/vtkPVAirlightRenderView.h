@@ -135,6 +135,12 @@ public:
   vtkGetMacro(VolumesScatter, bool);
   ///@}
 
+  /**
+   * Whether the media's light from the background stays what it is, though the background changes:
+   * set by vtkSMAirlightRenderViewProxy. Default: false.
+   */
+  vtkSetMacro(KeepsBackground, bool);
+
   ///@{
   /**
    * Where volumes that are media send light, see vtkHenyeyGreensteinPhaseFunction: above 0 forward,
@@ -200,6 +206,11 @@ public:
    */
   vtkTypeInt64 GetGatheredBytes();
 
+  /**
+   * The pixels of the last frame that this rank left to others which have something nearer there.
+   */
+  vtkTypeInt64 GetPixelsLeftOut();
+
   void SetGridAxes3DActor(vtkPVGridAxes3DActor* axes) override;
 
   void Update() override;
@@ -230,6 +241,8 @@ private:
   bool Airlight = true;
   bool CameraLightsScatter = false;
   bool ProgressiveRefinement = false;
+  bool InFrame = false; // of Render()
+  bool KeepsBackground = false;
   bool VolumesScatter = false;
   bool VolumesScattered = false; // in the last frame
   vtkNew<vtkHenyeyGreensteinPhaseFunction> VolumeFunction;

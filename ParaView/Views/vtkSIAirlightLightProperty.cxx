@@ -55,6 +55,10 @@ vtkStandardNewMacro(vtkSIAirlightLightProperty);
 bool vtkSIAirlightLightProperty::Push(vtkSMMessage* message, int offset)
 {
   this->SaveValueToCache(message, offset); // for clients that ask for it
+  if (!this->GetVTKObject())
+  {
+    return true; // this process has none
+  }
   vtkLight* light = vtkLight::SafeDownCast(this->GetVTKObject());
   const std::string name = this->GetCommand() ? this->GetCommand() : "";
   if (light == nullptr)

@@ -63,8 +63,11 @@ bool PixelChoice::Apply(
     return true;
   }
   this->Drawn->SetContext(window);
-  if (!this->Drawn->Create2DFromRaw(width, height, 1, VTK_UNSIGNED_CHAR, drawn.data()) ||
-    !this->HidingQuad.GetOrCompile(window, GetHidingSource()))
+  if (!this->Drawn->Create2DFromRaw(width, height, 1, VTK_UNSIGNED_CHAR, drawn.data()))
+  {
+    return this->Fail("the texture of pixels left out could not be made");
+  }
+  if (!this->HidingQuad.GetOrCompile(window, GetHidingSource()))
   {
     return this->Fail(std::string("the shader of pixels left out") + ProgramMaker::GetReason());
   }

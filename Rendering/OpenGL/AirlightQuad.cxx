@@ -128,6 +128,7 @@ Quad::MaskedDraw::MaskedDraw(vtkOpenGLState* state, bool masked)
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LESS);
   state->vtkglDepthMask(GL_FALSE);
+  glGetFloatv(GL_DEPTH_RANGE, this->DepthRange);
   glDepthRange(0.0, 0.0);
 }
 
@@ -137,7 +138,7 @@ Quad::MaskedDraw::~MaskedDraw()
   {
     this->State->vtkglDepthFunc(GL_LEQUAL);
     this->State->vtkglDepthMask(GL_TRUE);
-    glDepthRange(0.0, 1.0);
+    glDepthRange(this->DepthRange[0], this->DepthRange[1]);
   }
 }
 

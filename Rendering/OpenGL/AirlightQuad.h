@@ -57,6 +57,7 @@ public:
   private:
     vtkOpenGLState* State;
     bool Masked;
+    float DepthRange[2] = { 0.0f, 1.0f }; // before
   };
 
   void Release();

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cstddef>
+#include <utility>
 
 namespace airlight
 {
@@ -34,22 +35,30 @@ float FindWeight(const ShadowEdge& edge) { return IsReversed(edge) ? -edge.A.w :
 //------------------------------------------------------------------------------
 std::vector<ShadowEdge> MergeEdges(const std::vector<ShadowEdge>& edges)
 {
-  std::map<Place, float> weights;
+  std::vector<std::pair<Place, size_t>> places;
+  places.reserve(edges.size());
   for (const ShadowEdge& edge : edges)
   {
-    weights[FindPlace(edge)] += FindWeight(edge);
+    places.emplace_back(FindPlace(edge), places.size());
+  }
+  std::sort(places.begin(), places.end());
+  // The first edge of a place gets the weight of all.
+  std::vector<float> weights(edges.size(), 0.0f);
+  for (size_t i = 0, first = 0; i < places.size(); ++i)
+  {
+    first = places[i].first == places[first].first ? first : i;
+    weights[places[first].second] += FindWeight(edges[places[i].second]);
   }
   std::vector<ShadowEdge> merged;
   merged.reserve(edges.size());
-  for (const ShadowEdge& edge : edges)
+  for (size_t i = 0; i < edges.size(); ++i)
   {
-    float& left = weights[FindPlace(edge)];
-    while (left != 0.0f)
+    while (weights[i] != 0.0f)
     {
-      const float weight = std::clamp(left, -MostWeight, MostWeight);
-      left -= weight;
-      merged.push_back(edge);
-      merged.back().A.w = IsReversed(edge) ? -weight : weight;
+      const float weight = std::clamp(weights[i], -MostWeight, MostWeight);
+      weights[i] -= weight;
+      merged.push_back(edges[i]);
+      merged.back().A.w = IsReversed(edges[i]) ? -weight : weight;
     }
   }
   return merged;

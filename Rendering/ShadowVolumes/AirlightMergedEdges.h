@@ -15,7 +15,7 @@
 namespace airlight
 {
 // Edges with the same two ends and layer become one of the sum of their weights, a reversed edge
-// having the opposite weight, or none. The others stay in their order.
+// having the opposite weight, or none. The first of them stands for all; the order stays.
 std::vector<ShadowEdge> MergeEdges(const std::vector<ShadowEdge>& edges);
 }
 

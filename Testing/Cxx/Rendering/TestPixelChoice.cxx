@@ -44,11 +44,13 @@ Shown Show(Scene& scene)
     { depths->GetPointer(0), depths->GetPointer(0) + depths->GetNumberOfValues() } };
 }
 
-// Blocks of pixels, that begin where no other pattern does.
-bool IsDrawn(int i)
-{
-  return ((i % Width) / 7 + (i / Width) / 5) % 3 != 0;
-}
+using Pattern = std::function<bool(int x, int y)>;
+
+// Blocks of pixels that begin where no other pattern does.
+bool IsInBlocks(int x, int y) { return (x / 7 + y / 5) % 3 != 0; }
+
+// A part of the picture with some of all bodies, their shadows and the background.
+bool IsInside(int x, int y) { return x > 31 && x < 97 && y > 22 && y < 71; }
 
 void Prepare(WindowScene& scene, const Change& change)
 {
@@ -61,7 +63,7 @@ void Prepare(WindowScene& scene, const Change& change)
 }
 
 //------------------------------------------------------------------------------
-void TestChoice(const std::string& name, const Change& change)
+void TestChoice(const std::string& name, const Change& change, const Pattern& isDrawn = IsInBlocks)
 {
   WindowScene scene(Width, Height, 2);
   Prepare(scene, change);
@@ -76,7 +78,7 @@ void TestChoice(const std::string& name, const Change& change)
       {
         farthest = std::max(farthest, std::abs(static_cast<double>(depths[i]) - all.Depths[i]));
         Check(drawn[i] == 1, name + ": all are drawn at first");
-        drawn[i] = IsDrawn(i) ? 1 : 0;
+        drawn[i] = isDrawn(i % Width, i / Width) ? 1 : 0;
       }
       return true;
     });
@@ -87,7 +89,7 @@ void TestChoice(const std::string& name, const Change& change)
   {
     const unsigned char* a = &all.Colours[4 * i];
     const unsigned char* b = &some.Colours[4 * i];
-    if (IsDrawn(i))
+    if (isDrawn(i % Width, i / Width))
     {
       differing += !std::equal(a, a + 4, b) || all.Depths[i] != some.Depths[i];
     }
@@ -97,8 +99,8 @@ void TestChoice(const std::string& name, const Change& change)
       left += !empty || some.Depths[i] != 1.0f;
     }
   }
-  std::cout << name << ": depths differ by " << farthest << ", " << differing
-            << " pixels differ, " << left << " of those left out are not empty\n";
+  std::cout << name << ": depths differ by " << farthest << ", " << differing << " pixels differ, "
+            << left << " of those left out are not empty\n";
   Check(calls == 1, name + ": asked once a frame");
   Check(farthest <= 1.0 / (1 << 23), name + ": the depths are those of the picture");
   Check(differing == 0, name + ": what is drawn is as in a whole picture");
@@ -134,6 +136,12 @@ int TestPixelChoice(int, char*[])
   TestChoice("planes", [](WindowScene& s) { s.Pass->SetShadowTechniqueToShadowPlanes(); });
   TestChoice("maps", [](WindowScene& s) { s.Pass->SetShadowTechniqueToShadowMap(); });
   TestChoice("march", [](WindowScene& s) { s.Pass->SetShadowTechniqueToRayMarch(); });
+  TestChoice(
+    "a part, planes", [](WindowScene&) {}, IsInside);
+  TestChoice(
+    "a part, maps", [](WindowScene& s) { s.Pass->SetShadowTechniqueToShadowMap(); }, IsInside);
+  TestChoice(
+    "nothing", [](WindowScene&) {}, [](int, int) { return false; });
   TestChoice("no shadows", [](WindowScene& s) { s.Pass->SetShadowTechniqueToNone(); });
   TestChoice("Mie", [](WindowScene& s) { s.Medium->SetPhaseFunctionToMieMurky(); });
   TestChoice("height fog", [](WindowScene& s) {
