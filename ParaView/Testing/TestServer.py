@@ -114,6 +114,20 @@ class Server(unittest.TestCase):
         self.assertGreater(before.std(), 5)
         self.assertLessEqual(np.abs(after - before).max(), 1)
 
+    def test_without_plugin(self):
+        """A server that has not loaded it, and files that are no plugin: errors, and all goes on."""
+        server, port = self.serve(1)
+        done = subprocess.run(
+            [str(RUN), "--run", str(HERE / "plain_server.py"), port, str(test.OUTPUT)],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        server.communicate(timeout=60)
+        for part in ("No proxy that matches: group=views and proxy=AirlightRenderView",
+                     "view: ('Failed to create requested view', 'AirlightRenderView')",
+                     "missing plugin: Problem loading plugin /no/such.so",
+                     "wrong plugin: Problem loading plugin", "ParaView's own view: True"):
+            self.assertIn(part, done.stdout)
+
 
 if __name__ == "__main__":
     # pvpython loses its window where a script calls sys.exit() with a view open.
