@@ -139,6 +139,11 @@ run()
     shift 2
   fi
   use_paraview
+  # ParaView keeps settings, such as a palette of colours, which scripts and tests must not change for
+  # the user nor for each other.
+  settings=$(mktemp -d)
+  trap 'rm -rf "$settings"' EXIT
+  export XDG_CONFIG_HOME=$settings
   AIRLIGHT_PLUGIN=$(find_in "$plugin" AirlightParaView.so)/AirlightParaView.so
   export AIRLIGHT_PLUGIN AIRLIGHT_TEST_OUTPUT=${AIRLIGHT_TEST_OUTPUT:-$PWD}
   local command=(pvpython "$@")
