@@ -30,12 +30,12 @@ def draw(port, name):
 
 first = draw(int(sys.argv[1]), "before-loss")
 os.kill(int(sys.argv[2]), signal.SIGKILL)
-time.sleep(1)
+time.sleep(3)  # until mpirun has ended the other rank
 print("without the server", flush=True)
 # Not rendered: ParaView's client then copies a picture of no size, and ends.
-for distance in (10, 12, 14):  # the first is still sent
+for distance in range(10, 16):  # the first is still sent
     first.VisibilityDistance = distance
-    time.sleep(0.3)
+    time.sleep(0.5)
 del first
 print("going on with another", flush=True)
 draw(int(sys.argv[3]), "after-loss")
