@@ -120,14 +120,6 @@ bool Frame::DrawDistances(SceneDrawer& scene)
 }
 
 //------------------------------------------------------------------------------
-void Frame::BeginSurfaces()
-{
-  this->Geometry.BeginSurfaces(this->GetScene(), this->Plan);
-  // The renderer has cleared the depth before the colours.
-  this->Choice.Hide(this->GetWindow());
-}
-
-//------------------------------------------------------------------------------
 bool Frame::LeavesPixelsOut()
 {
   const FramePlan& plan = this->Plan;
@@ -136,9 +128,16 @@ bool Frame::LeavesPixelsOut()
   {
     return true;
   }
-  return this->Choice.Apply(this->GetWindow(), this->Textures, this->Current->Rays.GetWidth(),
-           this->Current->Rays.GetHeight(), this->ChoosePixels) ||
-    this->Fail(this->Choice.GetError());
+  if (!this->Choice.Ask(this->GetScene(), this->Textures, this->ChoosePixels))
+  {
+    return this->Fail(this->Choice.GetError());
+  }
+  if (this->Choice.IsSome())
+  {
+    this->Geometry.SetMask(this->Choice.GetMask());
+    this->Geometry.HideOthers(this->GetScene());
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -128,7 +128,7 @@ public:
   bool HasShadowTransmittance() const { return this->Shadows.TransmitsLight(); }
 
   // Before the opaque surfaces are drawn and after them.
-  void BeginSurfaces();
+  void BeginSurfaces() { this->Geometry.BeginSurfaces(this->GetScene(), this->Plan); }
   void EndSurfaces() { this->Geometry.EndSurfaces(this->GetScene(), this->Plan); }
 
   // The buffers of vtkAirlightPass::GetBuffer(), after that.

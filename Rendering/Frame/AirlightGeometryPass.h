@@ -24,8 +24,11 @@ class GeometryPass
 public:
   explicit GeometryPass(Targets& targets);
 
-  // Of a mask, whose pixels alone are drawn: null for all.
+  // Of a mask, whose pixels alone are drawn, those where it is above 0: null for all.
   void SetMask(vtkTextureObject* mask) { this->Mask = mask; }
+
+  // Hides whatever is drawn later at the others in the depth that is bound; the steps below do so.
+  void HideOthers(const FrameScene& scene);
 
   // For the distances and depths of the opaque surfaces. Here and below false with a reason in
   // GetError() where OpenGL refuses.
@@ -53,7 +56,6 @@ public:
 
 private:
   bool Fail(const std::string& reason);
-  void HideOthers(const FrameScene& scene);
   bool BindScene(const FrameScene& scene);
   bool BindSceneAndDistances(const FrameScene& scene, const FramePlan& plan, vtkRenderer* renderer);
 

@@ -5,15 +5,16 @@
  * composite their pictures by depth: what another process has nearer need not be drawn here.
  *
  * Whoever composites is asked once the depths of the opaque surfaces are there. At the other pixels
- * the depth becomes 0, the nearest: that hides shadow planes and colours, and keeps the later steps
- * from drawing (Quad::MaskedDraw). In the picture they are transparent, at the far end.
+ * the depth becomes 0, the nearest (GeometryPass::HideOthers()): that hides shadow planes and
+ * colours, and keeps the later steps from drawing (Quad::MaskedDraw). In the picture they are
+ * transparent, at the far end.
  */
 
 #ifndef AirlightPixelChoice_h
 #define AirlightPixelChoice_h
 
 #include "OpenGL/AirlightPixelArea.h"
-#include "OpenGL/AirlightQuad.h"
+#include "Scene/AirlightFrameScene.h"
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
@@ -21,7 +22,6 @@
 #include <functional>
 #include <string>
 
-class vtkOpenGLRenderWindow;
 class vtkWindow;
 
 namespace airlight
@@ -35,13 +35,12 @@ public:
   using Chooser =
     std::function<bool(int width, int height, const float* depths, unsigned char* drawn)>;
 
-  // Asks, and hides the others in the depth of the targets. False with a reason in GetError() where
-  // the graphics card cannot.
-  bool Apply(
-    vtkOpenGLRenderWindow* window, Targets& targets, int width, int height, const Chooser& choose);
+  // Asks, with the depths of the targets, which are bound afterwards. False with a reason in
+  // GetError() where the graphics card cannot.
+  bool Ask(const FrameScene& scene, Targets& targets, const Chooser& choose);
 
-  // Hides them in the depth that is bound, if the frame has any.
-  void Hide(vtkOpenGLRenderWindow* window);
+  // Those that are drawn, for GeometryPass::SetMask().
+  vtkTextureObject* GetMask() { return this->Drawn; }
 
   // The smallest one with all that are drawn.
   const PixelArea& GetArea() const { return this->Area; }
@@ -51,12 +50,11 @@ public:
   void Forget() { this->Some = false; }
 
   const std::string& GetError() const { return this->Error; }
-  void Release(vtkWindow* window);
+  void Release(vtkWindow* window) { this->Drawn->ReleaseGraphicsResources(window); }
 
 private:
   bool Fail(const std::string& reason);
 
-  Quad HidingQuad;
   vtkNew<vtkTextureObject> Drawn;
   PixelArea Area{ 0, 0, 0, 0 };
   bool Some = false;

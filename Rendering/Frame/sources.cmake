@@ -22,7 +22,6 @@ airlight_sources(
     glsl/AirlightFroxelFS.glsl
     glsl/AirlightFroxelLossFS.glsl
     glsl/AirlightDistancesFS.glsl
-    glsl/AirlightHidingFS.glsl
     glsl/AirlightLightWaysFS.glsl
     glsl/AirlightLuminanceFS.glsl
     glsl/AirlightMaskFS.glsl)
