@@ -11,8 +11,6 @@ namespace airlight
 {
 namespace
 {
-constexpr float MostWeight = 2.0f; // of a boundary
-
 // Both ends, the lower one first, and the layer: the same for an edge and its reverse.
 using Place = std::array<float, 7>;
 
@@ -53,13 +51,7 @@ std::vector<ShadowEdge> MergeEdges(const std::vector<ShadowEdge>& edges)
   merged.reserve(edges.size());
   for (size_t i = 0; i < edges.size(); ++i)
   {
-    while (weights[i] != 0.0f)
-    {
-      const float weight = std::clamp(weights[i], -MostWeight, MostWeight);
-      weights[i] -= weight;
-      merged.push_back(edges[i]);
-      merged.back().A.w = IsReversed(edges[i]) ? -weight : weight;
-    }
+    AddEdge(merged, edges[i], IsReversed(edges[i]) ? -weights[i] : weights[i]);
   }
   return merged;
 }

@@ -10,6 +10,8 @@
 
 #include <glm/glm.hpp>
 
+#include <vector>
+
 namespace airlight
 {
 // A silhouette's edge.
@@ -19,6 +21,17 @@ struct ShadowEdge
   glm::vec4 B;      // w: number of the caster in Update(), after the last one for those of others
   glm::vec4 Normal; // w: index of the layer
 };
+
+// Adds an edge with a weight. A boundary has one of at most 2; more is rare, and takes several
+// edges.
+inline void AddEdge(std::vector<ShadowEdge>& edges, ShadowEdge edge, float weight)
+{
+  for (float left = weight; left != 0.0f; left -= edge.A.w)
+  {
+    edge.A.w = glm::clamp(left, -2.0f, 2.0f);
+    edges.push_back(edge);
+  }
+}
 
 // An edge on whose plane rays start: at the eye, or in parallel projection at infinity.
 struct NearEdge

@@ -90,14 +90,10 @@ void ShadowVolumes::MakeEdges(Part& part) const
     {
       normal /= length;
     }
-    // A boundary has a weight of at most 2; more is rare.
-    for (int left = edge.Weight; left != 0;)
-    {
-      const int weight = std::clamp(left, -2, 2);
-      left -= weight;
-      part.Edges.push_back({ glm::vec4(glm::vec3(a), static_cast<float>(weight)),
-        glm::vec4(glm::vec3(b), 0.0f), glm::vec4(glm::vec3(normal), 0.0f) });
-    }
+    AddEdge(part.Edges,
+      { glm::vec4(glm::vec3(a), 0.0f), glm::vec4(glm::vec3(b), 0.0f),
+        glm::vec4(glm::vec3(normal), 0.0f) },
+      static_cast<float>(edge.Weight));
   }
 }
 
