@@ -6,7 +6,7 @@
 #include "vtkMultiProcessController.h"
 
 #include <algorithm>
-#include <vector>
+#include <cstddef>
 
 namespace airlight
 {
@@ -15,7 +15,7 @@ void RemoteDepths::Begin(
   vtkMultiProcessController* controller, bool possible, const std::array<int, 2>& size)
 {
   this->Controller = nullptr;
-  this->Chosen = false;
+  this->BackgroundLeft = false;
   this->LeftOut = 0;
   if (!possible)
   {
@@ -33,23 +33,31 @@ void RemoteDepths::Begin(
 }
 
 //------------------------------------------------------------------------------
+// Of all ranks: the exchange of a frame.
+std::vector<float> RemoteDepths::FindNearest(const float* depths)
+{
+  std::vector<float> nearest(static_cast<size_t>(this->Width) * this->Height);
+  this->Controller->AllReduce(
+    depths, nearest.data(), static_cast<vtkIdType>(nearest.size()), vtkCommunicator::MIN_OP);
+  this->Controller = nullptr;
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
 bool RemoteDepths::Choose(int width, int height, const float* depths, unsigned char* drawn)
 {
   if (!this->Controller || width != this->Width || height != this->Height)
   {
     return false;
   }
-  const int count = width * height;
-  std::vector<float> nearest(count);
-  this->Controller->AllReduce(depths, nearest.data(), count, vtkCommunicator::MIN_OP);
-  const bool isFirst = this->Controller->GetLocalProcessId() == 0;
-  for (int i = 0; i < count; ++i)
+  this->BackgroundLeft = this->Controller->GetLocalProcessId() != 0;
+  const std::vector<float> nearest = this->FindNearest(depths);
+  for (size_t i = 0; i < nearest.size(); ++i)
   {
-    drawn[i] = depths[i] <= nearest[i] && (depths[i] < 1.0f || isFirst) ? 1 : 0;
+    const bool isLeft = depths[i] > nearest[i] || (depths[i] >= 1.0f && this->BackgroundLeft);
+    drawn[i] = isLeft ? 0 : 1;
   }
-  this->LeftOut = std::count(drawn, drawn + count, 0);
-  this->Controller = nullptr;
-  this->Chosen = true;
+  this->LeftOut = std::count(drawn, drawn + nearest.size(), 0);
   return true;
 }
 
@@ -57,14 +65,10 @@ bool RemoteDepths::Choose(int width, int height, const float* depths, unsigned c
 // A rank that draws all its pixels hides nothing of the others.
 void RemoteDepths::End()
 {
-  if (!this->Controller)
+  if (this->Controller)
   {
-    return;
+    const std::vector<float> none(static_cast<size_t>(this->Width) * this->Height, 2.0f);
+    this->FindNearest(none.data());
   }
-  const int count = this->Width * this->Height;
-  const std::vector<float> none(count, 2.0f);
-  std::vector<float> nearest(count);
-  this->Controller->AllReduce(none.data(), nearest.data(), count, vtkCommunicator::MIN_OP);
-  this->Controller = nullptr;
 }
 }

@@ -15,6 +15,7 @@
 #define AirlightRemoteDepths_h
 
 #include <array>
+#include <vector>
 
 class vtkMultiProcessController;
 
@@ -30,8 +31,8 @@ public:
   // vtkAirlightPass::PixelChooser.
   bool Choose(int width, int height, const float* depths, unsigned char* drawn);
 
-  // Whether the frame has left pixels to other ranks.
-  bool HasChosen() const { return this->Chosen; }
+  // Whether the frame has left the background to the first rank.
+  bool LeavesBackground() const { return this->BackgroundLeft; }
 
   // How many pixels the last frame has left to them.
   long long GetLeftOut() const { return this->LeftOut; }
@@ -40,10 +41,12 @@ public:
   void End();
 
 private:
+  std::vector<float> FindNearest(const float* depths);
+
   vtkMultiProcessController* Controller = nullptr; // of a frame whose exchange is still to come
   int Width = 0;
   int Height = 0;
-  bool Chosen = false;
+  bool BackgroundLeft = false;
   long long LeftOut = 0;
 };
 }

@@ -575,7 +575,6 @@ void vtkPVAirlightRenderView::StartFrame()
 }
 
 //------------------------------------------------------------------------------
-// The background at pixels left to other ranks is theirs.
 void vtkPVAirlightRenderView::EndFrame()
 {
   if (!this->Parallel)
@@ -583,8 +582,7 @@ void vtkPVAirlightRenderView::EndFrame()
     return;
   }
   this->Depths->End();
-  this->FarPass->SetMoves(!this->Depths->HasChosen() ||
-    vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0);
+  this->FarPass->SetMoves(!this->Depths->LeavesBackground());
 }
 
 //------------------------------------------------------------------------------
