@@ -86,8 +86,7 @@ class Comparative(unittest.TestCase):
         del view
         simple.ResetSession()
         simple.LoadState(path)
-        loaded, = [each for each in simple.GetViews()
-                   if each.GetXMLName() == "AirlightComparativeView"]
+        loaded = test.find_view("AirlightComparativeView")
         self.assertEqual(loaded.VisibilityDistance, 30)
         after = test.picture(loaded, "comparative-after-state", before.shape[1::-1])
         print(f"state: largest difference {np.abs(after - before).max()}")

@@ -128,7 +128,7 @@ class Lights(unittest.TestCase):
         del view
         simple.ResetSession()
         simple.LoadState(path)
-        view = [each for each in simple.GetViews() if each.GetXMLName() == "AirlightRenderView"][0]
+        view = test.find_view()
         loaded = view.AdditionalLights[0]
         for name, value in properties.items():
             found = getattr(loaded, name)

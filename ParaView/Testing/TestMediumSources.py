@@ -224,8 +224,7 @@ class MediumSources(unittest.TestCase):
         del MediumSources.view
         simple.ResetSession()
         simple.LoadState(path)
-        loaded = [view for view in simple.GetViews()
-                  if view.GetXMLName() == "AirlightRenderView"][0]
+        loaded = test.find_view()
         self.assertEqual(loaded.RegionSurface.XLength, SIZES[0])
         self.assertEqual((loaded.DensityArray[1], loaded.EmissionArrayName), ("ramp", "ramp"))
         for attempt in ("loaded", "deleted"):

@@ -47,7 +47,7 @@ class PythonState(unittest.TestCase):
         simple.ResetSession()
         test.load_plugin()
         exec(compile(script, name, "exec"), {})  # a script of ParaView's own making
-        view = [each for each in simple.GetViews() if each.GetXMLName() == "AirlightRenderView"][0]
+        view = test.find_view()
         view.ViewSize = list(test.SIZE)
         return view, test.picture(view, name)
 

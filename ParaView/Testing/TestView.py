@@ -288,8 +288,7 @@ class View(unittest.TestCase):
         self.assertIn("AirlightRenderView", views)
         simple.ResetSession()
         simple.LoadState(path)
-        loaded = [view for view in simple.GetViews()
-                  if view.GetXMLName() == "AirlightRenderView"][0]
+        loaded = test.find_view()
         self.assertEqual(loaded.Anisotropy, 0.6)
         self.assertEqual(loaded.VisibilityDistance, 12.5)
         self.assert_same(test.picture(loaded, "after-state"), before, 0, "state")

@@ -85,7 +85,7 @@ class WindowScripts(window.TestCase):
         # A setting that pvpython begins with another value of.
         simple.GetSettingsProxy("ColorPalette").BackgroundColorMode = "Single Color"
         exec(compile(text, str(path), "exec"), {})  # a script of ParaView's own making
-        view = [each for each in simple.GetViews() if each.GetXMLName() == "AirlightRenderView"][0]
+        view = test.find_view()
         height, width, _ = views["traced"].shape
         difference = np.abs(test.picture(view, "trace-run-again", (width, height))
                             - views["traced"])

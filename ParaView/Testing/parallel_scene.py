@@ -19,7 +19,7 @@ name = sys.argv[1]
 test.load_plugin()
 view = test.make_view()
 view.Background = [0.3, 0.4, 0.6]
-view.UseFXAA = 0  # ParaView antialiases twice on one rank, once on several
+view.UseFXAA = 0
 ball, floor = test.make_sources()
 small = simple.Sphere(Radius=0.2, Center=[-0.75, 0.35, 0.45], ThetaResolution=40,
                       PhiResolution=40)

@@ -41,6 +41,11 @@ def make_view(kind="AirlightRenderView", size=SIZE):
     return view
 
 
+def find_view(kind="AirlightRenderView"):
+    """The first view of a kind in the session."""
+    return next(view for view in simple.GetViews() if view.GetXMLName() == kind)
+
+
 def place_camera(view):
     view.CameraPosition = list(CAMERA["position"])
     view.CameraFocalPoint = list(CAMERA["focal_point"])
