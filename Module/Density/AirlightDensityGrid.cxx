@@ -17,8 +17,9 @@
 #define AIRLIGHT_FN inline
 #define AIRLIGHT_IN(T) const T&
 #define AIRLIGHT_INOUT(T) T&
-#define AIRLIGHT_SAMPLES const DensitySamples*
+#define AIRLIGHT_SAMPLES const DensityGrid*
 #define AIRLIGHT_LAYER FetchLayer
+#define AIRLIGHT_IS_EMPTY_BLOCK IsEmptyBlock
 #define AIRLIGHT_DOUBLE
 
 namespace airlight
@@ -31,14 +32,21 @@ using int3 = glm::ivec3;
 using real3x3 = glm::dmat3;
 
 // The four samples of a cell, of which there is one less along each axis, in one layer.
-inline real4 FetchLayer(const DensitySamples* samples, const int3& cells, const int3& cell)
+inline real4 FetchLayer(const DensityGrid* grid, const int3& cells, const int3& cell)
 {
   const size_t rowLength = cells.x + 1;
-  return samples->GetSquare(
+  return grid->GetSamples().GetSquare(
     cell.x + rowLength * (cell.y + (cells.y + size_t(1)) * cell.z), rowLength);
 }
 
+inline bool IsEmptyBlock(const DensityGrid* grid, int block)
+{
+  return grid->GetBlocks().GetFilled()[block] == 0;
+}
+
 #include "Medium/AirlightGrid.glsl"
+
+static_assert(FilledBlocks::Cells == 1 << AIRLIGHT_BLOCK_SHIFT, "one size of blocks");
 }
 }
 
@@ -47,7 +55,7 @@ namespace
 // Where the first sample is the origin: far away from that of the world, it keeps more digits.
 f64::AirlightGrid MakeGrid(const DensityGrid& grid)
 {
-  return { grid.GetAxes(), glm::dvec3(0.0), grid.GetLast(), &grid.GetSamples(), grid.GetFilledLow(),
+  return { grid.GetAxes(), glm::dvec3(0.0), grid.GetLast(), &grid, grid.GetFilledLow(),
     grid.GetFilledHigh() };
 }
 
@@ -141,6 +149,7 @@ bool DensityGrid::ReadSamples(vtkImageData* image, std::string& error)
     return false;
   }
   this->FindFilled();
+  this->Blocks = FilledBlocks(this->Samples, this->Size);
   return true;
 }
 
@@ -181,7 +190,7 @@ double DensityGrid::GetDensityAt(const glm::dvec3& samples) const
   const glm::dvec3 last = this->GetLast();
   const glm::dvec3 p = glm::clamp(samples, glm::dvec3(0.0), last);
   // Rounding must not make a density of zeros negative, here and below.
-  return std::max(f64::airlightInterpolated(&this->Samples, last, p), 0.0);
+  return std::max(f64::airlightInterpolated(this, last, p), 0.0);
 }
 
 //------------------------------------------------------------------------------

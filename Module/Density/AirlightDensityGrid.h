@@ -10,6 +10,7 @@
 #ifndef AirlightDensityGrid_h
 #define AirlightDensityGrid_h
 
+#include "Density/AirlightFilledBlocks.h"
 #include "Density/AirlightDensitySamples.h"
 #include "vtkAirlightModule.h" // for export macro
 
@@ -64,6 +65,7 @@ public:
   // Corners of a box, in samples, outside of which there is nothing.
   const glm::dvec3& GetFilledLow() const { return this->FilledLow; }
   const glm::dvec3& GetFilledHigh() const { return this->FilledHigh; }
+  const FilledBlocks& GetBlocks() const { return this->Blocks; }
   // x fastest.
   const DensitySamples& GetSamples() const { return this->Samples; }
 
@@ -75,6 +77,7 @@ private:
 
   glm::ivec3 Size{ 0 }; // numbers of samples
   DensitySamples Samples;
+  FilledBlocks Blocks;
   glm::dvec3 First{ 0.0 }; // the first sample's place in the world
   glm::dmat3 Axes{ 1.0 };  // from the world to samples
   glm::dvec3 Least{ 0.0 };

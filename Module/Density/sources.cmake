@@ -4,6 +4,7 @@ airlight_sources(
   PRIVATE_CLASSES
     AirlightDensityGrid
     AirlightDensitySamples
+    AirlightFilledBlocks
     AirlightImageColours
   HEADERS
     AirlightTrilinear.h)

@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 
@@ -40,6 +41,19 @@ glm::dmat4 GetMatrixToPlaces(const DensityGrid& grid, const glm::dvec3& origin)
   return glm::scale(glm::dmat4(1.0), 1.0 / grid.GetLast()) * matrix;
 }
 
+// The samples of an image, and before them its blocks (airlightIsEmptyBlock()).
+SceneArray MakeArray(const std::shared_ptr<const DensityGrid>& image)
+{
+  const std::vector<std::uint8_t>& blocks = image->GetBlocks().GetFilled();
+  const glm::ivec3 size = glm::ivec3(image->GetLast()) + 1;
+  const auto write = [&blocks, &samples = image->GetSamples(), size](glm::vec4* to) {
+    glm::vec4* first = std::transform(
+      blocks.rbegin(), blocks.rend(), to, [](std::uint8_t filled) { return glm::vec4(filled); });
+    PackSamples(samples, size, first);
+  };
+  return { image, blocks.size() + CountTexels(size), write, blocks.size() };
+}
+
 // Numbers that a shared object holds.
 template <typename Vector>
 SceneArray MakeArray(const std::shared_ptr<const void>& owner, const std::vector<Vector>& texels)
@@ -57,11 +71,7 @@ void SceneArrays::AddDensity(const Add& add, int index, const DensitySource& sou
   LightGrids& grids = this->Grids[source.Image];
   const bool everywhere = converted.count + converted.volumes > 1;
   f64::AirlightMedium& item = converted.item[index];
-  const DensitySamples& samples = source.Image->GetSamples();
-  const glm::ivec3 size = glm::ivec3(source.Image->GetLast()) + 1;
-  add({ source.Image, CountTexels(size),
-        [&samples, size](glm::vec4* to) { PackSamples(samples, size, to); } },
-    item.gridFirst);
+  add(MakeArray(source.Image), item.gridFirst);
   const glm::dmat4 toPlaces = GetMatrixToPlaces(*source.Image, item.gridOrigin);
   for (SceneLight& sceneLight : sceneLights)
   {
@@ -152,7 +162,7 @@ bool SceneArrays::Upload(vtkOpenGLRenderWindow* window, const SceneSources& sour
   const bool ok = this->Data.Update(window, arrays);
   for (size_t i = 0; i < first.size() && ok; ++i)
   {
-    *first[i] = this->Data.GetFirst(i);
+    *first[i] = this->Data.GetFirst(i) + static_cast<int>(arrays[i].Begin);
   }
   return ok;
 }

@@ -34,6 +34,8 @@ struct SceneArray
   size_t Size;
   // Writes so many texels, at least one.
   std::function<void(glm::vec4*)> Write;
+  // The one at which shaders begin to count.
+  size_t Begin = 0;
 };
 
 class SceneData

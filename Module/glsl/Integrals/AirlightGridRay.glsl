@@ -200,7 +200,7 @@ real3 airlightGridPiece(
     part.to = counts ? min(part.to, kink) : part.to;
     if (part.to > part.from)
     {
-      airlightReadCells(steps, ray.origin, ray.direction, part);
+      airlightFindDensities(steps, ray.origin, ray.direction, part);
       if (counts)
       {
         sum += airlightStepIntegral(light, ray, part, piece.depth);
@@ -298,7 +298,7 @@ real3 airlightAmbientInImages(inout AirlightPiece piece, real3 origin, real3 dir
     AirlightStep part = airlightStepAt(steps, piece);
     if (part.to > part.from)
     {
-      airlightReadCells(steps, origin, direction, part);
+      airlightFindDensities(steps, origin, direction, part);
       sum += airlightAmbientInStep(part, origin, direction, piece.depth);
       piece.depth += airlightStepDepth(part, origin, direction, part.to);
     }

@@ -9,6 +9,7 @@
 struct AirlightSteps
 {
   AirlightWalk walk[AIRLIGHT_MEDIUM_COUNT]; // of media with images
+  AirlightCell cell[AIRLIGHT_MEDIUM_COUNT]; // where airlightWalkToFilled() has stopped
   real t;
   int most; // more steps are on no ray
 };
@@ -48,6 +49,35 @@ bool airlightIsInImage(AirlightStep part, int i)
   return ((part.inImages >> i) & 1) != 0;
 }
 
+// Walks on to a cell of image i that has something, and reads it, or to the end.
+void airlightFindFilled(inout AirlightSteps steps, int i)
+{
+  int first = airlightMedia.item[i].grid.first;
+  AirlightWalk walk = steps.walk[i];
+  int3 block = int3(-1);
+  bool found = false;
+  int most = airlightMostCells(walk);
+  for (int k = 0; k < most && !found; k++)
+  {
+    if (airlightBlock(walk) != block)
+    {
+      airlightLeaveEmptyBlocks(first, walk);
+      block = airlightBlock(walk);
+    }
+    if (walk.t >= walk.end)
+    {
+      break;
+    }
+    steps.cell[i] = airlightCell(first, walk.size, walk.cell);
+    found = airlightMostInCell(steps.cell[i]) > 0.0;
+    if (!found)
+    {
+      airlightEnterNext(walk, airlightCellEnd(walk));
+    }
+  }
+  steps.walk[i] = walk;
+}
+
 AirlightSteps airlightSteps(AirlightPiece piece, real3 origin, real3 direction)
 {
   AirlightSteps steps;
@@ -61,6 +91,7 @@ AirlightSteps airlightSteps(AirlightPiece piece, real3 origin, real3 direction)
       real to = airlightPieceHolds(piece, i) ? piece.to : piece.from;
       steps.walk[i] = airlightWalk(airlightMedia.item[i].grid, origin, direction, piece.from, to);
       steps.most += airlightMostCells(steps.walk[i]);
+      airlightFindFilled(steps, i);
     }
   }
   return steps;
@@ -99,35 +130,23 @@ void airlightLeaveStep(inout AirlightSteps steps, AirlightStep part)
   steps.t = part.to;
 }
 
-// Whether there is something in a cell of the step.
-bool airlightIsFilled(AirlightSteps steps, AirlightStep part)
-{
-  real most = 0.0;
-  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
-  {
-    if (AIRLIGHT_IS_GRID(i) && airlightIsInImage(part, i))
-    {
-      AirlightWalk walk = steps.walk[i];
-      AirlightCell cell = airlightCell(airlightMedia.item[i].grid.first, walk.size, walk.cell);
-      most = max(most, airlightMostInCell(cell));
-    }
-  }
-  return most > 0.0;
-}
-
 // Walks on to where an image has something, or the piece ends. Clouds are mostly empty, and the air
-// between them needs no cells.
+// between them needs no cells. Images that are not there yet have been walked before.
 void airlightWalkToFilled(inout AirlightSteps steps, AirlightPiece piece)
 {
-  for (int i = 0; i < steps.most && steps.t < piece.to; i++)
+  real next = piece.to;
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    AirlightStep part = airlightStepAt(steps, piece);
-    if (airlightIsFilled(steps, part))
+    if (AIRLIGHT_IS_GRID(i))
     {
-      break;
+      if (steps.walk[i].t <= steps.t)
+      {
+        airlightFindFilled(steps, i);
+      }
+      next = steps.walk[i].t < steps.walk[i].end ? min(next, steps.walk[i].t) : next;
     }
-    airlightLeaveStep(steps, part);
   }
+  steps.t = max(steps.t, next);
 }
 
 // Between an array's colours at the corners of a cell.
@@ -168,8 +187,8 @@ real3 airlightColourAt(AirlightColours colours, real u)
     real3(0.0));
 }
 
-// Reads the cells of a step.
-void airlightReadCells(AirlightSteps steps, real3 origin, real3 direction, inout AirlightStep part)
+// The densities of a step, in the cells that are read.
+void airlightFindDensities(AirlightSteps steps, real3 origin, real3 direction, inout AirlightStep part)
 {
   part.rate = 0.0;
   part.rise = 0.0;
@@ -182,12 +201,11 @@ void airlightReadCells(AirlightSteps steps, real3 origin, real3 direction, inout
       if (airlightIsInImage(part, i))
       {
         AirlightWalk walk = steps.walk[i];
-        AirlightCell cell = airlightCell(airlightMedia.item[i].grid.first, walk.size, walk.cell);
-        largest = airlightMostInCell(cell);
+        largest = airlightMostInCell(steps.cell[i]);
         real3 corner = walk.origin - real3(walk.cell);
         real3 a = corner + part.from * walk.slope;
         real3 b = corner + part.to * walk.slope;
-        part.cubic[i] = airlightCellCubic(cell, a, b);
+        part.cubic[i] = airlightCellCubic(steps.cell[i], a, b);
 #if AIRLIGHT_ALBEDO_MEDIA
         if (AIRLIGHT_HAS_ALBEDO(i))
         {

@@ -58,6 +58,7 @@ uniform int airlightZero;
 // Where samples are: their first texel.
 #define AIRLIGHT_SAMPLES int
 #define AIRLIGHT_LAYER airlightLayer
+#define AIRLIGHT_IS_EMPTY_BLOCK airlightIsEmptyBlock
 #define AIRLIGHT_GRID_DENSITY(medium, point) airlightGridDensity((medium).grid, point)
 #define AIRLIGHT_GRID_DEPTH(medium, o, d, from, to) airlightGridDepth((medium).grid, o, d, from, to)
 #else
@@ -77,6 +78,12 @@ uniform int airlightZero;
 uniform samplerBuffer airlightData;
 #endif
 #if AIRLIGHT_HAS_GRID
+// Before an image's samples are texels of its blocks, the first one last.
+bool airlightIsEmptyBlock(int first, int block)
+{
+  return texelFetch(airlightData, first - 1 - block).x == 0.0;
+}
+
 // The samples at the corners of a cell in one layer; `size`: the image's number of cells. Texels
 // are as AirlightPackedSamples.h says: three cells in each along x.
 real4 airlightLayer(int first, int3 size, int3 cell)

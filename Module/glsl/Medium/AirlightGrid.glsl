@@ -1,7 +1,12 @@
 // Density from the samples of an image: trilinear between them, 0 outside. By hand in shaders, too:
 // textures interpolate with 8 bits of fraction. AirlightDensityGrid.cxx compiles this in double
 // precision. The two differ in how samples are stored: AIRLIGHT_SAMPLES says where they are,
-// AIRLIGHT_LAYER reads those of a cell in one layer in z.
+// AIRLIGHT_LAYER reads those of a cell in one layer in z, AIRLIGHT_IS_EMPTY_BLOCK tells whether
+// there is nothing in a block of cells, of which it gets the number, x fastest.
+
+// Blocks have two to this power cells along each axis. Images are mostly empty, and ways leave an
+// empty block in one step.
+#define AIRLIGHT_BLOCK_SHIFT 3
 
 // An axis along which a ray moves by less than this, in samples per unit, is one along which it
 // does not move.
@@ -126,6 +131,48 @@ AIRLIGHT_FN void airlightEnterNext(AIRLIGHT_INOUT(AirlightWalk) walk, real end)
   walk.leaves = walk.cell == next ? walk.leaves : real3(real(AIRLIGHT_FAR));
 }
 
+AIRLIGHT_FN int3 airlightBlock(AIRLIGHT_IN(AirlightWalk) walk)
+{
+  return walk.cell >> AIRLIGHT_BLOCK_SHIFT;
+}
+
+AIRLIGHT_FN bool airlightIsInEmptyBlock(
+  AIRLIGHT_SAMPLES first, AIRLIGHT_IN(AirlightWalk) walk)
+{
+  int3 blocks = ((walk.size - 1) >> AIRLIGHT_BLOCK_SHIFT) + 1;
+  int3 block = airlightBlock(walk);
+  return AIRLIGHT_IS_EMPTY_BLOCK(
+    first, block.x + blocks.x * (block.y + blocks.y * block.z));
+}
+
+// To the cell after the block.
+AIRLIGHT_FN void airlightLeaveBlock(AIRLIGHT_INOUT(AirlightWalk) walk)
+{
+  int3 low = airlightBlock(walk) << AIRLIGHT_BLOCK_SHIFT;
+  int last = (1 << AIRLIGHT_BLOCK_SHIFT) - 1;
+  real3 face = real3(low) + real(last + 1) * walk.ahead;
+  real3 leaves = (face - walk.origin) * walk.inverse + walk.never;
+  real end = min(min(leaves.x, leaves.y), min(leaves.z, walk.end));
+  walk.t = max(walk.t, end);
+  // Where it leaves the block, the next cell is beyond the face, whatever rounding says.
+  int3 cell = clamp(int3(floor(walk.origin + walk.t * walk.slope)), low, low + last);
+  int3 beyond = low + int3(walk.ahead) * (last + 1) + min(walk.stride, int3(0));
+  int3 next = int3(mix(real3(cell), real3(beyond), lessThanEqual(leaves, real3(end))));
+  walk.cell = clamp(next, int3(0), walk.size - 1);
+  airlightFindLeaves(walk);
+  // Rounding may leave a rest behind the last block.
+  walk.t = walk.cell == next ? walk.t : walk.end;
+}
+
+AIRLIGHT_FN void airlightLeaveEmptyBlocks(
+  AIRLIGHT_SAMPLES first, AIRLIGHT_INOUT(AirlightWalk) walk)
+{
+  while (walk.t < walk.end && airlightIsInEmptyBlock(first, walk))
+  {
+    airlightLeaveBlock(walk);
+  }
+}
+
 AIRLIGHT_FN AirlightCell airlightCell(AIRLIGHT_SAMPLES first, int3 size, int3 cell)
 {
   AirlightCell result;
@@ -184,8 +231,18 @@ AIRLIGHT_FN real airlightGridDepth(
   AirlightWalk walk = airlightWalk(grid, origin, direction, from, to);
   real sum = real(0.0);
   int most = airlightMostCells(walk);
-  for (int i = 0; i < most && walk.t < walk.end; i++)
+  int3 block = int3(-1);
+  for (int i = 0; i < most; i++)
   {
+    if (airlightBlock(walk) != block)
+    {
+      airlightLeaveEmptyBlocks(grid.first, walk);
+      block = airlightBlock(walk);
+    }
+    if (walk.t >= walk.end)
+    {
+      break;
+    }
     real end = airlightCellEnd(walk);
     real reach = real(0.5) * (end - walk.t);
     if (reach > real(0.0))
