@@ -145,9 +145,10 @@ real3 airlightBeside(AirlightLight light, AirlightRay ray, real t0, real3 before
     (light.attenuation.z * ray.foot.h);
 }
 
-// The integral over [t0, t1], with the value of airlightTail3 at t0. One place has both closed
-// forms, before and beyond the bounded media.
-real3 airlightBesideAndIn(AirlightLight light, AirlightRay ray, real t0, real3 tail, real t1)
+// The integral over [t0, t1], with the value of airlightTail3 at t0; it becomes that at t1 where it
+// is the optical depth. One place has both closed forms, before and beyond the bounded media.
+real3 airlightBesideAndIn(
+  AirlightLight light, AirlightRay ray, real t0, inout real3 tail, real t1)
 {
   real2 met = airlightHasClosedForm(light) ? airlightMet(light, ray, t0, t1) : real2(t0, t1);
   real3 before = tail;
@@ -173,5 +174,8 @@ real3 airlightBesideAndIn(AirlightLight light, AirlightRay ray, real t0, real3 t
 #endif
     }
   }
+#ifdef AIRLIGHT_GRID_STEPS
+  tail = before + AIRLIGHT_AROUND.sigmaT * (t1 - (met.y > met.x ? met.y : t0));
+#endif
   return sum;
 }

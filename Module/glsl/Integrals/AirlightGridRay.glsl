@@ -15,6 +15,8 @@
 #define AIRLIGHT_PANEL_ANGLE 0.8
 #define AIRLIGHT_MOST_PARTS 64.0
 #endif
+// By such a share may a step with one node change what is scattered.
+#define AIRLIGHT_SINGLE_CHANGE 0.02
 // Colours are cubics in a step, as the density is; ways to the light have kinks at the edges of a
 // surface.
 #if AIRLIGHT_ALBEDO_MEDIA || AIRLIGHT_GLOW_MEDIA || AIRLIGHT_HAS_SURFACE
@@ -22,55 +24,66 @@
 #else
 #define AIRLIGHT_LEAST_PARTS 1.0
 #endif
-// The next boundary often lies a little further on the same ray: what is known of it is kept.
-real3 airlightCachedOrigin = real3(0.0);
-real3 airlightCachedDirection = real3(0.0);
-real airlightCachedTo = -1.0;
-real3 airlightCachedDepth = real3(0.0);
 
-// The optical depth of all images on [from, to] of a ray.
-real3 airlightImagesDepth(real3 origin, real3 direction, real from, real to)
+// The optical depth on [from, to] of a ray.
+real3 airlightDepthOn(real3 origin, real3 direction, real from, real to)
 {
   real3 depth = real3(0.0);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (AIRLIGHT_IS_GRID(i))
-    {
-      depth += airlightMedia.item[i].sigmaT *
-        airlightGridDepthInRegion(
-          airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), origin, direction, from, to);
-    }
+    AirlightMedium medium = airlightMedia.item[i];
+    bool surface = AIRLIGHT_IS_SURFACE(i);
+    depth += medium.sigmaT *
+      (AIRLIGHT_IS_GRID(i)
+          ? airlightGridDepthInRegion(medium, surface, origin, direction, from, to)
+          : airlightPathDepth(medium, surface, origin + from * direction, direction, to - from));
   }
   return depth;
 }
 
-// The optical depth before t on the ray.
-real3 airlightDepthTo(AirlightRay ray, real t)
+// Whether what is scattered in a step changes so little beside the density that one node does, at
+// the density's centre: by how much its optical depth, its share of the distance from the light,
+// and `bends`, which are counted in parts, change it. In images of many cells most steps are such.
+bool airlightIsSingle(
+  AirlightLight light, AirlightRay ray, AirlightStep part, real reach, real nearest, real bends)
 {
-  bool known = airlightCachedTo >= ray.range.x && airlightCachedTo <= t &&
-    airlightCachedOrigin == ray.origin && airlightCachedDirection == ray.direction;
-  real from = known ? airlightCachedTo : ray.range.x;
-  real3 before = known ? airlightCachedDepth : real3(0.0);
-  airlightCachedOrigin = ray.origin;
-  airlightCachedDirection = ray.direction;
-  airlightCachedTo = t;
-  airlightCachedDepth = before + airlightImagesDepth(ray.origin, ray.direction, from, t);
-  real3 depth = airlightCachedDepth;
+#if AIRLIGHT_HAS_TABLE || AIRLIGHT_ALBEDO_MEDIA || AIRLIGHT_GLOW_MEDIA || AIRLIGHT_HAS_SURFACE
+  return false;
+#else
+  real slant = airlightIsDirectional(light) ? 0.0 : reach / nearest;
+  real most = max(max(part.rate, part.rise) * reach, max(slant, bends)) / AIRLIGHT_SINGLE_CHANGE;
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
-    if (!AIRLIGHT_IS_GRID(i))
+    if (AIRLIGHT_IS_GRID(i) && airlightIsInImage(part, i))
     {
-      depth += airlightMedia.item[i].sigmaT *
-        airlightPathDepth(
-          airlightMedia.item[i], AIRLIGHT_IS_SURFACE(i), ray.origin, ray.direction, t);
+      real3 moved = abs(real3x3(light.gridCells[i]) * (reach * ray.direction));
+      most = max(most, max(moved.x, max(moved.y, moved.z)));
     }
   }
-  return depth;
+  return most <= 1.0;
+#endif
 }
 
-// What is scattered at t, with the optical depth before it on the ray.
+// Where half of a step's density is before and half behind, in [0, 1].
+real airlightStepCentre(AirlightStep part)
+{
+  real2 sum = real2(0.0);
+  for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
+  {
+    if (AIRLIGHT_IS_GRID(i))
+    {
+      real4 c = airlightMedia.item[i].sigmaT.y * part.cubic[i];
+      sum += real2(c.x + 0.5 * c.y + c.z / 3.0 + 0.25 * c.w,
+        0.5 * c.x + c.y / 3.0 + 0.25 * c.z + 0.2 * c.w);
+    }
+  }
+  return sum.x > 0.0 ? clamp(sum.y / sum.x, 0.0, 1.0) : 0.5;
+}
+
+// What is scattered at t, with the optical depth before it on the ray; single: with the mean
+// density of the step.
 real3 airlightStepIntegrand(AirlightLight light, AirlightRay ray, AirlightStep part, real t,
-  real3 before, AirlightOutside outside)
+  bool single, real3 before, AirlightOutside outside)
 {
   real3 point = ray.origin + t * ray.direction;
   bool sun = airlightIsDirectional(light);
@@ -83,6 +96,9 @@ real3 airlightStepIntegrand(AirlightLight light, AirlightRay ray, AirlightStep p
     if (airlightIsInside(part, i))
     {
       real2 density = airlightStepDensity(i, part, ray.origin, ray.direction, t);
+      density.x = single
+        ? airlightStepDensity(i, part, ray.origin, ray.direction, part.to).y / (part.to - part.from)
+        : density.x;
       scattered += airlightStepScattering(i, part, t) *
         airlightPhase(airlightMedia.item[i].phase, cosTheta) * density.x;
       before += airlightMedia.item[i].sigmaT * density.y;
@@ -106,9 +122,11 @@ real3 airlightStepIntegral(AirlightLight light, AirlightRay ray, AirlightStep pa
   bool straight = airlightIsDirectional(light) || b - a <= AIRLIGHT_PART_SLANT * nearest;
   real v0 = straight ? a : airlightAsinh((a - tL) / ray.foot.h);
   real v1 = straight ? b : airlightAsinh((b - tL) / ray.foot.h);
+  real bends = airlightBehindImages(light, ray, part.inImages, a, b);
+  bool single = airlightIsSingle(light, ray, part, b - a, nearest, bends);
   real count = 2.0 * part.rate * (b - a) / AIRLIGHT_PART_DEPTH;
   count = straight ? count : max(count, (v1 - v0) / AIRLIGHT_PANEL_ANGLE);
-  count = max(count, airlightBehindImages(light, ray, part.inImages, a, b));
+  count = max(count, bends);
   count = max(count, max(part.rise * (b - a), AIRLIGHT_LEAST_PARTS));
   int parts = int(clamp(ceil(count), 1.0, AIRLIGHT_MOST_PARTS));
   real width = (v1 - v0) / real(parts);
@@ -128,14 +146,15 @@ real3 airlightStepIntegral(AirlightLight light, AirlightRay ray, AirlightStep pa
   }
 #endif
   real3 sum = real3(0.0);
-  for (int i = 0; i < 3 * parts; i++)
+  real centre = single ? airlightStepCentre(part) : 0.5;
+  for (int i = 0; i < (single ? 1 : 3 * parts); i++)
   {
-    int k = i % 3;
-    real node = k == 0 ? 0.11270166537925831 : k == 1 ? 0.5 : 0.88729833462074169;
+    int k = single ? 1 : i % 3;
+    real node = k == 0 ? 0.11270166537925831 : k == 1 ? centre : 0.88729833462074169;
     real v = v0 + (real(i / 3) + node) * width;
     real e = straight ? 1.0 : exp(v);
     real t = straight ? v : tL + 0.5 * ray.foot.h * (e - 1.0 / e);
-    real weight = k == 1 ? 0.44444444444444444 : 0.27777777777777778;
+    real weight = single ? 1.0 : k == 1 ? 0.44444444444444444 : 0.27777777777777778;
     weight *= straight ? 1.0 : 0.5 * ray.foot.h * (e + 1.0 / e);
     AirlightOutside outside = airlightMixOutside(first, last, (t - a) / (b - a));
 #if AIRLIGHT_HAS_SURFACE
@@ -144,7 +163,7 @@ real3 airlightStepIntegral(AirlightLight light, AirlightRay ray, AirlightStep pa
       outside = airlightOutsideAt(light, ray.origin + t * ray.direction);
     }
 #endif
-    sum += weight * airlightStepIntegrand(light, ray, part, t, before, outside);
+    sum += weight * airlightStepIntegrand(light, ray, part, t, single, before, outside);
   }
   return width * sum;
 }

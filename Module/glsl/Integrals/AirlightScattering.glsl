@@ -10,7 +10,7 @@ AIRLIGHT_FN real3 airlightTail3(
 {
 #ifdef AIRLIGHT_GRID_STEPS
   // There it is the optical depth before t.
-  return airlightDepthTo(ray, t);
+  return airlightDepthOn(ray.origin, ray.direction, ray.range.x, t);
 #else
   if (AIRLIGHT_LIGHT_KIND != AIRLIGHT_POINT_CLOSED)
   {
@@ -29,16 +29,29 @@ AIRLIGHT_FN real3 airlightTail3(
 #endif
 }
 
+#ifdef AIRLIGHT_GRID_STEPS
+// The integral on [t0, t1] per unit of the light's intensity; `depth` becomes that before t1.
+real3 airlightSteppedIntegral(
+  AirlightLight light, AirlightRay ray, real t0, inout real3 depth, real t1)
+{
+#ifdef AIRLIGHT_EVERYWHERE
+  return airlightBesideAndIn(light, ray, t0, depth, t1);
+#else
+  return airlightGridInterval(light, ray, t0, depth, t1);
+#endif
+}
+#endif
+
 // Radiance scattered into the ray on [t0, t1], which lies inside ray.lit; tail0 and tail1 are the
 // values of airlightTail3 at its ends.
 AIRLIGHT_FN real3 airlightInterval3(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
   AIRLIGHT_IN(AirlightRay) ray, real t0, real3 tail0, real t1, real3 tail1)
 {
   real3 integral;
-#ifdef AIRLIGHT_EVERYWHERE
+#ifdef AIRLIGHT_GRID_STEPS
+  integral = airlightSteppedIntegral(light, ray, t0, tail0, t1);
+#elif defined(AIRLIGHT_EVERYWHERE)
   integral = airlightBesideAndIn(light, ray, t0, tail0, t1);
-#elif defined(AIRLIGHT_GRID_STEPS)
-  integral = airlightGridInterval(light, ray, t0, tail0, t1);
 #else
   if (AIRLIGHT_LIGHT_KIND == AIRLIGHT_POINT_CLOSED)
   {
@@ -62,4 +75,29 @@ AIRLIGHT_FN real3 airlightInterval3(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight)
   }
 #endif
   return light.intensity * integral;
+}
+
+// The same over a run of the ray that is lit or not: `tail`, the value of airlightTail3 at t0,
+// becomes that at t1.
+AIRLIGHT_FN real3 airlightRun3(AIRLIGHT_MEDIA_IN AIRLIGHT_IN(AirlightLight) light,
+  AIRLIGHT_IN(AirlightRay) ray, bool lit, real t0, AIRLIGHT_INOUT(real3) tail, real t1)
+{
+#ifdef AIRLIGHT_GRID_STEPS
+  // Steps come upon the optical depth on their way.
+  real3 integral = real3(0.0);
+  if (lit)
+  {
+    integral = light.intensity * airlightSteppedIntegral(light, ray, t0, tail, t1);
+  }
+  else
+  {
+    tail += airlightDepthOn(ray.origin, ray.direction, t0, t1);
+  }
+  return integral;
+#else
+  real3 tail0 = tail;
+  tail = airlightTail3(AIRLIGHT_MEDIA_OUT light, ray, t1);
+  return lit ? airlightInterval3(AIRLIGHT_MEDIA_OUT light, ray, t0, tail0, t1, tail)
+             : real3(real(0.0));
+#endif
 }

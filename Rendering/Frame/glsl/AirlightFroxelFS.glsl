@@ -134,13 +134,14 @@ void main()
   {
     float to = clamp(unit * airlightFroxelDepth(node), from, max(from, ray.lit.y));
     vec4 next = arriveAt(pixel, node, ray.origin + to * ray.direction, arriving);
-    vec3 toTail = airlightTail3(light, ray, to);
-    vec3 part =
-      to > from ? airlightInterval3(light, ray, from, tail, to, toTail) : vec3(0.0);
+    vec3 part = vec3(0.0);
+    if (to > from)
+    {
+      part = airlightRun3(light, ray, true, from, tail, to);
+    }
     addPart(sum, mix(vec3(0.0), part, scatters), passing, next);
     setNode(pixel, node, sum);
     from = to;
-    tail = toTail;
     passing = next;
   }
 }

@@ -86,12 +86,11 @@ void main()
       float to = more ? clamp(t, from, ray.lit.y) : ray.lit.y;
       vec3 toTail = fromTail;
       vec3 part = vec3(0.0);
-      if (to > from)
+      if (to > from && (more || airlightPasses(passing)))
       {
-        toTail = airlightTail3(light, ray, to);
+        part = airlightRun3(light, ray, airlightPasses(passing), from, toTail, to);
         if (airlightPasses(passing))
         {
-          part = airlightInterval3(light, ray, from, fromTail, to, toTail);
           sum += airlightApplyTransmittance(part, passing);
 #ifdef AIRLIGHT_RECORD
           litLength += airlightLengthInside(ray.origin, ray.direction, from, to);
