@@ -522,6 +522,7 @@ void vtkParticipatingMedium::SetRegion(int type)
                   << airlight::ListRegionConstants() << ".");
     return;
   }
+  this->RegionChosen = true;
   if (this->Region != type)
   {
     this->Region = type;
@@ -591,6 +592,10 @@ void vtkParticipatingMedium::SetAxis(const double axis[3])
 void vtkParticipatingMedium::SetSurface(vtkPolyData* surface)
 {
   this->Apply(this->Impl->Surface.Set(surface));
+  if (!this->RegionChosen)
+  {
+    this->Region = this->GetSurface() ? SURFACE : UNBOUNDED;
+  }
 }
 
 vtkPolyData* vtkParticipatingMedium::GetSurface() { return this->Impl->Surface.Get(); }
@@ -616,6 +621,7 @@ void vtkParticipatingMedium::SetDensity(int type)
                   << " is not a density: use UNIFORM, EXPONENTIAL_HEIGHT or IMAGE.");
     return;
   }
+  this->DensityChosen = true;
   if (this->Density != type)
   {
     this->Density = type;
@@ -679,6 +685,10 @@ void vtkParticipatingMedium::SetUp(const double up[3]) { this->SetUp(up[0], up[1
 void vtkParticipatingMedium::SetDensityImage(vtkImageData* image)
 {
   this->Apply(this->Impl->Image.Set(image));
+  if (!this->DensityChosen)
+  {
+    this->Density = this->GetDensityImage() ? IMAGE : UNIFORM;
+  }
 }
 
 vtkImageData* vtkParticipatingMedium::GetDensityImage() { return this->Impl->Image.Get(); }

@@ -402,6 +402,7 @@ public:
    * in world coordinates. A point is inside if a path from infinity to it crosses the surface an
    * odd number of times: a surface within another one bounds a hole. Surfaces must not intersect
    * each other; give overlapping bodies separate media. Points at the same position count as one.
+   * A surface makes the region one of SetRegionToSurface() if SetRegion() has not been called.
    * Airlight is integrated by quadrature, see vtkAirlight.
    *
    * An empty or open mesh gives an error and the old surface is kept. If a mesh becomes so later,
@@ -487,7 +488,8 @@ public:
    * of its region and the image; an unbounded region is the axis-aligned box that contains the
    * image. Optical depths are summed cell by cell, to rounding; airlight is integrated by
    * quadrature. Range: one finite value for each point, 0 to 1e100; at least 2 points along each
-   * axis. Default: none.
+   * axis. Default: none. An image makes the density one of SetDensityToImage() if SetDensity() has
+   * not been called.
    *
    * An invalid image gives an error and the old one is kept. If it becomes invalid later, or there
    * is none, an error is reported when the medium is used, and the medium is ignored. Call
@@ -587,6 +589,7 @@ private:
   vtkMTimeType MultipleProblemTime = 0; // of the medium when it was last said that it has none
 
   int Region = UNBOUNDED;
+  bool RegionChosen = false; // by SetRegion()
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Radius = 1.0;
@@ -594,6 +597,7 @@ private:
   double Axis[3] = { 0.0, 1.0, 0.0 };
 
   int Density = UNIFORM;
+  bool DensityChosen = false; // by SetDensity()
   std::string AlbedoArrayName;
   std::string EmissionArrayName;
   double ScaleHeight = 1.0;

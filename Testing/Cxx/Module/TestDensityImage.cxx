@@ -296,6 +296,11 @@ void CheckUpdates()
     return -std::log(rgb[1]);
   };
   const auto isNear = [](double x, double y) { return std::abs(x - y) < 1e-12; };
+  Check(isNear(depth(), 1.0), "an image is in use where no density has been chosen");
+  medium->SetDensityImage(nullptr);
+  Check(isNear(depth(), 5.0), "without an image the density is uniform again");
+  medium->SetDensityToUniform();
+  medium->SetDensityImage(image);
   Check(isNear(depth(), 5.0), "an image that is not in use has no effect");
   medium->SetDensityToImage();
   Check(medium->GetDensity() == vtkParticipatingMedium::IMAGE, "the density is the image's");

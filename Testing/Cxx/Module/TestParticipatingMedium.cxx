@@ -9,6 +9,7 @@
 #include "Medium/AirlightConvert.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCubeSource.h"
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
 
@@ -259,6 +260,22 @@ void TestOrigins()
       a, b);
   }
 }
+
+//------------------------------------------------------------------------------
+// A surface makes the region, unless one has been chosen.
+void TestSurfaceAsRegion()
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetSurface(cube->GetOutput());
+  Check(medium->GetRegion() == vtkParticipatingMedium::SURFACE, "a surface is the region");
+  medium->SetSurface(nullptr);
+  Check(medium->GetRegion() == vtkParticipatingMedium::UNBOUNDED, "no surface, no region");
+  medium->SetRegionToBox();
+  medium->SetSurface(cube->GetOutput());
+  Check(medium->GetRegion() == vtkParticipatingMedium::BOX, "a region that was chosen stays");
+}
 }
 
 int TestParticipatingMedium(int, char*[])
@@ -268,5 +285,6 @@ int TestParticipatingMedium(int, char*[])
   TestDistances();
   TestBadInput();
   TestOrigins();
+  TestSurfaceAsRegion();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
