@@ -39,6 +39,8 @@ bool HasTrait(vtkObject* object, ClassTrait trait)
     // ParaView's: draws its mapper with an actor inside, to which it gives all that it has; while
     // the camera moves, it draws something coarser.
     { "vtkPVLODActor", { T::DrawsItsMapper } },
+    // An actor with axes as its mapper's input, in each of ParaView's views.
+    { "vtkPVCenterAxesActor", { T::DrawsItsMapper, T::DrawsItself } },
     // Props in places. Not vtkPropAssembly, which gives no actors.
     { "vtkAssembly", { T::DrawsItsParts } },
     // Six actors. Its labels are drawn over the frame.

@@ -10,8 +10,8 @@
 #ifndef AirlightDensityGrid_h
 #define AirlightDensityGrid_h
 
-#include "Density/AirlightFilledBlocks.h"
 #include "Density/AirlightDensitySamples.h"
+#include "Density/AirlightFilledBlocks.h"
 #include "vtkAirlightModule.h" // for export macro
 
 #include <glm/glm.hpp>

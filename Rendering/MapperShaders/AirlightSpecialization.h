@@ -22,7 +22,7 @@
 namespace airlight
 {
 // So many lights have lines of their own in the shaders; more share a loop.
-constexpr size_t MaximumUnrolledLights = 4;
+constexpr size_t MaximumUnrolledLights = 8;
 
 // For more lights, compilers take longer than the shaders save.
 constexpr size_t MaximumSpecializedLights = 8;

@@ -188,7 +188,8 @@ real3 airlightColourAt(AirlightColours colours, real u)
 }
 
 // The densities of a step, in the cells that are read.
-void airlightFindDensities(AirlightSteps steps, real3 origin, real3 direction, inout AirlightStep part)
+void airlightFindDensities(
+  AirlightSteps steps, real3 origin, real3 direction, inout AirlightStep part)
 {
   part.rate = 0.0;
   part.rise = 0.0;

@@ -69,11 +69,10 @@ double GetDensity(vtkImageData* image, const glm::dvec3& point)
   double density = 0.0;
   for (int corner = 0; corner < 8; ++corner)
   {
-    density += shares[corner] == 0.0
-      ? 0.0
-      : shares[corner] *
-        image->GetScalarComponentAsDouble(cell[0] + (corner & 1), cell[1] + ((corner >> 1) & 1),
-          cell[2] + (corner >> 2), 0);
+    density += shares[corner] == 0.0 ? 0.0
+                                     : shares[corner] *
+        image->GetScalarComponentAsDouble(
+          cell[0] + (corner & 1), cell[1] + ((corner >> 1) & 1), cell[2] + (corner >> 2), 0);
   }
   return density;
 }
