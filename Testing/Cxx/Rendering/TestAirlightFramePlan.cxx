@@ -131,8 +131,10 @@ void TestGeometryPasses()
   Check(!other.Make().SingleGeometryPass, "glass that casts: two passes");
   other.Properties.TranslucentShadows = false;
   Check(other.Make().SingleGeometryPass, "glass that does not: one pass");
-  other.Scene.Lights.resize(5, MakeLamp(false));
-  Check(!other.Make().SingleGeometryPass, "five lights, more than shaders are unrolled for");
+  other.Scene.Lights.resize(8, MakeLamp(false));
+  Check(other.Make().SingleGeometryPass, "eight lights, as many as shaders are unrolled for");
+  other.Scene.Lights.resize(9, MakeLamp(false));
+  Check(!other.Make().SingleGeometryPass, "nine lights, more than that");
   other.Scene.AllShadersInjectable = false;
   other.Properties.Technique = ShadowTechnique::None;
   Check(!other.Make().SingleGeometryPass, "a shader that the pass cannot change: two passes");
