@@ -64,7 +64,7 @@ bool airlightIsSingle(
 #endif
 }
 
-// Where half of a step's density is before and half behind, in [0, 1].
+// The centre of mass of a step's density, in [0, 1].
 real airlightStepCentre(AirlightStep part)
 {
   real2 sum = real2(0.0);

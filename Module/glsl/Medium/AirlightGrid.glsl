@@ -155,12 +155,13 @@ AIRLIGHT_FN void airlightLeaveBlock(AIRLIGHT_INOUT(AirlightWalk) walk)
   real end = min(min(leaves.x, leaves.y), min(leaves.z, walk.end));
   walk.t = max(walk.t, end);
   // Where it leaves the block, the next cell is beyond the face, whatever rounding says.
-  int3 cell = clamp(int3(floor(walk.origin + walk.t * walk.slope)), low, low + last);
+  int3 high = min(low + last, walk.size - 1);
+  int3 cell = clamp(int3(floor(walk.origin + walk.t * walk.slope)), low, high);
   int3 beyond = low + int3(walk.ahead) * (last + 1) + min(walk.stride, int3(0));
   int3 next = int3(mix(real3(cell), real3(beyond), lessThanEqual(leaves, real3(end))));
   walk.cell = clamp(next, int3(0), walk.size - 1);
   airlightFindLeaves(walk);
-  // Rounding may leave a rest behind the last block.
+  // Rounding may leave a rest behind the image.
   walk.t = walk.cell == next ? walk.t : walk.end;
 }
 

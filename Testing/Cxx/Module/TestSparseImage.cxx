@@ -139,6 +139,26 @@ bool CompareImage(std::uint64_t seed, const glm::ivec3& size, int puffs)
   const bool met = Check(filled > 20, Text(filled, " of 120 rays meet something"));
   return depth.Report() && met;
 }
+
+// A way in the last face of an image, along which a block is empty and the next one is not.
+bool CompareLastFace()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(21, 21, 21);
+  image->AllocateScalars(VTK_DOUBLE, 1);
+  image->GetPointData()->GetScalars()->Fill(0.0);
+  image->SetScalarComponentFromDouble(20, 5, 12, 0, 3.0);
+  vtkNew<vtkParticipatingMedium> medium;
+  medium->SetAbsorption(0.1, 0.1, 0.1);
+  medium->SetDensityImage(image);
+  medium->SetDensityToImage();
+  const double a[3] = { 20.0, 5.0, -1.0 };
+  const double b[3] = { 20.0, 5.0, 21.0 };
+  double passes[3];
+  vtkAirlight::Transmittance(medium, a, b, passes);
+  const double depth = -std::log(passes[0]) / 0.1;
+  return Check(std::abs(depth - 3.0) < 1e-9, Text("in the last face, the depth is ", depth));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -147,5 +167,6 @@ int TestSparseImage(int, char*[])
   const bool sparse = CompareImage(8101, glm::ivec3(61, 27, 43), 60);
   const bool even = CompareImage(8102, glm::ivec3(33, 33, 33), 30);
   const bool narrow = CompareImage(8103, glm::ivec3(9, 80, 10), 15);
-  return sparse && even && narrow ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool face = CompareLastFace();
+  return sparse && even && narrow && face ? EXIT_SUCCESS : EXIT_FAILURE;
 }
