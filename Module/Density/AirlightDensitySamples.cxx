@@ -77,6 +77,24 @@ bool DensitySamples::IsAnyAboveZero(size_t begin, size_t end) const
 }
 
 //------------------------------------------------------------------------------
+bool DensitySamples::IsAnyAboveZero(
+  const glm::ivec3& low, const glm::ivec3& high, const glm::ivec3& size) const
+{
+  for (int k = low.z; k <= high.z; ++k)
+  {
+    for (int j = low.y; j <= high.y; ++j)
+    {
+      const size_t row = (static_cast<size_t>(k) * size.y + j) * size.x;
+      if (this->IsAnyAboveZero(row + low.x, row + high.x + 1))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 std::pair<size_t, size_t> DensitySamples::FindAboveZero(size_t begin, size_t end) const
 {
   return std::visit(

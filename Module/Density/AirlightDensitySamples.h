@@ -46,6 +46,8 @@ public:
   }
 
   bool IsAnyAboveZero(size_t begin, size_t end) const;
+  // From one sample to another one, both included, of so many along each axis.
+  bool IsAnyAboveZero(const glm::ivec3& low, const glm::ivec3& high, const glm::ivec3& size) const;
   // The first and the last one that is; a first after the last where none is.
   std::pair<size_t, size_t> FindAboveZero(size_t begin, size_t end) const;
 

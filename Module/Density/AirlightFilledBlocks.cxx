@@ -18,19 +18,7 @@ FilledBlocks::FilledBlocks(const DensitySamples& samples, const glm::ivec3& size
   const glm::ivec3 blocks = (size - 2) / Cells + 1;
   this->Filled.resize(static_cast<size_t>(blocks.x) * blocks.y * blocks.z);
   const auto isFilled = [&](const glm::ivec3& low) {
-    const glm::ivec3 high = glm::min(low + Cells, size - 1);
-    for (int k = low.z; k <= high.z; ++k)
-    {
-      for (int j = low.y; j <= high.y; ++j)
-      {
-        const size_t row = size.x * (j + static_cast<size_t>(size.y) * k);
-        if (samples.IsAnyAboveZero(row + low.x, row + high.x + 1))
-        {
-          return true;
-        }
-      }
-    }
-    return false;
+    return samples.IsAnyAboveZero(low, glm::min(low + Cells, size - 1), size);
   };
   vtkSMPTools::For(0, blocks.z, [&](vtkIdType first, vtkIdType last) {
     size_t number = static_cast<size_t>(first) * blocks.x * blocks.y;

@@ -62,22 +62,8 @@ bool IsNeeded(const DensityGrid& grid, const glm::dvec3& node, const glm::dvec3&
   const glm::ivec3 low = glm::max(glm::ivec3(glm::floor((node - 1.0) * scale)), 0);
   const glm::ivec3 high = glm::min(glm::ivec3(glm::ceil((node + 1.0) * scale)), size - 1);
   const glm::ivec3 count = high - low + 1;
-  if (static_cast<double>(count.x) * count.y * count.z > MostSearched)
-  {
-    return true;
-  }
-  for (int k = low.z; k <= high.z; ++k)
-  {
-    for (int j = low.y; j <= high.y; ++j)
-    {
-      const size_t row = (static_cast<size_t>(k) * size.y + j) * size.x;
-      if (grid.GetSamples().IsAnyAboveZero(row + low.x, row + high.x + 1))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+  return static_cast<double>(count.x) * count.y * count.z > MostSearched ||
+    grid.GetSamples().IsAnyAboveZero(low, high, size);
 }
 
 // The mean of those points around a point that are known, those that were measured; 0 without any.
