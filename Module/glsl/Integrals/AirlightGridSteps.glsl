@@ -59,11 +59,7 @@ void airlightFindFilled(inout AirlightSteps steps, int i)
   int most = airlightMostCells(walk);
   for (int k = 0; k < most && !found; k++)
   {
-    if (airlightBlock(walk) != block)
-    {
-      airlightLeaveEmptyBlocks(first, walk);
-      block = airlightBlock(walk);
-    }
+    airlightLeaveEmptyBlocks(first, walk, block);
     if (walk.t >= walk.end)
     {
       break;

@@ -165,13 +165,15 @@ AIRLIGHT_FN void airlightLeaveBlock(AIRLIGHT_INOUT(AirlightWalk) walk)
   walk.t = walk.cell == next ? walk.t : walk.end;
 }
 
+// `block`: the one that it was found in before, of which nothing needs to be read again.
 AIRLIGHT_FN void airlightLeaveEmptyBlocks(
-  AIRLIGHT_SAMPLES first, AIRLIGHT_INOUT(AirlightWalk) walk)
+  AIRLIGHT_SAMPLES first, AIRLIGHT_INOUT(AirlightWalk) walk, AIRLIGHT_INOUT(int3) block)
 {
-  while (walk.t < walk.end && airlightIsInEmptyBlock(first, walk))
+  while (airlightBlock(walk) != block && walk.t < walk.end && airlightIsInEmptyBlock(first, walk))
   {
     airlightLeaveBlock(walk);
   }
+  block = airlightBlock(walk);
 }
 
 AIRLIGHT_FN AirlightCell airlightCell(AIRLIGHT_SAMPLES first, int3 size, int3 cell)
@@ -235,11 +237,7 @@ AIRLIGHT_FN real airlightGridDepth(
   int3 block = int3(-1);
   for (int i = 0; i < most; i++)
   {
-    if (airlightBlock(walk) != block)
-    {
-      airlightLeaveEmptyBlocks(grid.first, walk);
-      block = airlightBlock(walk);
-    }
+    airlightLeaveEmptyBlocks(grid.first, walk, block);
     if (walk.t >= walk.end)
     {
       break;
