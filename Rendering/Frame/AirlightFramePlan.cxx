@@ -148,7 +148,7 @@ void PlanGeometryPasses(FramePlan& plan, const SceneFacts& scene)
   const bool transmits =
     plan.Shadows == ShadowMethod::Planes && plan.TranslucentShadows && scene.TranslucentCasters;
   plan.SingleGeometryPass = plan.AllOpaque && !transmits &&
-    scene.Lights.size() <= MaximumUnrolledLights &&
+    scene.Lights.size() <= MaximumSpecializedLights &&
     std::count_if(scene.Lights.begin(), scene.Lights.end(), shadows) == 1;
   if (plan.SingleGeometryPass)
   {

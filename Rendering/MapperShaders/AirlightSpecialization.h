@@ -21,10 +21,8 @@
 
 namespace airlight
 {
-// So many lights have lines of their own in the shaders; more share a loop.
-constexpr size_t MaximumUnrolledLights = 8;
-
-// For more lights, compilers take longer than the shaders save.
+// So many lights have lines of their own in the shaders; more share a loop: for them, compilers
+// take longer than the shaders save.
 constexpr size_t MaximumSpecializedLights = 8;
 
 struct LightSpecialization

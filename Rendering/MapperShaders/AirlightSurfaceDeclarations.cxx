@@ -83,7 +83,7 @@ std::string GetReceivedLight(const LightSpecialization& sceneLight, const std::s
 std::string DefineEachLight(const std::vector<LightSpecialization>& lights, int shadowingLight)
 {
   std::string lines;
-  for (size_t k = 0; k < lights.size() && lights.size() <= MaximumUnrolledLights; ++k)
+  for (size_t k = 0; k < lights.size(); ++k)
   {
     const std::string index = std::to_string(k);
     lines += " airlightReceivedLight[" + index +
