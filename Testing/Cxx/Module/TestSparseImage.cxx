@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 
 using namespace airlight_test;
@@ -87,7 +88,7 @@ double SumDepth(vtkImageData* image, const glm::dvec3& a, const glm::dvec3& b)
   return sum / Steps * glm::length(b - a);
 }
 
-// Every fourth ray is along an axis, and every eighth of them in faces of blocks: the image's
+// Every fourth ray is along an axis, and every other one of them in faces of blocks: the image's
 // spacing is 1.
 void FindRay(Random& random, const glm::dvec3& size, int number, glm::dvec3& a, glm::dvec3& b)
 {
