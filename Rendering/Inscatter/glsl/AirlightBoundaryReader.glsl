@@ -23,8 +23,6 @@
 //
 //   int airlightBoundaryCount
 //   int airlightBoundaryWeights
-//
-// If AIRLIGHT_NO_BOUNDARIES is defined, no pixel has any.
 
 const int AIRLIGHT_MORE = 0;  // a boundary
 const int AIRLIGHT_PAUSE = 1; // the rest is the next draw's

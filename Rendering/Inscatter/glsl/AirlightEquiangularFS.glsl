@@ -22,15 +22,6 @@ void main()
 #endif
   airlightGive(pixel.sum + more, pixel.surfaceLit);
 #ifdef AIRLIGHT_RECORD
-  airlightRecord(pixel.sum, more);
-  float bound = multipleError * brightest(more) + phaseError * brightest(pixel.sum) +
-    error * brightest(pixel.whole);
-#if AIRLIGHT_MULTIPLE_LAMP >= 0
-  bound += AIRLIGHT_NODES_ERROR * brightest(pixel.whole);
-#endif
-#ifdef AIRLIGHT_BOUNDARY_ERROR
-  bound += AIRLIGHT_BOUNDARY_ERROR * brightest(pixel.whole);
-#endif
-  counts = vec4(float(pixel.boundaries), bound, pixel.litLength, 0.0);
+  airlightRecord(pixel.sum, more, pixel.whole, pixel.boundaries, pixel.litLength);
 #endif
 }

@@ -1,6 +1,4 @@
-// A light without shadows: no boundaries. The ray's airlight is then that without shadows; found a
-// second time it would take compilers twice as long.
-#define AIRLIGHT_NO_BOUNDARIES
+// A light without shadows: no boundaries.
 
 const int airlightBoundaryCount = 0;
 const int airlightBoundaryWeights = 0;

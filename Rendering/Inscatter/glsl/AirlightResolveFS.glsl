@@ -4,6 +4,13 @@
 uniform AirlightLightPixel lightPixel;
 
 #ifdef AIRLIGHT_RECORD
+// What runs in the dark would scatter is a part of what the error is bounded by.
+const bool wantsDark = true;
+#else
+const bool wantsDark = false;
+#endif
+
+#if defined(AIRLIGHT_RECORD) && defined(AIRLIGHT_RAY_MARCH)
 // Scattered along the whole ray, shadows or not.
 vec3 unshadowed(AirlightRay ray)
 {
@@ -37,7 +44,9 @@ void main()
   vec3 sum = airlightMarched(ray, surface, litLength, boundaries, surfaceLit);
   int state = AIRLIGHT_END;
   int shadows = surfaceLit ? 0 : 1;
-  bool shadowless = false;
+#ifdef AIRLIGHT_RECORD
+  vec3 whole = unshadowed(ray);
+#endif
 #else
   float from = ray.lit.x;
   float runStart = -1.0; // of what is lit, or not, as a whole
@@ -57,10 +66,10 @@ void main()
 #endif
   vec3 fromTail = airlightTail3(light, ray, from);
   vec3 sum = vec3(0.0);
+  vec3 whole = vec3(0.0); // without shadows; where the error is recorded
   float litLength = 0.0;
   int boundaries = 0;
   AirlightPassing passing = airlightPassing(shadows);
-  bool startsLit = airlightPassesUndimmed(passing);
 
   int state = AIRLIGHT_MORE;
   while (state == AIRLIGHT_MORE)
@@ -86,9 +95,10 @@ void main()
       float to = more ? clamp(t, from, ray.lit.y) : ray.lit.y;
       vec3 toTail = fromTail;
       vec3 part = vec3(0.0);
-      if (to > from && (more || airlightPasses(passing)))
+      if (to > from && (more || wantsDark || airlightPasses(passing)))
       {
-        part = airlightRun3(light, ray, airlightPasses(passing), from, toTail, to);
+        part = airlightRun3(light, ray, wantsDark || airlightPasses(passing), from, toTail, to);
+        whole += part;
         if (airlightPasses(passing))
         {
           sum += airlightApplyTransmittance(part, passing);
@@ -117,11 +127,6 @@ void main()
   }
 #endif
   airlightCloseBoundaries(pixel, state, from, shadows);
-#ifdef AIRLIGHT_NO_BOUNDARIES
-  const bool shadowless = true;
-#else
-  bool shadowless = boundaries == 0 && startsLit;
-#endif
 #endif
 
 #ifdef AIRLIGHT_TRANSLUCENT_FRAGMENTS
@@ -144,19 +149,9 @@ void main()
   airlightGive(
     sum + more, state == AIRLIGHT_END && airlightPasses(airlightPassing(shadows)));
 #ifdef AIRLIGHT_RECORD
-  airlightRecord(sum, more);
-  // Not less than with shadows, but where a driver ends loops early (AirlightQuadrature.glsl).
-  vec3 whole = shadowless ? sum : max(unshadowed(ray), sum);
-  whole = mix(vec3(0.0), whole, greaterThan(sigmaS, vec3(0.0)));
-  // A ray that takes several draws has this error once.
-  float bound = phaseError * brightest(sum) + multipleError * brightest(more) +
-    (state == AIRLIGHT_PAUSE ? 0.0 : error * brightest(whole));
-#if AIRLIGHT_MULTIPLE_LAMP >= 0
-  bound += state == AIRLIGHT_PAUSE ? 0.0 : AIRLIGHT_NODES_ERROR * brightest(whole);
-#endif
-#ifdef AIRLIGHT_BOUNDARY_ERROR
-  bound += state == AIRLIGHT_PAUSE ? 0.0 : AIRLIGHT_BOUNDARY_ERROR * brightest(whole);
-#endif
-  counts = vec4(float(boundaries), bound, litLength, 0.0);
+  // Not less than with shadows, but where a driver ends loops early (AirlightQuadrature.glsl). Of a
+  // ray that takes several draws, each counts its own part.
+  whole = mix(vec3(0.0), max(whole, sum), greaterThan(sigmaS, vec3(0.0)));
+  airlightRecord(sum, more, whole, boundaries, litLength);
 #endif
 }

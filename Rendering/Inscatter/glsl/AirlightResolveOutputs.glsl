@@ -37,17 +37,28 @@ void airlightGive(vec3 radiance, bool surfaceLit)
 }
 
 #ifdef AIRLIGHT_RECORD
-// What the light scatters once into the pixel's ray, and more than once.
-void airlightRecord(vec3 once, vec3 more)
+float brightest(vec3 colour)
+{
+  return max(colour.r, max(colour.g, colour.b));
+}
+
+// What the light scatters once into the pixel's ray, and more than once; `whole`: the former without
+// shadows.
+void airlightRecord(vec3 once, vec3 more, vec3 whole, int boundaries, float litLength)
 {
   single = vec4(once, airlight.a);
 #if AIRLIGHT_MULTIPLE
   several = vec4(more, 0.0);
 #endif
-}
-
-float brightest(vec3 colour)
-{
-  return max(colour.r, max(colour.g, colour.b));
+  float ofWhole = error;
+#if AIRLIGHT_MULTIPLE_LAMP >= 0
+  ofWhole += AIRLIGHT_NODES_ERROR;
+#endif
+#ifdef AIRLIGHT_BOUNDARY_ERROR
+  ofWhole += AIRLIGHT_BOUNDARY_ERROR;
+#endif
+  float bound =
+    phaseError * brightest(once) + multipleError * brightest(more) + ofWhole * brightest(whole);
+  counts = vec4(float(boundaries), bound, litLength, 0.0);
 }
 #endif

@@ -52,11 +52,6 @@ bool airlightPasses(vec3 passing)
   return any(greaterThan(passing, vec3(0.0)));
 }
 
-bool airlightPassesUndimmed(vec3 passing)
-{
-  return passing == vec3(1.0);
-}
-
 vec3 airlightApplyTransmittance(vec3 radiance, vec3 passing)
 {
   return radiance * passing;
@@ -90,11 +85,6 @@ bool airlightPassing(int count)
 }
 
 bool airlightPasses(bool lit)
-{
-  return lit;
-}
-
-bool airlightPassesUndimmed(bool lit)
 {
   return lit;
 }
