@@ -190,12 +190,17 @@ real3 airlightGridPiece(
   real3 sum = real3(0.0);
   real kink = piece.from;
   real open = piece.from;
-  airlightWalkToFilled(steps, piece);
   int others = piece.inside & ~AIRLIGHT_GRID_MEDIA;
-  open = others == 0 ? steps.t : open;
-  AirlightPiece air = AirlightPiece(open, steps.t, others, piece.depth);
+  AirlightPiece air;
+  bool walks = true;
   for (int i = 0; i < steps.most && open < piece.to && !airlightIsDark(piece.depth, clear); i++)
   {
+    if (walks)
+    {
+      airlightWalkToFilled(steps, piece);
+      open = others == 0 ? steps.t : open;
+      air = AirlightPiece(open, steps.t, others, piece.depth);
+    }
     AirlightStep part = airlightStepAt(steps, piece);
     bool isOpen = open < steps.t;
     bool counts = true;
@@ -227,12 +232,10 @@ real3 airlightGridPiece(
       piece.depth += airlightStepDepth(part, ray.origin, ray.direction, part.to);
     }
     open = part.to;
-    if (!isOpen)
+    walks = !isOpen;
+    if (walks)
     {
       airlightLeaveStep(steps, part);
-      airlightWalkToFilled(steps, piece);
-      open = others == 0 ? steps.t : open;
-      air = AirlightPiece(open, steps.t, others, piece.depth);
     }
   }
   return sum;

@@ -11,7 +11,8 @@ struct AirlightSteps
   AirlightWalk walk[AIRLIGHT_MEDIUM_COUNT]; // of media with images
   AirlightCell cell[AIRLIGHT_MEDIUM_COUNT]; // where airlightWalkToFilled() has stopped
   real t;
-  int most; // more steps are on no ray
+  bool first; // no image has been walked yet
+  int most;   // more steps are on no ray
 };
 
 // Colours along a ray in a cell: at its ends, and at a third and two thirds of it.
@@ -78,6 +79,7 @@ AirlightSteps airlightSteps(AirlightPiece piece, real3 origin, real3 direction)
 {
   AirlightSteps steps;
   steps.t = piece.from;
+  steps.first = true;
   steps.most = 2 * AIRLIGHT_MOST_KINKS * (AIRLIGHT_DIMMING_COUNT - AIRLIGHT_MEDIUM_COUNT);
   for (int i = 0; i < AIRLIGHT_MEDIUM_COUNT; i++)
   {
@@ -87,7 +89,6 @@ AirlightSteps airlightSteps(AirlightPiece piece, real3 origin, real3 direction)
       real to = airlightPieceHolds(piece, i) ? piece.to : piece.from;
       steps.walk[i] = airlightWalk(airlightMedia.item[i].grid, origin, direction, piece.from, to);
       steps.most += airlightMostCells(steps.walk[i]);
-      airlightFindFilled(steps, i);
     }
   }
   return steps;
@@ -127,7 +128,8 @@ void airlightLeaveStep(inout AirlightSteps steps, AirlightStep part)
 }
 
 // Walks on to where an image has something, or the piece ends. Clouds are mostly empty, and the air
-// between them needs no cells. Images that are not there yet have been walked before.
+// between them needs no cells. Images that are not there yet have been walked before. It stands once
+// in a loop: compilers take longer where it stands before it, too.
 void airlightWalkToFilled(inout AirlightSteps steps, AirlightPiece piece)
 {
   real next = piece.to;
@@ -135,7 +137,7 @@ void airlightWalkToFilled(inout AirlightSteps steps, AirlightPiece piece)
   {
     if (AIRLIGHT_IS_GRID(i))
     {
-      if (steps.walk[i].t <= steps.t)
+      if (steps.first || steps.walk[i].t <= steps.t)
       {
         airlightFindFilled(steps, i);
       }
@@ -143,6 +145,7 @@ void airlightWalkToFilled(inout AirlightSteps steps, AirlightPiece piece)
     }
   }
   steps.t = max(steps.t, next);
+  steps.first = false;
 }
 
 // Between an array's colours at the corners of a cell.
