@@ -42,8 +42,8 @@ float brightest(vec3 colour)
   return max(colour.r, max(colour.g, colour.b));
 }
 
-// What the light scatters once into the pixel's ray, and more than once; `whole`: the former without
-// shadows.
+// What the light scatters once into the pixel's ray, and more than once; `whole`: the former, were
+// there no shadows.
 void airlightRecord(vec3 once, vec3 more, vec3 whole, int boundaries, float litLength)
 {
   single = vec4(once, airlight.a);
