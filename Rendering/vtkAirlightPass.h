@@ -428,12 +428,11 @@ public:
    * of the window are. The mean is displayed, not its frames. The renderer's FXAA is left out. One
    * frame is drawn for selections, for debug views of counts and planes, for a renderer that keeps
    * depths of others (vtkRenderer::PreserveDepthBuffer, Erase off), and for cameras with
-   * UseOffAxisProjection or UseExplicitProjectionTransformMatrix; and while the user moves
-   * something, which a window's DesiredUpdateRate of 1 or more tells, as interactor styles set it:
-   * the frame at rest that they draw then has all. After each frame the pass invokes
-   * vtkCommand::ProgressEvent with the share that is done. vtkRenderWindow::CheckAbortStatus() and
-   * input that waits in a window with an interactor end the mean with that frame.
-   * Range: 1 to 1024. Default: 1.
+   * UseOffAxisProjection; and while the user moves something, which a window's DesiredUpdateRate of
+   * 1 or more tells, as interactor styles set it: the frame at rest that they draw then has all.
+   * After each frame the pass invokes vtkCommand::ProgressEvent with the share that is done.
+   * vtkRenderWindow::CheckAbortStatus() and input that waits in a window with an interactor end the
+   * mean with that frame. Range: 1 to 1024. Default: 1.
    */
   vtkSetClampMacro(SubpixelFrames, int, 1, 1024);
   vtkGetMacro(SubpixelFrames, int);

@@ -7,9 +7,12 @@
 #ifndef AirlightMovedCamera_h
 #define AirlightMovedCamera_h
 
-#include "vtkCamera.h"
+#include "vtkSmartPointer.h"
 
 #include <glm/vec2.hpp>
+
+class vtkCamera;
+class vtkMatrix4x4;
 
 namespace airlight
 {
@@ -17,20 +20,15 @@ class MovedCamera
 {
 public:
   // `offset` and `size` in pixels: of a picture in tiles, a camera shows one.
-  MovedCamera(vtkCamera* camera, const glm::dvec2& offset, const glm::dvec2& size)
-    : Camera(camera)
-  {
-    this->Camera->GetWindowCenter(this->Center);
-    const glm::dvec2 moved = 2.0 * offset / size;
-    this->Camera->SetWindowCenter(this->Center[0] + moved.x, this->Center[1] + moved.y);
-  }
-  ~MovedCamera() { this->Camera->SetWindowCenter(this->Center[0], this->Center[1]); }
+  MovedCamera(vtkCamera* camera, const glm::dvec2& offset, const glm::dvec2& size);
+  ~MovedCamera();
   MovedCamera(const MovedCamera&) = delete;
   void operator=(const MovedCamera&) = delete;
 
 private:
   vtkCamera* Camera;
   double Center[2];
+  vtkSmartPointer<vtkMatrix4x4> Projection; // if the camera has a matrix of its own
 };
 }
 

@@ -15,13 +15,13 @@
 namespace airlight
 {
 //------------------------------------------------------------------------------
-// A renderer that keeps depths of others is drawn among them, by one frame. Cameras with a matrix
-// of their own cannot be moved, and what debug views show are no colours.
+// A renderer that keeps depths of others is drawn among them, by one frame. Cameras off their axis
+// cannot be moved, and what debug views show are no colours.
 bool SubpixelFrames::MayAverage(vtkRenderer* renderer, DebugView view)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   return renderer->GetErase() && !renderer->GetPreserveDepthBuffer() &&
-    !camera->GetUseOffAxisProjection() && !camera->GetUseExplicitProjectionTransformMatrix() &&
+    !camera->GetUseOffAxisProjection() &&
     (view == DebugView::Shaded || view == DebugView::AirlightOnly);
 }
 

@@ -10,6 +10,7 @@ airlight_sources(
     AirlightGaussianFragments
     AirlightIdleRender
     AirlightMapperHooks
+    AirlightMovedCamera
     AirlightPassMessages
     AirlightPassRenderer
     AirlightRefinement

@@ -12,6 +12,7 @@
 #include "AirlightTestWindowScene.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkMatrix4x4.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
@@ -153,10 +154,44 @@ void TestOneFrame()
   check("depths of others");
   scene.Renderer->PreserveDepthBufferOff();
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  camera->SetExplicitProjectionTransformMatrix(
-    camera->GetProjectionTransformMatrix(scene.Renderer->GetTiledAspectRatio(), -1, 1));
-  camera->UseExplicitProjectionTransformMatrixOn();
-  check("a matrix of its own");
+  camera->UseOffAxisProjectionOn();
+  check("off the axis");
+}
+
+//------------------------------------------------------------------------------
+// Of a camera with a matrix of its own, as VTK's own of the same view; with multisampling, too.
+void TestOwnMatrix()
+{
+  for (const int frames : { 4, 1 })
+  {
+    WindowScene scene(Width, Height, 1);
+    scene.Window->SetMultiSamples(4);
+    const Picture one = Capture(scene.Window);
+    scene.Pass->SetSubpixelFrames(frames);
+    scene.Pass->MultisamplingOn();
+    const Picture expected = Capture(scene.Window);
+    vtkCamera* camera = scene.Renderer->GetActiveCamera();
+    vtkNew<vtkMatrix4x4> projection;
+    projection->DeepCopy(
+      camera->GetProjectionTransformMatrix(scene.Renderer->GetTiledAspectRatio(), -1, 1));
+    vtkNew<vtkMatrix4x4> kept;
+    kept->DeepCopy(projection);
+    camera->SetExplicitProjectionTransformMatrix(projection);
+    camera->UseExplicitProjectionTransformMatrixOn();
+    const Picture seen = Capture(scene.Window);
+    int largest = 0;
+    int changed = 0;
+    for (size_t i = 0; i < seen.size(); ++i)
+    {
+      largest = std::max(largest, std::abs(seen[i] - expected[i]));
+      changed += seen[i] != one[i] ? 1 : 0;
+    }
+    Check(largest <= 1, Text("a matrix of its own, ", frames, " frames: off by ", largest));
+    Check(changed > 100, Text("edges of ", changed, " numbers are smooth"));
+    Check(camera->GetExplicitProjectionTransformMatrix() == projection.Get() &&
+        std::equal(kept->GetData(), kept->GetData() + 16, projection->GetData()),
+      "the camera has its matrix again");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -212,6 +247,7 @@ int TestSubpixelFrames(int, char*[])
   TestBuffers();
   TestAnnotations();
   TestOneFrame();
+  TestOwnMatrix();
   TestProgress();
   const auto smooth = [](Scene& scene, vtkRenderWindow*) { scene.Pass->SetSubpixelFrames(16); };
   CheckViewports(Width, Height, smooth);
