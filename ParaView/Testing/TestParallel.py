@@ -13,6 +13,9 @@ import numpy as np
 import paraviewtest as test
 
 HERE = pathlib.Path(__file__).resolve().parent
+# Pictures that are the same on any number of ranks.
+SAME = ("fog", "selected", "moved", "cloud", "gradient", "clear", "off", "translucent", "refined",
+        "volume", "scattering")
 RUN = HERE.parents[1] / "Utilities" / "paraview-test.sh"
 
 
@@ -39,9 +42,9 @@ class Parallel(unittest.TestCase):
         for ranks in (1, 2, 4):
             name = f"ranks{ranks}"
             texts[ranks] = self.run_scene(ranks, name)
-            for step in ("fog", "selected", "smooth", "moved", "cloud", "translucent", "off"):
+            for step in SAME + ("smooth", "parts"):
                 pictures[ranks, step] = test.read_png(test.OUTPUT / f"{name}-{step}.png")
-        for step in ("fog", "selected", "moved", "cloud", "off"):
+        for step in SAME:
             serial = pictures[1, step]
             self.assertGreater(serial.std(), 5, "there is something to be seen")
             for ranks in (2, 4):
@@ -78,7 +81,11 @@ class Parallel(unittest.TestCase):
             self.assertGreater(gathered[ranks], 48 * 4, "the plate's four edges, and more")
             self.assertLess(gathered[ranks], 36 * cells / 2)
 
-        # A translucent surface is composited in order; that is said, once.
+        for before, after in (("cloud", "gradient"), ("cloud", "translucent"), ("translucent", "refined"),
+                              ("translucent", "volume"), ("volume", "scattering")):
+            changed = np.abs(pictures[1, after] - pictures[1, before]) > 3
+            self.assertGreater(np.mean(changed), 0.005, (before, after))
+        # Above the limit, volumes are composited in order; that is said, once.
         for ranks in (1, 2, 4):
             self.assertEqual("rank by rank, without depth" in texts[ranks], ranks > 1)
             self.assertEqual("draws on one process only" in texts[ranks], ranks > 1)

@@ -61,13 +61,34 @@ except RuntimeError as error:
 # Something moved: gathered again.
 small.Center = [-0.75, 0.55, 0.45]
 test.picture(view, name + "-moved")
-# A cloud before the background, which the ranks do not have.
+# A coloured cloud before backgrounds, beyond the data, and without a background.
 view.Region = "Sphere"
 view.RegionRadius = 0.9
-view.Scattering = [0.9] * 3
+view.Scattering = [0.9, 0.5, 0.2]
 test.picture(view, name + "-cloud")
+view.Background2 = [0.9, 0.7, 0.2]
+view.BackgroundColorMode = "Gradient"
+test.picture(view, name + "-gradient")
+view.BackgroundColorMode = "Single Color"
+test.picture(view, name + "-clear", TransparentBackground=1)
 view.Airlight = 0
 test.picture(view, name + "-off")
 view.Airlight = 1
+# What only one rank can draw.
 displays[3].Opacity = 0.5
 test.picture(view, name + "-translucent")
+view.SubpixelFrames = 4
+test.picture(view, name + "-refined")
+view.SubpixelFrames = 1
+wavelet = simple.Wavelet(WholeExtent=[-8, 8] * 3)
+volume = test.show(view, wavelet)[0]
+volume.SetRepresentationType("Volume")
+simple.ColorBy(volume, ("POINTS", "RTData"))
+volume.SetScalarBarVisibility(view, False)
+volume.Scale = [0.05] * 3
+volume.Position = [0.2, 0.5, 0.3]
+test.picture(view, name + "-volume")
+view.VolumesScatter = 1
+test.picture(view, name + "-scattering")
+view.GatherLimit = 0
+test.picture(view, name + "-parts")

@@ -36,19 +36,83 @@ AirlightFarPass::~AirlightFarPass() = default;
 void AirlightFarPass::SetDelegate(vtkRenderPass* delegate) { this->Delegate = delegate; }
 
 //------------------------------------------------------------------------------
+void AirlightFarPass::SetBackground(vtkRenderer* renderer)
+{
+  this->HasBackground = renderer != nullptr;
+  if (renderer)
+  {
+    this->Kept = AirlightFarPass::GetBackground(renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
+AirlightFarPass::Background AirlightFarPass::GetBackground(vtkRenderer* renderer)
+{
+  Background background;
+  renderer->GetBackground(background.Colour);
+  background.Gradient = renderer->GetGradientBackground();
+  background.Textured = renderer->GetTexturedBackground();
+  return background;
+}
+
+//------------------------------------------------------------------------------
+void AirlightFarPass::PutBackground(vtkRenderer* renderer, const Background& background)
+{
+  renderer->SetBackground(background.Colour);
+  renderer->SetGradientBackground(background.Gradient);
+  renderer->SetTexturedBackground(background.Textured);
+}
+
+//------------------------------------------------------------------------------
 void AirlightFarPass::Render(const vtkRenderState* s)
 {
-  this->Delegate->Render(s);
-  this->NumberOfRenderedProps = this->Delegate->GetNumberOfRenderedProps();
+  vtkRenderer* renderer = s->GetRenderer();
+  const bool selects = renderer->GetSelector() != nullptr;
+  if (!this->Draws && !selects)
+  {
+    renderer->Clear();
+    this->NumberOfRenderedProps = 0;
+    return;
+  }
+  this->RenderScene(s);
   if (this->Rendered)
   {
     this->Rendered();
   }
-  if (!this->Moves || s->GetRenderer()->GetSelector())
+  if (this->Moves && !selects)
   {
-    return;
+    this->MoveBackground(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   }
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(s->GetRenderer()->GetRenderWindow());
+}
+
+//------------------------------------------------------------------------------
+void AirlightFarPass::RenderScene(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  const bool opaque = this->HasBackground && !renderer->GetSelector();
+  const Background given = AirlightFarPass::GetBackground(renderer);
+  if (opaque)
+  {
+    AirlightFarPass::PutBackground(renderer, this->Kept);
+  }
+  this->Delegate->Render(s);
+  this->NumberOfRenderedProps = this->Delegate->GetNumberOfRenderedProps();
+  if (opaque)
+  {
+    AirlightFarPass::PutBackground(renderer, given);
+    vtkOpenGLState* state =
+      vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState();
+    vtkOpenGLState::ScopedglColorMask maskSaver(state);
+    vtkOpenGLState::ScopedglClearColor clearSaver(state);
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  }
+}
+
+//------------------------------------------------------------------------------
+void AirlightFarPass::MoveBackground(vtkOpenGLRenderWindow* window)
+{
   if (!this->Quad)
   {
     this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, FragmentShader, nullptr);

@@ -15,8 +15,10 @@
 #include "vtkImageProcessingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMPIMoveData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVCenterAxesActor.h"
@@ -230,7 +232,7 @@ void vtkPVAirlightRenderView::SetOutputColorSpace(int space)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVAirlightRenderView::SetMultisampling(bool on) { this->Pass->SetMultisampling(on); }
+void vtkPVAirlightRenderView::SetMultisampling(bool on) { this->Multisampling = on; }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetToneMapping(int curve)
@@ -313,10 +315,7 @@ void vtkPVAirlightRenderView::SetLampPhotometryUp(double x, double y, double z)
 void vtkPVAirlightRenderView::SetDithering(bool on) { this->Pass->SetDithering(on); }
 
 //------------------------------------------------------------------------------
-void vtkPVAirlightRenderView::SetSubpixelFrames(int frames)
-{
-  this->Pass->SetSubpixelFrames(frames);
-}
+void vtkPVAirlightRenderView::SetSubpixelFrames(int frames) { this->SubpixelFrames = frames; }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetDebugView(int view) { this->Pass->SetDebugView(view); }
@@ -417,8 +416,38 @@ void vtkPVAirlightRenderView::UpdateMedia()
 void vtkPVAirlightRenderView::Update()
 {
   this->Superclass::Update();
+  this->ChooseGathering();
   this->MeasureData();
   this->UpdateMedia();
+}
+
+//------------------------------------------------------------------------------
+// Where pictures of several ranks cannot be put together.
+bool vtkPVAirlightRenderView::NeedsAllData()
+{
+  return this->Airlight && !this->InTileDisplayMode() &&
+    (this->GetUseOrderedCompositing() || this->SubpixelFrames > 1 ||
+      this->Pass->GetAutomaticExposure());
+}
+
+//------------------------------------------------------------------------------
+// All processes must decide alike, as they send and receive data together; not all of them know
+// what is translucent.
+void vtkPVAirlightRenderView::ChooseGathering()
+{
+  vtkTypeUInt64 needed = 0;
+  this->AllReduce(this->NeedsAllData() ? 1 : 0, needed, vtkCommunicator::MAX_OP);
+  vtkTypeUInt64 size = 0; // KiB
+  this->AllReduce(
+    this->GetDeliveryManager()->GetVisibleDataSize(false), size, vtkCommunicator::SUM_OP);
+  this->Gathered = needed != 0 && this->GetUseDistributedRenderingForRender() &&
+    size <= 1024 * static_cast<vtkTypeUInt64>(this->GatherLimit);
+  if (this->Gathered)
+  {
+    vtkNew<vtkInformation> request;
+    request->Set(vtkPVView::VIEW(), this);
+    vtkPVRenderView::SetForceDataDistributionMode(request, vtkMPIMoveData::CLONE);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -593,7 +622,8 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
   this->SwitchVolumes();
   this->FollowData();
   this->ChooseToneMapping();
-  const bool parallel = this->Airlight && this->IsParallel();
+  const bool several = this->Airlight && this->IsParallel();
+  const bool parallel = several && !this->Gathered;
   if (parallel != this->Parallel)
   {
     this->Parallel = parallel;
@@ -603,20 +633,39 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
             return this->Depths->Choose(width, height, depths, drawn);
           });
   }
-  this->FarPass->SetMoves(this->Parallel);
+  // Means at the edges of a rank's part would be without the others.
+  this->Pass->SetSubpixelFrames(parallel ? 1 : this->SubpixelFrames);
+  this->Pass->SetMultisampling(this->Multisampling && !parallel);
+  this->FarPass->SetMoves(several);
+  this->FarPass->SetDraws(!several || parallel ||
+    vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0);
+  this->FarPass->SetBackground(
+    several && !this->GetUseOrderedCompositing() ? this->GetRenderer() : nullptr);
   this->InFrame = true;
+  if (several)
+  {
+    this->Remote->Spread(this->GetRenderer(), true);
+  }
   if (!this->Parallel)
   {
     this->Remote->Clear(this->Pass);
     return;
   }
-  this->Remote->Spread(this->GetRenderer(), true);
+  this->WarnOfParts();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVAirlightRenderView::WarnOfParts()
+{
   if (this->GetUseOrderedCompositing() && !this->WarnedOrdered)
   {
     this->WarnedOrdered = true;
     vtkWarningMacro(<< "ParaView composites translucent surfaces and volumes rank by rank, without "
                        "depth: where several ranks draw one pixel, the medium before it counts for "
-                       "each of them. Make all opaque, or use one rank.");
+                       "each of them. The visible data have more than the GatherLimit of "
+                    << this->GatherLimit
+                    << " MiB, up to which the first rank draws them: raise it, make all opaque, or "
+                       "use one rank.");
   }
 }
 
@@ -636,6 +685,7 @@ void vtkPVAirlightRenderView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VolumesScatter: " << this->VolumesScatter << "\n";
   os << indent << "VolumesAnisotropy: " << this->VolumeFunction->GetAnisotropy() << "\n";
   os << indent << "ProgressiveRefinement: " << this->ProgressiveRefinement << "\n";
+  os << indent << "GatherLimit: " << this->GatherLimit << "\n";
   os << indent << "AirlightPass:\n";
   this->Pass->PrintSelf(os, indent.GetNextIndent());
 }

@@ -190,6 +190,18 @@ public:
   vtkGetMacro(ProgressiveRefinement, bool);
   ///@}
 
+  ///@{
+  /**
+   * In parallel rendering, depths do not tell which rank's picture is in front where something is
+   * translucent or a volume; nor can ranks share SubpixelFrames or an automatic exposure. All data
+   * are sent to all ranks then and the first one draws, if those that are visible have no more than
+   * so many MiB. If they have more, each rank draws its own part, with a warning. Range: 0, never,
+   * or above. Default: 2048.
+   */
+  vtkSetClampMacro(GatherLimit, int, 0, VTK_INT_MAX);
+  vtkGetMacro(GatherLimit, int);
+  ///@}
+
   /**
    * How many frames this process's last picture is the mean of.
    */
@@ -233,6 +245,9 @@ private:
   void FollowData();
   void ChooseToneMapping();
   bool IsParallel();
+  bool NeedsAllData();
+  void ChooseGathering();
+  void WarnOfParts();
   void UpdateMedia();
   std::vector<vtkPVParticipatingMedium*> FindOwnMedia();
   void StartFrame();
@@ -241,12 +256,16 @@ private:
   bool Airlight = true;
   bool CameraLightsScatter = false;
   bool ProgressiveRefinement = false;
+  int SubpixelFrames = 1;
+  bool Multisampling = false;
   bool InFrame = false; // of Render()
   bool KeepsBackground = false;
   bool VolumesScatter = false;
   bool VolumesScattered = false; // in the last frame
   vtkNew<vtkHenyeyGreensteinPhaseFunction> VolumeFunction;
   bool WarnedOrdered = false;
+  int GatherLimit = 2048;
+  bool Gathered = false; // all ranks have all data
   int ToneMapping = -1;
   vtkNew<vtkAirlightPass> Pass;
   vtkSmartPointer<vtkParticipatingMedium> Medium;
