@@ -73,7 +73,7 @@ real airlightStepCentre(AirlightStep part)
     if (AIRLIGHT_IS_GRID(i))
     {
       real4 c = airlightMedia.item[i].sigmaT.y * part.cubic[i];
-      sum += real2(c.x + 0.5 * c.y + c.z / 3.0 + 0.25 * c.w,
+      sum += real2(airlightCubicIntegral(c, 1.0),
         0.5 * c.x + c.y / 3.0 + 0.25 * c.z + 0.2 * c.w);
     }
   }
@@ -81,7 +81,7 @@ real airlightStepCentre(AirlightStep part)
 }
 
 // What is scattered at t, with the optical depth before it on the ray; single: with the mean
-// density of the step.
+// densities of images in the step.
 real3 airlightStepIntegrand(AirlightLight light, AirlightRay ray, AirlightStep part, real t,
   bool single, real3 before, AirlightOutside outside)
 {
@@ -96,9 +96,8 @@ real3 airlightStepIntegrand(AirlightLight light, AirlightRay ray, AirlightStep p
     if (airlightIsInside(part, i))
     {
       real2 density = airlightStepDensity(i, part, ray.origin, ray.direction, t);
-      density.x = single
-        ? airlightStepDensity(i, part, ray.origin, ray.direction, part.to).y / (part.to - part.from)
-        : density.x;
+      density.x =
+        single && AIRLIGHT_IS_GRID(i) ? airlightCubicIntegral(part.cubic[i], 1.0) : density.x;
       scattered += airlightStepScattering(i, part, t) *
         airlightPhase(airlightMedia.item[i].phase, cosTheta) * density.x;
       before += airlightMedia.item[i].sigmaT * density.y;

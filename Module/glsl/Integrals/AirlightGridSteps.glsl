@@ -231,6 +231,12 @@ void airlightFindDensities(
   }
 }
 
+// The integral of a cubic from 0 to u.
+real airlightCubicIntegral(real4 c, real u)
+{
+  return u * (c.x + u * (0.5 * c.y + u * (c.z / 3.0 + u * 0.25 * c.w)));
+}
+
 // The density of medium i at t in a step, and its integral before t.
 real2 airlightStepDensity(int i, AirlightStep part, real3 origin, real3 direction, real t)
 {
@@ -240,7 +246,7 @@ real2 airlightStepDensity(int i, AirlightStep part, real3 origin, real3 directio
     real u = clamp((t - part.from) / width, 0.0, 1.0);
     real4 c = part.cubic[i];
     return real2(max(c.x + u * (c.y + u * (c.z + u * c.w)), 0.0),
-      width * u * (c.x + u * (0.5 * c.y + u * (c.z / 3.0 + u * 0.25 * c.w))));
+      width * airlightCubicIntegral(c, u));
   }
   return real2(airlightDensity(airlightMedia.item[i], origin + t * direction),
     airlightInsideDepth(airlightMedia.item[i], origin, direction, part.from, max(t, part.from)));
