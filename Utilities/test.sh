@@ -64,6 +64,9 @@ fi
 step "Testing"
 cd "$build"
 results=$build/Testing/Temporary/results.xml
+# For all processes, those with a home folder of their own, too: compiling takes most of their time.
+export MESA_SHADER_CACHE_DIR=${MESA_SHADER_CACHE_DIR:-$build/Testing/Temporary/shaders}
+mkdir -p "$MESA_SHADER_CACHE_DIR"
 on_virtual_display ctest --output-on-failure --no-tests=error --timeout 600 --parallel "$jobs" \
   --output-junit "$results" "$@" || die "some tests failed; see above."
 case " $* " in
