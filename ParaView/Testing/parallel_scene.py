@@ -77,9 +77,13 @@ view.Airlight = 1
 # What only one rank can draw.
 displays[3].Opacity = 0.5
 test.picture(view, name + "-translucent")
+view.SMProxy.SelectSurfaceCells([20, 20, 180, 130], vtkCollection(), vtkCollection(), True)
 view.SubpixelFrames = 4
 test.picture(view, name + "-refined")
 view.SubpixelFrames = 1
+view.AutomaticExposure = 1
+test.picture(view, name + "-exposed")
+view.AutomaticExposure = 0
 wavelet = simple.Wavelet(WholeExtent=[-8, 8] * 3)
 volume = test.show(view, wavelet)[0]
 volume.SetRepresentationType("Volume")
@@ -90,5 +94,11 @@ volume.Position = [0.2, 0.5, 0.3]
 test.picture(view, name + "-volume")
 view.VolumesScatter = 1
 test.picture(view, name + "-scattering")
+# Each rank its own part, and back.
 view.GatherLimit = 0
 test.picture(view, name + "-parts")
+simple.Render(view)
+view.GatherLimit = 1024
+test.picture(view, name + "-whole")
+view.VolumesScatter = 0
+volume.Visibility = 0

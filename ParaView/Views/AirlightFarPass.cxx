@@ -89,15 +89,15 @@ void AirlightFarPass::Render(const vtkRenderState* s)
 void AirlightFarPass::RenderScene(const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
-  const bool opaque = this->HasBackground && !renderer->GetSelector();
+  const bool hasBackground = this->HasBackground && !renderer->GetSelector();
   const Background given = AirlightFarPass::GetBackground(renderer);
-  if (opaque)
+  if (hasBackground)
   {
     AirlightFarPass::PutBackground(renderer, this->Kept);
   }
   this->Delegate->Render(s);
   this->NumberOfRenderedProps = this->Delegate->GetNumberOfRenderedProps();
-  if (opaque)
+  if (hasBackground)
   {
     AirlightFarPass::PutBackground(renderer, given);
     vtkOpenGLState* state =

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVAirlightRenderView.h"
 
+#include "AirlightDataGathering.h"
 #include "AirlightFarPass.h"
 #include "AirlightMediumSources.h"
 #include "AirlightRemoteDepths.h"
@@ -15,10 +16,8 @@
 #include "vtkImageProcessingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkInformationObjectBaseKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMPIMoveData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVCenterAxesActor.h"
@@ -232,7 +231,7 @@ void vtkPVAirlightRenderView::SetOutputColorSpace(int space)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVAirlightRenderView::SetMultisampling(bool on) { this->Multisampling = on; }
+void vtkPVAirlightRenderView::SetMultisampling(bool on) { this->Pass->SetMultisampling(on); }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetToneMapping(int curve)
@@ -315,7 +314,10 @@ void vtkPVAirlightRenderView::SetLampPhotometryUp(double x, double y, double z)
 void vtkPVAirlightRenderView::SetDithering(bool on) { this->Pass->SetDithering(on); }
 
 //------------------------------------------------------------------------------
-void vtkPVAirlightRenderView::SetSubpixelFrames(int frames) { this->SubpixelFrames = frames; }
+void vtkPVAirlightRenderView::SetSubpixelFrames(int frames)
+{
+  this->Pass->SetSubpixelFrames(frames);
+}
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::SetDebugView(int view) { this->Pass->SetDebugView(view); }
@@ -358,8 +360,12 @@ void vtkPVAirlightRenderView::Render(bool interactive, bool skip_rendering)
   }
   this->Pass->SetProgressiveRefinement(
     this->ProgressiveRefinement && this->GetInteractor() && !this->GetInCaptureScreenshot());
+  const int frames = this->Pass->GetSubpixelFrames();
+  const bool multisampling = this->Pass->GetMultisampling();
   this->Superclass::Render(interactive, skip_rendering);
   this->InFrame = false;
+  this->Pass->SetSubpixelFrames(frames);
+  this->Pass->SetMultisampling(multisampling);
   this->Pass->SetOutputColorSpace(space);
   this->Remote->Spread(this->GetRenderer(), false);
 }
@@ -422,31 +428,38 @@ void vtkPVAirlightRenderView::Update()
 }
 
 //------------------------------------------------------------------------------
-// Where pictures of several ranks cannot be put together.
+// Whether ParaView's view has pictures of several ranks put together. Walls and caves have not.
+bool vtkPVAirlightRenderView::IsInParts()
+{
+  return this->Airlight && !this->GetEnableOSPRay() && !this->InTileDisplayMode() &&
+    !this->InCaveDisplayMode() && this->GetUseDistributedRenderingForRender();
+}
+
+//------------------------------------------------------------------------------
+// Where they cannot be.
 bool vtkPVAirlightRenderView::NeedsAllData()
 {
-  return this->Airlight && !this->InTileDisplayMode() &&
-    (this->GetUseOrderedCompositing() || this->SubpixelFrames > 1 ||
+  return this->IsInParts() &&
+    (this->GetUseOrderedCompositing() || this->Pass->GetSubpixelFrames() > 1 ||
       this->Pass->GetAutomaticExposure());
 }
 
 //------------------------------------------------------------------------------
-// All processes must decide alike, as they send and receive data together; not all of them know
-// what is translucent.
 void vtkPVAirlightRenderView::ChooseGathering()
 {
-  vtkTypeUInt64 needed = 0;
-  this->AllReduce(this->NeedsAllData() ? 1 : 0, needed, vtkCommunicator::MAX_OP);
+  const auto vote = airlight::DataGathering::GetVote(this, this->NeedsAllData());
+  airlight::DataGathering::Vote all;
+  this->AllReduce(vote.Needed, all.Needed, vtkCommunicator::MAX_OP);
+  this->AllReduce(vote.Refused, all.Refused, vtkCommunicator::MAX_OP);
+  this->AllReduce(vote.RenderServer, all.RenderServer, vtkCommunicator::MAX_OP);
   vtkTypeUInt64 size = 0; // KiB
   this->AllReduce(
     this->GetDeliveryManager()->GetVisibleDataSize(false), size, vtkCommunicator::SUM_OP);
-  this->Gathered = needed != 0 && this->GetUseDistributedRenderingForRender() &&
+  this->FirstDraws = all.Needed != 0 && all.Refused == 0 &&
     size <= 1024 * static_cast<vtkTypeUInt64>(this->GatherLimit);
-  if (this->Gathered)
+  if (this->FirstDraws)
   {
-    vtkNew<vtkInformation> request;
-    request->Set(vtkPVView::VIEW(), this);
-    vtkPVRenderView::SetForceDataDistributionMode(request, vtkMPIMoveData::CLONE);
+    airlight::DataGathering::Begin(this, all.RenderServer != 0);
   }
 }
 
@@ -578,7 +591,7 @@ void vtkPVAirlightRenderView::ChooseToneMapping()
 bool vtkPVAirlightRenderView::IsParallel()
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return controller && controller->GetNumberOfProcesses() > 1 &&
+  return controller && controller->GetNumberOfProcesses() > 1 && !this->InCaveDisplayMode() &&
     this->SynchronizedRenderers->GetParallelSynchronizer() &&
     this->SynchronizedRenderers->GetEnabled();
 }
@@ -615,6 +628,18 @@ void vtkPVAirlightRenderView::EndFrame()
 }
 
 //------------------------------------------------------------------------------
+// ParaView puts a background of its own behind what is composited in order, on walls, and behind a
+// reduced picture, of which a gradient would be a part.
+bool vtkPVAirlightRenderView::DrawsBackground(bool interactive)
+{
+  vtkRenderer* renderer = this->GetRenderer();
+  const int factor = interactive ? this->GetInteractiveRenderImageReductionFactor()
+                                 : this->GetStillRenderImageReductionFactor();
+  return !this->GetUseOrderedCompositing() && !this->InTileDisplayMode() &&
+    (factor == 1 || !(renderer->GetGradientBackground() || renderer->GetTexturedBackground()));
+}
+
+//------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
@@ -623,7 +648,7 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
   this->FollowData();
   this->ChooseToneMapping();
   const bool several = this->Airlight && this->IsParallel();
-  const bool parallel = several && !this->Gathered;
+  const bool parallel = several && !this->FirstDraws;
   if (parallel != this->Parallel)
   {
     this->Parallel = parallel;
@@ -633,14 +658,11 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
             return this->Depths->Choose(width, height, depths, drawn);
           });
   }
-  // Means at the edges of a rank's part would be without the others.
-  this->Pass->SetSubpixelFrames(parallel ? 1 : this->SubpixelFrames);
-  this->Pass->SetMultisampling(this->Multisampling && !parallel);
   this->FarPass->SetMoves(several);
   this->FarPass->SetDraws(!several || parallel ||
     vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0);
   this->FarPass->SetBackground(
-    several && !this->GetUseOrderedCompositing() ? this->GetRenderer() : nullptr);
+    several && this->DrawsBackground(interactive) ? this->GetRenderer() : nullptr);
   this->InFrame = true;
   if (several)
   {
@@ -652,20 +674,25 @@ void vtkPVAirlightRenderView::AboutToRenderOnLocalProcess(bool interactive)
     return;
   }
   this->WarnOfParts();
+  // Means at the edges of a rank's part would be without the others. Render() undoes it.
+  this->Pass->SetSubpixelFrames(1);
+  this->Pass->SetMultisampling(false);
 }
 
 //------------------------------------------------------------------------------
 void vtkPVAirlightRenderView::WarnOfParts()
 {
-  if (this->GetUseOrderedCompositing() && !this->WarnedOrdered)
+  if (this->NeedsAllData() && !this->WarnedOfParts)
   {
-    this->WarnedOrdered = true;
-    vtkWarningMacro(<< "ParaView composites translucent surfaces and volumes rank by rank, without "
-                       "depth: where several ranks draw one pixel, the medium before it counts for "
-                       "each of them. The visible data have more than the GatherLimit of "
-                    << this->GatherLimit
-                    << " MiB, up to which the first rank draws them: raise it, make all opaque, or "
-                       "use one rank.");
+    this->WarnedOfParts = true;
+    vtkWarningMacro(
+      << "Each rank draws its own part, as the visible data have more than the "
+         "GatherLimit of "
+      << this->GatherLimit
+      << " MiB, or ParaView cannot merge them: the medium before translucent surfaces "
+         "and volumes counts for each rank that draws them, SubpixelFrames do nothing, "
+         "and an automatic exposure is that of each part. Raise the limit, make all "
+         "opaque and these off, or use one rank.");
   }
 }
 

@@ -193,12 +193,14 @@ public:
   ///@{
   /**
    * In parallel rendering, depths do not tell which rank's picture is in front where something is
-   * translucent or a volume; nor can ranks share SubpixelFrames or an automatic exposure. All data
-   * are sent to all ranks then and the first one draws, if those that are visible have no more than
-   * so many MiB. If they have more, each rank draws its own part, with a warning. Range: 0, never,
-   * or above. Default: 2048.
+   * translucent or a volume; nor can ranks share SubpixelFrames or an automatic exposure. ParaView
+   * sends all data to the first rank then (and to the client), which draws, if those that are
+   * visible have no more than so many MiB. If they have more, or ParaView cannot merge them (pieces
+   * of rectilinear grids, of images in several parts, of images whose axes are turned), each rank
+   * draws its own part, with a warning. Range: 0, never, to 1900, as MPI sends less than 2 GiB at a
+   * time. Default: 1024.
    */
-  vtkSetClampMacro(GatherLimit, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(GatherLimit, int, 0, 1900);
   vtkGetMacro(GatherLimit, int);
   ///@}
 
@@ -208,7 +210,8 @@ public:
   int GetAccumulatedFrames();
 
   /**
-   * The pass that renders the scene.
+   * The pass that renders the scene. In parallel rendering the view switches its SubpixelFrames and
+   * multisampling off for a frame of which each rank draws a part.
    */
   vtkAirlightPass* GetAirlightPass();
 
@@ -245,6 +248,8 @@ private:
   void FollowData();
   void ChooseToneMapping();
   bool IsParallel();
+  bool DrawsBackground(bool interactive);
+  bool IsInParts();
   bool NeedsAllData();
   void ChooseGathering();
   void WarnOfParts();
@@ -256,16 +261,14 @@ private:
   bool Airlight = true;
   bool CameraLightsScatter = false;
   bool ProgressiveRefinement = false;
-  int SubpixelFrames = 1;
-  bool Multisampling = false;
   bool InFrame = false; // of Render()
   bool KeepsBackground = false;
   bool VolumesScatter = false;
   bool VolumesScattered = false; // in the last frame
   vtkNew<vtkHenyeyGreensteinPhaseFunction> VolumeFunction;
-  bool WarnedOrdered = false;
-  int GatherLimit = 2048;
-  bool Gathered = false; // all ranks have all data
+  bool WarnedOfParts = false;
+  int GatherLimit = 1024;
+  bool FirstDraws = false; // the first rank has all data
   int ToneMapping = -1;
   vtkNew<vtkAirlightPass> Pass;
   vtkSmartPointer<vtkParticipatingMedium> Medium;

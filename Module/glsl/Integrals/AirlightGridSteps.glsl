@@ -128,8 +128,8 @@ void airlightLeaveStep(inout AirlightSteps steps, AirlightStep part)
 }
 
 // Walks on to where an image has something, or the piece ends. Clouds are mostly empty, and the air
-// between them needs no cells. Images that are not there yet have been walked before. One loop has
-// it, and nothing before that: compilers take longer for two.
+// between them needs no cells. Images that are not there yet have been walked before. Functions
+// have it in their loop alone: compilers take longer where it is before that, too.
 void airlightWalkToFilled(inout AirlightSteps steps, AirlightPiece piece)
 {
   real next = piece.to;
