@@ -19,7 +19,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 RUN = HERE.parents[1] / "Utilities" / "paraview-test.sh"
 
 
-STEPS = ("thin", "thick", "surface", "image", "media", "photometry", "transparent")
+STEPS = ("thin", "thick", "surface", "image", "media", "photometry", "translucent",
+         "transparent")
 
 
 def run_scene(*arguments):

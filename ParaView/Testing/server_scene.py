@@ -54,6 +54,13 @@ def draw(name, threshold=0):
     simple.Hide(view.RegionSurface, view)
     simple.Hide(view.DensityImage, view)
     test.picture(view, f"{name}-photometry")
+    # What only one rank can draw.
+    glass = simple.Sphere(Center=[0.3, 0.1, 0.6], Radius=0.5, ThetaResolution=24)
+    test.show(view, glass, Opacity=0.4)
+    view.SubpixelFrames = 2
+    test.picture(view, f"{name}-translucent")
+    view.SubpixelFrames = 1
+    simple.Hide(glass, view)
     # Before ParaView's own white and black, which the medium does not follow.
     view.Region = "Sphere"
     view.RegionRadius = 1.5
