@@ -100,5 +100,3 @@ test.picture(view, name + "-parts")
 simple.Render(view)
 view.GatherLimit = 1024
 test.picture(view, name + "-whole")
-view.VolumesScatter = 0
-volume.Visibility = 0

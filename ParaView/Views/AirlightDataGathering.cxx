@@ -43,40 +43,7 @@ bool AreAllMeshes(vtkCompositeDataSet* data)
   return true;
 }
 
-bool CanMergeAll(vtkPVRenderView* view)
-{
-  auto* delivery = vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
-  for (int i = 0; delivery && i < view->GetNumberOfRepresentations(); ++i)
-  {
-    auto* shown = vtkPVDataRepresentation::SafeDownCast(view->GetRepresentation(i));
-    const int ports = shown && shown->GetVisibility() ? delivery->GetNumberOfPorts(shown) : 0;
-    for (int port = 0; port < ports; ++port)
-    {
-      if (!DataGathering::CanMerge(delivery->GetPiece(shown, false, port)))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-}
-
-//------------------------------------------------------------------------------
-DataGathering::Vote DataGathering::GetVote(vtkPVRenderView* view, bool needed)
-{
-  Vote vote;
-  const auto process = vtkProcessModule::GetProcessType();
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const bool several = controller && controller->GetNumberOfProcesses() > 1;
-  vote.Needed = needed && several && process != vtkProcessModule::PROCESS_DATA_SERVER ? 1 : 0;
-  vote.Refused = process != vtkProcessModule::PROCESS_CLIENT && !CanMergeAll(view) ? 1 : 0;
-  vote.RenderServer = process == vtkProcessModule::PROCESS_RENDER_SERVER ? 1 : 0;
-  return vote;
-}
-
-//------------------------------------------------------------------------------
-bool DataGathering::CanMerge(vtkDataObject* piece)
+bool CanMergePiece(vtkDataObject* piece)
 {
   if (auto* image = vtkImageData::SafeDownCast(piece))
   {
@@ -86,6 +53,42 @@ bool DataGathering::CanMerge(vtkDataObject* piece)
     vtkPartitionedDataSetCollection::SafeDownCast(piece);
   return !piece || IsMesh(piece) ||
     (collects && AreAllMeshes(vtkCompositeDataSet::SafeDownCast(piece)));
+}
+}
+
+//------------------------------------------------------------------------------
+bool DataGathering::IsOneOfSeveral()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1 &&
+    vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_DATA_SERVER;
+}
+
+//------------------------------------------------------------------------------
+bool DataGathering::OnlyDraws()
+{
+  return vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_RENDER_SERVER;
+}
+
+//------------------------------------------------------------------------------
+// A client has no data of its own.
+bool DataGathering::CanMerge(vtkPVRenderView* view)
+{
+  auto* delivery = vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
+  const bool isClient = vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT;
+  for (int i = 0; delivery && !isClient && i < view->GetNumberOfRepresentations(); ++i)
+  {
+    auto* shown = vtkPVDataRepresentation::SafeDownCast(view->GetRepresentation(i));
+    const int ports = shown && shown->GetVisibility() ? delivery->GetNumberOfPorts(shown) : 0;
+    for (int port = 0; port < ports; ++port)
+    {
+      if (!CanMergePiece(delivery->GetPiece(shown, false, port)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

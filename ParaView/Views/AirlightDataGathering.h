@@ -8,9 +8,6 @@
 #ifndef AirlightDataGathering_h
 #define AirlightDataGathering_h
 
-#include "vtkType.h"
-
-class vtkDataObject;
 class vtkPVRenderView;
 
 namespace airlight
@@ -18,21 +15,15 @@ namespace airlight
 class DataGathering
 {
 public:
-  // What a process says; all of them must come to the same decision, as they send and receive
-  // together. Reduced to its greatest number over all.
-  struct Vote
-  {
-    vtkTypeUInt64 Needed = 0;       // it draws one of several parts, which are not enough
-    vtkTypeUInt64 Refused = 0;      // ParaView cannot merge its data with those of others
-    vtkTypeUInt64 RenderServer = 0; // it is a server that only draws
-  };
+  // Whether this process draws one of several parts of the picture.
+  static bool IsOneOfSeveral();
 
-  // `needed`: where there are several ranks.
-  static Vote GetVote(vtkPVRenderView* view, bool needed);
+  // Whether it is a server that only draws.
+  static bool OnlyDraws();
 
-  // ParaView has no way to merge pieces of rectilinear grids, nor of images in parts, and loses the
-  // directions of images.
-  static bool CanMerge(vtkDataObject* piece);
+  // Whether ParaView can merge this process's visible data with others. It has no way to do so
+  // for rectilinear grids, nor for images in parts, and loses the directions of images.
+  static bool CanMerge(vtkPVRenderView* view);
 
   // After the view's update, on all processes. Only the first rank draws then.
   static void Begin(vtkPVRenderView* view, bool toRenderServer);

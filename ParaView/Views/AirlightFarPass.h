@@ -29,14 +29,14 @@ public:
   vtkTypeMacro(AirlightFarPass, vtkRenderPass);
 
   void SetDelegate(vtkRenderPass* delegate);
-  // If off, it only renders with the delegate.
+  // If off, the background stays where it is.
   void SetMoves(bool moves) { this->Moves = moves; }
   // If off, it clears the picture instead: another rank draws all of it. Selections draw on all.
   void SetDraws(bool draws) { this->Draws = draws; }
   // Draws before the background that the renderer has now, and leaves an opaque picture. Null:
   // before the one that it has then.
   void SetBackground(vtkRenderer* renderer);
-  // Called between the two.
+  // Called after the delegate, before the background is moved.
   void SetRendered(const std::function<void()>& rendered) { this->Rendered = rendered; }
 
   void Render(const vtkRenderState* s) override;

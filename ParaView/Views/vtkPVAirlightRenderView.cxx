@@ -445,21 +445,30 @@ bool vtkPVAirlightRenderView::NeedsAllData()
 }
 
 //------------------------------------------------------------------------------
+// All processes must come to the same decision, as they send and receive data together. Most views
+// need nothing of it.
 void vtkPVAirlightRenderView::ChooseGathering()
 {
-  const auto vote = airlight::DataGathering::GetVote(this, this->NeedsAllData());
-  airlight::DataGathering::Vote all;
-  this->AllReduce(vote.Needed, all.Needed, vtkCommunicator::MAX_OP);
-  this->AllReduce(vote.Refused, all.Refused, vtkCommunicator::MAX_OP);
-  this->AllReduce(vote.RenderServer, all.RenderServer, vtkCommunicator::MAX_OP);
+  using airlight::DataGathering;
+  this->FirstDraws = false;
+  vtkTypeUInt64 needed = 0;
+  this->AllReduce(DataGathering::IsOneOfSeveral() && this->NeedsAllData() ? 1 : 0, needed,
+    vtkCommunicator::MAX_OP);
+  if (needed == 0)
+  {
+    return;
+  }
+  vtkTypeUInt64 refused = 0;
+  this->AllReduce(DataGathering::CanMerge(this) ? 0 : 1, refused, vtkCommunicator::MAX_OP);
+  vtkTypeUInt64 renderServer = 0;
+  this->AllReduce(DataGathering::OnlyDraws() ? 1 : 0, renderServer, vtkCommunicator::MAX_OP);
   vtkTypeUInt64 size = 0; // KiB
   this->AllReduce(
     this->GetDeliveryManager()->GetVisibleDataSize(false), size, vtkCommunicator::SUM_OP);
-  this->FirstDraws = all.Needed != 0 && all.Refused == 0 &&
-    size <= 1024 * static_cast<vtkTypeUInt64>(this->GatherLimit);
+  this->FirstDraws = refused == 0 && size <= 1024 * static_cast<vtkTypeUInt64>(this->GatherLimit);
   if (this->FirstDraws)
   {
-    airlight::DataGathering::Begin(this, all.RenderServer != 0);
+    DataGathering::Begin(this, renderServer != 0);
   }
 }
 
