@@ -52,8 +52,8 @@ struct vtkParticipatingMedium::Internals
     airlight::MediumColours& colours, const std::string& name, double most)
   {
     airlight::Change problem;
-    vtkImageData* image = medium->GetDensityGrid() ? medium->GetDensityImage() : nullptr;
-    auto updated = colours.Update(image, name, most, problem.Error);
+    const auto grid = medium->GetDensityGrid();
+    auto updated = colours.Update(medium->GetDensityImage(), grid, name, most, problem.Error);
     medium->Apply(problem);
     return updated;
   }

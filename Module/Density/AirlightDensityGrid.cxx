@@ -55,8 +55,7 @@ namespace
 // Where the first sample is the origin: far away from that of the world, it keeps more digits.
 f64::AirlightGrid MakeGrid(const DensityGrid& grid)
 {
-  return { grid.GetAxes(), glm::dvec3(0.0), grid.GetLast(), &grid, grid.GetFilledLow(),
-    grid.GetFilledHigh() };
+  return { grid.GetAxes(), glm::dvec3(0.0), grid.GetLast(), &grid };
 }
 
 bool IsFinite(const glm::dvec3& v)
@@ -69,7 +68,14 @@ bool IsFinite(const glm::dvec3& v)
 std::shared_ptr<const DensityGrid> DensityGrid::Build(vtkImageData* image, std::string& error)
 {
   const std::shared_ptr<DensityGrid> grid(new DensityGrid);
-  return grid->ReadGeometry(image, error) && grid->ReadSamples(image, error) ? grid : nullptr;
+  if (!grid->ReadGeometry(image, error) || !grid->ReadSamples(image, error))
+  {
+    return nullptr;
+  }
+  grid->Crop();
+  grid->FindBounds();
+  grid->Blocks = FilledBlocks(grid->Samples, grid->Size);
+  return grid;
 }
 
 //------------------------------------------------------------------------------
@@ -111,15 +117,6 @@ bool DensityGrid::ReadGeometry(vtkImageData* image, std::string& error)
     error = text.str();
     return false;
   }
-  this->Least = this->First;
-  this->Greatest = this->First;
-  for (int corner = 1; corner < 8; ++corner)
-  {
-    const glm::dvec3 far(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const glm::dvec3 position = this->First + steps * (far * glm::dvec3(this->Size - 1));
-    this->Least = glm::min(this->Least, position);
-    this->Greatest = glm::max(this->Greatest, position);
-  }
   return true;
 }
 
@@ -144,18 +141,12 @@ bool DensityGrid::ReadSamples(vtkImageData* image, std::string& error)
     error = text.str();
     return false;
   }
-  if (!this->Samples.Read(scalars, error))
-  {
-    return false;
-  }
-  this->FindFilled();
-  this->Blocks = FilledBlocks(this->Samples, this->Size);
-  return true;
+  return this->Samples.Read(scalars, error);
 }
 
 //------------------------------------------------------------------------------
-// A cell has a density where one of its corners has.
-void DensityGrid::FindFilled()
+// A cell has a density where one of its corners has. Of an image without any, one cell stays.
+void DensityGrid::Crop()
 {
   glm::ivec3 low = this->Size;
   glm::ivec3 high(-1);
@@ -174,8 +165,30 @@ void DensityGrid::FindFilled()
     }
   }
   const bool isEmpty = high.x < 0;
-  this->FilledLow = isEmpty ? glm::dvec3(0.0) : glm::dvec3(glm::max(low - 1, glm::ivec3(0)));
-  this->FilledHigh = isEmpty ? glm::dvec3(0.0) : glm::dvec3(glm::min(high + 1, this->Size - 1));
+  low = isEmpty ? glm::ivec3(0) : glm::max(low - 1, 0);
+  high = isEmpty ? glm::ivec3(1) : glm::min(high + 1, this->Size - 1);
+  const glm::ivec3 count = high - low + 1;
+  if (count != this->Size)
+  {
+    this->Samples.Crop(low, count, this->Size);
+    this->First = this->ToWorld(glm::dvec3(low));
+    this->FirstPoint = low;
+    this->Size = count;
+  }
+}
+
+//------------------------------------------------------------------------------
+void DensityGrid::FindBounds()
+{
+  this->Least = this->First;
+  this->Greatest = this->First;
+  for (int corner = 1; corner < 8; ++corner)
+  {
+    const glm::dvec3 far(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const glm::dvec3 position = this->ToWorld(far * this->GetLast());
+    this->Least = glm::min(this->Least, position);
+    this->Greatest = glm::max(this->Greatest, position);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,9 @@
 /**
  * Density from the samples of an image: trilinear between them, 0 outside the image.
  *
+ * Only the box of samples in whose cells there is something is kept: a plume is a small part of the
+ * room that was simulated. All that follows knows that box alone.
+ *
  * The mathematics is the shaders' (Medium/AirlightGrid.glsl), here in double precision: the optical
  * depth of a way, summed cell by cell, is exact but for rounding.
  */
@@ -28,7 +31,7 @@ namespace airlight
 class VTKAIRLIGHT_EXPORT DensityGrid
 {
 public:
-  // Copies the image's point scalars, in their own type. Null and an error that continues "The
+  // Copies point scalars of the image, in their own type. Null and an error that continues "The
   // density image ..." where they are no densities.
   static std::shared_ptr<const DensityGrid> Build(vtkImageData* image, std::string& error);
 
@@ -49,7 +52,7 @@ public:
   void AddCuts(const glm::dvec3& origin, const glm::dvec3& direction, double from, double to,
     std::vector<double>& cuts) const;
 
-  // Corners of the box along the world's axes that holds the image.
+  // Corners of the box along the world's axes that holds the samples.
   const glm::dvec3& GetLeast() const { return this->Least; }
   const glm::dvec3& GetGreatest() const { return this->Greatest; }
 
@@ -62,9 +65,9 @@ public:
   const glm::dmat3& GetAxes() const { return this->Axes; }
   // Of the last sample.
   glm::dvec3 GetLast() const { return glm::dvec3(this->Size - 1); }
-  // Corners of a box, in samples, outside of which there is nothing.
-  const glm::dvec3& GetFilledLow() const { return this->FilledLow; }
-  const glm::dvec3& GetFilledHigh() const { return this->FilledHigh; }
+  // The first sample's place among the image's points, and numbers of samples.
+  const glm::ivec3& GetFirstPoint() const { return this->FirstPoint; }
+  const glm::ivec3& GetSize() const { return this->Size; }
   const FilledBlocks& GetBlocks() const { return this->Blocks; }
   // x fastest.
   const DensitySamples& GetSamples() const { return this->Samples; }
@@ -73,17 +76,17 @@ private:
   DensityGrid() = default;
   bool ReadGeometry(vtkImageData* image, std::string& error);
   bool ReadSamples(vtkImageData* image, std::string& error);
-  void FindFilled();
+  void Crop();
+  void FindBounds();
 
-  glm::ivec3 Size{ 0 }; // numbers of samples
+  glm::ivec3 FirstPoint{ 0 };
+  glm::ivec3 Size{ 0 };
   DensitySamples Samples;
   FilledBlocks Blocks;
   glm::dvec3 First{ 0.0 }; // the first sample's place in the world
   glm::dmat3 Axes{ 1.0 };  // from the world to samples
   glm::dvec3 Least{ 0.0 };
   glm::dvec3 Greatest{ 0.0 };
-  glm::dvec3 FilledLow{ 0.0 };
-  glm::dvec3 FilledHigh{ 0.0 };
 };
 }
 

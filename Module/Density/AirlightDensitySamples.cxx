@@ -113,6 +113,27 @@ std::pair<size_t, size_t> DensitySamples::FindAboveZero(size_t begin, size_t end
 }
 
 //------------------------------------------------------------------------------
+// Rows move towards the beginning, so that there is never a second copy of all.
+void DensitySamples::Crop(const glm::ivec3& low, const glm::ivec3& count, const glm::ivec3& size)
+{
+  std::visit(
+    [&](auto& values) {
+      auto to = values.begin();
+      for (int k = low.z; k < low.z + count.z; ++k)
+      {
+        for (int j = low.y; j < low.y + count.y; ++j)
+        {
+          const size_t first = (static_cast<size_t>(k) * size.y + j) * size.x + low.x;
+          to = std::copy_n(values.begin() + first, count.x, to);
+        }
+      }
+      values.erase(to, values.end());
+      values.shrink_to_fit();
+    },
+    this->All);
+}
+
+//------------------------------------------------------------------------------
 size_t DensitySamples::GetNumberOfBytes() const
 {
   return std::visit(

@@ -51,6 +51,9 @@ public:
   // The first and the last one that is; a first after the last where none is.
   std::pair<size_t, size_t> FindAboveZero(size_t begin, size_t end) const;
 
+  // Keeps a box of `count` samples, the first of which is `low`, of `size` along each axis.
+  void Crop(const glm::ivec3& low, const glm::ivec3& count, const glm::ivec3& size);
+
   // Memory, without what the vector itself takes.
   size_t GetNumberOfBytes() const;
 

@@ -20,16 +20,19 @@ class vtkImageData;
 
 namespace airlight
 {
+class DensityGrid;
+
 // Immutable, so that many threads may use it at once.
 class VTKAIRLIGHT_EXPORT ImageColours
 {
 public:
-  // Copies a point array of this name, with one component for all channels or three. Null and an
-  // error that continues "The density image ..." where it has a value that is not from 0 to `most`.
-  static std::shared_ptr<const ImageColours> Build(
-    vtkImageData* image, const std::string& name, double most, std::string& error);
+  // Copies a point array of this name, with one component for all channels or three, at the points
+  // of which the density's samples are kept. Null and an error that continues "The density image
+  // ..." where it has a value that is not from 0 to `most`.
+  static std::shared_ptr<const ImageColours> Build(vtkImageData* image, const DensityGrid& grid,
+    const std::string& name, double most, std::string& error);
 
-  // At a place in samples, moved into the image.
+  // At a place in samples of the density, moved into the image.
   glm::dvec3 GetAt(const glm::dvec3& samples) const;
 
   // x fastest; the fourth number is not used.

@@ -19,15 +19,16 @@ namespace airlight
 class MediumColours
 {
 public:
-  // Null without image or name, and with an error, once for each change, where the array is no
-  // good.
-  std::shared_ptr<const ImageColours> Update(
-    vtkImageData* image, const std::string& name, double most, std::string& error)
+  // Null without grid or name, and with an error, once for each change, where the array is no
+  // good. `grid`: of the image.
+  std::shared_ptr<const ImageColours> Update(vtkImageData* image,
+    const std::shared_ptr<const DensityGrid>& grid, const std::string& name, double most,
+    std::string& error)
   {
-    const vtkMTimeType time = image && !name.empty() ? image->GetMTime() : 0;
+    const vtkMTimeType time = grid && !name.empty() ? image->GetMTime() : 0;
     if (time != this->MadeTime || name != this->MadeName)
     {
-      this->Made = time != 0 ? ImageColours::Build(image, name, most, error) : nullptr;
+      this->Made = time != 0 ? ImageColours::Build(image, *grid, name, most, error) : nullptr;
       error += error.empty() ? "" : ". The array is ignored until it is fixed.";
       error = error.empty() ? "" : "The density image " + error;
       this->MadeTime = time;

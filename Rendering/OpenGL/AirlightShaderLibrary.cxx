@@ -289,8 +289,7 @@ std::string GetScatteredIrradianceSource()
 GridUniforms GetGridUniforms(const f64::AirlightMedium& medium)
 {
   return { medium.grid->GetAxes(), medium.grid->ToSamples(medium.gridOrigin),
-    medium.grid->GetLast(), medium.gridFirst, medium.grid->GetFilledLow(),
-    medium.grid->GetFilledHigh() };
+    medium.grid->GetLast(), medium.gridFirst };
 }
 
 //------------------------------------------------------------------------------

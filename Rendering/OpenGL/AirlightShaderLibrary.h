@@ -35,8 +35,6 @@ struct GridUniforms
   glm::dvec3 start;
   glm::dvec3 last;
   int first;
-  glm::dvec3 filledLow;
-  glm::dvec3 filledHigh;
 };
 
 VTKAIRLIGHT_EXPORT GridUniforms GetGridUniforms(const f64::AirlightMedium& medium);
@@ -48,8 +46,6 @@ void VisitGrid(Visitor&& visit, const GridUniforms& grid)
   visit(Member{ "start" }, grid.start);
   visit(Member{ "last" }, grid.last);
   visit(Member{ "first" }, grid.first);
-  visit(Member{ "filledLow" }, grid.filledLow);
-  visit(Member{ "filledHigh" }, grid.filledHigh);
 }
 
 // VisitMedia(), the skies and, in place of what C++ alone has of images, what shaders have of them.

@@ -82,8 +82,8 @@ real2 airlightMet(AirlightLight light, AirlightRay ray, real t0, real t1)
         origin = axes * origin + start;
         direction = axes * direction;
         position = axes * position + (sun ? real3(0.0) : start);
-        low = airlightMedia.item[i].grid.filledLow;
-        high = airlightMedia.item[i].grid.filledHigh;
+        low = real3(0.0);
+        high = airlightMedia.item[i].grid.last;
       }
 #endif
       real2 range = airlightBoxMet(origin, direction, position, sun, low, high, real2(t0, t1));

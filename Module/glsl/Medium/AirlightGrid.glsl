@@ -22,9 +22,6 @@ struct AirlightGrid
   real3 start;  // the eye in samples, counted from the first one
   real3 last;   // the last sample
   AIRLIGHT_SAMPLES first;
-  // In samples, corners of a box outside of which there is nothing.
-  real3 filledLow;
-  real3 filledHigh;
 };
 
 // The eight samples of a cell: those of its lower and its upper layer, x fastest.
@@ -50,24 +47,24 @@ struct AirlightWalk
   real end;
 };
 
-// Clips the range of a line to one axis of a box of samples.
-AIRLIGHT_FN real2 airlightClipToSamples(real2 range, real o, real d, real first, real last)
+// Clips the range of a line to one axis of the box of samples.
+AIRLIGHT_FN real2 airlightClipToSamples(real2 range, real o, real d, real last)
 {
   if (abs(d) < real(AIRLIGHT_STILL))
   {
-    return o >= first && o <= last ? range : real2(real(0.0), real(0.0));
+    return o >= real(0.0) && o <= last ? range : real2(real(0.0), real(0.0));
   }
-  real a = (first - o) / d;
+  real a = -o / d;
   real b = (last - o) / d;
   return real2(max(range.x, min(a, b)), min(range.y, max(a, b)));
 }
 
-// The part of a range of a line that is inside a box; x >= y: none. All in samples.
-AIRLIGHT_FN real2 airlightClipToBox(real2 range, real3 o, real3 d, real3 low, real3 high)
+// The part of a range of a line that is inside the box of samples; x >= y: none.
+AIRLIGHT_FN real2 airlightClipToGrid(real2 range, real3 o, real3 d, real3 last)
 {
-  range = airlightClipToSamples(range, o.x, d.x, low.x, high.x);
-  range = airlightClipToSamples(range, o.y, d.y, low.y, high.y);
-  range = airlightClipToSamples(range, o.z, d.z, low.z, high.z);
+  range = airlightClipToSamples(range, o.x, d.x, last.x);
+  range = airlightClipToSamples(range, o.y, d.y, last.y);
+  range = airlightClipToSamples(range, o.z, d.z, last.z);
   return range;
 }
 
@@ -75,8 +72,8 @@ AIRLIGHT_FN real2 airlightClipToBox(real2 range, real3 o, real3 d, real3 low, re
 AIRLIGHT_FN real2 airlightGridRange(
   AIRLIGHT_IN(AirlightGrid) grid, real3 origin, real3 direction, real from, real to)
 {
-  return airlightClipToBox(real2(from, to), grid.start + grid.axes * origin,
-    grid.axes * direction, real3(real(0.0)), grid.last);
+  return airlightClipToGrid(
+    real2(from, to), grid.start + grid.axes * origin, grid.axes * direction, grid.last);
 }
 
 AIRLIGHT_FN void airlightFindLeaves(AIRLIGHT_INOUT(AirlightWalk) walk)
@@ -84,15 +81,13 @@ AIRLIGHT_FN void airlightFindLeaves(AIRLIGHT_INOUT(AirlightWalk) walk)
   walk.leaves = (real3(walk.cell) + walk.ahead - walk.origin) * walk.inverse + walk.never;
 }
 
-// In the box of cells that are filled.
 AIRLIGHT_FN AirlightWalk airlightWalk(
   AIRLIGHT_IN(AirlightGrid) grid, real3 origin, real3 direction, real from, real to)
 {
   AirlightWalk walk;
   walk.origin = grid.start + grid.axes * origin;
   walk.slope = grid.axes * direction;
-  real2 range = airlightClipToBox(
-    real2(from, to), walk.origin, walk.slope, grid.filledLow, grid.filledHigh);
+  real2 range = airlightClipToGrid(real2(from, to), walk.origin, walk.slope, grid.last);
   bool3 still = lessThan(abs(walk.slope), real3(real(AIRLIGHT_STILL)));
   walk.inverse = mix(real(1.0) / mix(walk.slope, real3(real(1.0)), still), real3(real(0.0)), still);
   walk.never = mix(real3(real(0.0)), real3(real(AIRLIGHT_FAR)), still);

@@ -11,12 +11,14 @@
 #include "AirlightTestTools.h"
 
 #include "vtkAirlight.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -190,6 +192,96 @@ bool CompareRays()
 }
 
 //------------------------------------------------------------------------------
+// The same image in a larger one that is empty but for it, whose extent does not begin at 0. Colours
+// of its other points do not matter.
+vtkSmartPointer<vtkImageData> AddMargin(vtkImageData* image, Random& random)
+{
+  const glm::ivec3 low(2, 3, 1);
+  const glm::ivec3 high(1, 0, 4);
+  const glm::ivec3 first(5, -3, 7);
+  const glm::dvec3 origin = Origin - Spacing * glm::dvec3(first + low);
+  auto result = vtkSmartPointer<vtkImageData>::New();
+  const glm::ivec3 last = first + low + Points - 1 + high;
+  result->SetExtent(first.x, last.x, first.y, last.y, first.z, last.z);
+  result->SetOrigin(&origin.x);
+  result->SetSpacing(Spacing, Spacing, Spacing);
+  vtkPointData* points = image->GetPointData();
+  for (int array = 0; array < points->GetNumberOfArrays(); ++array)
+  {
+    vtkDataArray* from = points->GetArray(array);
+    auto to = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
+    to->SetName(from->GetName());
+    to->SetNumberOfComponents(from->GetNumberOfComponents());
+    to->SetNumberOfTuples(result->GetNumberOfPoints());
+    to->Fill(0.0);
+    const bool isDensity = from == points->GetScalars();
+    for (vtkIdType i = 0; i < to->GetNumberOfTuples() && !isDensity; ++i)
+    {
+      for (int c = 0; c < to->GetNumberOfComponents(); ++c)
+      {
+        to->SetComponent(i, c, random.Uniform(0.0, 1.0));
+      }
+    }
+    for (int i = 0; i < Points * Points * Points; ++i)
+    {
+      int ijk[3] = { i % Points + first.x + low.x, i / Points % Points + first.y + low.y,
+        i / (Points * Points) + first.z + low.z };
+      to->SetTuple(result->ComputePointId(ijk), i, from);
+    }
+    result->GetPointData()->AddArray(to);
+    if (isDensity)
+    {
+      result->GetPointData()->SetActiveAttribute(array, vtkDataSetAttributes::SCALARS);
+    }
+  }
+  return result;
+}
+
+bool CompareMargin()
+{
+  Random random(24);
+  const Cloud cloud(random);
+  vtkDataArray* densities = cloud.Image->GetPointData()->GetScalars();
+  // Where there is a margin, the density is continuous only without any at the image's faces.
+  for (int i = 0; i < Points * Points * Points; ++i)
+  {
+    const glm::ivec3 at(i % Points, i / Points % Points, i / (Points * Points));
+    const bool inside = glm::all(glm::greaterThan(at, glm::ivec3(0))) &&
+      glm::all(glm::lessThan(at, glm::ivec3(Points - 1)));
+    densities->SetComponent(i, 0, inside ? random.Uniform(0.5, 1.5) : 0.0);
+  }
+  cloud.Medium->SetAmbientRadiance(&Ambient.x);
+  cloud.Medium->SetEmission(&Emission.x);
+  cloud.Medium->SetAlbedoArrayName("Albedo");
+  cloud.Medium->SetEmissionArrayName("Glow");
+  const auto padded = AddMargin(cloud.Image, random);
+  Comparison comparison("an empty margin changes nothing");
+  for (int i = 0; i < 20; ++i)
+  {
+    const glm::dvec3 a = RandomPlace(random);
+    const glm::dvec3 direction = RandomUnit(random);
+    const glm::dvec3 lamp = RandomPlace(random);
+    const double intensity[3] = { 2.0, 3.0, 4.0 };
+    const auto get = [&](vtkImageData* image) {
+      std::array<double, 6> result{};
+      cloud.Medium->SetDensityImage(image);
+      vtkAirlight::Ambient(cloud.Medium, &a.x, &direction.x, 3.0, result.data());
+      vtkAirlight::Inscatter(
+        cloud.Medium, &lamp.x, intensity, &a.x, &direction.x, 0.0, 3.0, result.data() + 3);
+      return result;
+    };
+    const std::array<double, 6> expected = get(cloud.Image);
+    const std::array<double, 6> found = get(padded);
+    for (int n = 0; n < 6; ++n)
+    {
+      comparison.Add(std::abs(found[n] - expected[n]), 1e-7 * expected[n],
+        [&] { return Text("ray ", i, ", number ", n, ": ", found[n], " for ", expected[n]); });
+    }
+  }
+  return comparison.Report();
+}
+
+//------------------------------------------------------------------------------
 // Unsigned characters of 51 are an albedo of a fifth; one component is for all channels.
 void CheckConstant()
 {
@@ -285,7 +377,7 @@ void CheckErrors()
 //------------------------------------------------------------------------------
 int TestImageColours(int, char*[])
 {
-  const bool ok = CompareRays();
+  const bool ok = CompareRays() && CompareMargin();
   CheckConstant();
   CheckErrors();
   return ok && Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

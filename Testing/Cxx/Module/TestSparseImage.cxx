@@ -116,6 +116,8 @@ bool CompareImage(std::uint64_t seed, const glm::ivec3& size, int puffs)
   image->AllocateScalars(VTK_DOUBLE, 1);
   image->GetPointData()->GetScalars()->Fill(0.0);
   AddPuffs(image, random, puffs);
+  // Blocks begin at the first point.
+  image->SetScalarComponentFromDouble(1, 1, 1, 0, 1.0);
   vtkNew<vtkParticipatingMedium> medium;
   medium->SetScattering(0.0, 0.0, 0.0);
   medium->SetAbsorption(0.1, 0.1, 0.1);
