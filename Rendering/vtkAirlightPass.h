@@ -585,13 +585,14 @@ public:
    *   lights;
    * - "ErrorBound": maximum error of each component of "Airlight", W/(m^2 sr). It is the sum of:
    *   for each light, vtkParticipatingMedium::GetPhaseErrorBound() times its airlight; 1e-4 (closed
-   *   forms) or 1e-3 (quadrature) of the ray's airlight without shadows; and 1e-4 of the ambient
-   *   part, or of light that is scattered more than once
-   *   vtkParticipatingMedium::GetMultipleScatteringErrorBound() and 1e-2, in an unbounded medium
-   *   (not of boundaries, height fog and casters). With density images, the 1e-3 grow by the
-   *   largest error of the light's grid in optical depth at 500 positions between its points,
-   *   measured when the grid is computed. Not included are rays within rounding of a shadow edge,
-   *   some 1e-6 of its distance, and the errors of SHADOW_MAP and RAY_MARCH;
+   *   forms), 1e-3 (quadrature) or 1e-2 (density images that a region cuts, volumes that cast
+   *   shadows) of the ray's airlight without shadows; and 1e-4 of the ambient part, or of light
+   *   that is scattered more than once vtkParticipatingMedium::GetMultipleScatteringErrorBound()
+   *   and 1e-2, in an unbounded medium (not of boundaries, height fog and casters). With density
+   *   images the share of the airlight grows by the largest error of the light's grid in optical
+   *   depth at 500 positions between its points, measured when the grid is computed. Shadow maps
+   *   add an estimate of theirs, which holds for 99 % of the pixels. Not included are rays within
+   *   rounding of a shadow edge, some 1e-6 of its distance, and the errors of RAY_MARCH;
    * - "Airlight:0", "Airlight:1", ... (RGB): the airlight of each switched-on light that was
    *   scattered once, in the order of the renderer's lights.
    */

@@ -17,6 +17,7 @@
 #include "AirlightSteppedRay.h"
 #include "AirlightTransmittanceBuffer.h"
 #include "AirlightUnshadowedFS.h"
+#include "Density/AirlightDensityGrid.h"
 #include "Inscatter/AirlightLightShadows.h"
 #include "Integration/AirlightIntegrate.h"
 #include "MapperShaders/AirlightSurfaceShader.h"
@@ -54,6 +55,15 @@ glm::vec4 GetLitBit(int light)
 bool IsQuadrature(const f64::AirlightLight& light)
 {
   return light.kind == AIRLIGHT_POINT_QUADRATURE || light.kind == AIRLIGHT_DIRECTIONAL_QUADRATURE;
+}
+
+// A box that holds the image has shrunk to the image's own bounds, and cuts nothing.
+bool IsCutImage(const f64::AirlightMedium& medium)
+{
+  return medium.density == AIRLIGHT_DENSITY_GRID &&
+    (medium.region.kind != AIRLIGHT_REGION_BOX ||
+      medium.region.boxMin != medium.grid->GetLeast() - medium.gridOrigin ||
+      medium.region.boxMax != medium.grid->GetGreatest() - medium.gridOrigin);
 }
 }
 
@@ -143,10 +153,7 @@ double InscatterShader::GetIntegralError() const
   const SceneLight& light = this->Scene.Lights[this->Light];
   const f64::AirlightMedia& media = this->Scene.Media;
   const bool cut =
-    media.volumes > 0 || std::any_of(media.item, media.item + media.count, [](const auto& medium) {
-      return medium.density == AIRLIGHT_DENSITY_GRID &&
-        medium.region.kind != AIRLIGHT_REGION_UNBOUNDED;
-    });
+    media.volumes > 0 || std::any_of(media.item, media.item + media.count, IsCutImage);
   // Where a photometric table is dim, rounding counts more: it is as of a lamp that is even.
   const bool quadrature = IsQuadrature(light.Values) &&
     (!this->Equiangular || light.Values.goniometric != 0 || IsHeightFog(this->Scene));
