@@ -43,6 +43,11 @@ struct Quantiles
 void CheckErrors(
   const std::string& name, vtkImageData* drawn, vtkDataArray* expected, double median, double p99);
 
+// The same against the mean of the pixels that have any: techniques without exact edges are wrong
+// by a share of that, also where nearly all of a pixel's light is in shadow.
+void CheckErrorsOfMean(
+  const std::string& name, vtkImageData* drawn, vtkDataArray* expected, double p99);
+
 // Airlight is as close to what is expected as its bound says, but for pixels at edges of shadows.
 void CheckBound(
   const std::string& name, vtkImageData* drawn, vtkImageData* bound, vtkDataArray* expected);

@@ -23,6 +23,8 @@ constexpr double P99 = 1e-2;
 // A map has no exact edges, and errors are of a pixel's own light, down to a thousandth of the
 // brightest.
 constexpr double MapP99 = 5e-2;
+// Of the picture's mean airlight.
+constexpr double MapP99OfMean = 2e-2;
 
 class MixtureScene : public DensityScene
 {
@@ -165,6 +167,8 @@ private:
     this->ComparePlanes(name);
     this->Pass->SetShadowTechniqueToShadowMap();
     this->Compare(name + ", map", Median, MapP99);
+    CheckErrorsOfMean(name + ", map", this->GetBuffer("Airlight"),
+      this->Reference->GetOutput()->GetPointData()->GetArray("Airlight"), MapP99OfMean);
   }
 
   Random Numbers;
