@@ -22,7 +22,7 @@ packages=(
   # to make packages
   file
   # Python
-  python3-vtk9 python3-numpy
+  python3-vtk9 python3-numpy python3-h5py
   # to render without a screen
   xvfb xauth libgl1-mesa-dri libegl-dev libegl1 libegl-mesa0
 )

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) Airlight developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Output of FDS as smoke: a Plot3D file written here, of the layout that FDS writes, through VTK's
-reader, vtkAirlightDensityImage and the filter that gives visibility; airlight.density_image() and
-its errors."""
+"""Output of FDS as smoke: a Plot3D file written here, of the layout that FDS writes, and a VTKHDF
+file, through VTK's readers, vtkAirlightDensityImage and the filter that gives visibility;
+airlight.density_image() and its errors."""
 
 import pathlib
 import struct
@@ -11,6 +11,7 @@ import sys
 import tempfile
 import unittest
 
+import h5py
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -40,6 +41,24 @@ def write_plot3d(folder, quantities):
     (path / "fire.q").write_bytes(
         header + record(struct.pack("<4f", 0, 0, 0, 0)) + record(values.tobytes()))
     return str(path / "fire.q")
+
+
+def write_vtkhdf(folder, name, values):
+    """name.vtkhdf: an image of point data, version 1.0 of VTK's file format."""
+    path = str(pathlib.Path(folder) / "fire.vtkhdf")
+    with h5py.File(path, "w") as file:
+        root = file.create_group("VTKHDF", track_order=True)
+        root.attrs["Version"] = (1, 0)
+        root.attrs.create("Type", b"ImageData", dtype=h5py.string_dtype("ascii", len("ImageData")))
+        root.attrs["WholeExtent"] = [i for n in SIZE for i in (0, n - 1)]
+        root.attrs["Origin"] = (0.0, 0.0, 0.0)
+        root.attrs["Spacing"] = SPACING
+        root.attrs["Direction"] = np.eye(3).ravel()
+        points = root.create_group("PointData")
+        points.attrs.create("Scalars", name.encode(),
+                            dtype=h5py.string_dtype("ascii", len(name)))
+        points.create_dataset(name, data=values.transpose().astype("<f4"))  # x fastest
+    return path
 
 
 def make_soot():
@@ -73,6 +92,16 @@ class TestFireResults(unittest.TestCase):
             np.testing.assert_allclose(image.GetSpacing(), SPACING, rtol=1e-6)
             values = vtk_to_numpy(image.GetPointData().GetScalars())
             np.testing.assert_allclose(values, 8700 * make_soot().ravel(order="F"), rtol=1e-5)
+
+    def test_vtkhdf(self):
+        from fire_smoke import read_results
+        with tempfile.TemporaryDirectory() as folder:
+            data = read_results(write_vtkhdf(folder, "SOOT DENSITY", make_soot()))
+        image = airlight.density_image(data, "SOOT DENSITY", factor=8700)
+        self.assertEqual(image.GetDimensions(), SIZE)
+        np.testing.assert_allclose(image.GetSpacing(), SPACING)
+        values = vtk_to_numpy(image.GetPointData().GetScalars())
+        np.testing.assert_allclose(values, 8700 * make_soot().ravel(order="F"), rtol=1e-6)
 
     def test_visibility(self):
         """8 over the mean of a linear extinction, which is that in the middle of the line."""
