@@ -134,6 +134,18 @@ void DensitySamples::Crop(const glm::ivec3& low, const glm::ivec3& count, const 
 }
 
 //------------------------------------------------------------------------------
+int DensitySamples::GetBits() const
+{
+  return std::visit(
+    [](const auto& values) {
+      using T = typename std::decay_t<decltype(values)>::value_type;
+      constexpr bool isWhole = std::is_integral_v<T>;
+      return isWhole ? static_cast<int>(8 * sizeof(T)) : 32;
+    },
+    this->All);
+}
+
+//------------------------------------------------------------------------------
 size_t DensitySamples::GetNumberOfBytes() const
 {
   return std::visit(

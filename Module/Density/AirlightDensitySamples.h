@@ -54,6 +54,9 @@ public:
   // Keeps a box of `count` samples, the first of which is `low`, of `size` along each axis.
   void Crop(const glm::ivec3& low, const glm::ivec3& count, const glm::ivec3& size);
 
+  // Of the whole numbers that they are, 8 or 16; 32: of others, which single precision is to hold.
+  int GetBits() const;
+
   // Memory, without what the vector itself takes.
   size_t GetNumberOfBytes() const;
 

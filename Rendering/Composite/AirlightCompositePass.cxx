@@ -103,7 +103,7 @@ CompositePass::NamedTextures CompositePass::GetTextures(
   const FrameScene& scene, const Options& options, const Inputs& inputs)
 {
   NamedTextures textures = { { "distances", inputs.Distances }, { "scene", inputs.Scene },
-    { "airlightData", scene.Data } };
+    { "airlightData", scene.Data }, { "airlightSamples", scene.Samples } };
   if (!options.Unshadowed)
   {
     textures.emplace_back("scattered", inputs.Scattered);

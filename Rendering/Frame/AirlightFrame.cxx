@@ -156,7 +156,8 @@ double Frame::EstimateTranslucent(vtkOpenGLRenderWindow* window, const CameraUni
   const f64::AirlightMedia& media, const std::vector<SceneLight>& lights,
   const CasterCache& casters, const std::vector<vtkProp*>& solids)
 {
-  const FrameScene scene{ window, media, lights, rays, nullptr, rays.GetWidth(), rays.GetHeight() };
+  const FrameScene scene{ window, media, lights, rays, nullptr, nullptr, rays.GetWidth(),
+    rays.GetHeight() };
   return this->Shadows.EstimateTranslucent(scene, casters, solids);
 }
 
@@ -258,7 +259,7 @@ FrameScene Frame::GetScene()
 {
   const Input& input = *this->Current;
   return { this->GetWindow(), input.Media, input.SceneLights, input.Rays, this->Arrays.GetTexture(),
-    input.Rays.GetWidth(), input.Rays.GetHeight() };
+    this->Arrays.GetWholeNumbers(), input.Rays.GetWidth(), input.Rays.GetHeight() };
 }
 
 //------------------------------------------------------------------------------
@@ -585,6 +586,7 @@ SurfaceUniforms Frame::GetSurfaceUniforms(SurfaceStage stage)
     values.LightLayers = LightWaysPass::GetLayers(this->GetScene(), this->Plan.LightLayers);
   }
   values.Data = this->Arrays.GetTexture();
+  values.Samples = this->Arrays.GetWholeNumbers();
   values.ScatteredIrradiance = this->Plan.ScatteredSurfaceLight;
   values.Records = this->Plan.TranslucentFragments ? &this->FragmentLists : nullptr;
   values.Transmittances = &this->Shadows.GetSurfaceTransmittance();

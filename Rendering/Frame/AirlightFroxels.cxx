@@ -105,8 +105,8 @@ bool Froxels::Fail(const std::string& reason)
 FrameScene Froxels::GetCoarse(const FrameScene& scene) const
 {
   const FroxelNodes::Layout& layout = this->Nodes.GetLayout();
-  return { scene.Window, scene.Media, scene.Lights, *this->Rays, scene.Data, layout.Columns,
-    layout.Rows };
+  return { scene.Window, scene.Media, scene.Lights, *this->Rays, scene.Data, scene.Samples,
+    layout.Columns, layout.Rows };
 }
 
 //------------------------------------------------------------------------------
@@ -203,8 +203,8 @@ bool Froxels::DrawRays(const FrameScene& coarse, int light, MapShadow* map)
   vtkOpenGLState* state = coarse.Window->GetState();
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
-  this->RayQuad.Draw(
-    { { "airlightData", coarse.Data }, { "shadowMap", map ? map->GetTexture() : nullptr } });
+  this->RayQuad.Draw({ { "airlightData", coarse.Data }, { "airlightSamples", coarse.Samples },
+    { "shadowMap", map ? map->GetTexture() : nullptr } });
   return true;
 }
 

@@ -87,7 +87,8 @@ bool LightWaysPass::Draw(const FrameScene& scene, int layers, Targets& targets)
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
-  this->Ways.Draw({ { "distances", targets.Distances }, { "airlightData", scene.Data } });
+  this->Ways.Draw({ { "distances", targets.Distances }, { "airlightData", scene.Data },
+    { "airlightSamples", scene.Samples } });
   return true;
 }
 }

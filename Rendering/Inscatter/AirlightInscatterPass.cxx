@@ -109,7 +109,7 @@ bool InscatterPass::DrawPixels(const FrameScene& scene, const InscatterTargets& 
   }
   shader.SetUniforms(program, draw, part);
   LightShadow::Textures textures{ { "distances", targets.Distances },
-    { "airlightData", scene.Data } };
+    { "airlightData", scene.Data }, { "airlightSamples", scene.Samples } };
   for (const auto& texture : shadow.GetTextures())
   {
     textures.emplace_back(texture.first, texture.second ? texture.second : targets.Distances);
@@ -137,7 +137,8 @@ bool InscatterPass::DrawUnshadowed(
   }
   InscatterShader::SetUnshadowedUniforms(program, scene, lights);
   DrawAdded(scene, targets.Mask != nullptr, quad,
-    { { "distances", targets.Distances }, { "airlightData", scene.Data } },
+    { { "distances", targets.Distances }, { "airlightData", scene.Data },
+      { "airlightSamples", scene.Samples } },
     { { 0, 0, scene.Width, scene.Height } });
   return true;
 }

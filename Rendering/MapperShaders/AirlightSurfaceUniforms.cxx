@@ -65,7 +65,7 @@ std::vector<vtkTextureObject*> SurfaceUniforms::GetTextures() const
   std::vector<vtkTextureObject*> textures;
   for (vtkTextureObject* texture :
     { this->Lit, this->MoreLit != this->Lit ? this->MoreLit : nullptr, this->LightWays, this->Data,
-      this->Froxels ? this->Froxels->GetTexture() : nullptr })
+      this->Samples, this->Froxels ? this->Froxels->GetTexture() : nullptr })
   {
     if (texture)
     {
@@ -92,6 +92,10 @@ void SetSurfaceUniforms(vtkShaderProgram* program, const SurfaceUniforms& values
   if (values.Data)
   {
     program->SetUniformi("airlightData", values.Data->GetTextureUnit());
+  }
+  if (values.Samples)
+  {
+    program->SetUniformi("airlightSamples", values.Samples->GetTextureUnit());
   }
   if (values.Records)
   {

@@ -41,6 +41,7 @@ struct SurfaceUniforms
   vtkTextureObject* LightWays = nullptr; // see AirlightLightWaysPass.h; null without layers
   std::vector<int> LightLayers;          // of each light, -1: it has none
   vtkTextureObject* Data = nullptr;      // an active texture, or null where the shaders read none
+  vtkTextureObject* Samples = nullptr;   // likewise, see AirlightFrameScene.h
   const TranslucentFragments* Records = nullptr; // null: there are none
   const ShadowTransmittance* Transmittances =
     nullptr;                            // what casters leave of lights on opaque surfaces

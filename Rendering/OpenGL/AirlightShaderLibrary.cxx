@@ -249,9 +249,10 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
     : std::string(AirlightEquiangular) + AirlightEquiangularPanel + AirlightBeside;
   return Define("AIRLIGHT_HAS_SURFACE", surface) + Define("AIRLIGHT_SURFACE_MEDIA", surfaces) +
     Define("AIRLIGHT_ALL_SURFACES", allSurfaces) + Define("AIRLIGHT_HAS_GRID", grid) +
-    Define("AIRLIGHT_GRID_MEDIA", grids) + Define("AIRLIGHT_ALBEDO_MEDIA", albedos) +
-    Define("AIRLIGHT_GLOW_MEDIA", glows) + Define("AIRLIGHT_HAS_TABLE", table) +
-    Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) + (sky ? Define("AIRLIGHT_HAS_SKY", 1) : "") +
+    Define("AIRLIGHT_GRID_MEDIA", grids) + Define("AIRLIGHT_SAMPLE_BITS", GetSampleBits(media)) +
+    Define("AIRLIGHT_ALBEDO_MEDIA", albedos) + Define("AIRLIGHT_GLOW_MEDIA", glows) +
+    Define("AIRLIGHT_HAS_TABLE", table) + Define("AIRLIGHT_HAS_PHOTOMETRY", photometry) +
+    (sky ? Define("AIRLIGHT_HAS_SKY", 1) : "") +
     Define("AIRLIGHT_HAS_DATA", surface || table || photometry || grid) + AirlightPrelude +
     Define("AIRLIGHT_MAX_POLES", AIRLIGHT_MAX_POLES) + Define("AIRLIGHT_MAX_MEDIA", dimming) +
     Define("AIRLIGHT_MEDIUM_COUNT", media.count) +
@@ -283,6 +284,21 @@ std::string GetScatteringSource(const f64::AirlightMedia& media, int lightKind, 
 std::string GetScatteredIrradianceSource()
 {
   return std::string(AirlightIrradianceRay) + AirlightScatteredIrradiance;
+}
+
+//------------------------------------------------------------------------------
+int GetSampleBits(const f64::AirlightMedia& media)
+{
+  int bits = 0;
+  for (int i = 0; i < media.count + media.volumes; ++i)
+  {
+    if (media.item[i].density == AIRLIGHT_DENSITY_GRID)
+    {
+      const int own = media.item[i].grid->GetSamples().GetBits();
+      bits = bits == 0 || bits == own ? own : FloatBits;
+    }
+  }
+  return bits == 0 ? FloatBits : bits;
 }
 
 //------------------------------------------------------------------------------

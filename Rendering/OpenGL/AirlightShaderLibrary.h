@@ -28,6 +28,11 @@ VTKAIRLIGHT_EXPORT std::string GetScatteringSource(
 // What airlightScatteredIrradiance() needs beyond them.
 std::string GetScatteredIrradianceSource();
 
+// In what the samples of images are on the graphics card: whole numbers of 8 or 16 bits where those
+// of all images of a frame are, else single precision.
+constexpr int FloatBits = 32;
+VTKAIRLIGHT_EXPORT int GetSampleBits(const f64::AirlightMedia& media);
+
 // What shaders have of a medium's image: AirlightGrid.glsl.
 struct GridUniforms
 {

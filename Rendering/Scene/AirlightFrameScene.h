@@ -24,8 +24,9 @@ struct FrameScene
   const f64::AirlightMedia& Media;
   const std::vector<SceneLight>& Lights;
   const CameraUniforms& Rays;
-  vtkTextureObject* Data; // surfaces, tables and images of media and lights
-  int Width;              // of the viewport
+  vtkTextureObject* Data;    // surfaces, tables and images of media and lights
+  vtkTextureObject* Samples; // of images, where these are whole numbers; else null
+  int Width;                 // of the viewport
   int Height;
 };
 

@@ -14,8 +14,8 @@ namespace
 // A row of n samples has n - 1 cells, three in a texel.
 size_t CountRowTexels(int samples) { return (static_cast<size_t>(samples) + 1) / 3; }
 
-template <typename Samples>
-void Pack(const Samples& samples, const glm::ivec3& size, glm::vec4* texels)
+template <typename Samples, typename Texel>
+void Pack(const Samples& samples, const glm::ivec3& size, Texel* texels)
 {
   const size_t rowTexels = CountRowTexels(size.x);
   vtkSMPTools::For(0, static_cast<vtkIdType>(size.y) * size.z, [&](vtkIdType a, vtkIdType b) {
@@ -26,7 +26,7 @@ void Pack(const Samples& samples, const glm::ivec3& size, glm::vec4* texels)
       {
         const size_t column = std::min<size_t>(3 * (i / 4) + i % 4, size.x - 1);
         texels[row * rowTexels + i / 4][static_cast<int>(i % 4)] =
-          static_cast<float>(std::min(samples[first + column], OpaqueDensity));
+          static_cast<typename Texel::value_type>(std::min(samples[first + column], OpaqueDensity));
       }
     }
   });
@@ -37,11 +37,17 @@ void Pack(const Samples& samples, const glm::ivec3& size, glm::vec4* texels)
 size_t CountTexels(const glm::ivec3& size) { return CountRowTexels(size.x) * size.y * size.z; }
 
 //------------------------------------------------------------------------------
-void PackSamples(const DensitySamples& samples, const glm::ivec3& size, glm::vec4* texels)
+template <typename Texel>
+void PackSamples(const DensitySamples& samples, const glm::ivec3& size, Texel* texels)
 {
   Pack(samples, size, texels);
 }
 
+template void PackSamples(const DensitySamples&, const glm::ivec3&, glm::vec4*);
+template void PackSamples(const DensitySamples&, const glm::ivec3&, glm::u16vec4*);
+template void PackSamples(const DensitySamples&, const glm::ivec3&, glm::u8vec4*);
+
+//------------------------------------------------------------------------------
 void PackSamples(const std::vector<double>& samples, const glm::ivec3& size, glm::vec4* texels)
 {
   Pack(samples, size, texels);

@@ -23,7 +23,9 @@ constexpr double OpaqueDensity = 1e25;
 
 // `size`: numbers of samples.
 size_t CountTexels(const glm::ivec3& size);
-void PackSamples(const DensitySamples& samples, const glm::ivec3& size, glm::vec4* texels);
+// Into texels of four floats or, where samples are such, of whole numbers of 8 or 16 bits.
+template <typename Texel>
+void PackSamples(const DensitySamples& samples, const glm::ivec3& size, Texel* texels);
 void PackSamples(const std::vector<double>& samples, const glm::ivec3& size, glm::vec4* texels);
 }
 

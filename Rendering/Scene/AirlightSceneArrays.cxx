@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/AirlightSceneArrays.h"
 
+#include "OpenGL/AirlightShaderLibrary.h"
 #include "Phase/AirlightPhaseShape.h"
 #include "Region/AirlightSurfaceTree.h"
 #include "Scene/AirlightPackedSamples.h"
@@ -42,23 +43,35 @@ glm::dmat4 GetMatrixToPlaces(const DensityGrid& grid, const glm::dvec3& origin)
 }
 
 // The samples of an image, and before them its blocks (airlightIsEmptyBlock()).
+template <typename Texel>
 SceneArray MakeArray(const std::shared_ptr<const DensityGrid>& image)
 {
   const std::vector<std::uint8_t>& blocks = image->GetBlocks().GetFilled();
-  const glm::ivec3 size = glm::ivec3(image->GetLast()) + 1;
-  const auto write = [&blocks, &samples = image->GetSamples(), size](glm::vec4* to) {
-    glm::vec4* first = std::transform(
-      blocks.rbegin(), blocks.rend(), to, [](std::uint8_t filled) { return glm::vec4(filled); });
-    PackSamples(samples, size, first);
+  const auto write = [&grid = *image](void* to) {
+    const std::vector<std::uint8_t>& filled = grid.GetBlocks().GetFilled();
+    Texel* first = std::transform(filled.rbegin(), filled.rend(), static_cast<Texel*>(to),
+      [](std::uint8_t block) { return Texel(block); });
+    PackSamples(grid.GetSamples(), grid.GetSize(), first);
   };
-  return { image, blocks.size() + CountTexels(size), write, blocks.size() };
+  const size_t bytes = sizeof(Texel) * (blocks.size() + CountTexels(image->GetSize()));
+  return { image, (bytes + sizeof(glm::vec4) - 1) / sizeof(glm::vec4), write, blocks.size(),
+    8 * static_cast<int>(sizeof(typename Texel::value_type)) };
+}
+
+SceneArray MakeArray(const std::shared_ptr<const DensityGrid>& image, int bits)
+{
+  return bits == 8 ? MakeArray<glm::u8vec4>(image)
+    : bits == 16   ? MakeArray<glm::u16vec4>(image)
+                   : MakeArray<glm::vec4>(image);
 }
 
 // Numbers that a shared object holds.
 template <typename Vector>
 SceneArray MakeArray(const std::shared_ptr<const void>& owner, const std::vector<Vector>& texels)
 {
-  const auto write = [all = &texels](glm::vec4* to) { std::copy(all->begin(), all->end(), to); };
+  const auto write = [all = &texels](void* to) {
+    std::copy(all->begin(), all->end(), static_cast<glm::vec4*>(to));
+  };
   return { owner, texels.size(), write };
 }
 }
@@ -71,7 +84,7 @@ void SceneArrays::AddDensity(const Add& add, int index, const DensitySource& sou
   LightGrids& grids = this->Grids[source.Image];
   const bool everywhere = converted.count + converted.volumes > 1;
   f64::AirlightMedium& item = converted.item[index];
-  add(MakeArray(source.Image), item.gridFirst);
+  add(MakeArray(source.Image, GetSampleBits(converted)), item.gridFirst);
   const glm::dmat4 toPlaces = GetMatrixToPlaces(*source.Image, item.gridOrigin);
   for (SceneLight& sceneLight : sceneLights)
   {
@@ -162,7 +175,7 @@ bool SceneArrays::Upload(vtkOpenGLRenderWindow* window, const SceneSources& sour
   const bool ok = this->Data.Update(window, arrays);
   for (size_t i = 0; i < first.size() && ok; ++i)
   {
-    *first[i] = this->Data.GetFirst(i) + static_cast<int>(arrays[i].Begin);
+    *first[i] = this->Data.GetFirst(i);
   }
   return ok;
 }

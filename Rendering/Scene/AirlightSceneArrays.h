@@ -43,6 +43,8 @@ public:
 
   // Null without arrays.
   vtkTextureObject* GetTexture() { return this->Data.GetTexture(); }
+  // The same buffer as whole numbers; null where no array has such.
+  vtkTextureObject* GetWholeNumbers() { return this->Data.GetWholeNumbers(); }
 
   void Release(vtkWindow* window) { this->Data.Release(window); }
 

@@ -25,6 +25,21 @@ size_t AddSpare(size_t texels)
 
 GLsizeiptr GetBytes(size_t texels) { return static_cast<GLsizeiptr>(texels * sizeof(glm::vec4)); }
 
+size_t GetLargestView()
+{
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  return static_cast<size_t>(most);
+}
+
+// Of the arrays of whole numbers; 0: there are none.
+int GetWholeBits(const std::vector<SceneArray>& arrays)
+{
+  const auto it = std::find_if(
+    arrays.begin(), arrays.end(), [](const SceneArray& array) { return array.Bits < 32; });
+  return it == arrays.end() ? 0 : it->Bits;
+}
+
 // An array may be there more than once.
 size_t CountAll(const std::vector<SceneArray>& arrays)
 {
@@ -55,7 +70,7 @@ SceneData::~SceneData() = default;
 bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<SceneArray>& arrays)
 {
   this->KeepOnly(arrays);
-  if (!this->Add(window, arrays))
+  if (!this->Add(window, arrays) || !this->ViewWholeNumbers(window, GetWholeBits(arrays)))
   {
     this->Places.clear();
     return false;
@@ -63,7 +78,7 @@ bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<SceneArr
   this->First.clear();
   for (const SceneArray& array : arrays)
   {
-    this->First.push_back(this->Find(array)->First);
+    this->First.push_back(this->Find(array)->First * (32 / array.Bits) + array.Begin);
   }
   return true;
 }
@@ -72,7 +87,7 @@ bool SceneData::Update(vtkOpenGLRenderWindow* window, const std::vector<SceneArr
 const SceneData::Place* SceneData::Find(const SceneArray& array) const
 {
   const auto it = std::find_if(this->Places.begin(), this->Places.end(),
-    [&array](const Place& place) { return place.Key == array.Key; });
+    [&array](const Place& place) { return place.Key == array.Key && place.Bits == array.Bits; });
   return it == this->Places.end() ? nullptr : &*it;
 }
 
@@ -80,8 +95,9 @@ const SceneData::Place* SceneData::Find(const SceneArray& array) const
 void SceneData::KeepOnly(const std::vector<SceneArray>& arrays)
 {
   const auto isGone = [&arrays](const Place& place) {
-    return std::none_of(arrays.begin(), arrays.end(),
-      [&place](const SceneArray& array) { return array.Key == place.Key; });
+    return std::none_of(arrays.begin(), arrays.end(), [&place](const SceneArray& array) {
+      return array.Key == place.Key && array.Bits == place.Bits;
+    });
   };
   this->Places.erase(
     std::remove_if(this->Places.begin(), this->Places.end(), isGone), this->Places.end());
@@ -142,7 +158,7 @@ bool SceneData::Write(const SceneArray& array, size_t first)
     GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_RANGE_BIT);
   if (texels)
   {
-    array.Write(static_cast<glm::vec4*>(texels));
+    array.Write(texels);
   }
   const bool ok = texels && glUnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE;
   this->Buffer->Release();
@@ -152,7 +168,7 @@ bool SceneData::Write(const SceneArray& array, size_t first)
                   "again, or use coarser ones";
     return false;
   }
-  const Place place = { array.Key, first, array.Size };
+  const Place place = { array.Key, first, array.Size, array.Bits };
   this->Places.insert(std::upper_bound(this->Places.begin(), this->Places.end(), place,
                         [](const Place& a, const Place& b) { return a.First < b.First; }),
     place);
@@ -163,17 +179,16 @@ bool SceneData::Write(const SceneArray& array, size_t first)
 // Another buffer, to which the arrays move one after the other.
 bool SceneData::Allocate(vtkOpenGLRenderWindow* window, size_t texels)
 {
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  if (texels > static_cast<size_t>(most))
+  const size_t most = GetLargestView();
+  if (texels > most)
   {
-    this->Error = "surfaces, images and tables take " + std::to_string(texels) +
-      " texels and the graphics card has room for " + std::to_string(most) + "; use coarser ones";
-    return false;
+    return this->FailFit(texels, most);
   }
   vtkSmartPointer<vtkOpenGLBufferObject> before = this->Buffer;
   this->Buffer = nullptr;
   this->Capacity = 0;
+  this->WholeNumbers->ReleaseGraphicsResources(window);
+  this->WholeBits = 0;
   if (this->Places.empty())
   {
     // There is nothing to keep, and a card may not have room for both. The texture holds it, too.
@@ -184,7 +199,7 @@ bool SceneData::Allocate(vtkOpenGLRenderWindow* window, size_t texels)
   {
     return true;
   }
-  const size_t capacity = std::min(AddSpare(texels), static_cast<size_t>(most));
+  const size_t capacity = std::min(AddSpare(texels), most);
   ForgetErrors();
   auto buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
   buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer);
@@ -218,15 +233,64 @@ bool SceneData::Allocate(vtkOpenGLRenderWindow* window, size_t texels)
 }
 
 //------------------------------------------------------------------------------
+bool SceneData::ViewWholeNumbers(vtkOpenGLRenderWindow* window, int bits)
+{
+  if (bits == this->WholeBits)
+  {
+    return true;
+  }
+  this->WholeNumbers->ReleaseGraphicsResources(window);
+  this->WholeBits = 0;
+  if (bits == 0)
+  {
+    return true;
+  }
+  const size_t texels = this->Capacity * (32 / bits);
+  if (texels > GetLargestView())
+  {
+    return this->FailFit(texels, GetLargestView());
+  }
+  this->WholeNumbers->SetContext(window);
+  this->WholeNumbers->SetInternalFormat(bits == 8 ? GL_RGBA8 : GL_RGBA16);
+  const int type = bits == 8 ? VTK_UNSIGNED_CHAR : VTK_UNSIGNED_SHORT;
+  ForgetErrors();
+  if (!this->WholeNumbers->CreateTextureBuffer(
+        static_cast<unsigned int>(texels), 4, type, this->Buffer) ||
+    IsOutOfMemory())
+  {
+    this->Error = "no memory on the graphics card for the media's images: use coarser ones";
+    return false;
+  }
+  this->WholeBits = bits;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool SceneData::FailFit(size_t texels, size_t most)
+{
+  this->Error = "surfaces, images and tables take " + std::to_string(texels) +
+    " texels and the graphics card has room for " + std::to_string(most) + "; use coarser ones";
+  return false;
+}
+
+//------------------------------------------------------------------------------
 vtkTextureObject* SceneData::GetTexture()
 {
   return this->Places.empty() ? nullptr : this->Texture.Get();
 }
 
 //------------------------------------------------------------------------------
+vtkTextureObject* SceneData::GetWholeNumbers()
+{
+  return this->WholeBits == 0 ? nullptr : this->WholeNumbers.Get();
+}
+
+//------------------------------------------------------------------------------
 void SceneData::Release(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
+  this->WholeNumbers->ReleaseGraphicsResources(window);
+  this->WholeBits = 0;
   if (this->Buffer)
   {
     this->Buffer->ReleaseGraphicsResources();

@@ -26,16 +26,17 @@ class vtkWindow;
 
 namespace airlight
 {
-// An array of texels.
+// An array of texels of four floats or, of few bits, of four whole numbers.
 struct SceneArray
 {
   // What it is made of, which tells it from others and does not change.
   std::shared_ptr<const void> Key;
+  // In texels of four floats, at least one.
   size_t Size;
-  // Writes so many texels, at least one.
-  std::function<void(glm::vec4*)> Write;
-  // The one at which shaders begin to count.
+  std::function<void(void*)> Write;
+  // The texel, of its own kind, at which shaders begin to count.
   size_t Begin = 0;
+  int Bits = 32; // of a number; all arrays of whole numbers have the same, 8 or 16
 };
 
 class SceneData
@@ -44,14 +45,16 @@ public:
   SceneData();
   ~SceneData();
 
-  // Puts those arrays on the card that are not there, and says where each begins. False with a
-  // reason in GetError() where the card has no room.
+  // Puts those arrays on the card that are not there, and says where each begins, in texels of its
+  // own kind. False with a reason in GetError() where the card has no room.
   bool Update(vtkOpenGLRenderWindow* window, const std::vector<SceneArray>& arrays);
   int GetFirst(size_t array) const { return static_cast<int>(this->First[array]); }
   const std::string& GetError() const { return this->Error; }
 
   // Null without arrays.
   vtkTextureObject* GetTexture();
+  // The same buffer in shares of the largest whole number; null without arrays of such.
+  vtkTextureObject* GetWholeNumbers();
 
   void Release(vtkWindow* window);
 
@@ -61,6 +64,7 @@ private:
     std::shared_ptr<const void> Key;
     size_t First;
     size_t Size;
+    int Bits;
   };
 
   const Place* Find(const SceneArray& array) const;
@@ -69,12 +73,16 @@ private:
   bool Add(vtkOpenGLRenderWindow* window, const std::vector<SceneArray>& arrays);
   bool Write(const SceneArray& array, size_t first);
   bool Allocate(vtkOpenGLRenderWindow* window, size_t texels);
+  bool ViewWholeNumbers(vtkOpenGLRenderWindow* window, int bits);
+  bool FailFit(size_t texels, size_t most);
 
   std::vector<Place> Places; // in the order of their beginnings
   std::vector<size_t> First;
   size_t Capacity = 0; // texels
   vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Texture;
+  vtkNew<vtkTextureObject> WholeNumbers;
+  int WholeBits = 0; // that it shows; 0: none
   std::string Error;
 };
 }

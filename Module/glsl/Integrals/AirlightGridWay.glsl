@@ -38,6 +38,17 @@ AirlightGridWay airlightGridWay(
   return result;
 }
 
+// At a place in the light's grid.
+real airlightMeanOnWay(int first, real3 size, real3 place)
+{
+  real3 corner = clamp(floor(place), real3(0.0), size - 1.0);
+  int3 cells = int3(size);
+  AirlightCell cell;
+  cell.low = airlightDataLayer(first, cells, int3(corner));
+  cell.high = airlightDataLayer(first, cells, int3(corner) + int3(0, 0, 1));
+  return airlightInCell(cell, place - corner);
+}
+
 // Of the ways from a point to the light through images in closed surfaces: how much of their reach
 // is outside.
 struct AirlightOutside
@@ -90,7 +101,7 @@ real3 airlightInsideLightDepth(AirlightLight light, real3 point, AirlightOutside
 #endif
       if (way.reach > 0.0)
       {
-        real mean = airlightInterpolated(light.gridFirst[i], light.gridSize[i], way.cells);
+        real mean = airlightMeanOnWay(light.gridFirst[i], light.gridSize[i], way.cells);
         depth += airlightMedia.item[i].sigmaT * max(mean, 0.0) * way.reach;
       }
     }

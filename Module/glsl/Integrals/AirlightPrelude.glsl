@@ -78,23 +78,56 @@ uniform int airlightZero;
 uniform samplerBuffer airlightData;
 #endif
 #if AIRLIGHT_HAS_GRID
+#if AIRLIGHT_SAMPLE_BITS < 32
+// The same numbers as whole ones of so many bits: the samples of images, as shares of the largest.
+uniform samplerBuffer airlightSamples;
+#define AIRLIGHT_SAMPLE(i)                                                                         \
+  (texelFetch(airlightSamples, i) * real((1 << AIRLIGHT_SAMPLE_BITS) - 1))
+#else
+#define AIRLIGHT_SAMPLE(i) texelFetch(airlightData, i)
+#endif
+
 // Before an image's samples are texels of its blocks, the first one last.
 bool airlightIsEmptyBlock(int first, int block)
 {
-  return texelFetch(airlightData, first - 1 - block).x == 0.0;
+  return AIRLIGHT_SAMPLE(first - 1 - block).x == 0.0;
 }
 
-// The samples at the corners of a cell in one layer; `size`: the image's number of cells. Texels
-// are as AirlightPackedSamples.h says: three cells in each along x.
-real4 airlightLayer(int first, int3 size, int3 cell)
+// Where the samples at the corners of a cell in one layer are; `size`: the image's number of cells.
+// Texels are as AirlightPackedSamples.h says: three cells in each along x.
+struct AirlightLayerPlace
+{
+  int texel; // the cell's first row; the second one is so many further on
+  int row;
+  int place; // in the texel
+};
+
+AirlightLayerPlace airlightLayerPlace(int3 size, int3 cell)
 {
   const float third = 0.33333334; // rounded up, so that no integer becomes a smaller one
   int texels = int(float(size.x + 2) * third); // of a row
   int column = int(float(cell.x) * third);
-  int at = first + column + texels * (cell.y + (size.y + 1) * cell.z);
-  real4 a = texelFetch(airlightData, at);
-  real4 b = texelFetch(airlightData, at + texels);
-  int place = cell.x - 3 * column;
+  return AirlightLayerPlace(
+    column + texels * (cell.y + (size.y + 1) * cell.z), texels, cell.x - 3 * column);
+}
+
+real4 airlightTakeLayer(real4 a, real4 b, int place)
+{
   return place == 0 ? real4(a.xy, b.xy) : place == 1 ? real4(a.yz, b.yz) : real4(a.zw, b.zw);
+}
+
+real4 airlightLayer(int first, int3 size, int3 cell)
+{
+  AirlightLayerPlace at = airlightLayerPlace(size, cell);
+  return airlightTakeLayer(AIRLIGHT_SAMPLE(first + at.texel),
+    AIRLIGHT_SAMPLE(first + at.texel + at.row), at.place);
+}
+
+// The same of numbers that are no samples of an image.
+real4 airlightDataLayer(int first, int3 size, int3 cell)
+{
+  AirlightLayerPlace at = airlightLayerPlace(size, cell);
+  return airlightTakeLayer(texelFetch(airlightData, first + at.texel),
+    texelFetch(airlightData, first + at.texel + at.row), at.place);
 }
 #endif

@@ -13,7 +13,9 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <cmath>
 #include <cstdlib>
+#include <utility>
 
 using namespace airlight_test;
 
@@ -126,6 +128,68 @@ void TestPlacesOnCard()
 }
 
 //------------------------------------------------------------------------------
+// A cloud of whole numbers up to `most`, in this type.
+vtkSmartPointer<vtkImageData> MakeWholeCloud(int points, std::uint64_t seed, int type, double most)
+{
+  const auto image = MakeDensity(glm::ivec3(points), glm::dvec3(-2, -1, -2), glm::dvec3(2, 3, 2));
+  FillCloud(image, seed);
+  vtkDataArray* cloud = image->GetPointData()->GetScalars();
+  const double scale = most / cloud->GetRange()[1];
+  auto numbers = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  numbers->SetName("Density");
+  numbers->SetNumberOfTuples(cloud->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < cloud->GetNumberOfTuples(); ++i)
+  {
+    numbers->SetComponent(i, 0, std::round(scale * cloud->GetComponent(i, 0)));
+  }
+  image->GetPointData()->SetScalars(numbers);
+  return image;
+}
+
+// Samples of 8 and 16 bits stay such on the card while all images have as many, and are drawn as the
+// same numbers in single precision, whatever was there before.
+void TestWholeNumbers()
+{
+  DensityScene scene(MakeDensity(glm::ivec3(2), glm::dvec3(-1), glm::dvec3(1)));
+  scene.AddBodies();
+  scene.AddPointLight({ 0.5, 2.2, -1.5 });
+  vtkNew<vtkParticipatingMedium> other;
+  scene.Pass->AddMedium(other);
+  struct Cloud
+  {
+    int Type;
+    double Most;
+  };
+  const Cloud bytes{ VTK_UNSIGNED_CHAR, 255.0 };
+  const Cloud shorts{ VTK_UNSIGNED_SHORT, 65535.0 };
+  const Cloud floats{ VTK_FLOAT, 1000.0 };
+  const auto show = [](vtkParticipatingMedium* medium, const Cloud& cloud, int type, int seed) {
+    medium->SetDensityImage(MakeWholeCloud(10 + seed % 7, seed, type, cloud.Most));
+    const double unit = 1.0 / cloud.Most;
+    medium->SetScattering(0.5 * unit, 0.4 * unit, 0.3 * unit);
+    medium->SetAbsorption(0.1 * unit, 0.2 * unit, 0.0);
+  };
+  int seed = 80;
+  for (const auto& [first, second] : { std::pair(bytes, bytes), std::pair(shorts, shorts),
+         std::pair(shorts, bytes), std::pair(bytes, floats), std::pair(shorts, shorts) })
+  {
+    ++seed;
+    show(scene.Medium, first, first.Type, seed);
+    show(other, second, second.Type, seed + 20);
+    const Buffers whole = scene.Render();
+    show(scene.Medium, first, VTK_FLOAT, seed);
+    show(other, second, VTK_FLOAT, seed + 20);
+    const Buffers expected = scene.Render();
+    const std::string name = Text("types ", first.Type, " and ", second.Type);
+    for (const char* buffer : { "Airlight", "Transmittance", "Radiance" })
+    {
+      CheckErrors(name + ", " + buffer, whole.at(buffer),
+        expected.at(buffer)->GetPointData()->GetScalars(), 2e-6, 2e-5);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Whatever changes, the next picture is the reference's.
 void TestUpdates()
 {
@@ -203,5 +267,6 @@ int TestDensityPassUpdates(int, char*[])
   TestPlace();
   TestUpdates();
   TestPlacesOnCard();
+  TestWholeNumbers();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
