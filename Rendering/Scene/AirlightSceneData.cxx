@@ -233,8 +233,40 @@ bool SceneData::Allocate(vtkOpenGLRenderWindow* window, size_t texels)
 }
 
 //------------------------------------------------------------------------------
+// Of the arrays of whole numbers, in texels of their own.
+size_t SceneData::GetWholeEnd() const
+{
+  size_t end = 0;
+  for (const Place& place : this->Places)
+  {
+    end = place.Bits < 32 ? (place.First + place.Size) * (32 / place.Bits) : end;
+  }
+  return end;
+}
+
+//------------------------------------------------------------------------------
+// A texture shows a part of a large buffer alone, of which small texels take less.
+bool SceneData::PutWholeNumbersFirst(vtkOpenGLRenderWindow* window)
+{
+  std::stable_sort(this->Places.begin(), this->Places.end(),
+    [](const Place& a, const Place& b) { return a.Bits < 32 && b.Bits == 32; });
+  size_t sum = 0;
+  for (const Place& place : this->Places)
+  {
+    sum += place.Size;
+  }
+  return this->Allocate(window, sum) &&
+    (this->GetWholeEnd() <= GetLargestView() ||
+      this->FailFit(this->GetWholeEnd(), GetLargestView()));
+}
+
+//------------------------------------------------------------------------------
 bool SceneData::ViewWholeNumbers(vtkOpenGLRenderWindow* window, int bits)
 {
+  if (this->GetWholeEnd() > GetLargestView() && !this->PutWholeNumbersFirst(window))
+  {
+    return false;
+  }
   if (bits == this->WholeBits)
   {
     return true;
@@ -245,11 +277,7 @@ bool SceneData::ViewWholeNumbers(vtkOpenGLRenderWindow* window, int bits)
   {
     return true;
   }
-  const size_t texels = this->Capacity * (32 / bits);
-  if (texels > GetLargestView())
-  {
-    return this->FailFit(texels, GetLargestView());
-  }
+  const size_t texels = std::min(this->Capacity * (32 / bits), GetLargestView());
   this->WholeNumbers->SetContext(window);
   this->WholeNumbers->SetInternalFormat(bits == 8 ? GL_RGBA8 : GL_RGBA16);
   const int type = bits == 8 ? VTK_UNSIGNED_CHAR : VTK_UNSIGNED_SHORT;

@@ -73,6 +73,8 @@ private:
   bool Add(vtkOpenGLRenderWindow* window, const std::vector<SceneArray>& arrays);
   bool Write(const SceneArray& array, size_t first);
   bool Allocate(vtkOpenGLRenderWindow* window, size_t texels);
+  size_t GetWholeEnd() const;
+  bool PutWholeNumbersFirst(vtkOpenGLRenderWindow* window);
   bool ViewWholeNumbers(vtkOpenGLRenderWindow* window, int bits);
   bool FailFit(size_t texels, size_t most);
 

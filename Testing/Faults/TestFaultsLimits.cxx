@@ -8,6 +8,11 @@
 
 #include "AirlightTestCloudVolume.h"
 
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+
 using namespace airlight_test;
 
 namespace
@@ -104,6 +109,58 @@ void TestVolume(const Expected& small)
   CheckRecovered(scene, expected, "a volume as a medium, with room");
 }
 
+// A cloud of numbers of this type from 0 to 200 in the scene's medium.
+void AddCloud(WindowScene& scene, int type)
+{
+  const auto image = MakeDensity(glm::ivec3(12), glm::dvec3(-1.5), glm::dvec3(1.5));
+  FillCloud(image, 81028);
+  vtkDataArray* cloud = image->GetPointData()->GetScalars();
+  auto numbers = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  numbers->SetNumberOfTuples(cloud->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < cloud->GetNumberOfTuples(); ++i)
+  {
+    numbers->SetComponent(
+      i, 0, std::round(200.0 * cloud->GetComponent(i, 0) / cloud->GetRange()[1]));
+  }
+  image->GetPointData()->SetScalars(numbers);
+  vtkNew<vtkParticipatingMedium> smoke;
+  smoke->SetDensityImage(image);
+  smoke->SetScattering(0.01, 0.01, 0.01);
+  scene.Pass->AddMedium(smoke);
+}
+
+// The least power of 2 of texels with which a scene of two such clouds is as it is with all room.
+int FindLeastRoom(int type)
+{
+  WindowScene scene(80, 60, 1);
+  AddCloud(scene, type);
+  AddCloud(scene, type);
+  const Picture good = Capture(scene.Window);
+  airlight_test::ErrorListener errors(scene.Pass);
+  int most = 64;
+  for (; most < (1 << 24); most *= 2)
+  {
+    scene.Pass->ReleaseGraphicsResources(scene.Window);
+    ClaimTextureBufferSize(most);
+    if (Compare(good, Capture(scene.Window)) == 0)
+    {
+      break;
+    }
+  }
+  ClaimTextureBufferSize(0);
+  return most;
+}
+
+// Samples of 8 bits have smaller texels, of which a texture shows no more: a scene of such images
+// fits wherever one of floats does.
+void TestWholeNumbers()
+{
+  const int bytes = FindLeastRoom(VTK_UNSIGNED_CHAR);
+  const int floats = FindLeastRoom(VTK_FLOAT);
+  std::cout << "texels for bytes " << bytes << ", for floats " << floats << "\n";
+  Check(bytes <= floats && floats < (1 << 24), "bytes need no more texels than floats");
+}
+
 // The pass goes to a window whose OpenGL is newer.
 void TestVersion(const Expected& small)
 {
@@ -146,6 +203,7 @@ int TestFaultsLimits(int, char*[])
   TestTextureSize(small, large);
   TestTextureBufferSize(small);
   TestVolume(small);
+  TestWholeNumbers();
   TestVersion(small);
   TestLostContext(small);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
