@@ -73,7 +73,6 @@ std::shared_ptr<const DensityGrid> DensityGrid::Build(vtkImageData* image, std::
     return nullptr;
   }
   grid->Crop();
-  grid->FindBounds();
   grid->Blocks = FilledBlocks(grid->Samples, grid->Size);
   return grid;
 }
@@ -116,6 +115,15 @@ bool DensityGrid::ReadGeometry(vtkImageData* image, std::string& error)
          << "): they must be finite, the spacing not 0, and the direction matrix invertible";
     error = text.str();
     return false;
+  }
+  this->Least = this->First;
+  this->Greatest = this->First;
+  for (int corner = 1; corner < 8; ++corner)
+  {
+    const glm::dvec3 far(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const glm::dvec3 position = this->First + steps * (far * glm::dvec3(this->Size - 1));
+    this->Least = glm::min(this->Least, position);
+    this->Greatest = glm::max(this->Greatest, position);
   }
   return true;
 }
@@ -174,20 +182,6 @@ void DensityGrid::Crop()
     this->First = this->ToWorld(glm::dvec3(low));
     this->FirstPoint = low;
     this->Size = count;
-  }
-}
-
-//------------------------------------------------------------------------------
-void DensityGrid::FindBounds()
-{
-  this->Least = this->First;
-  this->Greatest = this->First;
-  for (int corner = 1; corner < 8; ++corner)
-  {
-    const glm::dvec3 far(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const glm::dvec3 position = this->ToWorld(far * this->GetLast());
-    this->Least = glm::min(this->Least, position);
-    this->Greatest = glm::max(this->Greatest, position);
   }
 }
 

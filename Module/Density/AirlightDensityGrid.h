@@ -4,7 +4,7 @@
  * Density from the samples of an image: trilinear between them, 0 outside the image.
  *
  * Only the box of samples in whose cells there is something is kept: a plume is a small part of the
- * room that was simulated. All that follows knows that box alone.
+ * room that was simulated. All but the bounds is of that box.
  *
  * The mathematics is the shaders' (Medium/AirlightGrid.glsl), here in double precision: the optical
  * depth of a way, summed cell by cell, is exact but for rounding.
@@ -36,10 +36,10 @@ public:
   static std::shared_ptr<const DensityGrid> Build(vtkImageData* image, std::string& error);
 
   double GetDensity(const glm::dvec3& point) const;
-  // The same at a place in samples, moved into the image.
+  // The same at a place in samples, moved into their box.
   double GetDensityAt(const glm::dvec3& samples) const;
 
-  // The part of [from, to] of a ray that is inside the image; x >= y: none.
+  // The part of [from, to] of a ray that is inside the box of samples; x >= y: none.
   glm::dvec2 GetRange(
     const glm::dvec3& origin, const glm::dvec3& direction, double from, double to) const;
 
@@ -48,11 +48,11 @@ public:
     const glm::dvec3& origin, const glm::dvec3& direction, double from, double to) const;
 
   // Adds where between from and to the ray passes from one cell to the next, or enters or leaves
-  // the box of what is filled, in ascending order: there the density has kinks and jumps.
+  // the box of samples, in ascending order: there the density has kinks and jumps.
   void AddCuts(const glm::dvec3& origin, const glm::dvec3& direction, double from, double to,
     std::vector<double>& cuts) const;
 
-  // Corners of the box along the world's axes that holds the samples.
+  // Corners of the box along the world's axes that holds the whole image.
   const glm::dvec3& GetLeast() const { return this->Least; }
   const glm::dvec3& GetGreatest() const { return this->Greatest; }
 
@@ -77,7 +77,6 @@ private:
   bool ReadGeometry(vtkImageData* image, std::string& error);
   bool ReadSamples(vtkImageData* image, std::string& error);
   void Crop();
-  void FindBounds();
 
   glm::ivec3 FirstPoint{ 0 };
   glm::ivec3 Size{ 0 };

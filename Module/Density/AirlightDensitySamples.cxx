@@ -113,7 +113,7 @@ std::pair<size_t, size_t> DensitySamples::FindAboveZero(size_t begin, size_t end
 }
 
 //------------------------------------------------------------------------------
-// Rows move towards the beginning, so that there is never a second copy of all.
+// Row by row, each towards the beginning.
 void DensitySamples::Crop(const glm::ivec3& low, const glm::ivec3& count, const glm::ivec3& size)
 {
   std::visit(

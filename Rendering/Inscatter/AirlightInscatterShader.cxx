@@ -57,10 +57,11 @@ bool IsQuadrature(const f64::AirlightLight& light)
   return light.kind == AIRLIGHT_POINT_QUADRATURE || light.kind == AIRLIGHT_DIRECTIONAL_QUADRATURE;
 }
 
-// A box that holds the image has shrunk to the image's own bounds, and cuts nothing.
+// A box that holds the image has shrunk to the image's own bounds, and cuts nothing. A region that
+// is outside of its image has left no extinction.
 bool IsCutImage(const f64::AirlightMedium& medium)
 {
-  return medium.density == AIRLIGHT_DENSITY_GRID &&
+  return medium.density == AIRLIGHT_DENSITY_GRID && medium.sigmaT != glm::dvec3(0.0) &&
     (medium.region.kind != AIRLIGHT_REGION_BOX ||
       medium.region.boxMin != medium.grid->GetLeast() - medium.gridOrigin ||
       medium.region.boxMax != medium.grid->GetGreatest() - medium.gridOrigin);

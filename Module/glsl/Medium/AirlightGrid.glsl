@@ -68,7 +68,7 @@ AIRLIGHT_FN real2 airlightClipToGrid(real2 range, real3 o, real3 d, real3 last)
   return range;
 }
 
-// The part of [from, to] of a ray that is inside the image; x >= y: none.
+// The part of [from, to] of a ray that is inside the box of samples; x >= y: none.
 AIRLIGHT_FN real2 airlightGridRange(
   AIRLIGHT_IN(AirlightGrid) grid, real3 origin, real3 direction, real from, real to)
 {

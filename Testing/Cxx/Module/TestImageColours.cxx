@@ -15,6 +15,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkParticipatingMedium.h"
 #include "vtkPointData.h"
@@ -192,19 +193,23 @@ bool CompareRays()
 }
 
 //------------------------------------------------------------------------------
-// The same image in a larger one that is empty but for it, whose extent does not begin at 0. Colours
-// of its other points do not matter.
+// The same image, of any direction, in a larger one that is empty but for it, whose extent does not
+// begin at 0. Colours of its other points do not matter.
 vtkSmartPointer<vtkImageData> AddMargin(vtkImageData* image, Random& random)
 {
   const glm::ivec3 low(2, 3, 1);
   const glm::ivec3 high(1, 0, 4);
   const glm::ivec3 first(5, -3, 7);
-  const glm::dvec3 origin = Origin - Spacing * glm::dvec3(first + low);
+  const glm::dvec3 before = Spacing * glm::dvec3(first + low);
+  double way[3];
+  image->GetDirectionMatrix()->MultiplyPoint(&before.x, way);
+  const glm::dvec3 origin = Origin - glm::dvec3(way[0], way[1], way[2]);
   auto result = vtkSmartPointer<vtkImageData>::New();
   const glm::ivec3 last = first + low + Points - 1 + high;
   result->SetExtent(first.x, last.x, first.y, last.y, first.z, last.z);
   result->SetOrigin(&origin.x);
   result->SetSpacing(Spacing, Spacing, Spacing);
+  result->SetDirectionMatrix(image->GetDirectionMatrix());
   vtkPointData* points = image->GetPointData();
   for (int array = 0; array < points->GetNumberOfArrays(); ++array)
   {
@@ -254,13 +259,16 @@ bool CompareMargin()
   cloud.Medium->SetEmission(&Emission.x);
   cloud.Medium->SetAlbedoArrayName("Albedo");
   cloud.Medium->SetEmissionArrayName("Glow");
+  cloud.Image->SetDirectionMatrix(0.8, 0.6, 0.0, 0.0, 0.0, 1.0, 0.6, -0.8, 0.0); // rotated
   const auto padded = AddMargin(cloud.Image, random);
   Comparison comparison("an empty margin changes nothing");
   for (int i = 0; i < 20; ++i)
   {
-    const glm::dvec3 a = RandomPlace(random);
+    const glm::dvec3 middle(
+      cloud.Image->GetCenter()[0], cloud.Image->GetCenter()[1], cloud.Image->GetCenter()[2]);
+    const glm::dvec3 a = middle + RandomPoint(random, 1.0);
     const glm::dvec3 direction = RandomUnit(random);
-    const glm::dvec3 lamp = RandomPlace(random);
+    const glm::dvec3 lamp = middle + RandomPoint(random, 1.0);
     const double intensity[3] = { 2.0, 3.0, 4.0 };
     const auto get = [&](vtkImageData* image) {
       std::array<double, 6> result{};

@@ -143,16 +143,25 @@ vtkSmartPointer<vtkImageData> MakeWholeCloud(int points, std::uint64_t seed, int
     numbers->SetComponent(i, 0, std::round(scale * cloud->GetComponent(i, 0)));
   }
   image->GetPointData()->SetScalars(numbers);
+  Random random(seed);
+  AddColours(image, "Albedo", 1.0, random);
   return image;
 }
 
 // Samples of 8 and 16 bits stay such on the card while all images have as many, and are drawn as the
-// same numbers in single precision, whatever was there before.
+// same numbers in single precision, whatever was there before: in the air, on surfaces and before a
+// pane, with colours.
 void TestWholeNumbers()
 {
   DensityScene scene(MakeDensity(glm::ivec3(2), glm::dvec3(-1), glm::dvec3(1)));
   scene.AddBodies();
   scene.AddPointLight({ 0.5, 2.2, -1.5 });
+  vtkNew<vtkPlaneSource> pane;
+  pane->SetOrigin(-20, -20, 0.5);
+  pane->SetPoint1(20, -20, -0.5);
+  pane->SetPoint2(-20, 20, 0.5);
+  scene.Add(pane)->GetProperty()->SetOpacity(0.4);
+  scene.Medium->SetAlbedoArrayName("Albedo");
   vtkNew<vtkParticipatingMedium> other;
   scene.Pass->AddMedium(other);
   struct Cloud
@@ -187,6 +196,35 @@ void TestWholeNumbers()
         expected.at(buffer)->GetPointData()->GetScalars(), 2e-6, 2e-5);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Of the airlight of an image of ones, whose light's grid has no error, as a share of it: what a
+// region leaves whole has the bound of quadrature.
+void TestBoundOfCutImages()
+{
+  const glm::dvec3 low(-2, -1, -2);
+  const glm::dvec3 high(2, 3, 2);
+  DensityScene scene(MakeDensity(glm::ivec3(4, 5, 6), low, high));
+  scene.AddPointLight({ 0.5, 1.2, -0.5 });
+  const auto check = [&scene](const std::string& name, double share) {
+    scene.Window->Render();
+    const double found = scene.GetBuffer("ErrorBound")->GetScalarRange()[1] /
+      scene.GetBuffer("Airlight")->GetScalarRange()[1];
+    Check(std::abs(found / share - 1.0) < 0.05, Text(name, ": the bound is ", found));
+  };
+  check("an image in no region", 1e-3);
+  scene.Medium->SetRegionToBox();
+  scene.Medium->SetBounds(-2, 2, -1, 3, -2, 2);
+  check("in a box as large as it", 1e-3);
+  scene.Medium->SetBounds(-3, 3, -4, 4, -3, 3);
+  check("in a larger box", 1e-3);
+  scene.Medium->SetBounds(-2, 1.5, -1, 3, -2, 2);
+  check("cut by a box", 1e-2);
+  scene.Medium->SetRegionToSphere();
+  scene.Medium->SetCenter(0, 1, 0);
+  scene.Medium->SetRadius(1.8);
+  check("cut by a sphere", 1e-2);
 }
 
 //------------------------------------------------------------------------------
@@ -268,5 +306,6 @@ int TestDensityPassUpdates(int, char*[])
   TestUpdates();
   TestPlacesOnCard();
   TestWholeNumbers();
+  TestBoundOfCutImages();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
