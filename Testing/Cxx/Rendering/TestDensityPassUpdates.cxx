@@ -164,32 +164,28 @@ void TestWholeNumbers()
   scene.Medium->SetAlbedoArrayName("Albedo");
   vtkNew<vtkParticipatingMedium> other;
   scene.Pass->AddMedium(other);
-  struct Cloud
-  {
-    int Type;
-    double Most;
-  };
-  const Cloud bytes{ VTK_UNSIGNED_CHAR, 255.0 };
-  const Cloud shorts{ VTK_UNSIGNED_SHORT, 65535.0 };
-  const Cloud floats{ VTK_FLOAT, 1000.0 };
-  const auto show = [](vtkParticipatingMedium* medium, const Cloud& cloud, int type, int seed) {
-    medium->SetDensityImage(MakeWholeCloud(10 + seed % 7, seed, type, cloud.Most));
-    const double unit = 1.0 / cloud.Most;
-    medium->SetScattering(0.5 * unit, 0.4 * unit, 0.3 * unit);
-    medium->SetAbsorption(0.1 * unit, 0.2 * unit, 0.0);
+  const auto show = [](vtkParticipatingMedium* medium, int numbers, int type, int seed) {
+    const double most = numbers == VTK_UNSIGNED_CHAR ? 255.0
+      : numbers == VTK_UNSIGNED_SHORT                ? 65535.0
+                                                     : 1000.0;
+    medium->SetDensityImage(MakeWholeCloud(10 + seed % 7, seed, type, most));
+    medium->SetScattering(0.5 / most, 0.4 / most, 0.3 / most);
+    medium->SetAbsorption(0.1 / most, 0.2 / most, 0.0);
   };
   int seed = 80;
+  const int bytes = VTK_UNSIGNED_CHAR;
+  const int shorts = VTK_UNSIGNED_SHORT;
   for (const auto& [first, second] : { std::pair(bytes, bytes), std::pair(shorts, shorts),
-         std::pair(shorts, bytes), std::pair(bytes, floats), std::pair(shorts, shorts) })
+         std::pair(shorts, bytes), std::pair(bytes, VTK_FLOAT), std::pair(shorts, shorts) })
   {
     ++seed;
-    show(scene.Medium, first, first.Type, seed);
-    show(other, second, second.Type, seed + 20);
+    show(scene.Medium, first, first, seed);
+    show(other, second, second, seed + 20);
     const Buffers whole = scene.Render();
     show(scene.Medium, first, VTK_FLOAT, seed);
     show(other, second, VTK_FLOAT, seed + 20);
     const Buffers expected = scene.Render();
-    const std::string name = Text("types ", first.Type, " and ", second.Type);
+    const std::string name = Text("types ", first, " and ", second);
     for (const char* buffer : { "Airlight", "Transmittance", "Radiance" })
     {
       CheckErrors(name + ", " + buffer, whole.at(buffer),
