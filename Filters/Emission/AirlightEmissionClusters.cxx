@@ -50,7 +50,7 @@ double GetSum(const glm::dvec3& v) { return v.x + v.y + v.z; }
 std::vector<EmissionCluster> SampleImage(const f64::AirlightMedium& medium)
 {
   const DensityGrid& grid = *medium.grid;
-  const glm::ivec3 size = glm::ivec3(grid.GetLast()) + 1;
+  const glm::ivec3& size = grid.GetSize();
   const double cell = 1.0 / std::abs(glm::determinant(grid.GetAxes()));
   std::vector<Sums> sums(static_cast<size_t>(Parts) * Parts * Parts);
   // Places are relative to the image's middle, far away from which they would lose digits.

@@ -58,7 +58,7 @@ double GetLargest(const LightWays& ways)
 // points to samples.
 bool IsNeeded(const DensityGrid& grid, const glm::dvec3& node, const glm::dvec3& scale)
 {
-  const glm::ivec3 size = glm::ivec3(grid.GetLast()) + 1;
+  const glm::ivec3& size = grid.GetSize();
   const glm::ivec3 low = glm::max(glm::ivec3(glm::floor((node - 1.0) * scale)), 0);
   const glm::ivec3 high = glm::min(glm::ivec3(glm::ceil((node + 1.0) * scale)), size - 1);
   const glm::ivec3 count = high - low + 1;
