@@ -53,7 +53,7 @@ bool MapShadow::Update(
   {
     return false;
   }
-  return this->March || !this->Map.HasCasters() || this->DrawSlices(scene, targets);
+  return this->March || this->DrawSlices(scene, targets);
 }
 
 //------------------------------------------------------------------------------
@@ -124,8 +124,8 @@ LightShadow::Textures MapShadow::GetTextures()
   {
     return { { "shadowMap", map } };
   }
-  return { { "shadowMap", map }, { "slices", map ? this->Slices.GetTexture() : nullptr },
-    { "sliceRanges", map ? this->Slices.GetRanges() : nullptr } };
+  return { { "shadowMap", map }, { "slices", this->Slices.GetTexture() },
+    { "sliceRanges", this->Slices.GetRanges() } };
 }
 
 //------------------------------------------------------------------------------

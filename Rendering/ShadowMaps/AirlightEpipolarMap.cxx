@@ -36,7 +36,7 @@ bool EpipolarMap::Allocate(vtkOpenGLRenderWindow* window, const Target& target)
   bool ok = true;
   vtkTextureObject* texture = target.Texture;
   const int width = target.Width;
-  const int height = this->Slices.GetRows();
+  const int height = std::max(this->Slices.GetRows(), 1);
   ForgetErrors();
   if (texture->GetHandle() != 0)
   {
@@ -45,13 +45,14 @@ bool EpipolarMap::Allocate(vtkOpenGLRenderWindow* window, const Target& target)
   else
   {
     texture->SetContext(window);
-    texture->SetInternalFormat(target.Format);
-    texture->SetDataType(GL_FLOAT);
+    texture->SetInternalFormat(target.Whole ? GL_RGBA32UI : GL_RGBA32F);
+    texture->SetFormat(target.Whole ? GL_RGBA_INTEGER : GL_RGBA);
+    texture->SetDataType(target.Whole ? GL_UNSIGNED_INT : GL_FLOAT);
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
     texture->SetWrapS(vtkTextureObject::ClampToEdge);
     texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    ok = texture->Allocate2D(width, height, target.Components, VTK_FLOAT);
+    ok = texture->Allocate2D(width, height, 4, target.Whole ? VTK_UNSIGNED_INT : VTK_FLOAT);
   }
   return (ok && !IsOutOfMemory()) ||
     this->Fail("no memory on the graphics card for the slices of a shadow map of " +
@@ -85,9 +86,14 @@ bool EpipolarMap::Draw(vtkOpenGLRenderWindow* window, ShadowMap& map, const Came
 {
   const int most = vtkTextureObject::GetMaximumTextureSize(window);
   this->Slices = EpipolarSlices(map.GetProjection(), view, columns, std::min(MaximumRows, most));
-  return this->Slices.IsEmpty() ||
-    (this->DrawColumns(window, map, view, programs.Columns, bind) &&
-      this->DrawRanges(window, programs.Ranges, bind));
+  if (this->Slices.IsEmpty())
+  {
+    // Shaders ask for their textures, too, where they do not read them.
+    return this->Allocate(window, { this->Texture, 1, true }) &&
+      this->Allocate(window, { this->Ranges, 1, false });
+  }
+  return this->DrawColumns(window, map, view, programs.Columns, bind) &&
+    this->DrawRanges(window, programs.Ranges, bind);
 }
 
 //------------------------------------------------------------------------------
@@ -101,8 +107,8 @@ bool EpipolarMap::DrawColumns(vtkOpenGLRenderWindow* window, ShadowMap& map,
     return this->Fail(
       std::string("the shader of a shadow map's slices") + ProgramMaker::GetReason());
   }
-  // Four columns a texel.
-  if (!this->Begin(window, { this->Texture, this->Slices.GetColumns() / 4, GL_RGBA32F, 4 }, bind))
+  const int width = this->Slices.GetColumns() / EpipolarSlices::ColumnsPerTexel;
+  if (!this->Begin(window, { this->Texture, width, true }, bind))
   {
     return false;
   }
@@ -115,17 +121,19 @@ bool EpipolarMap::DrawColumns(vtkOpenGLRenderWindow* window, ShadowMap& map,
 //------------------------------------------------------------------------------
 bool EpipolarMap::DrawRanges(vtkOpenGLRenderWindow* window, Quad& quad, const BindTarget& bind)
 {
-  if (!quad.GetOrCompile(
-        window, GetShaderVersion(false) + AirlightSliceLayout + AirlightSliceRangesFS))
+  vtkShaderProgram* program = quad.GetOrCompile(
+    window, GetShaderVersion(false) + AirlightSliceLayout + AirlightSliceRangesFS);
+  if (!program)
   {
     return this->Fail(
       std::string("the shader of the ranges of a shadow map's slices") + ProgramMaker::GetReason());
   }
   const int words = this->Slices.GetColumns() / EpipolarSlices::Word;
-  if (!this->Begin(window, { this->Ranges, words, GL_RG32F, 2 }, bind))
+  if (!this->Begin(window, { this->Ranges, (words + 1) / 2, false }, bind))
   {
     return false;
   }
+  this->SetUniforms(program);
   quad.Draw({ { "slices", this->Texture } });
   return true;
 }

@@ -53,9 +53,8 @@ public:
   // Those of glsl/AirlightSliceLayout.glsl.
   void SetUniforms(vtkShaderProgram* program) const { this->Slices.SetUniforms(program); }
 
-  // Null before there were any slices.
-  vtkTextureObject* GetTexture() { return GetDrawn(this->Texture); }
-  vtkTextureObject* GetRanges() { return GetDrawn(this->Ranges); }
+  vtkTextureObject* GetTexture() { return this->Texture; }
+  vtkTextureObject* GetRanges() { return this->Ranges; }
   const std::string& GetError() const { return this->Error; }
 
   void Release(vtkWindow* window)
@@ -65,18 +64,13 @@ public:
   }
 
 private:
-  static vtkTextureObject* GetDrawn(vtkTextureObject* texture)
-  {
-    return texture->GetHandle() != 0 ? texture : nullptr;
-  }
   bool Fail(const std::string& reason);
-  // Of floats, as high as there are rows.
+  // As high as there are rows, at least one.
   struct Target
   {
     vtkTextureObject* Texture;
     int Width;
-    int Format;
-    int Components;
+    bool Whole; // of whole numbers, else of floats
   };
   bool Allocate(vtkOpenGLRenderWindow* window, const Target& target);
   bool Begin(vtkOpenGLRenderWindow* window, const Target& target, const BindTarget& bind);

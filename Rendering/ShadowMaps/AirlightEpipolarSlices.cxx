@@ -30,6 +30,12 @@ constexpr int BorderPoints = 16;
 // Of angles between those, and of roundings.
 constexpr double ViewMargin = 0.02;
 
+// Of the 23 bits after a float's point, so many are not kept. For a light at a place, 12 after the
+// point and four of the exponent hold distances down to where the map's cameras cut off. For a
+// light at infinity all numbers are between 1 and 2.
+constexpr int PointShift = 11;
+constexpr int ParallelShift = 7;
+
 double GetAngle(const glm::dvec3& a, const glm::dvec3& b)
 {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
@@ -90,6 +96,7 @@ EpipolarSlices::EpipolarSlices(
   const int perColumn = static_cast<int>(RowsPerColumn * columns);
   this->Rows =
     std::min(std::max({ LeastRows, view.GetWidth() + view.GetHeight(), perColumn }), mostRows);
+  this->SetValue(projection, view);
   if (!projection.IsParallel())
   {
     this->SetAround(projection, view);
@@ -253,6 +260,16 @@ void EpipolarSlices::SetRanges(Range rows, Range columns)
 }
 
 //------------------------------------------------------------------------------
+// What is farthest, twice the casters' distance at most, is above 1 with all roundings.
+void EpipolarSlices::SetValue(const ShadowMapProjection& projection, const CameraUniforms& view)
+{
+  const double farthest = projection.GetExtent() + projection.GetSlack(view);
+  const bool parallel = projection.IsParallel();
+  this->Value = parallel ? glm::dvec2(0.499 / farthest, 1.5) : glm::dvec2(4.0 * farthest, 0.0);
+  this->Shift = parallel ? ParallelShift : PointShift;
+}
+
+//------------------------------------------------------------------------------
 void EpipolarSlices::SetUniforms(vtkShaderProgram* program) const
 {
   const glm::mat3 axes(this->Axes);
@@ -265,6 +282,9 @@ void EpipolarSlices::SetUniforms(vtkShaderProgram* program) const
   set("sliceRow", this->RowRange, this->Rows);
   set("sliceColumn", this->ColumnRange, this->Columns);
   program->SetUniform2i("sliceSize", &size.x);
+  const glm::vec2 numbers(this->Value);
+  program->SetUniform2f("sliceValue", &numbers.x);
+  program->SetUniformi("sliceShift", this->Shift);
   program->SetUniformi("sliceFan", this->Fan ? 1 : 0);
 }
 }

@@ -36,6 +36,7 @@ public:
   // A multiple of Word, at most MostColumns.
   static constexpr int Word = 32;
   static constexpr int MostColumns = 1024;
+  static constexpr int ColumnsPerTexel = 8;
 
   void SetUniforms(vtkShaderProgram* program) const;
 
@@ -56,11 +57,14 @@ private:
   void SetFan(const ShadowMapProjection& projection, const CameraUniforms& view);
   void SetParallel(const ShadowMapProjection& projection, const CameraUniforms& view);
   void SetRanges(Range rows, Range columns);
+  void SetValue(const ShadowMapProjection& projection, const CameraUniforms& view);
   void TurnTo(const glm::dvec3& direction);
 
   glm::dmat3 Axes{ 1.0 };
   Range RowRange{ 0.0, 1.0 };
   Range ColumnRange{ 0.0, 1.0 };
+  glm::dvec2 Value{ 1.0, 1.0 };
+  int Shift = 0;
   bool Fan = true;
   int Rows = 0;
   int Columns = 0;

@@ -276,20 +276,25 @@ void ShadowMapProjection::SetCamera(vtkCamera* camera, int face) const
 }
 
 //------------------------------------------------------------------------------
+double ShadowMapProjection::GetSlack(const CameraUniforms& view) const
+{
+  return Rounding * glm::length(this->Anchor - view.GetEye()) +
+    (this->IsParallel() ? MapRounding * this->Extent : 0.0);
+}
+
+//------------------------------------------------------------------------------
 void ShadowMapProjection::SetUniforms(vtkShaderProgram* program, const CameraUniforms& view) const
 {
   const glm::vec3 origin(this->Anchor - view.GetEye());
   const glm::mat3 frame(this->Frame);
   const glm::vec2 scale(this->Scale);
-  const bool parallel = this->IsParallel();
-  const double slack =
-    Rounding * glm::length(origin) + (parallel ? MapRounding * this->Extent : 0.0);
   program->SetUniformi("mapKind", static_cast<int>(this->Kind));
   program->SetUniformi("mapResolution", this->Side);
   program->SetUniform3f("mapOrigin", &origin.x);
   program->SetUniform3fv("mapFrame", 3, &frame[0].x);
   program->SetUniform2f("mapScale", &scale.x);
-  program->SetUniformf("mapSlack", static_cast<float>(slack));
-  program->SetUniformf("mapRelativeSlack", parallel ? 0.0f : static_cast<float>(MapRounding));
+  program->SetUniformf("mapSlack", static_cast<float>(this->GetSlack(view)));
+  program->SetUniformf(
+    "mapRelativeSlack", this->IsParallel() ? 0.0f : static_cast<float>(MapRounding));
 }
 }

@@ -55,6 +55,10 @@ public:
   double GetExtent() const { return this->Extent; }
   double GetFarthest() const { return this->Farthest; }
 
+  // What roundings of the map and of points from the eye may add to a distance; of a light at a
+  // place besides a share of it.
+  double GetSlack(const CameraUniforms& view) const;
+
   // A cone from a light at a place that holds all of the map in which there may be casters.
   struct Cover
   {

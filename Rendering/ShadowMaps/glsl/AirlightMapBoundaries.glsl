@@ -2,15 +2,15 @@
 // where its own value is not below the slice's. A first loop asks for each word of columns whether
 // all of it or none is lit; a second one looks up the columns of the words that are neither.
 
-uniform sampler2D slices;      // four columns a texel
-uniform sampler2D sliceRanges; // least and most of each word of columns
+uniform usampler2D slices;
+uniform sampler2D sliceRanges; // least and most of each word of columns, two words a texel
 
 // Columns at most.
 const int AIRLIGHT_SLICE_WORDS = 32;
 // Of a ray with no more boundaries, each is found within its column; where there are more, errors
 // of either sign even out, and shadows that are thinner than a column are half of them missed.
 const int AIRLIGHT_FEW_BOUNDARIES = 8;
-const int AIRLIGHT_HALVINGS = 4;
+const int AIRLIGHT_HALVINGS = 3;
 
 struct AirlightSliceRay
 {
@@ -20,8 +20,8 @@ struct AirlightSliceRay
   // Directional light: how far across it the ray starts, and goes a unit.
   float origin;
   float way;
-  // The ray's value is scale times what grows by perUnit from the border of column 0, or for a
-  // light at a place the cosine of that.
+  // The ray's scaled number is scale times what grows by perUnit from the border of column 0, or
+  // for a light at a place the cosine of that.
   float start;
   float perUnit;
   float scale;
@@ -71,7 +71,7 @@ AirlightSliceRay airlightMakeSliceRay(AirlightRay ray, float from)
     // Of the eye, as seen from the foot of the light.
     slice.start =
       airlightParallel != 0 ? -1.57079633 : -atan(ray.range.x + ray.foot.tL, h);
-    slice.scale = 1.0 / max(h, 1e-30);
+    slice.scale = sliceValue.x / max(h, 1e-30);
     slice.columns = vec2(atan(airlightFromFoot(ray, from), h),
                       atan(airlightFromFoot(ray, ray.lit.y), h)) - slice.start;
     slice.start += sliceColumn.x;
@@ -81,9 +81,9 @@ AirlightSliceRay airlightMakeSliceRay(AirlightRay ray, float from)
     float along = dot(ray.direction, sliceAxes[2]);
     slice.scale = 1.0;
     slice.columns = slice.origin + slice.way * vec2(from, ray.lit.y);
-    slice.perUnit = -along / max(slice.way, 1e-30);
-    slice.start =
-      dot(mapOrigin - ray.origin, sliceAxes[2]) + (sliceColumn.x - slice.origin) * slice.perUnit;
+    slice.perUnit = sliceValue.x * (-along / max(slice.way, 1e-30));
+    slice.start = sliceValue.y + sliceValue.x * dot(mapOrigin - ray.origin, sliceAxes[2]) +
+      (sliceColumn.x - slice.origin) * slice.perUnit;
     slice.row = slice.way > 0.0 ? slice.row : -1;
   }
   slice.columns = (slice.columns - sliceColumn.x) * sliceColumn.y;
@@ -117,6 +117,16 @@ AirlightSliceSteps airlightSliceSteps(AirlightSliceRay slice)
   return steps;
 }
 
+// Whether light reaches four columns, the first of which has this bit.
+uint airlightReaches(vec4 value, uvec4 columns, uint first)
+{
+  vec4 least = airlightUnpackSlice(columns);
+  value = max(value, vec4(1.0)); // where nothing is in the way
+  // Constants to choose from: shifts of a truth value take longer.
+  return (value.x >= least.x ? first : 0u) | (value.y >= least.y ? first << 1u : 0u) |
+    (value.z >= least.z ? first << 2u : 0u) | (value.w >= least.w ? first << 3u : 0u);
+}
+
 // Whether light reaches the columns of a word: a bit each.
 uint airlightSliceBits(AirlightSliceRay slice, AirlightSliceSteps steps, int word)
 {
@@ -126,16 +136,16 @@ uint airlightSliceBits(AirlightSliceRay slice, AirlightSliceSteps steps, int wor
   vec4 before = slice.point ? c * steps.cosBefore - s * steps.sinBefore : u + steps.before;
   vec4 value = slice.point ? c * steps.cosAfter - s * steps.sinAfter : u + steps.after;
   uint bits = 0u;
-  for (int i = 0; i < AIRLIGHT_SLICE_WORD / 4; i++)
+  const int texels = AIRLIGHT_SLICE_WORD / AIRLIGHT_SLICE_TEXEL;
+  for (int i = 0; i < texels; i++)
   {
-    vec4 least = texelFetch(slices, ivec2(AIRLIGHT_SLICE_WORD / 4 * word + i, slice.row), 0);
-    // Constants to choose from: shifts of a truth value take longer.
-    uint first = 1u << uint(4 * i);
-    bits |= (value.x >= least.x ? first : 0u) | (value.y >= least.y ? first << 1u : 0u) |
-      (value.z >= least.z ? first << 2u : 0u) | (value.w >= least.w ? first << 3u : 0u);
+    uvec4 columns = texelFetch(slices, ivec2(texels * word + i, slice.row), 0);
+    uint first = 1u << uint(AIRLIGHT_SLICE_TEXEL * i);
     vec4 next = steps.twice * value - before;
-    before = value;
-    value = next;
+    bits |= airlightReaches(value, columns & 0xffffu, first) |
+      airlightReaches(next, columns >> 16u, first << 4u);
+    before = next;
+    value = steps.twice * next - value;
   }
   return bits;
 }
@@ -151,31 +161,41 @@ AirlightSliceWords airlightSliceWords(AirlightSliceRay slice, ivec2 words)
 {
   float column = slice.perUnit / sliceColumn.y;
   float width = float(AIRLIGHT_SLICE_WORD) * column; // of a word
-  float start = slice.start + column * (float(AIRLIGHT_SLICE_WORD * words.x) + 0.5);
-  vec2 ends = vec2(0.0, width - column); // middles of the first and the last column
-  vec2 cosEnds = cos(ends);
-  vec2 sinEnds = sin(ends);
-  vec2 turn = vec2(cos(width), sin(width));
+  ivec2 pairs = words / 2;
+  float start = slice.start + column * (float(2 * AIRLIGHT_SLICE_WORD * pairs.x) + 0.5);
+  // Middles of the first column of both words, and of the last ones.
+  vec4 ends = vec4(0.0, width, width - column, 2.0 * width - column);
+  vec4 cosEnds = cos(ends);
+  vec4 sinEnds = sin(ends);
+  vec2 turn = vec2(cos(2.0 * width), sin(2.0 * width));
   vec2 at = slice.scale * vec2(cos(start), sin(start));
   // Roundings of this and of airlightSliceBits().
   float slack = slice.point ? 1e-4 * slice.scale
                             : 1e-5 * (abs(start) + float(AIRLIGHT_SLICE_WORDS) * abs(width));
   AirlightSliceWords result = AirlightSliceWords(0u, 0u);
-  for (int word = words.x; word <= words.y; word++)
+  for (int pair = pairs.x; pair <= pairs.y; pair++)
   {
-    vec2 u = start + width * float(word - words.x) + ends;
-    vec2 values = slice.point ? at.x * cosEnds - at.y * sinEnds : u;
+    vec4 u = start + 2.0 * width * float(pair - pairs.x) + ends;
+    vec4 values = slice.point ? at.x * cosEnds - at.y * sinEnds : u;
+    vec2 least = min(values.xy, values.zw);
+    vec2 most = max(values.xy, values.zw);
     // Few columns are so wide that a word goes through the lowest value, too.
-    float least = slice.point && u.y > 3.14159 ? -slice.scale : min(values.x, values.y);
-    least -= slack;
-    float most = slice.point && u.x * u.y < 0.0 ? slice.scale : max(values.x, values.y);
-    most += slack;
-    vec2 range = texelFetch(sliceRanges, ivec2(word, slice.row), 0).xy;
-    uint bit = 1u << uint(word);
-    result.lit |= least >= range.y ? bit : 0u;
-    result.parts |= least < range.y && most >= range.x ? bit : 0u;
+    least.x = slice.point && u.z > 3.14159 ? -slice.scale : least.x;
+    least.y = slice.point && u.w > 3.14159 ? -slice.scale : least.y;
+    least = max(least - slack, vec2(1.0)); // where nothing is in the way
+    most.x = slice.point && u.x * u.z < 0.0 ? slice.scale : most.x;
+    most.y = slice.point && u.y * u.w < 0.0 ? slice.scale : most.y;
+    most = max(most + slack, vec2(1.0));
+    vec4 ranges = texelFetch(sliceRanges, ivec2(pair, slice.row), 0);
+    uint bit = 1u << uint(2 * pair);
+    result.lit |= (least.x >= ranges.y ? bit : 0u) | (least.y >= ranges.w ? bit << 1u : 0u);
+    result.parts |= (least.x < ranges.y && most.x >= ranges.x ? bit : 0u) |
+      (least.y < ranges.w && most.y >= ranges.z ? bit << 1u : 0u);
     at = vec2(at.x * turn.x - at.y * turn.y, at.y * turn.x + at.x * turn.y);
   }
+  uint within = 0xffffffffu << uint(words.x) & 0xffffffffu >> uint(31 - words.y);
+  result.lit &= within;
+  result.parts &= within;
   return result;
 }
 

@@ -1,23 +1,31 @@
 // The least and the most of each word of columns of a shadow map's slices
-// (AirlightSliceLayout.glsl), after AirlightEpipolarMapFS.glsl: rays pass words that are lit or in
-// shadow as wholes in one step.
+// (AirlightSliceLayout.glsl), after AirlightEpipolarMapFS.glsl, of two words a texel: rays pass
+// words that are lit or in shadow as wholes in one step.
 
-uniform sampler2D slices; // four columns a texel
-const int TEXELS = AIRLIGHT_SLICE_WORD / 4;
+uniform usampler2D slices;
+const int TEXELS = AIRLIGHT_SLICE_WORD / AIRLIGHT_SLICE_TEXEL;
 
-layout(location = 0) out vec4 range;
+layout(location = 0) out vec4 ranges;
+
+vec2 getRange(ivec2 word)
+{
+  uvec4 least = uvec4(0xffffu);
+  uvec4 most = uvec4(0u);
+  for (int i = 0; i < TEXELS; i++)
+  {
+    uvec4 columns = texelFetch(slices, ivec2(TEXELS * word.x + i, word.y), 0);
+    least = min(least, min(columns & 0xffffu, columns >> 16u));
+    most = max(most, max(columns & 0xffffu, columns >> 16u));
+  }
+  least.xy = min(least.xy, least.zw);
+  most.xy = max(most.xy, most.zw);
+  vec4 range = airlightUnpackSlice(uvec4(min(least.x, least.y), max(most.x, most.y), 0u, 0u));
+  return range.xy;
+}
 
 void main()
 {
-  ivec2 word = ivec2(gl_FragCoord.xy);
-  vec4 least = texelFetch(slices, ivec2(TEXELS * word.x, word.y), 0);
-  vec4 most = least;
-  for (int i = 1; i < TEXELS; i++)
-  {
-    vec4 values = texelFetch(slices, ivec2(TEXELS * word.x + i, word.y), 0);
-    least = min(least, values);
-    most = max(most, values);
-  }
-  range = vec4(min(min(least.x, least.y), min(least.z, least.w)),
-    max(max(most.x, most.y), max(most.z, most.w)), 0.0, 0.0);
+  ivec2 pair = ivec2(gl_FragCoord.xy);
+  ranges.xy = getRange(ivec2(2 * pair.x, pair.y));
+  ranges.zw = getRange(ivec2(2 * pair.x + 1, pair.y));
 }
