@@ -28,7 +28,7 @@ namespace airlight
 namespace
 {
 // Pixels of the picture to a coarse one, each way: at least so many.
-constexpr int LeastPixels = 4;
+constexpr int LeastPixels = 5;
 // Nodes on a ray.
 constexpr int NodeCount = 42;
 
