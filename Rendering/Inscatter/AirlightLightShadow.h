@@ -110,7 +110,8 @@ public:
   // Sets what this source reads.
   virtual void Bind(vtkShaderProgram* program, const FrameScene& scene, const InscatterDraw& draw);
 
-  // The textures that this source reads, by their names; null for one that is of no use.
+  // The textures that this source reads, by their names; null for one of floats that is of
+  // no use.
   using Textures = std::vector<std::pair<const char*, vtkTextureObject*>>;
   virtual Textures GetTextures() { return {}; }
 

@@ -53,7 +53,7 @@ bool MapShadow::Update(
   {
     return false;
   }
-  return this->March || this->DrawSlices(scene, targets);
+  return this->March || !this->Map.HasCasters() || this->DrawSlices(scene, targets);
 }
 
 //------------------------------------------------------------------------------

@@ -45,14 +45,14 @@ bool EpipolarMap::Allocate(vtkOpenGLRenderWindow* window, const Target& target)
   else
   {
     texture->SetContext(window);
-    texture->SetInternalFormat(target.Whole ? GL_RGBA32UI : GL_RGBA32F);
-    texture->SetFormat(target.Whole ? GL_RGBA_INTEGER : GL_RGBA);
-    texture->SetDataType(target.Whole ? GL_UNSIGNED_INT : GL_FLOAT);
+    texture->SetInternalFormat(target.IsInteger ? GL_RGBA32UI : GL_RGBA32F);
+    texture->SetFormat(target.IsInteger ? GL_RGBA_INTEGER : GL_RGBA);
+    texture->SetDataType(target.IsInteger ? GL_UNSIGNED_INT : GL_FLOAT);
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
     texture->SetWrapS(vtkTextureObject::ClampToEdge);
     texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    ok = texture->Allocate2D(width, height, 4, target.Whole ? VTK_UNSIGNED_INT : VTK_FLOAT);
+    ok = texture->Allocate2D(width, height, 4, target.IsInteger ? VTK_UNSIGNED_INT : VTK_FLOAT);
   }
   return (ok && !IsOutOfMemory()) ||
     this->Fail("no memory on the graphics card for the slices of a shadow map of " +
@@ -88,7 +88,7 @@ bool EpipolarMap::Draw(vtkOpenGLRenderWindow* window, ShadowMap& map, const Came
   this->Slices = EpipolarSlices(map.GetProjection(), view, columns, std::min(MaximumRows, most));
   if (this->Slices.IsEmpty())
   {
-    // Shaders ask for their textures, too, where they do not read them.
+    // Shaders have samplers of them, though they do not read them.
     return this->Allocate(window, { this->Texture, 1, true }) &&
       this->Allocate(window, { this->Ranges, 1, false });
   }

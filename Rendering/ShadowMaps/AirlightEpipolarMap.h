@@ -3,7 +3,7 @@
 /**
  * A shadow map drawn into the epipolar slices of a view. Needs OpenGL 3.2.
  *
- * Memory: 4 bytes a column and row, and 8 for each 32 of them.
+ * Memory: 2 bytes a column and row, and 16 for each 64 of them.
  */
 
 #ifndef AirlightEpipolarMap_h
@@ -53,6 +53,7 @@ public:
   // Those of glsl/AirlightSliceLayout.glsl.
   void SetUniforms(vtkShaderProgram* program) const { this->Slices.SetUniforms(program); }
 
+  // After Draw().
   vtkTextureObject* GetTexture() { return this->Texture; }
   vtkTextureObject* GetRanges() { return this->Ranges; }
   const std::string& GetError() const { return this->Error; }
@@ -70,7 +71,7 @@ private:
   {
     vtkTextureObject* Texture;
     int Width;
-    bool Whole; // of whole numbers, else of floats
+    bool IsInteger; // else of floats
   };
   bool Allocate(vtkOpenGLRenderWindow* window, const Target& target);
   bool Begin(vtkOpenGLRenderWindow* window, const Target& target, const BindTarget& bind);

@@ -30,10 +30,10 @@ constexpr int BorderPoints = 16;
 // Of angles between those, and of roundings.
 constexpr double ViewMargin = 0.02;
 
-// Of the 23 bits after a float's point, so many are not kept. For a light at a place, 12 after the
-// point and four of the exponent hold distances down to where the map's cameras cut off. For a
-// light at infinity all numbers are between 1 and 2.
-constexpr int PointShift = 11;
+// Of a float from 1 on, 16 bits above this one are kept. For a light at a place, 11 bits after the
+// point and five of the exponent hold distances down to 1e-9 of the largest. For a light at
+// infinity all numbers are between 1 and 2.
+constexpr int PointShift = 12;
 constexpr int ParallelShift = 7;
 
 double GetAngle(const glm::dvec3& a, const glm::dvec3& b)
@@ -260,12 +260,13 @@ void EpipolarSlices::SetRanges(Range rows, Range columns)
 }
 
 //------------------------------------------------------------------------------
-// What is farthest, twice the casters' distance at most, is above 1 with all roundings.
+// All that the map holds gets numbers above 1: the reciprocal of a distance from 1 on, the distance
+// below 0 from 1 to 2. A slope's bias may move it beyond that, where it does not matter.
 void EpipolarSlices::SetValue(const ShadowMapProjection& projection, const CameraUniforms& view)
 {
-  const double farthest = projection.GetExtent() + projection.GetSlack(view);
+  const double reach = projection.GetReach() + 2.0 * projection.GetSlack(view);
   const bool parallel = projection.IsParallel();
-  this->Value = parallel ? glm::dvec2(0.499 / farthest, 1.5) : glm::dvec2(4.0 * farthest, 0.0);
+  this->Value = parallel ? glm::dvec2(0.499 / reach, 1.5) : glm::dvec2(1.2 * reach, 0.0);
   this->Shift = parallel ? ParallelShift : PointShift;
 }
 

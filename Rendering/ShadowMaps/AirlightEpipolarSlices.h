@@ -36,7 +36,7 @@ public:
   // A multiple of Word, at most MostColumns.
   static constexpr int Word = 32;
   static constexpr int MostColumns = 1024;
-  static constexpr int ColumnsPerTexel = 8;
+  static constexpr int ColumnsPerTexel = 8; // AIRLIGHT_SLICE_TEXEL
 
   void SetUniforms(vtkShaderProgram* program) const;
 
@@ -63,6 +63,7 @@ private:
   glm::dmat3 Axes{ 1.0 };
   Range RowRange{ 0.0, 1.0 };
   Range ColumnRange{ 0.0, 1.0 };
+  // How values are kept: see sliceValue and sliceShift.
   glm::dvec2 Value{ 1.0, 1.0 };
   int Shift = 0;
   bool Fan = true;

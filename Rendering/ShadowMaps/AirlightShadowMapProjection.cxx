@@ -22,6 +22,10 @@ namespace
 constexpr int FacesInRow = 3;
 // Of the largest distance: what is nearer to the light the camera cuts off.
 constexpr double RelativeNear = 1e-4;
+// What is farther away, along a face's axis: what mappers draw around points is not in their boxes.
+constexpr double CameraFar = 2.0;
+// In the corners of a face it may be so far away.
+constexpr double CameraReach = 1.7321 * CameraFar;
 // Up to 60 degrees one face before a spot is finer than six around it.
 constexpr double NarrowCone = 0.5;
 // The square root of 6: a face on its own has as many texels as six together.
@@ -138,6 +142,7 @@ void ShadowMapProjection::Set(const std::vector<Caster>& casters,
     this->Farthest = std::max(this->Farthest, glm::length(corner - this->Anchor));
   }
   this->Extent = this->Farthest;
+  this->Reach = CameraReach * this->Farthest;
   this->SetCover(corners, cosine, nonPolygonal.empty());
 }
 
@@ -201,6 +206,8 @@ void ShadowMapProjection::SetParallel(const std::vector<Caster>& casters,
   const glm::dvec2 across = glm::max(glm::dvec2(half), 1e-6 * this->Extent);
   this->Scale = (1.0 - 2.0 * Margin / this->Side) / across;
   this->Farthest = half.z;
+  // What mappers draw around points is not in their boxes.
+  this->Reach = nonPolygonal.empty() ? half.z : this->Extent;
 }
 
 //------------------------------------------------------------------------------
@@ -255,7 +262,7 @@ void ShadowMapProjection::SetCamera(vtkCamera* camera, int face) const
   const glm::dvec3 position = this->Anchor - offset * frame[2];
   const glm::dvec3 focus = position + std::max(this->Extent, 1e-30) * frame[2];
   const double nearest = parallel ? offset - this->Extent : RelativeNear * this->Farthest;
-  const double farthest = parallel ? offset + this->Extent : 2.0 * this->Farthest;
+  const double farthest = parallel ? offset + this->Extent : CameraFar * this->Farthest;
   camera->SetPosition(position.x, position.y, position.z);
   camera->SetFocalPoint(focus.x, focus.y, focus.z);
   camera->SetViewUp(frame[1].x, frame[1].y, frame[1].z);

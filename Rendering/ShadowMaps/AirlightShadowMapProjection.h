@@ -55,6 +55,10 @@ public:
   double GetExtent() const { return this->Extent; }
   double GetFarthest() const { return this->Farthest; }
 
+  // Within such a distance of the anchor are all that the map holds; of a light at infinity, along
+  // its light.
+  double GetReach() const { return this->Reach; }
+
   // What roundings of the map and of points from the eye may add to a distance; of a light at a
   // place besides a share of it.
   double GetSlack(const CameraUniforms& view) const;
@@ -95,6 +99,7 @@ private:
   glm::dvec2 Scale{ 1.0 };
   double Extent = 0.0;
   double Farthest = 0.0;
+  double Reach = 0.0;
   Cover Covered;
 };
 }

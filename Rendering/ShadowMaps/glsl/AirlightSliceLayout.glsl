@@ -11,8 +11,8 @@
 // A column holds how far the light goes there, as a value: for a light at a place the reciprocal of
 // the distance, for a directional light the distance below 0. It is scaled to a number above 1, of
 // which 16 bits are kept; they are 0 where nothing is in the light's way. A texel has eight
-// columns, the first four in the lower halves of its numbers: to follow a ray takes software
-// renderers as long as to read its texels.
+// columns, the first four in the lower halves of its numbers, since four are compared at once: to
+// read texels takes most of the time of following a ray.
 
 // Columns of a word, whose least and most value are known (EpipolarSlices::Word): a bit each.
 const int AIRLIGHT_SLICE_WORD = 32;
@@ -31,7 +31,8 @@ const uint AIRLIGHT_SLICE_ONE = 0x3f800000u; // the bits of 1.0
 uvec4 airlightPackSlice(vec4 values)
 {
   uvec4 bits = floatBitsToUint(max(sliceValue.x * values + sliceValue.y, vec4(1.0)));
-  return min((bits - AIRLIGHT_SLICE_ONE) >> uint(sliceShift), uvec4(0xffffu));
+  bits = clamp((bits - AIRLIGHT_SLICE_ONE) >> uint(sliceShift), uvec4(1u), uvec4(0xffffu));
+  return bits * uvec4(greaterThan(values, vec4(-1e29)));
 }
 
 // The scaled number, or a little less: what is lit before a surface stays lit.

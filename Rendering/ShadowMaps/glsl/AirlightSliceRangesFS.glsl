@@ -7,8 +7,10 @@ const int TEXELS = AIRLIGHT_SLICE_WORD / AIRLIGHT_SLICE_TEXEL;
 
 layout(location = 0) out vec4 ranges;
 
+// Of an odd number of words, what would be the last one is the one before it again.
 vec2 getRange(ivec2 word)
 {
+  word.x = min(word.x, sliceSize.x / AIRLIGHT_SLICE_WORD - 1);
   uvec4 least = uvec4(0xffffu);
   uvec4 most = uvec4(0u);
   for (int i = 0; i < TEXELS; i++)

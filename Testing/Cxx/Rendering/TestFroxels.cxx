@@ -97,8 +97,8 @@ double GetShareBeyond(const Buffers& picture, const Buffers& exact, const Limit&
 }
 
 //------------------------------------------------------------------------------
-// Measured: airlight 1.3e-4 to 8.2e-4 for faint sheets, 8e-4 to 4.2e-3 for dense ones; the picture,
-// with the sheets, their light and their shadows on the floor, 5e-3 to 1.3e-2 and 4.4e-2 to 8.8e-2.
+// Measured: airlight 1.3e-4 to 6.9e-4 for faint sheets, 9.7e-4 to 4.5e-3 for dense ones; the picture,
+// with the sheets, their light and their shadows on the floor, 5e-3 to 1.4e-2 and 4.8e-2 to 9.6e-2.
 struct Limits
 {
   double Airlight;
