@@ -22,14 +22,15 @@ struct ShadowEdge
   glm::vec4 Normal; // w: index of the layer
 };
 
-// Adds an edge with a weight. A boundary has one of at most 2; more is rare, and takes several
-// edges.
+// Adds an edge with a weight, a whole number. A boundary has one of at most 2; more is rare, and
+// takes several edges.
 inline void AddEdge(std::vector<ShadowEdge>& edges, ShadowEdge edge, float weight)
 {
-  for (float left = weight; left != 0.0f; left -= edge.A.w)
+  while (weight != 0.0f)
   {
-    edge.A.w = glm::clamp(left, -2.0f, 2.0f);
+    edge.A.w = glm::clamp(weight, -2.0f, 2.0f);
     edges.push_back(edge);
+    weight -= edge.A.w;
   }
 }
 
