@@ -5,6 +5,7 @@
 // boundaries than the memory limit allows. Old OpenGL is in TestAirlightPassOldOpenGL.
 
 #include "AirlightTestErrors.h"
+#include "AirlightTestImageErrors.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 
@@ -34,17 +35,6 @@ void CheckRule(Scene& scene, const std::string& name, int technique, int effecti
   Check(count == 0 || warned.GetText().find(said) != std::string::npos,
     name + ": the warning says " + said + ": " + warned.GetText());
   Check(failed.Take() == 0, name + ": no errors");
-}
-
-double GetMean(vtkImageData* image)
-{
-  double sum = 0.0;
-  const int* size = image->GetDimensions();
-  for (int i = 0; i < size[0] * size[1]; ++i)
-  {
-    sum += static_cast<float*>(image->GetScalarPointer(i % size[0], i / size[0], 0))[0];
-  }
-  return sum / (size[0] * size[1]);
 }
 
 // For one window: in a second one VTK's mapper draws from buffers of the first, which some drivers

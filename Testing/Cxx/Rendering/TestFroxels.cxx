@@ -8,6 +8,7 @@
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestErrors.h"
+#include "AirlightTestImageErrors.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 
@@ -16,7 +17,6 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -53,32 +53,6 @@ Buffers Draw(Scene& scene, int technique, double most)
 
 int GetTechnique(Scene& scene) { return scene.Pass->GetEffectiveShadowTechnique(); }
 
-// Of the first component, over all pixels.
-double GetMean(vtkImageData* image)
-{
-  double sum = 0.0;
-  const int* size = image->GetDimensions();
-  for (int i = 0; i < size[0] * size[1]; ++i)
-  {
-    sum += GetValue(image, i % size[0], i / size[0]);
-  }
-  return sum / (size[0] * size[1]);
-}
-
-// Root mean square of the first component's error, over the mean.
-double GetError(const Buffers& picture, const Buffers& exact, const std::string& name)
-{
-  double squares = 0.0;
-  const int* size = exact.at(name)->GetDimensions();
-  for (int i = 0; i < size[0] * size[1]; ++i)
-  {
-    const double error = GetValue(picture.at(name), i % size[0], i / size[0]) -
-      GetValue(exact.at(name), i % size[0], i / size[0]);
-    squares += error * error;
-  }
-  return std::sqrt(squares / (size[0] * size[1])) / GetMean(exact.at(name));
-}
-
 // The share of pixels whose airlight differs by more than a limit.
 template <typename Limit>
 double GetShareBeyond(const Buffers& picture, const Buffers& exact, const Limit& limit)
@@ -97,8 +71,9 @@ double GetShareBeyond(const Buffers& picture, const Buffers& exact, const Limit&
 }
 
 //------------------------------------------------------------------------------
-// Measured: airlight 1.3e-4 to 6.9e-4 for faint sheets, 9.7e-4 to 4.5e-3 for dense ones; the picture,
-// with the sheets, their light and their shadows on the floor, 5e-3 to 1.4e-2 and 4.8e-2 to 9.6e-2.
+// Measured: airlight 1.3e-4 to 6.9e-4 for faint sheets, 9.7e-4 to 4.5e-3 for dense ones; the
+// picture, with the sheets, their light and their shadows on the floor, 5e-3 to 1.4e-2 and 4.8e-2
+// to 9.6e-2.
 struct Limits
 {
   double Airlight;

@@ -7,11 +7,11 @@
 
 #include "AirlightTestCheck.h"
 #include "AirlightTestErrors.h"
+#include "AirlightTestImageErrors.h"
 #include "AirlightTestScene.h"
 #include "AirlightTestTools.h"
 #include "ShadowVolumes/AirlightBoundaryEstimate.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -41,18 +41,6 @@ vtkSmartPointer<vtkPolyData> MakeSwarm(int count, const glm::dvec3& centre, unsi
 
 void AddFloor(Scene& scene) { scene.AddBox({ -8, -2.2, -8 }, { 8, -2, 8 }, glm::dvec3(0.7)); }
 
-// Of the first component, over all pixels.
-double GetMean(vtkImageData* image)
-{
-  double sum = 0.0;
-  const int* size = image->GetDimensions();
-  for (int i = 0; i < size[0] * size[1]; ++i)
-  {
-    sum += GetValue(image, i % size[0], i / size[0]);
-  }
-  return sum / (size[0] * size[1]);
-}
-
 struct Difference
 {
   double Rms = 0.0;    // over the mean airlight
@@ -63,7 +51,6 @@ struct Difference
 Difference Compare(const Buffers& picture, const Buffers& exact, int width, int height)
 {
   Difference difference;
-  double squares = 0.0;
   for (int i = 0; i < width * height; ++i)
   {
     const int x = i % width;
@@ -71,12 +58,11 @@ Difference Compare(const Buffers& picture, const Buffers& exact, int width, int 
     const glm::dvec3 value = GetColour(exact.at("Airlight"), x, y);
     const glm::dvec3 error = glm::abs(GetColour(picture.at("Airlight"), x, y) - value);
     const double largest = std::max({ error.x, error.y, error.z });
-    squares += error.x * error.x;
     difference.Beyond += largest > GetValue(picture.at("ErrorBound"), x, y) ? 1.0 : 0.0;
     difference.Equal += largest <= 1e-5 * value.x ? 1.0 : 0.0;
   }
   const double pixels = width * height;
-  difference.Rms = std::sqrt(squares / pixels) / GetMean(exact.at("Airlight"));
+  difference.Rms = GetError(picture, exact, "Airlight");
   difference.Beyond /= pixels;
   difference.Equal /= pixels;
   return difference;

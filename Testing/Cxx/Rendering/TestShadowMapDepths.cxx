@@ -6,60 +6,31 @@
 // each ball in the air is that of shadow planes, to what texels and columns lose.
 
 #include "AirlightTestBodies.h"
+#include "AirlightTestImageErrors.h"
 #include "AirlightTestTools.h"
 
 #include "vtkCamera.h"
-#include "vtkSphereSource.h"
 
-#include <cmath>
 #include <cstdlib>
 
 using namespace airlight_test;
 
 namespace
 {
-void AddBall(Scene& scene, const glm::dvec3& centre, double radius)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(centre.x, centre.y, centre.z);
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(24);
-  sphere->SetPhiResolution(24);
-  scene.Add(sphere);
-}
-
-std::vector<double> Draw(Scene& scene, int technique)
+Buffers Draw(Scene& scene, int technique)
 {
   scene.Pass->SetShadowTechnique(technique);
-  scene.Window->Render();
+  Buffers buffers = scene.Render();
   Check(scene.Pass->GetEffectiveShadowTechnique() == technique, "the technique asked for");
-  std::vector<double> values;
-  for (int i = 0; i < scene.Width * scene.Height; ++i)
-  {
-    values.push_back(GetValue(scene.GetBuffer("Airlight"), i % scene.Width, i / scene.Width));
-  }
-  return values;
-}
-
-// The root of the mean squared difference over the mean.
-double Compare(const std::vector<double>& values, const std::vector<double>& exact)
-{
-  double squares = 0.0;
-  double sum = 0.0;
-  for (size_t i = 0; i < exact.size(); ++i)
-  {
-    squares += (values[i] - exact[i]) * (values[i] - exact[i]);
-    sum += exact[i];
-  }
-  return std::sqrt(squares * exact.size()) / sum;
+  return buffers;
 }
 
 // `most`: of what shadows take, may be wrong.
 void CompareMap(const std::string& name, Scene& scene, double most = 0.02)
 {
-  const std::vector<double> exact = Draw(scene, vtkAirlightPass::SHADOW_PLANES);
-  const double map = Compare(Draw(scene, vtkAirlightPass::SHADOW_MAP), exact);
-  const double none = Compare(Draw(scene, vtkAirlightPass::NONE), exact);
+  const Buffers exact = Draw(scene, vtkAirlightPass::SHADOW_PLANES);
+  const double map = GetError(Draw(scene, vtkAirlightPass::SHADOW_MAP), exact, "Airlight");
+  const double none = GetError(Draw(scene, vtkAirlightPass::NONE), exact, "Airlight");
   std::cout << name << ": map " << map << ", no shadows " << none << "\n";
   Check(none > 1e-3, name + ": shadows are seen");
   Check(map < most * none, Text(name, ": the map's shadows, off by ", map, " of ", none));
@@ -74,8 +45,8 @@ int TestShadowMapDepths(int, char*[])
     Scene lamp(100, 75);
     const double near = 100.0 * ratio;
     lamp.AddPointLight({ 0, 0, 0 });
-    AddBall(lamp, { near, 0, 0 }, 0.4 * near);
-    AddBall(lamp, { -80, 0, 0 }, 20.0);
+    lamp.AddBall({ near, 0, 0 }, 0.4 * near, glm::dvec3(1.0));
+    lamp.AddBall({ -80, 0, 0 }, 20.0, glm::dvec3(1.0));
     vtkCamera* camera = lamp.Renderer->GetActiveCamera();
     lamp.Look({ 1.5 * near, 0.5 * near, 4.0 * near }, { near, 0, 0 });
     camera->SetClippingRange(0.1 * near, 400.0);
@@ -89,8 +60,8 @@ int TestShadowMapDepths(int, char*[])
   {
     Scene coarse(100, 75);
     coarse.AddPointLight({ 0, 0, 0 });
-    AddBall(coarse, { 50, 0, 0 }, 20.0);
-    AddBall(coarse, { -80, 0, 0 }, 20.0);
+    coarse.AddBall({ 50, 0, 0 }, 20.0, glm::dvec3(1.0));
+    coarse.AddBall({ -80, 0, 0 }, 20.0, glm::dvec3(1.0));
     coarse.Look({ 10, 10, 200 }, { 10, 0, 0 });
     coarse.Renderer->GetActiveCamera()->SetClippingRange(1.0, 1000.0);
     coarse.Pass->SetNumberOfSteps(steps);
@@ -100,8 +71,8 @@ int TestShadowMapDepths(int, char*[])
   {
     Scene sun(100, 75);
     sun.AddDirectionalLight({ 0, 1, 1e-3 });
-    AddBall(sun, { 0.5, 0, 0 }, 1.0);
-    AddBall(sun, { -1.5, height, 0 }, 1.0);
+    sun.AddBall({ 0.5, 0, 0 }, 1.0, glm::dvec3(1.0));
+    sun.AddBall({ -1.5, height, 0 }, 1.0, glm::dvec3(1.0));
     sun.Look({ 0, 1, 8 }, { 0, -1, 0 });
     CompareMap(Text("sun, ", height), sun);
   }
